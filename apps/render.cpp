@@ -1,0 +1,637 @@
+#include "apps/render.h"
+
+#include <cairo-svg.h>
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <new>
+#include <numbers>
+#include <stdexcept>
+#include <string_view>
+
+#include "history/atomic_file.h"
+
+namespace voroproof {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// ---- Curves
+
+Vec2 operator+(const Vec2& a, const Vec2& b) { return {a[0] + b[0], a[1] + b[1]}; }
+Vec2 operator-(const Vec2& a, const Vec2& b) { return {a[0] - b[0], a[1] - b[1]}; }
+Vec2 operator*(double k, const Vec2& a) { return {k * a[0], k * a[1]}; }
+double dot(const Vec2& a, const Vec2& b) { return a[0] * b[0] + a[1] * b[1]; }
+double length(const Vec2& a) { return std::hypot(a[0], a[1]); }
+double angle(const Vec2& a) { return std::atan2(a[1], a[0]); }
+Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+Vec2 at(const Cubic& curve, double t) {
+  const double u = 1 - t;
+  return (u * u * u) * curve[0] + (3 * u * u * t) * curve[1] + (3 * u * t * t) * curve[2] +
+         (t * t * t) * curve[3];
+}
+
+// The bisector of a disk, the base, and another generator, in polar coordinates
+// about the centre c of the base. With n a unit vector, d and s the differences of
+// centres and signed radii (other minus base; the container's is negative) and
+// p = d.d - s^2, it is the conic
+//
+//   rho(n) = p / (2 (d.n + s))   where that is positive,
+//
+// which has c as a focus. Two of its tangents, at directions n -+ delta/2, meet in
+// direction n at the distance tau = p / (2 (d.n + s cos(delta/2))), and the arc
+// between them is the rational quadratic Bezier curve of the weight
+// sqrt(rho_0 rho_1) / tau over these three points.
+class Bisector {
+ public:
+  Bisector(const Vec2& base, double base_radius, const Vec2& other, double other_radius)
+      : c_(base),
+        d_(other - base),
+        s_(other_radius - base_radius),
+        p_(dot(d_, d_) - s_ * s_),
+        sign_(other_radius < 0 ? -1 : 1) {}
+
+  // The arc from `start` to `end`, `sweep` (positive: counterclockwise) of angle
+  // apart as seen from the base.
+  void append_arc(const Vec2& start, const Vec2& end, double sweep, double tolerance,
+                  std::vector<Cubic>& out) const {
+    append(start, end, angle(start - c_), sweep, tolerance, max_halvings, out);
+  }
+
+  Vec2 point(double angle) const {
+    const Vec2 n = direction(angle);
+    return c_ + (p_ / (2 * (dot(d_, n) + s_))) * n;
+  }
+
+ private:
+  static constexpr int max_halvings = 20;
+
+  void append(const Vec2& start, const Vec2& end, double from, double sweep, double tolerance,
+              int halvings, std::vector<Cubic>& out) const {
+    const Vec2 n = direction(from + sweep / 2);
+    const double rho = p_ / (2 * (dot(d_, n) + s_));
+    // Rounding can put the ends of a very short edge in the wrong order: then the
+    // sweep leads through directions without a point.
+    if (halvings == 0 || !(rho > 0 && std::isfinite(rho))) {
+      out.push_back({start, start, end, end});
+      return;
+    }
+    if (std::abs(sweep) < pi / 2) {
+      const double tau = p_ / (2 * (dot(d_, n) + s_ * std::cos(sweep / 2)));
+      const double weight = std::sqrt(length(start - c_) * length(end - c_)) / tau;
+      if (tau > 0 && std::isfinite(weight)) {
+        // The cubic with the same tangents and the same point half-way.
+        const Vec2 apex = c_ + tau * n;
+        const double pull = 4 * weight / (3 * (1 + weight));
+        const Cubic cubic{start, start + pull * (apex - start), end + pull * (apex - end), end};
+        if (distance(at(cubic, 0.25)) <= tolerance && distance(at(cubic, 0.75)) <= tolerance) {
+          out.push_back(cubic);
+          return;
+        }
+      }
+    }
+    const Vec2 middle = c_ + rho * n;
+    append(start, middle, from, sweep / 2, tolerance, halvings - 1, out);
+    append(middle, end, from + sweep / 2, sweep / 2, tolerance, halvings - 1, out);
+  }
+
+  // Distance of a point near the bisector from it, to first order: the difference
+  // of the distances from the two generators over the length of its gradient.
+  double distance(const Vec2& x) const {
+    const Vec2 from_base = x - c_, from_other = from_base - d_;
+    const double a = length(from_base), b = length(from_other);
+    const double difference = std::abs(a - sign_ * b + s_);
+    const double slope = length((1 / a) * from_base - (sign_ / b) * from_other);
+    return difference == 0 ? 0 : difference / slope;
+  }
+
+  Vec2 c_, d_;
+  double s_, p_, sign_;
+};
+
+double signed_radius(const DiagramFile& diagram, GenId id) {
+  return id == container_id ? -diagram.container_radius : diagram.disks[id].radius;
+}
+
+const Vec2& center(const DiagramFile& diagram, GenId id) {
+  return id == container_id ? diagram.container_center : diagram.disks[id].center;
+}
+
+Bisector bisector(const DiagramFile& diagram, GenId base, GenId other) {
+  return {center(diagram, base), signed_radius(diagram, base), center(diagram, other),
+          signed_radius(diagram, other)};
+}
+
+std::string name(const Quad& q) {
+  return '[' + std::to_string(q.l) + ',' + std::to_string(q.r) + ',' + std::to_string(q.s) + ',' +
+         std::to_string(q.e) + ']';
+}
+
+std::vector<Cubic> reversed(std::vector<Cubic> chain) {
+  std::reverse(chain.begin(), chain.end());
+  for (Cubic& cubic : chain) std::reverse(cubic.begin(), cubic.end());
+  return chain;
+}
+
+// ---- Cells and their colours
+
+// The boundary of each disk's cell, counterclockwise, from the curves of all edges.
+std::vector<std::vector<Cubic>> cell_boundaries(const DiagramFile& diagram,
+                                                const EdgeCurves& curves,
+                                                const std::vector<std::vector<Cubic>>& edges) {
+  const std::size_t n = diagram.disks.size();
+  std::vector<std::vector<Cubic>> cells(n);
+  if (n == 1) cells[0] = curves.only_cell();
+
+  struct Side {
+    Triple from, to;
+    std::size_t edge;
+    bool backwards;
+  };
+  std::vector<std::vector<Side>> sides(n);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Quad& q = diagram.edges[i];
+    const Triple start = start_vertex(q), end = end_vertex(q);
+    if (q.l != container_id) sides[q.l].push_back({start, end, i, false});
+    if (q.r != container_id) sides[q.r].push_back({end, start, i, true});
+  }
+  for (std::size_t disk = 0; disk < n; ++disk) {
+    std::map<Triple, const Side*> leaving;
+    for (const Side& side : sides[disk]) leaving.emplace(side.from, &side);
+    if (leaving.empty()) continue;
+    Triple vertex = leaving.begin()->first;
+    while (!leaving.empty()) {
+      const auto found = leaving.find(vertex);
+      if (found == leaving.end())
+        throw std::invalid_argument("diagram: the edges around disk " + std::to_string(disk) +
+                                    " do not close");
+      const Side& side = *found->second;
+      const auto chain = side.backwards ? reversed(edges[side.edge]) : edges[side.edge];
+      cells[disk].insert(cells[disk].end(), chain.begin(), chain.end());
+      vertex = side.to;
+      leaving.erase(found);
+    }
+  }
+  return cells;
+}
+
+struct Colour {
+  double red, green, blue;
+};
+
+constexpr std::array<Colour, 8> palette{{{0.36, 0.58, 0.82},
+                                         {0.93, 0.60, 0.32},
+                                         {0.44, 0.70, 0.47},
+                                         {0.85, 0.45, 0.47},
+                                         {0.60, 0.51, 0.77},
+                                         {0.87, 0.76, 0.33},
+                                         {0.35, 0.70, 0.71},
+                                         {0.84, 0.55, 0.74}}};
+
+constexpr Colour ink{0.20, 0.23, 0.30};
+constexpr Colour arrow_ink{0.55, 0.10, 0.16};
+constexpr Colour white{1, 1, 1};
+
+// The colour with `share` of it left in white.
+Colour pale(const Colour& c, double share) {
+  return {1 - share * (1 - c.red), 1 - share * (1 - c.green), 1 - share * (1 - c.blue)};
+}
+
+// An index into the palette for each disk, different for neighbours. The dual graph is planar, so
+// every subgraph has a disk with at most 5 neighbours: taking such disks away one by one and
+// colouring them in reverse order needs no more than 6 colours. The ids make use of the others.
+std::vector<std::size_t> colours(const DiagramFile& diagram) {
+  const std::size_t n = diagram.disks.size();
+  std::vector<std::vector<GenId>> neighbours(n);
+  for (const Quad& q : diagram.edges) {
+    if (q.l == container_id || q.r == container_id) continue;
+    neighbours[q.l].push_back(q.r);
+    neighbours[q.r].push_back(q.l);
+  }
+  std::vector<std::size_t> degree(n);
+  std::vector<std::vector<GenId>> of_degree(6);
+  const auto file = [&](GenId disk) {
+    if (degree[disk] < of_degree.size()) of_degree[degree[disk]].push_back(disk);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    std::sort(neighbours[i].begin(), neighbours[i].end());
+    neighbours[i].erase(std::unique(neighbours[i].begin(), neighbours[i].end()),
+                        neighbours[i].end());
+    degree[i] = neighbours[i].size();
+    file(static_cast<GenId>(i));
+  }
+  std::vector<bool> taken(n, false);
+  std::vector<GenId> order;
+  while (order.size() < n) {
+    const auto bucket = std::find_if(of_degree.begin(), of_degree.end(),
+                                     [](const auto& disks) { return !disks.empty(); });
+    if (bucket == of_degree.end()) throw std::invalid_argument("diagram: not a planar one");
+    const GenId disk = bucket->back();
+    bucket->pop_back();
+    if (taken[disk]) continue;  // filed again since, under a smaller degree
+    taken[disk] = true;
+    order.push_back(disk);
+    for (GenId other : neighbours[disk]) {
+      if (taken[other]) continue;
+      --degree[other];
+      file(other);
+    }
+  }
+
+  constexpr std::size_t none = palette.size();
+  std::vector<std::size_t> colour(n, none);
+  for (auto disk = order.rbegin(); disk != order.rend(); ++disk) {
+    std::array<bool, palette.size() + 1> used{};
+    for (GenId other : neighbours[*disk]) used[colour[other]] = true;
+    std::size_t choice = static_cast<std::size_t>(*disk) % palette.size();
+    while (used[choice]) choice = (choice + 1) % palette.size();
+    colour[*disk] = choice;
+  }
+  return colour;
+}
+
+// ---- Painting
+
+// Draws the decimal digits of an id as strokes, so that pictures do not depend on
+// the fonts of a system. A digit fills a box 0.6 wide and 1 high, y upwards.
+class DigitPen {
+ public:
+  explicit DigitPen(cairo_t* cairo) : cairo_(cairo) {}
+
+  // Around the given place, `height` pixels high.
+  void write(const std::string& digits, const Vec2& place, double height) const {
+    constexpr double advance = 0.82;
+    const double width = advance * static_cast<double>(digits.size()) - (advance - 0.6);
+    cairo_new_path(cairo_);
+    cairo_save(cairo_);
+    cairo_translate(cairo_, place[0] - height * width / 2, place[1] + height / 2);
+    cairo_scale(cairo_, height, -height);
+    for (char digit : digits) {
+      add(digit);
+      cairo_translate(cairo_, advance, 0);
+    }
+    cairo_restore(cairo_);
+    cairo_set_line_width(cairo_, 0.13 * height);
+    cairo_stroke(cairo_);
+  }
+
+ private:
+  void add(char digit) const {
+    switch (digit) {
+      case '0':
+        return oval(0.3, 0.5, 0.28, 0.5);
+      case '1':
+        return lines({{0.12, 0.78}, {0.36, 1}, {0.36, 0}});
+      case '2':
+        start(0.04, 0.74);
+        arc(0.3, 0.73, 0.26, 0.27, 178, -40);
+        return to({{0.03, 0}, {0.58, 0}});
+      case '3':
+        start(0.07, 0.88);
+        arc(0.28, 0.75, 0.24, 0.25, 148, -90);
+        return arc(0.28, 0.25, 0.29, 0.25, 90, -150);
+      case '4':
+        return lines({{0.46, 0}, {0.46, 1}, {0.02, 0.28}, {0.6, 0.28}});
+      case '5':
+        lines({{0.53, 1}, {0.13, 1}, {0.08, 0.53}});
+        return arc(0.28, 0.31, 0.29, 0.31, 125, -148);
+      case '6':
+        oval(0.3, 0.3, 0.27, 0.3);
+        return curve({0.03, 0.32}, {0.03, 0.7}, {0.18, 0.95}, {0.47, 1});
+      case '7':
+        return lines({{0.03, 1}, {0.57, 1}, {0.2, 0}});
+      case '8':
+        oval(0.3, 0.76, 0.23, 0.24);
+        return oval(0.3, 0.26, 0.28, 0.26);
+      case '9':
+        oval(0.3, 0.7, 0.27, 0.3);
+        return curve({0.57, 0.68}, {0.57, 0.3}, {0.42, 0.05}, {0.13, 0});
+    }
+  }
+
+  void start(double x, double y) const { cairo_move_to(cairo_, x, y); }
+  void to(std::initializer_list<Vec2> points) const {
+    for (const Vec2& p : points) cairo_line_to(cairo_, p[0], p[1]);
+  }
+  void lines(std::initializer_list<Vec2> points) const {
+    cairo_new_sub_path(cairo_);
+    to(points);
+  }
+  void curve(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) const {
+    start(a[0], a[1]);
+    cairo_curve_to(cairo_, b[0], b[1], c[0], c[1], d[0], d[1]);
+  }
+  // Clockwise, angles in degrees.
+  void arc(double x, double y, double rx, double ry, double from, double to) const {
+    cairo_save(cairo_);
+    cairo_translate(cairo_, x, y);
+    cairo_scale(cairo_, rx, ry);
+    cairo_arc_negative(cairo_, 0, 0, 1, from * pi / 180, to * pi / 180);
+    cairo_restore(cairo_);
+  }
+  void oval(double x, double y, double rx, double ry) const {
+    cairo_new_sub_path(cairo_);
+    arc(x, y, rx, ry, 360, 0);
+    cairo_close_path(cairo_);
+  }
+
+  cairo_t* cairo_;
+};
+
+class Painter {
+ public:
+  Painter(cairo_t* cairo, const DiagramFile& diagram, int size)
+      : cairo_(cairo),
+        diagram_(diagram),
+        half_(size / 2.0),
+        margin_(0.05 * size),
+        scale_((half_ - margin_) / diagram.container_radius),
+        spacing_(scale_ * diagram.container_radius /
+                 std::sqrt(static_cast<double>(diagram.disks.size()) + 1)),
+        stroke_(std::clamp(0.02 * spacing_, 0.00015 * size, 0.0018 * size)) {}
+
+  void paint() {
+    cairo_set_tolerance(cairo_, 0.01);
+    cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
+    use(white);
+    cairo_paint(cairo_);
+    circle(diagram_.container_center, scale_ * diagram_.container_radius);
+    use(pale(ink, 0.07));
+    cairo_fill(cairo_);
+
+    const EdgeCurves curves(diagram_, 0.01 / scale_);
+    std::vector<std::vector<Cubic>> edges;
+    edges.reserve(diagram_.edges.size());
+    for (const Quad& edge : diagram_.edges) edges.push_back(curves.of(edge));
+    const auto cells = cell_boundaries(diagram_, curves, edges);
+    if (edges.empty() && !cells.empty()) edges.push_back(cells[0]);
+
+    const auto colour = colours(diagram_);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      trace(cells[i]);
+      use(pale(palette[colour[i]], 0.32));
+      cairo_fill(cairo_);
+    }
+    for (const auto& edge : edges) {
+      trace(edge);
+      use(ink);
+      cairo_set_line_width(cairo_, stroke_);
+      cairo_stroke(cairo_);
+    }
+    circle(diagram_.container_center, scale_ * diagram_.container_radius);
+    use(ink);
+    cairo_set_line_width(cairo_, std::max(2 * stroke_, 0.001 * half_));
+    cairo_stroke(cairo_);
+    paint_disks(colour);
+    if (diagram_.disks.size() <= 200) paint_vertices();
+    paint_velocities();
+    if (diagram_.disks.size() <= 60) paint_ids();
+  }
+
+ private:
+  Vec2 pixel(const Vec2& p) const {
+    const Vec2 offset = scale_ * (p - diagram_.container_center);
+    return {half_ + offset[0], half_ - offset[1]};
+  }
+
+  void use(const Colour& c) { cairo_set_source_rgb(cairo_, c.red, c.green, c.blue); }
+
+  void circle(const Vec2& centre, double pixels) {
+    const Vec2 p = pixel(centre);
+    cairo_new_path(cairo_);
+    cairo_arc(cairo_, p[0], p[1], pixels, 0, 2 * pi);
+    cairo_close_path(cairo_);
+  }
+
+  void trace(const std::vector<Cubic>& chain) {
+    cairo_new_path(cairo_);
+    if (chain.empty()) return;
+    const Vec2 first = pixel(chain.front()[0]);
+    cairo_move_to(cairo_, first[0], first[1]);
+    for (const Cubic& cubic : chain) {
+      const Vec2 b = pixel(cubic[1]), c = pixel(cubic[2]), d = pixel(cubic[3]);
+      cairo_curve_to(cairo_, b[0], b[1], c[0], c[1], d[0], d[1]);
+    }
+  }
+
+  // Disks that would vanish are drawn as dots a little larger than the lines.
+  double disk_pixels(const DiagramDisk& disk) const {
+    return std::max(scale_ * disk.radius, 0.9 * stroke_);
+  }
+
+  void paint_disks(const std::vector<std::size_t>& colour) {
+    for (std::size_t i = 0; i < diagram_.disks.size(); ++i) {
+      const DiagramDisk& disk = diagram_.disks[i];
+      circle(disk.center, disk_pixels(disk));
+      use(palette[colour[i]]);
+      cairo_fill_preserve(cairo_);
+      use(ink);
+      cairo_set_line_width(cairo_, 0.6 * stroke_);
+      cairo_stroke(cairo_);
+    }
+  }
+
+  void paint_vertices() {
+    for (const DiagramVertex& vertex : diagram_.vertices) {
+      circle(vertex.center, 1.5 * stroke_);
+      use(ink);
+      cairo_fill(cairo_);
+    }
+  }
+
+  // From the rims of the disks outwards, to one scale: the fastest disk's arrow has
+  // about half the typical distance of disks.
+  void paint_velocities() {
+    double fastest = 0;
+    for (const DiagramDisk& disk : diagram_.disks)
+      fastest = std::max(fastest, length(disk.velocity));
+    for (const DiagramDisk& disk : diagram_.disks) {
+      const double speed = length(disk.velocity);
+      if (speed == 0) continue;
+      const Vec2 along{disk.velocity[0] / speed, -disk.velocity[1] / speed};
+      const Vec2 across{-along[1], along[0]};
+      const double reach = std::min(0.5 * spacing_, margin_) * (speed / fastest);
+      const double head = std::min(0.35 * reach, 7 * stroke_);
+      const Vec2 tail = pixel(disk.center) + disk_pixels(disk) * along;
+      const Vec2 tip = tail + reach * along, neck = tip - head * along;
+      use(arrow_ink);
+      cairo_set_line_width(cairo_, 1.2 * stroke_);
+      cairo_new_path(cairo_);
+      cairo_move_to(cairo_, tail[0], tail[1]);
+      cairo_line_to(cairo_, neck[0], neck[1]);
+      cairo_stroke(cairo_);
+      cairo_move_to(cairo_, tip[0], tip[1]);
+      for (double side : {0.4, -0.4}) {
+        const Vec2 barb = neck + (side * head) * across;
+        cairo_line_to(cairo_, barb[0], barb[1]);
+      }
+      cairo_close_path(cairo_);
+      cairo_fill(cairo_);
+    }
+  }
+
+  // Inside disks that have room for them, else behind the disk.
+  void paint_ids() {
+    const DigitPen pen(cairo_);
+    for (std::size_t i = 0; i < diagram_.disks.size(); ++i) {
+      const DiagramDisk& disk = diagram_.disks[i];
+      const std::string id = std::to_string(i);
+      const double radius = disk_pixels(disk);
+      const double least = 0.011 * 2 * half_;
+      Vec2 place = pixel(disk.center);
+      const double height = std::clamp(0.7 * radius, least, 2 * least);
+      if (0.7 * radius < least) {
+        const double speed = length(disk.velocity);
+        const Vec2 behind =
+            speed == 0 ? Vec2{0, -1} : Vec2{-disk.velocity[0] / speed, disk.velocity[1] / speed};
+        place = place + (radius + least) * behind;
+      }
+      use(ink);
+      pen.write(id, place, height);
+    }
+  }
+
+  cairo_t* cairo_;
+  const DiagramFile& diagram_;
+  double half_;     // of the picture's size
+  double margin_;   // around the container, in pixels: room for arrows that point outwards
+  double scale_;    // pixels per unit of length
+  double spacing_;  // typical distance of neighbouring disks, in pixels
+  double stroke_;   // width of an edge, in pixels
+};
+
+// ---- Files
+
+void check(const DiagramFile& diagram) {
+  if (!(std::isfinite(diagram.container_radius) && diagram.container_radius > 0))
+    throw std::invalid_argument("diagram: the container's radius is not positive");
+  const auto known = [&](GenId id) {
+    return id == container_id || (id >= 0 && static_cast<std::size_t>(id) < diagram.disks.size());
+  };
+  for (const Quad& q : diagram.edges) {
+    if (!names_an_edge(q) || !known(q.l) || !known(q.r) || !known(q.s) || !known(q.e))
+      throw std::invalid_argument("diagram: " + name(q) + " names no edge of it");
+  }
+}
+
+void check_cairo(cairo_status_t status) {
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error(std::string("cairo: ") + cairo_status_to_string(status));
+}
+
+cairo_status_t collect(void* bytes, const unsigned char* data, unsigned int size) {
+  try {
+    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), size);
+    return CAIRO_STATUS_SUCCESS;
+  } catch (const std::bad_alloc&) {
+    return CAIRO_STATUS_NO_MEMORY;
+  }
+}
+
+struct SurfaceDeleter {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
+
+void paint_on(cairo_surface_t* surface, const DiagramFile& diagram, int size) {
+  check_cairo(cairo_surface_status(surface));
+  struct Deleter {
+    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+  };
+  const std::unique_ptr<cairo_t, Deleter> cairo(cairo_create(surface));
+  Painter(cairo.get(), diagram, size).paint();
+  check_cairo(cairo_status(cairo.get()));
+}
+
+std::string png(const DiagramFile& diagram, int size) {
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size, size));
+  paint_on(surface.get(), diagram, size);
+  std::string bytes;
+  check_cairo(cairo_surface_write_to_png_stream(surface.get(), collect, &bytes));
+  return bytes;
+}
+
+// Cairo numbers the surfaces of a process and writes the number into the file:
+// id="surface7". Nothing refers to it.
+void remove_surface_number(std::string& svg) {
+  constexpr std::string_view start = "<g id=\"surface";
+  const std::size_t at = svg.find(start);
+  if (at == std::string::npos) return;
+  const std::size_t number = at + start.size();
+  svg.erase(number, svg.find('"', number) - number);
+}
+
+std::string svg(const DiagramFile& diagram, int size) {
+  std::string bytes;
+  {
+    const Surface surface(cairo_svg_surface_create_for_stream(collect, &bytes, size, size));
+    cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
+    paint_on(surface.get(), diagram, size);
+    cairo_surface_finish(surface.get());
+    check_cairo(cairo_surface_status(surface.get()));
+  }
+  remove_surface_number(bytes);
+  return bytes;
+}
+
+}  // namespace
+
+EdgeCurves::EdgeCurves(const DiagramFile& diagram, double tolerance)
+    : diagram_(diagram), tolerance_(tolerance) {
+  for (const DiagramVertex& vertex : diagram.vertices)
+    vertices_.emplace(canonical(vertex.generators), vertex.center);
+}
+
+std::vector<Cubic> EdgeCurves::of(const Quad& edge) const {
+  const auto start = vertices_.find(start_vertex(edge));
+  const auto end = vertices_.find(end_vertex(edge));
+  if (start == vertices_.end() || end == vertices_.end())
+    throw std::invalid_argument("diagram: edge " + name(edge) + " ends at no vertex");
+  // The edge runs counterclockwise around the generator on its left and clockwise
+  // around the one on its right.
+  const bool base_is_left = edge.l != container_id;
+  const GenId base = base_is_left ? edge.l : edge.r, other = base_is_left ? edge.r : edge.l;
+  const Vec2& c = center(diagram_, base);
+  double sweep = angle(end->second - c) - angle(start->second - c);
+  if (!base_is_left) sweep = -sweep;
+  // Ends closer than this coincide: rounding, not the edge, makes the rest of a turn.
+  constexpr double least_angle = 1e-9;
+  if (sweep < 0) sweep += 2 * pi;
+  if (sweep > 2 * pi - least_angle) sweep -= 2 * pi;
+  if (!base_is_left) sweep = -sweep;
+
+  std::vector<Cubic> chain;
+  bisector(diagram_, base, other).append_arc(start->second, end->second, sweep, tolerance_, chain);
+  return chain;
+}
+
+std::vector<Cubic> EdgeCurves::only_cell() const {
+  const Bisector ellipse = bisector(diagram_, 0, container_id);
+  std::vector<Cubic> chain;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    ellipse.append_arc(ellipse.point(quarter * pi / 2), ellipse.point((quarter + 1) % 4 * pi / 2),
+                       pi / 2, tolerance_, chain);
+  }
+  return chain;
+}
+
+void render_diagram(const DiagramFile& diagram, const std::string& path,
+                    const RenderOptions& options) {
+  const bool is_svg = std::string_view(path).ends_with(".svg");
+  if (!is_svg && !std::string_view(path).ends_with(".png"))
+    throw std::invalid_argument("picture: the name must end in .svg or .png");
+  if (options.size < 16 || options.size > 20000)
+    throw std::invalid_argument("picture: the size must lie between 16 and 20000 pixels");
+  check(diagram);
+
+  AtomicFile file(path);
+  file.write(is_svg ? svg(diagram, options.size) : png(diagram, options.size));
+  file.commit();
+}
+
+}  // namespace voroproof

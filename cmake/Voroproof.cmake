@@ -1,0 +1,41 @@
+# Compiler settings and the external libraries, each found once.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+
+find_package(Threads REQUIRED)
+find_package(Boost 1.74 REQUIRED)
+find_package(CGAL REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(GMPXX REQUIRED IMPORTED_TARGET gmpxx)
+pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
+pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
+
+# The error bounds of filtered/ assume that every operation is rounded once, to
+# nearest: no contraction to fused operations unless the source asks for one.
+add_library(voroproof_options INTERFACE)
+target_compile_options(voroproof_options INTERFACE
+  -Wall -Wextra -ffp-contract=off -fno-fast-math
+  $<$<BOOL:${VOROPROOF_WERROR}>:-Werror>
+  $<$<BOOL:${VOROPROOF_NATIVE}>:-march=native>
+  # g++ 12 sees overlapping copies in string concatenations (GCC bug 105651).
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
+if(VOROPROOF_SANITIZE)
+  target_compile_options(voroproof_options INTERFACE
+    -fsanitize=${VOROPROOF_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(voroproof_options INTERFACE -fsanitize=${VOROPROOF_SANITIZE})
+endif()
+
+# voroproof_layer(NAME sources... USES layers and libraries...)
+# A library of one room. Its headers are included as "room/header.h".
+function(voroproof_layer name)
+  cmake_parse_arguments(arg "" "" "USES" ${ARGN})
+  add_library(voroproof_${name} STATIC ${arg_UNPARSED_ARGUMENTS})
+  target_include_directories(voroproof_${name} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_link_libraries(voroproof_${name} PUBLIC ${arg_USES} PRIVATE voroproof_options)
+endfunction()

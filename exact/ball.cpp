@@ -1,0 +1,301 @@
+#include "exact/ball.h"
+
+#include <bit>
+#include <cfloat>
+#include <limits>
+
+namespace voroproof {
+
+namespace {
+// Every sum or product of two magnitudes is rounded once by the hardware; this
+// factor turns the rounded result into an upper bound.
+constexpr double kUp = 1.0 + 0x1p-51;
+constexpr std::int64_t kInfiniteExponent = std::int64_t{1} << 40;
+}  // namespace
+
+Magnitude Magnitude::normalized(double m, std::int64_t e) {
+  // m is positive and normal here: it is a sum or product of numbers in [1, 2),
+  // or a finite nonzero double.
+  const auto bits = std::bit_cast<std::uint64_t>(m);
+  const auto exponent = static_cast<std::int64_t>((bits >> 52) & 0x7ff);
+  if (exponent == 0) return Magnitude(1.0, e - 1021);  // subnormal: bounded by 2^-1021
+  const double mantissa = std::bit_cast<double>((bits & 0x000fffffffffffffULL) | (0x3ffULL << 52));
+  return Magnitude(mantissa, e + exponent - 1023);
+}
+
+Magnitude Magnitude::of(double x) {
+  x = std::fabs(x);
+  return x == 0 ? Magnitude() : normalized(x, 0);
+}
+
+double Magnitude::to_double() const {
+  if (is_zero()) return 0;
+  if (e_ > 1022) return std::numeric_limits<double>::infinity();
+  if (e_ < -1021) return DBL_MIN;
+  return std::ldexp(m_, static_cast<int>(e_));
+}
+
+Magnitude operator+(const Magnitude& a, const Magnitude& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  const Magnitude& big = a.e_ >= b.e_ ? a : b;
+  const Magnitude& small = a.e_ >= b.e_ ? b : a;
+  const std::int64_t shift = big.e_ - small.e_;
+  const double addend =
+      shift > 60 ? 0x1p-59
+                 : small.m_ * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - shift) << 52);
+  return Magnitude::normalized((big.m_ + addend) * kUp, big.e_);
+}
+
+Magnitude operator*(const Magnitude& a, const Magnitude& b) {
+  if (a.is_zero() || b.is_zero()) return Magnitude();
+  return Magnitude::normalized(a.m_ * b.m_ * kUp, a.e_ + b.e_);
+}
+
+bool operator<(const Magnitude& a, const Magnitude& b) {
+  if (a.is_zero() || b.is_zero()) return a.is_zero() && !b.is_zero();
+  return a.e_ != b.e_ ? a.e_ < b.e_ : a.m_ < b.m_;
+}
+
+Ball::Ball(const Rational& q, Precision bits) : Ball(bits) {
+  add_rounding(mpfr_set_q(mid_, q.get_mpq_t(), MPFR_RNDN));
+}
+
+Ball& Ball::operator=(const Ball& o) {
+  if (this != &o) {
+    set_precision(o.precision());
+    mpfr_set(mid_, o.mid_, MPFR_RNDN);
+    radius_ = o.radius_;
+  }
+  return *this;
+}
+
+void Ball::set_precision(Precision bits) {
+  if (mid_->_mpfr_d == nullptr) {
+    mpfr_init2(mid_, bits);
+  } else if (mpfr_get_prec(mid_) != bits) {
+    mpfr_set_prec(mid_, bits);
+  }
+}
+
+Magnitude Ball::magnitude_of(mpfr_srcptr x) {
+  if (mpfr_zero_p(x)) return Magnitude();
+  if (!mpfr_number_p(x)) return Magnitude::power_of_two(kInfiniteExponent);
+  // The leading 53 bits, rounded away from zero: scale to [1, 2) by hand.
+  long e = 0;
+  const double m = mpfr_get_d_2exp(&e, x, MPFR_RNDA);
+  return Magnitude::of(m).scaled(e);
+}
+
+Sign Ball::sign() const {
+  if (!mpfr_number_p(mid_)) return Sign::unknown;
+  if (radius_.is_zero()) return sign_of(mpfr_sgn(mid_));
+  if (mpfr_zero_p(mid_)) return Sign::unknown;
+  // |mid| >= 2^(exp-1); the radius is below 2^(e+1).
+  const std::int64_t low = mpfr_get_exp(mid_) - 1;
+  if (low >= radius_.exponent() + 1) return sign_of(mpfr_sgn(mid_));
+  if (low + 1 <= radius_.exponent()) return Sign::unknown;
+  long e = 0;
+  const double m = std::fabs(mpfr_get_d_2exp(&e, mid_, MPFR_RNDZ));
+  return radius_ < Magnitude::of(m).scaled(e) ? sign_of(mpfr_sgn(mid_)) : Sign::unknown;
+}
+
+std::int64_t Ball::accuracy_bits() const {
+  if (radius_.is_zero()) return std::int64_t{1} << 30;
+  if (mpfr_zero_p(mid_)) return -radius_.exponent();
+  return mpfr_get_exp(mid_) - 1 - radius_.exponent();
+}
+
+bool Ball::round_to_double(double& out) const {
+  if (!mpfr_number_p(mid_)) return false;
+  if (radius_.is_zero()) {
+    out = mpfr_get_d(mid_, MPFR_RNDN);
+    return true;
+  }
+  // Both ends of the ball, rounded outward at a precision that leaves the ends
+  // where they are up to a relative 2^-64 of the radius, must round to one double.
+  const Precision bits = std::max<Precision>(precision(), 64) + 64;
+  Ball end(bits);
+  Ball reach(64);
+  mpfr_set_d(reach.mid_, 1.0, MPFR_RNDN);
+  if (radius_.exponent() > 2000) return false;
+  // The radius as an MPFR number, rounded up to the next power of two times two
+  // would waste a bit: use its double mantissa.
+  const Magnitude unit = radius_.scaled(-radius_.exponent());
+  mpfr_set_d(reach.mid_, unit.to_double(), MPFR_RNDU);
+  mpfr_mul_2si(reach.mid_, reach.mid_, static_cast<long>(radius_.exponent()), MPFR_RNDU);
+  mpfr_sub(end.mid_, mid_, reach.mid_, MPFR_RNDD);
+  const double lo = mpfr_get_d(end.mid_, MPFR_RNDN);
+  mpfr_add(end.mid_, mid_, reach.mid_, MPFR_RNDU);
+  const double hi = mpfr_get_d(end.mid_, MPFR_RNDN);
+  if (lo != hi) return false;
+  out = lo;
+  return true;
+}
+
+void Ball::to_interval(double& lo, double& hi) const {
+  if (!mpfr_number_p(mid_)) {
+    lo = -std::numeric_limits<double>::infinity();
+    hi = std::numeric_limits<double>::infinity();
+    return;
+  }
+  lo = mpfr_get_d(mid_, MPFR_RNDD);
+  hi = mpfr_get_d(mid_, MPFR_RNDU);
+  if (radius_.is_zero()) return;
+  const double r = radius_.to_double();
+  lo = std::nextafter(lo - r, -std::numeric_limits<double>::infinity());
+  hi = std::nextafter(hi + r, std::numeric_limits<double>::infinity());
+}
+
+void Ball::to_double_double(double& hi, double& lo, double& err) const {
+  hi = mpfr_get_d(mid_, MPFR_RNDN);
+  if (!std::isfinite(hi)) {
+    lo = 0;
+    err = std::numeric_limits<double>::infinity();
+    return;
+  }
+  // mid - hi is exact at the midpoint's own precision plus the 53 bits of hi.
+  mp_limb_t limbs[2];
+  mpfr_t rest;
+  mpfr_custom_init(limbs, 107);
+  mpfr_custom_init_set(rest, MPFR_ZERO_KIND, 0, 107, limbs);
+  const int ternary = mpfr_sub_d(rest, mid_, hi, MPFR_RNDN);
+  lo = mpfr_get_d(rest, MPFR_RNDN);
+  err = radius_.to_double();
+  // What is left after lo is at most half an ulp of lo (and the rounding of rest,
+  // 2^-54 of that again).
+  const double left = std::fabs(lo) * 0x1p-52;
+  if (ternary != 0 || mpfr_cmp_d(rest, lo) != 0) err = (err + left + DBL_MIN) * kUp;
+}
+
+void Ball::add(Ball& out, const Ball& a, const Ball& b, Precision bits) {
+  const Magnitude radius = a.radius_ + b.radius_;
+  if (&out != &a && &out != &b) {
+    out.set_precision(bits);
+    const int t = mpfr_add(out.mid_, a.mid_, b.mid_, MPFR_RNDN);
+    out.radius_ = radius;
+    out.add_rounding(t);
+    return;
+  }
+  Ball r(bits);
+  const int t = mpfr_add(r.mid_, a.mid_, b.mid_, MPFR_RNDN);
+  r.radius_ = radius;
+  r.add_rounding(t);
+  out = std::move(r);
+}
+
+void Ball::sub(Ball& out, const Ball& a, const Ball& b, Precision bits) {
+  const Magnitude radius = a.radius_ + b.radius_;
+  if (&out != &a && &out != &b) {
+    out.set_precision(bits);
+    const int t = mpfr_sub(out.mid_, a.mid_, b.mid_, MPFR_RNDN);
+    out.radius_ = radius;
+    out.add_rounding(t);
+    return;
+  }
+  Ball r(bits);
+  const int t = mpfr_sub(r.mid_, a.mid_, b.mid_, MPFR_RNDN);
+  r.radius_ = radius;
+  r.add_rounding(t);
+  out = std::move(r);
+}
+
+void Ball::mul(Ball& out, const Ball& a, const Ball& b, Precision bits) {
+  Magnitude radius;
+  if (!a.radius_.is_zero()) radius = a.radius_ * (magnitude_of(b.mid_) + b.radius_);
+  if (!b.radius_.is_zero()) radius = radius + b.radius_ * magnitude_of(a.mid_);
+  if (&out != &a && &out != &b) {
+    out.set_precision(bits);
+    const int t = mpfr_mul(out.mid_, a.mid_, b.mid_, MPFR_RNDN);
+    out.radius_ = radius;
+    out.add_rounding(t);
+    return;
+  }
+  Ball r(bits);
+  const int t = mpfr_mul(r.mid_, a.mid_, b.mid_, MPFR_RNDN);
+  r.radius_ = radius;
+  r.add_rounding(t);
+  out = std::move(r);
+}
+
+void Ball::sqr(Ball& out, const Ball& a, Precision bits) { mul(out, a, a, bits); }
+
+void Ball::mul_d(Ball& out, const Ball& a, double b, Precision bits) {
+  const Magnitude radius =
+      a.radius_.is_zero() ? Magnitude() : a.radius_ * Magnitude::of(b);
+  if (&out == &a && out.precision() == bits) {
+    const int t = mpfr_mul_d(out.mid_, out.mid_, b, MPFR_RNDN);
+    out.radius_ = radius;
+    out.add_rounding(t);
+    return;
+  }
+  Ball r(bits);
+  const int t = mpfr_mul_d(r.mid_, a.mid_, b, MPFR_RNDN);
+  r.radius_ = radius;
+  r.add_rounding(t);
+  out = std::move(r);
+}
+
+void Ball::div(Ball& out, const Ball& a, const Ball& b, Precision bits) {
+  Ball r(bits);
+  if (b.sign() == Sign::unknown || b.sign() == Sign::zero) {
+    r.radius_ = Magnitude::power_of_two(kInfiniteExponent);
+    out = std::move(r);
+    return;
+  }
+  const int t = mpfr_div(r.mid_, a.mid_, b.mid_, MPFR_RNDN);
+  // |a/b - a0/b0| <= (rad_a + |a0/b0| rad_b) / (|b0| - rad_b).
+  if (!a.radius_.is_zero() || !b.radius_.is_zero()) {
+    Magnitude top = a.radius_;
+    if (!b.radius_.is_zero()) {
+      Magnitude quotient = magnitude_of(r.mid_);
+      if (!quotient.is_zero()) {
+        quotient = quotient + Magnitude::power_of_two(mpfr_get_exp(r.mid_) - bits);
+      }
+      top = top + quotient * b.radius_;
+    }
+    // A lower bound of |b0| - rad_b as m 2^e, then 1/m rounded up.
+    long e = 0;
+    double low = std::fabs(mpfr_get_d_2exp(&e, b.mid_, MPFR_RNDZ));
+    if (!b.radius_.is_zero()) {
+      const double scaled = b.radius_.scaled(-e).to_double();
+      low = (low - scaled) * (1 - 0x1p-50);
+    }
+    if (!(low > 0)) {
+      r.radius_ = Magnitude::power_of_two(kInfiniteExponent);
+      out = std::move(r);
+      return;
+    }
+    r.radius_ = top * Magnitude::of(1 / low * kUp).scaled(-e);
+  }
+  r.add_rounding(t);
+  out = std::move(r);
+}
+
+void Ball::sqrt(Ball& out, const Ball& a, Precision bits) {
+  Ball r(bits);
+  if (a.radius_.is_zero()) {
+    const int t = mpfr_sqrt(r.mid_, a.mid_, MPFR_RNDN);
+    r.add_rounding(t);
+  } else if (a.sign() != Sign::positive) {
+    // The ball reaches zero: sqrt lies in [0, sqrt(|mid| + rad)].
+    const Magnitude top = magnitude_of(a.mid_) + a.radius_;
+    r.radius_ = Magnitude::power_of_two((top.exponent() + 2) / 2 + 1);
+  } else {
+    const int t = mpfr_sqrt(r.mid_, a.mid_, MPFR_RNDN);
+    // |sqrt(x) - sqrt(x0)| <= rad / sqrt(x0) for x >= 0; r.mid_ may exceed
+    // sqrt(x0) by a relative 2^-bits, which the factor covers.
+    long e = 0;
+    const double low = std::fabs(mpfr_get_d_2exp(&e, r.mid_, MPFR_RNDZ)) * (1 - 0x1p-50);
+    r.radius_ = a.radius_ * Magnitude::of(1 / low * kUp).scaled(-e);
+    r.add_rounding(t);
+  }
+  out = std::move(r);
+}
+
+void Ball::neg(Ball& out, const Ball& a) {
+  out = a;
+  mpfr_neg(out.mid_, out.mid_, MPFR_RNDN);
+}
+
+}  // namespace voroproof

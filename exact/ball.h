@@ -1,0 +1,171 @@
+// Balls: a real number known as midpoint +- radius, midpoint in MPFR.
+//
+// Every operation rounds its midpoint to nearest at a precision given by the
+// caller and adds what that rounding can have lost to the radius, so the true
+// value never leaves the ball. The radius is a Magnitude: a double with a wide
+// exponent, because balls of thousands of bits have radii far below binary64.
+// (Midpoint-radius arithmetic as in van der Hoeven, "Ball arithmetic", 2010, and
+// Johansson, "Arb", IEEE Trans. Comput. 66, 2017.)
+#pragma once
+
+#include <mpfr.h>
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "exact/rational.h"
+
+namespace voroproof {
+
+// A nonnegative upper bound m * 2^e with m in [1, 2) or m = 0. All operations
+// round up.
+class Magnitude {
+ public:
+  Magnitude() = default;
+  // An upper bound of |x|; x must be finite.
+  static Magnitude of(double x);
+  static Magnitude power_of_two(std::int64_t e) { return Magnitude(1.0, e); }
+  bool is_zero() const { return m_ == 0; }
+  // floor(log2) of the bound; only for a nonzero one.
+  std::int64_t exponent() const { return e_; }
+  // The bound as a double: +inf where it is too large, DBL_MIN where too small.
+  double to_double() const;
+  friend Magnitude operator+(const Magnitude& a, const Magnitude& b);
+  friend Magnitude operator*(const Magnitude& a, const Magnitude& b);
+  // Upper bound of a / 2^k.
+  Magnitude scaled(std::int64_t k) const { return is_zero() ? *this : Magnitude(m_, e_ + k); }
+  // Upper bound of 1 / a for a lower bound a of some quantity: see Ball division.
+  friend bool operator<(const Magnitude& a, const Magnitude& b);
+
+ private:
+  Magnitude(double m, std::int64_t e) : m_(m), e_(e) {}
+  static Magnitude normalized(double m, std::int64_t e);
+  double m_ = 0;
+  std::int64_t e_ = 0;
+};
+
+class Ball {
+ public:
+  using Precision = mpfr_prec_t;
+
+  // Zero, exactly, held at `bits` of precision.
+  explicit Ball(Precision bits = 64) {
+    mpfr_init2(mid_, bits);
+    mpfr_set_zero(mid_, 1);
+  }
+  Ball(double x, Precision bits) : Ball(bits < 53 ? 53 : bits) { mpfr_set_d(mid_, x, MPFR_RNDN); }
+  Ball(const Rational& q, Precision bits);
+  Ball(const Ball& o) : radius_(o.radius_) {
+    mpfr_init2(mid_, mpfr_get_prec(o.mid_));
+    mpfr_set(mid_, o.mid_, MPFR_RNDN);
+  }
+  Ball(Ball&& o) noexcept : radius_(o.radius_) {
+    *mid_ = *o.mid_;
+    o.mid_->_mpfr_d = nullptr;
+  }
+  Ball& operator=(const Ball& o);
+  Ball& operator=(Ball&& o) noexcept {
+    std::swap(*mid_, *o.mid_);
+    radius_ = o.radius_;
+    return *this;
+  }
+  ~Ball() {
+    if (mid_->_mpfr_d != nullptr) mpfr_clear(mid_);
+  }
+
+  Precision precision() const { return mpfr_get_prec(mid_); }
+  const Magnitude& radius() const { return radius_; }
+  mpfr_srcptr midpoint() const { return mid_; }
+  bool is_exact() const { return radius_.is_zero(); }
+  // The same value held at `bits`, so that operators with it round no coarser.
+  Ball at_precision(Precision bits) const {
+    Ball r(bits);
+    r.radius_ = radius_;
+    r.add_rounding(mpfr_set(r.mid_, mid_, MPFR_RNDN));
+    return r;
+  }
+  void widen(const Magnitude& by) { radius_ = radius_ + by; }
+
+  // unknown when the ball contains zero and more than zero.
+  Sign sign() const;
+
+  // Bits of the midpoint above the radius: log2(|mid| / radius), roughly; large
+  // for an exact ball. For precision control only, no decision rests on it.
+  std::int64_t accuracy_bits() const;
+
+  // The unique binary64 to which every number of the ball rounds (nearest, ties
+  // to even); false where the ball straddles a rounding boundary.
+  bool round_to_double(double& out) const;
+  // Outward enclosure in doubles.
+  void to_interval(double& lo, double& hi) const;
+  // The value as hi + lo with |value - hi - lo| <= err.
+  void to_double_double(double& hi, double& lo, double& err) const;
+
+  // Three-operand forms; `out` may be an operand. `bits` is the precision of the
+  // result.
+  static void add(Ball& out, const Ball& a, const Ball& b, Precision bits);
+  static void sub(Ball& out, const Ball& a, const Ball& b, Precision bits);
+  static void mul(Ball& out, const Ball& a, const Ball& b, Precision bits);
+  static void sqr(Ball& out, const Ball& a, Precision bits);
+  static void mul_d(Ball& out, const Ball& a, double b, Precision bits);
+  // Division by a ball that contains zero gives an infinite radius.
+  static void div(Ball& out, const Ball& a, const Ball& b, Precision bits);
+  // Square root of the nonnegative part of the ball; a ball wholly below zero is
+  // the caller's mistake.
+  static void sqrt(Ball& out, const Ball& a, Precision bits);
+  static void neg(Ball& out, const Ball& a);
+
+ private:
+  void set_precision(Precision bits);
+  // Adds the rounding error of the operation that just wrote mid_.
+  void add_rounding(int ternary) {
+    if (ternary != 0) {
+      radius_ = radius_ + Magnitude::power_of_two(mpfr_get_exp(mid_) - mpfr_get_prec(mid_));
+    }
+  }
+  static Magnitude magnitude_of(mpfr_srcptr x);
+  mpfr_t mid_;
+  Magnitude radius_;
+};
+
+inline Sign sign(const Ball& b) { return b.sign(); }
+
+// Operators, for the predicates that are written once for every number type: the
+// result has the larger precision of the operands.
+inline Ball operator+(const Ball& a, const Ball& b) {
+  const auto bits = std::max(a.precision(), b.precision());
+  Ball r(bits);
+  Ball::add(r, a, b, bits);
+  return r;
+}
+inline Ball operator-(const Ball& a, const Ball& b) {
+  const auto bits = std::max(a.precision(), b.precision());
+  Ball r(bits);
+  Ball::sub(r, a, b, bits);
+  return r;
+}
+inline Ball operator*(const Ball& a, const Ball& b) {
+  const auto bits = std::max(a.precision(), b.precision());
+  Ball r(bits);
+  Ball::mul(r, a, b, bits);
+  return r;
+}
+inline Ball operator/(const Ball& a, const Ball& b) {
+  const auto bits = std::max(a.precision(), b.precision());
+  Ball r(bits);
+  Ball::div(r, a, b, bits);
+  return r;
+}
+inline Ball operator-(const Ball& a) {
+  Ball r(a.precision());
+  Ball::neg(r, a);
+  return r;
+}
+inline Ball sqrt(const Ball& a) {
+  Ball r(a.precision());
+  Ball::sqrt(r, a, a.precision());
+  return r;
+}
+
+}  // namespace voroproof

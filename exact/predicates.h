@@ -1,0 +1,211 @@
+// The predicates of the additively weighted (Apollonius) Voronoi diagram, written
+// once for every number type T: rationals and towers (exact), balls and doubles
+// with error bounds (filters), polynomials in time (to form the flip polynomial).
+//
+// Notation, throughout the project:
+//   site i        centre (x_i, y_i), signed radius r_i: >= 0 for a disk, -R for the
+//                 container of radius R seen from inside
+//   p_ij          |c_i - c_j|^2 - (r_i - r_j)^2: positive for two disks neither of
+//                 which lies in the other, negative between the container and a
+//                 disk that reaches its inside
+//   base i        the disk to which differences x, y, s (of radii) and p are taken
+//   D_uv          u_j v_k - v_j u_k over the rows j and k
+//   Gamma         p_ij p_ik p_jk, positive
+//   epsilon       +1 if the container is j or k, else -1
+//
+// The tangent circle of a base i and two more sites, centre c_i + rho' n with |n| = 1
+// and rho' = rho + r_i, obeys d_j.n + s_j = p_j / (2 rho') for both: linear in n and
+// kappa = 1/(2 rho'), so n and kappa lie in Q(sqrt Gamma), and one sign of the root is
+// the circle whose contact points i, j, k run counterclockwise. (Paper section 2, with
+// Casey's theorem for Eq. (1); the same elimination as Emiris & Karavelas, "The
+// predicates of the Apollonius diagram", Comput. Geom. 33, 2006.)
+#pragma once
+
+#include <array>
+
+#include "exact/rational.h"
+
+namespace voroproof {
+
+// One generator at one instant.
+template <class T>
+struct Site {
+  T x, y, r;
+};
+
+// A generator and its linear motion: centre at the reference instant, velocity.
+template <class T>
+struct MovingSite {
+  T x, y, vx, vy, r;
+};
+
+template <class T>
+T tangency(const Site<T>& a, const Site<T>& b) {
+  const T dx = a.x - b.x;
+  const T dy = a.y - b.y;
+  const T dr = a.r - b.r;
+  return dx * dx + dy * dy - dr * dr;
+}
+
+// 4 f of the paper's Eq. (1), f = A^2 + B^2 - C^2, through Casey's theorem:
+// zero iff the four sites touch one common circle (inner or outer, or a line).
+// Symmetric in the four sites; the container may be any of them.
+template <class T>
+T cotangency(const Site<T>& s0, const Site<T>& s1, const Site<T>& s2, const Site<T>& s3) {
+  const T a = tangency(s0, s1) * tangency(s2, s3);
+  const T b = tangency(s0, s2) * tangency(s1, s3);
+  const T c = tangency(s0, s3) * tangency(s1, s2);
+  const T g = a - b - c;
+  const T bc = b * c;
+  const T bc2 = bc + bc;
+  return g * g - (bc2 + bc2);
+}
+
+// The determinant C of the paper's Eq. (3), rows x, y, p of s1, s2, s3 to the base
+// s0. For four equal radii f = -C^2, so that C is the polynomial to isolate.
+template <class T>
+T cocircularity(const Site<T>& s0, const Site<T>& s1, const Site<T>& s2, const Site<T>& s3) {
+  const T x1 = s1.x - s0.x, y1 = s1.y - s0.y, p1 = tangency(s1, s0);
+  const T x2 = s2.x - s0.x, y2 = s2.y - s0.y, p2 = tangency(s2, s0);
+  const T x3 = s3.x - s0.x, y3 = s3.y - s0.y, p3 = tangency(s3, s0);
+  return p1 * (x2 * y3 - y2 * x3) - p2 * (x1 * y3 - y1 * x3) + p3 * (x1 * y2 - y1 * x2);
+}
+
+// What a triple (base, j, k) contributes to every predicate about its tangent
+// circle. Precondition: the base is a disk; `with_container` says whether j or k is
+// the container.
+template <class T>
+struct TangentTriple {
+  Site<T> base;
+  T xp, yp, sp, xs, ys, xy;  // D_xp, D_yp, ...
+  T pj, pk;
+  bool with_container;
+
+  TangentTriple(const Site<T>& i, const Site<T>& j, const Site<T>& k, bool container)
+      : TangentTriple(i, {j.x - i.x, j.y - i.y, j.r - i.r}, {k.x - i.x, k.y - i.y, k.r - i.r}, container,
+               0) {}
+
+ private:
+  TangentTriple(const Site<T>& i, const Site<T>& dj, const Site<T>& dk, bool container, int)
+      : base(i),
+        xp(dj.x),
+        yp(dj.y),
+        sp(dj.r),
+        xs(dj.x * dk.r - dj.r * dk.x),
+        ys(dj.y * dk.r - dj.r * dk.y),
+        xy(dj.x * dk.y - dj.y * dk.x),
+        pj(dj.x * dj.x + dj.y * dj.y - dj.r * dj.r),
+        pk(dk.x * dk.x + dk.y * dk.y - dk.r * dk.r),
+        with_container(container) {
+    xp = dj.x * pk - pj * dk.x;
+    yp = dj.y * pk - pj * dk.y;
+    sp = dj.r * pk - pj * dk.r;
+  }
+};
+
+// Sign of u + sqrt(gamma) v for gamma >= 0, when the sign of u^2 - gamma v^2 is
+// known to be that of `discriminant`. unknown in, unknown out, where the answer
+// depends on it.
+inline Sign sign_with_root(Sign u, Sign v, Sign discriminant) {
+  if (u == v && u != Sign::unknown) return u;
+  switch (discriminant) {
+    case Sign::positive:
+      return u;
+    case Sign::negative:
+      return v;
+    case Sign::zero:
+      if (u == Sign::unknown || v == Sign::unknown) return Sign::unknown;
+      return u == Sign::zero ? v : v == Sign::zero ? u : Sign::zero;
+    case Sign::unknown:
+      break;
+  }
+  return Sign::unknown;
+}
+
+// Where site e lies to the counterclockwise tangent circle of the triple: positive
+// outside (the vertex is legal as far as e is concerned), zero touching, negative in
+// conflict. `f` is the sign of the cotangency of the four. Precondition: the circle
+// exists.
+// The quantity is q = G - epsilon sqrt(Gamma) C, and q times its conjugate is
+// (D_xp^2 + D_yp^2) f: so no root is taken.
+template <class T>
+Sign incircle(const TangentTriple<T>& t, const Site<T>& e, bool e_is_container, Sign f) {
+  const T x = e.x - t.base.x;
+  const T y = e.y - t.base.y;
+  const T s = e.r - t.base.r;
+  const T p = x * x + y * y - s * s;
+  Sign g = Sign::unknown;
+  Sign c = Sign::unknown;
+  if (f != Sign::negative) {
+    const T a = x * t.sp - s * t.xp + p * t.xs;
+    const T b = y * t.sp - s * t.yp + p * t.ys;
+    g = sign(T(t.xp * a + t.yp * b));
+  }
+  if (f != Sign::positive) {
+    c = sign(T(x * t.yp - y * t.xp + p * t.xy));
+    if (t.with_container) c = -c;
+  }
+  const Sign q = sign_with_root(g, c, f);
+  return e_is_container ? -q : q;
+}
+
+// positive iff the counterclockwise tangent circle of the triple exists:
+// h = D_xp D_xs + D_yp D_ys - epsilon sqrt(Gamma) D_xy > 0; its product with its
+// conjugate is (D_xp^2 + D_yp^2)(D_xs^2 + D_ys^2 - D_xy^2).
+template <class T>
+Sign circle_exists(const TangentTriple<T>& t) {
+  const Sign u = sign(T(t.xp * t.xs + t.yp * t.ys));
+  const Sign v = t.with_container ? -sign(t.xy) : sign(t.xy);
+  if (u == v && u != Sign::unknown) return u;
+  return sign_with_root(u, v, sign(T(t.xs * t.xs + t.ys * t.ys - t.xy * t.xy)));
+}
+
+// The square root of a number type that has one of its own.
+struct OwnRoot {
+  template <class T>
+  T operator()(const T& x) const {
+    return sqrt(x);
+  }
+};
+
+// The direction n from the base's centre to the centre of the counterclockwise
+// tangent circle, times the positive factor N = D_xp^2 + D_yp^2. `square_root`
+// takes the root of a nonnegative T. Precondition: the circle exists.
+template <class T, class Root = OwnRoot>
+std::array<T, 2> circle_direction(const TangentTriple<T>& t, Root&& square_root = {}) {
+  // Gamma = N - D_sp^2.
+  const T root = square_root(T(t.xp * t.xp + t.yp * t.yp - t.sp * t.sp));
+  if (t.with_container) {
+    return {t.yp * root - t.sp * t.xp, -(t.xp * root) - t.sp * t.yp};
+  }
+  return {-(t.yp * root) - t.sp * t.xp, t.xp * root - t.sp * t.yp};
+}
+
+// Centre and radius of the counterclockwise tangent circle, in that order x, y, rho.
+template <class T, class Root = OwnRoot>
+std::array<T, 3> tangent_circle(const TangentTriple<T>& t, Root&& square_root = {}) {
+  const T n2 = t.xp * t.xp + t.yp * t.yp;
+  const T root = square_root(T(n2 - t.sp * t.sp));
+  const std::array<T, 2> n = circle_direction(t, square_root);
+  const T u = t.xp * t.xs + t.yp * t.ys;
+  const T kappa = t.with_container ? T(u - root * t.xy) : T(u + root * t.xy);
+  // centre = base + n/N * N/(2 kappa), kappa and n both carrying the factor N.
+  const T k2 = kappa + kappa;
+  return {t.base.x + n[0] / k2, t.base.y + n[1] / k2, n2 / k2 - t.base.r};
+}
+
+// The contact of two moving sites: with d their offset and w their relative
+// velocity, a s^2 + 2 b s + c = |d + w s|^2 - reach^2 vanishes at contact. The reach
+// is r_i + r_j, for a disk in the container R - r_i: |r_i + r_j| with signed radii.
+template <class T>
+struct Contact {
+  T a, b, c;
+  Contact(const MovingSite<T>& i, const MovingSite<T>& j)
+      : Contact(j.x - i.x, j.y - i.y, j.vx - i.vx, j.vy - i.vy, i.r + j.r) {}
+
+ private:
+  Contact(const T& dx, const T& dy, const T& wx, const T& wy, const T& reach)
+      : a(wx * wx + wy * wy), b(dx * wx + dy * wy), c(dx * dx + dy * dy - reach * reach) {}
+};
+
+}  // namespace voroproof

@@ -1,0 +1,344 @@
+#include "exact/tower.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace voroproof {
+
+struct Tower::Node {
+  const Radical* radical;
+  Tower a, b;  // a + b sqrt(radical->radicand), over lower ranks; b is not the plain 0
+};
+
+// ---- Enclosures --------------------------------------------------------------
+
+namespace {
+
+constexpr mpfr_prec_t first_precision = 64;
+constexpr mpfr_prec_t last_precision = 1024;
+
+// An interval with MPFR ends; every operation rounds outward.
+class Enclosure {
+ public:
+  explicit Enclosure(mpfr_prec_t precision) {
+    mpfr_init2(lo_, precision);
+    mpfr_init2(hi_, precision);
+  }
+  Enclosure(Enclosure&& other) noexcept : Enclosure(mpfr_get_prec(other.lo_)) {
+    mpfr_swap(lo_, other.lo_);
+    mpfr_swap(hi_, other.hi_);
+  }
+  Enclosure& operator=(Enclosure&&) = delete;
+  ~Enclosure() {
+    mpfr_clear(lo_);
+    mpfr_clear(hi_);
+  }
+
+  void set(const Rational& q) {
+    mpfr_set_q(lo_, q.get_mpq_t(), MPFR_RNDD);
+    mpfr_set_q(hi_, q.get_mpq_t(), MPFR_RNDU);
+  }
+  void add(const Enclosure& other) {
+    mpfr_add(lo_, lo_, other.lo_, MPFR_RNDD);
+    mpfr_add(hi_, hi_, other.hi_, MPFR_RNDU);
+  }
+  // By an interval of nonnegative numbers.
+  void multiply_nonnegative(const Enclosure& other) {
+    mpfr_mul(lo_, lo_, mpfr_signbit(lo_) ? other.hi_ : other.lo_, MPFR_RNDD);
+    mpfr_mul(hi_, hi_, mpfr_signbit(hi_) ? other.lo_ : other.hi_, MPFR_RNDU);
+  }
+  // Of a number known to be nonnegative.
+  void take_sqrt() {
+    if (mpfr_sgn(lo_) < 0) mpfr_set_zero(lo_, 1);
+    mpfr_sqrt(lo_, lo_, MPFR_RNDD);
+    mpfr_sqrt(hi_, hi_, MPFR_RNDU);
+  }
+
+  Sign sign() const {
+    if (mpfr_sgn(lo_) > 0) return Sign::positive;
+    if (mpfr_sgn(hi_) < 0) return Sign::negative;
+    return mpfr_zero_p(lo_) && mpfr_zero_p(hi_) ? Sign::zero : Sign::unknown;
+  }
+  mpfr_srcptr lo() const { return lo_; }
+  mpfr_srcptr hi() const { return hi_; }
+
+ private:
+  mpfr_t lo_, hi_;
+};
+
+}  // namespace
+
+// Evaluates elements with one precision; each radical's root is computed once.
+class Tower::Evaluation {
+ public:
+  explicit Evaluation(mpfr_prec_t precision) : precision_(precision) {}
+
+  Enclosure operator()(const Tower& x) {
+    if (x.is_rational()) {
+      Enclosure result(precision_);
+      result.set(x.rational());
+      return result;
+    }
+    const Node& node = x.node();
+    Enclosure result = (*this)(node.b);
+    result.multiply_nonnegative(root(*node.radical));
+    result.add((*this)(node.a));
+    return result;
+  }
+
+ private:
+  const Enclosure& root(const Radical& radical) {
+    if (roots_.size() <= radical.rank) roots_.resize(radical.rank + 1);
+    if (!roots_[radical.rank]) {
+      Enclosure root = (*this)(radical.radicand);
+      root.take_sqrt();
+      roots_[radical.rank] = std::make_unique<Enclosure>(std::move(root));
+    }
+    return *roots_[radical.rank];
+  }
+
+  mpfr_prec_t precision_;
+  std::vector<std::unique_ptr<Enclosure>> roots_;
+};
+
+void enclose(const Tower& x, mpfr_ptr lo, mpfr_ptr hi) {
+  const Enclosure enclosure = Tower::Evaluation(mpfr_get_prec(lo))(x);
+  mpfr_set(lo, enclosure.lo(), MPFR_RNDD);
+  mpfr_set(hi, enclosure.hi(), MPFR_RNDU);
+}
+
+std::pair<Rational, Rational> rational_interval(const Tower& x, mpfr_prec_t precision) {
+  const Enclosure enclosure = Tower::Evaluation(precision)(x);
+  std::pair<Rational, Rational> bounds;
+  mpfr_get_q(bounds.first.get_mpq_t(), enclosure.lo());
+  mpfr_get_q(bounds.second.get_mpq_t(), enclosure.hi());
+  return bounds;
+}
+
+std::pair<double, double> double_interval(const Tower& x) {
+  if (x.is_rational()) return {round_down(x.rational()), round_up(x.rational())};
+  std::pair<double, double> bounds;
+  for (mpfr_prec_t precision = first_precision; precision <= last_precision; precision *= 2) {
+    mpfr_t lo, hi;
+    mpfr_inits2(precision, lo, hi, static_cast<mpfr_ptr>(nullptr));
+    enclose(x, lo, hi);
+    bounds = {mpfr_get_d(lo, MPFR_RNDD), mpfr_get_d(hi, MPFR_RNDU)};
+    mpfr_clears(lo, hi, static_cast<mpfr_ptr>(nullptr));
+    if (bounds.second <= std::nextafter(bounds.first, std::numeric_limits<double>::infinity())) {
+      break;
+    }
+  }
+  return bounds;
+}
+
+// ---- Structure ---------------------------------------------------------------
+
+namespace {
+
+// The degree of a field with that many independent radicals, saturated.
+unsigned long field_degree(std::size_t radicals) {
+  constexpr std::size_t top_bit = std::numeric_limits<unsigned long>::digits - 1;
+  return 1UL << std::min(radicals, top_bit);
+}
+
+}  // namespace
+
+BudgetExceeded::BudgetExceeded(std::size_t bits, unsigned long degree)
+    : std::runtime_error("the budget of exact arithmetic is exceeded: coefficients of " +
+                         std::to_string(bits) + " bits in a field of degree " +
+                         std::to_string(degree)),
+      bits(bits),
+      degree(degree) {}
+
+const Tower::Node& Tower::node() const { return *std::get<std::shared_ptr<const Node>>(value_); }
+
+const Radical* Tower::top() const { return is_rational() ? nullptr : node().radical; }
+
+const Tower& Tower::constant_part(const Radical* radical) const {
+  return top() == radical ? node().a : *this;
+}
+
+const Tower& Tower::radical_part(const Radical* radical) const {
+  static const Tower zero;
+  return top() == radical ? node().b : zero;
+}
+
+Tower Tower::make(const Radical* radical, Tower a, Tower b) {
+  const RadicalField& field = *radical->field;
+  for (const Tower* part : {&a, &b}) {
+    if (!part->is_rational()) continue;  // was checked when it was made
+    const std::size_t bits = bit_size(part->rational());
+    if (bits > field.budget().coefficient_bits) {
+      throw BudgetExceeded(bits, field_degree(field.size()));
+    }
+  }
+  if (b.is_rational() && b.rational() == 0) return a;
+  Tower result;
+  result.value_ = std::make_shared<const Node>(Node{radical, std::move(a), std::move(b)});
+  return result;
+}
+
+const Radical* Tower::common_top(const Tower& x, const Tower& y) {
+  const Radical* of_x = x.top();
+  const Radical* of_y = y.top();
+  if (!of_x) return of_y;
+  if (!of_y) return of_x;
+  if (of_x->field != of_y->field) {
+    throw std::invalid_argument("arithmetic of elements of two different radical fields");
+  }
+  return of_x->rank < of_y->rank ? of_y : of_x;
+}
+
+std::size_t bit_size(const Tower& x) {
+  if (x.is_rational()) return bit_size(x.rational());
+  return std::max(bit_size(x.node().a), bit_size(x.node().b));
+}
+
+// ---- Arithmetic --------------------------------------------------------------
+
+Tower operator+(const Tower& x, const Tower& y) {
+  const Radical* s = Tower::common_top(x, y);
+  if (!s) return x.rational() + y.rational();
+  return Tower::make(s, x.constant_part(s) + y.constant_part(s),
+                     x.radical_part(s) + y.radical_part(s));
+}
+
+Tower operator-(const Tower& x, const Tower& y) {
+  const Radical* s = Tower::common_top(x, y);
+  if (!s) return x.rational() - y.rational();
+  return Tower::make(s, x.constant_part(s) - y.constant_part(s),
+                     x.radical_part(s) - y.radical_part(s));
+}
+
+Tower Tower::operator-() const {
+  if (is_rational()) return -rational();
+  return make(top(), -node().a, -node().b);
+}
+
+Tower operator*(const Tower& x, const Tower& y) {
+  const Radical* s = Tower::common_top(x, y);
+  if (!s) return x.rational() * y.rational();
+  if (x.top() != s) return Tower::make(s, x * y.node().a, x * y.node().b);
+  if (y.top() != s) return Tower::make(s, x.node().a * y, x.node().b * y);
+  const Tower::Node& u = x.node();
+  const Tower::Node& v = y.node();
+  return Tower::make(s, u.a * v.a + u.b * v.b * s->radicand, u.a * v.b + u.b * v.a);
+}
+
+Tower Tower::norm() const {
+  const Node& n = node();
+  return n.a * n.a - n.b * n.b * n.radical->radicand;
+}
+
+Tower Tower::inverse() const {
+  if (is_rational()) {
+    if (rational() == 0) throw std::domain_error("division by zero");
+    return 1 / rational();
+  }
+  const Node& n = node();
+  const Tower of_norm = norm();
+  if (sign(of_norm) == Sign::zero) {  // a = b sqrt(r), or a = -b sqrt(r)
+    if (sign(n.a) != sign(n.b)) throw std::domain_error("division by zero");
+    return (n.a + n.a).inverse();
+  }
+  const Tower scale = of_norm.inverse();
+  return make(n.radical, n.a * scale, -(n.b * scale));
+}
+
+Tower operator/(const Tower& x, const Tower& y) {
+  if (x.is_rational() && y.is_rational() && y.rational() != 0) return x.rational() / y.rational();
+  return x * y.inverse();
+}
+
+// ---- Signs and order -----------------------------------------------------------
+
+Sign sign(const Tower& x) {
+  if (x.is_rational()) return sign(x.rational());
+  for (mpfr_prec_t precision = first_precision; precision <= last_precision; precision *= 2) {
+    const Sign enclosed = Tower::Evaluation(precision)(x).sign();
+    if (enclosed != Sign::unknown) return enclosed;
+  }
+  const Sign of_a = sign(x.node().a);
+  const Sign of_b = sign(x.node().b);
+  if (of_b == Sign::zero) return of_a;
+  if (of_a == Sign::zero || of_a == of_b) return of_b;
+  return of_a * sign(x.norm());
+}
+
+bool operator==(const Tower& x, const Tower& y) { return sign(x - y) == Sign::zero; }
+
+std::strong_ordering operator<=>(const Tower& x, const Tower& y) {
+  return static_cast<int>(sign(x - y)) <=> 0;
+}
+
+// ---- Square roots --------------------------------------------------------------
+
+namespace {
+
+struct SquareSplit {
+  Rational root;      // > 0
+  Rational radicand;  // a positive integer
+};
+
+// q > 0 as root^2 * radicand, free of the squares of small primes; radicand = 1
+// iff q is the square of a rational.
+SquareSplit split_square(const Rational& q) {
+  if (const std::optional<Rational> root = rational_sqrt(q)) return {*root, 1};
+  constexpr unsigned long last_divisor = 255;
+  Integer rest = q.get_num() * q.get_den();
+  Rational root(Integer(1), q.get_den());
+  for (unsigned long p = 2; p <= last_divisor; ++p) {
+    while (mpz_divisible_ui_p(rest.get_mpz_t(), p * p)) {
+      mpz_divexact_ui(rest.get_mpz_t(), rest.get_mpz_t(), p * p);
+      root *= p;
+    }
+  }
+  return {root, Rational(rest)};
+}
+
+}  // namespace
+
+// The rational q with x = q y, if it can be read off matching coefficients: a
+// candidate that the caller must verify.
+std::optional<Rational> Tower::structural_ratio(const Tower& x, const Tower& y) {
+  if (x.is_rational() && y.is_rational()) return Rational(x.rational() / y.rational());
+  if (x.top() != y.top()) return std::nullopt;
+  return structural_ratio(x.node().b, y.node().b);
+}
+
+Tower RadicalField::sqrt(const Tower& x) {
+  if (!x.is_rational() && x.top()->field != this) {
+    throw std::invalid_argument("square root of an element of another radical field");
+  }
+  const Sign of_x = sign(x);
+  if (of_x == Sign::negative) throw std::domain_error("square root of a negative number");
+  if (of_x == Sign::zero) return 0;
+
+  Rational factor = 1;
+  Tower radicand = x;
+  if (x.is_rational()) {
+    const SquareSplit split = split_square(x.rational());
+    if (split.radicand == 1) return split.root;
+    factor = split.root;
+    radicand = split.radicand;
+  }
+  for (const auto& radical : radicals_) {
+    if (const auto ratio = Tower::structural_ratio(radicand, radical->radicand)) {
+      const std::optional<Rational> root = rational_sqrt(*ratio);
+      if (root && radicand == radical->radicand * *ratio) {
+        return Tower::make(radical.get(), 0, factor * *root);
+      }
+    }
+    if (radicand == radical->radicand) return Tower::make(radical.get(), 0, factor);
+  }
+
+  if (radicals_.size() >= budget_.radicals) {
+    throw BudgetExceeded(bit_size(radicand), field_degree(radicals_.size() + 1));
+  }
+  radicals_.push_back(std::make_unique<const Radical>(Radical{radicand, radicals_.size(), this}));
+  return Tower::make(radicals_.back().get(), 0, factor);
+}
+
+}  // namespace voroproof

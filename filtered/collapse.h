@@ -1,0 +1,101 @@
+// When does a V-edge collapse? The first instant at which the edge with a given
+// quadruplet becomes illegal, under the present motion of its four generators.
+//
+// An edge [l,r,s,e] collapses at a root of the flip polynomial iff both in-circle
+// functions, of e in the circle (l,s,r) and of s in the circle (r,e,l), turn from
+// positive to negative there and both circles exist: the paper's Move-&-Check and its
+// test for shadow flips (sections 4.3 and 5) become signs at a rational time next to
+// an isolated root. Four tiers: doubles with an error bound, double-doubles, balls,
+// exact algebra.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "exact/algebraic.h"
+#include "filtered/bernstein.h"
+#include "filtered/motion.h"
+#include "filtered/stats.h"
+
+namespace voroproof {
+
+using ExactTime = AlgebraicNumber<Tower>;
+
+// An element of the tower as a time.
+ExactTime time_of(const Tower& t);
+
+// An instant, as tightly as doubles can say and exactly on demand.
+struct Instant {
+  double lo = 0, hi = 0;  // lo <= instant <= hi: neighbours, or equal when exact
+  DdBall dd;
+  // The instant as an algebraic number over the field of an ExactMotion.
+  std::function<ExactTime(ExactMotion&)> exact;
+};
+
+struct Collapse {
+  enum class Kind {
+    none,  // the edge does not collapse in (start, lo]
+    root,  // it first collapses at the one root of its polynomial in [lo, hi]
+    now,   // it is illegal just after the instant at which the search starts
+  };
+  Kind kind = Kind::none;
+  double lo = 0, hi = 0;
+  // Where neighbouring doubles do not isolate the root.
+  std::shared_ptr<const RootInterval> fine;
+};
+
+class CollapseSearch {
+ public:
+  CollapseSearch(Motion& motion, TierCounts& counts) : motion_(motion), counts_(counts) {}
+
+  // The first collapse of q after `start`, at which the edge is legal and the flip
+  // polynomial has no root (the point just beyond a collapse, say); looks no
+  // further than `end` (but may answer `none` with an earlier lo). A search that
+  // starts at `fine` instead starts beyond that isolated root.
+  Collapse after(const Quad& q, double start, double end, const RootInterval* fine = nullptr);
+
+  // The first collapse of q at or after the instant `now`: the edge is legal just
+  // before it, or its motion changes there. Answers `now` when the four generators are
+  // cotangent at the instant and the edge is illegal just after it; where the four
+  // stay cotangent by the rule of the largest id (docs/formats.md).
+  Collapse from(const Quad& q, const Instant& now, double end);
+
+  // The one root of q's flip polynomial in [lo, hi] as a double-double; the radius
+  // is infinite where the filter cannot say. [lo, hi] has been isolated before.
+  DdBall refine(const Quad& q, double lo, double hi) const;
+  // The same in balls of the given precision, from an enclosure [lo, hi] (an ExactTime
+  // is the last resort).
+  Ball refine(const Quad& q, const Rational& lo, const Rational& hi, int bits) const;
+  // The same root exactly.
+  static ExactTime exact_root(const Quad& q, const Rational& lo, const Rational& hi,
+                              ExactMotion& exact);
+  // The sign of q's flip polynomial at an exact time. May throw Undecided.
+  Sign sign_at(const Quad& q, const Rational& t);
+
+ private:
+  std::optional<Collapse> filter(const Quad& q, const BernsteinForm& form, double start,
+                                 double end) const;
+  bool never_collapses(const Quad& q) const;
+  Collapse slow(const Quad& q, const Rational& start, const Instant* now, double end);
+  Collapse exactly(const Quad& q, const Rational& start, const Instant* now, double end);
+
+  Motion& motion_;
+  TierCounts& counts_;
+};
+
+// Without certificates: the same search in plain doubles, for comparison only.
+Collapse collapse_in_doubles(const Motion& motion, const Quad& q, double start, double end);
+
+// The three ways to name a triple start with a disk in at most one rotation: the
+// vertex's generators with a disk first.
+std::array<GenId, 3> disk_first(GenId a, GenId b, GenId c);
+
+// Whether the edge that exists while its four generators stay cotangent is q: its
+// dual joins the largest id to its opposite (docs/formats.md; Devillers & Teillaud,
+// "Perturbations for Delaunay and weighted Delaunay 3D triangulations", 2011).
+inline bool legal_while_cotangent(const Quad& q) {
+  return std::max(q.l, q.r) > std::max(q.s, q.e);
+}
+
+}  // namespace voroproof

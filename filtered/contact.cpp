@@ -1,0 +1,197 @@
+#include "filtered/contact.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace voroproof {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The delay from the reference time to the contact, where the signs are certain.
+// nullopt: not decided. A result with `none` set: there is no contact.
+template <class T>
+struct Delay {
+  bool none = false;
+  T s;
+};
+
+template <class T>
+std::optional<Delay<T>> delay(const Contact<T>& k, bool wall, const T& zero) {
+  const Sign b = sign(k.b);
+  if (wall) {
+    // c <= 0: the disk is inside, and leaves wherever it moves at all.
+    if (sign(k.a) == Sign::zero) return Delay<T>{true, zero};
+    const T disc = k.b * k.b - k.a * k.c;
+    if (sign(disc) != Sign::positive) return std::nullopt;
+    const T root = sqrt(disc);
+    if (b == Sign::positive) return Delay<T>{false, -k.c / (k.b + root)};
+    return Delay<T>{false, (root - k.b) / k.a};
+  }
+  if (b == Sign::positive || b == Sign::zero) return Delay<T>{true, zero};
+  if (b != Sign::negative) return std::nullopt;
+  const T disc = k.b * k.b - k.a * k.c;
+  const Sign s = sign(disc);
+  if (s == Sign::negative || s == Sign::zero) return Delay<T>{true, zero};
+  if (s != Sign::positive) return std::nullopt;
+  return Delay<T>{false, k.c / (sqrt(disc) - k.b)};
+}
+
+}  // namespace
+
+NextContact ContactSearch::from(GenId i, GenId j, const Instant& now, double end) {
+  // Two disks of the same collision leave each other, or stay at rest in contact.
+  const bool wall = i == container_id;
+  if (!wall && motion_.state_id(i) > 0 && motion_.state_id(i) == motion_.state_id(j)) return {};
+  const DoubleBall t(now.lo);
+  const Contact<DoubleBall> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
+  const auto d = delay(k, wall, DoubleBall());
+  if (d) {
+    if (d->none) {
+      counts_.count(Predicate::contact_search, Tier::filter);
+      return {};
+    }
+    const DoubleBall at = t + d->s;
+    const double lo = at.mid - at.rad * (1 + 0x1p-50) - std::fabs(at.mid) * 0x1p-52;
+    const double hi = at.mid + at.rad * (1 + 0x1p-50) + std::fabs(at.mid) * 0x1p-52;
+    if (lo > end) return {};
+    // A wide enclosure is still an answer; one that reaches the present is not.
+    if (lo > now.hi && hi - lo < 1e-6 * (1 + std::fabs(lo))) {
+      counts_.count(Predicate::contact_search, Tier::filter);
+      return {NextContact::Kind::at, lo, hi};
+    }
+  }
+  return slow(i, j, now, end);
+}
+
+NextContact ContactSearch::slow(GenId i, GenId j, const Instant& now, double end) {
+  const bool wall = i == container_id;
+  const auto usable = [&](double lo, double hi) {
+    return lo > now.hi && hi - lo < 1e-6 * (1 + std::fabs(lo));
+  };
+  {
+    const DdBall t(now.lo);
+    const Contact<DdBall> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
+    const auto d = delay(k, wall, DdBall());
+    if (d) {
+      const DdBall at = t + d->s;
+      const double lo = std::nextafter(at.hi + at.lo - at.rad, -kInfinity);
+      const double hi = std::nextafter(at.hi + at.lo + at.rad, kInfinity);
+      if (d->none || usable(lo, hi)) {
+        counts_.count(Predicate::contact_search, Tier::dd);
+        if (d->none || lo > end) return {};
+        return {NextContact::Kind::at, lo, hi};
+      }
+    }
+  }
+  std::string budget;
+  for (bool tried_exact = false;;) {
+    const int bits = motion_.goal_bits() + 32;
+    const Ball t(now.lo, bits);
+    const Contact<Ball> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
+    const auto d = delay(k, wall, Ball(bits));
+    if (d) {
+      double lo = 0, hi = 0;
+      if (!d->none) (t + d->s).to_interval(lo, hi);
+      if (d->none || usable(lo, hi)) {
+        counts_.count(Predicate::contact_search, Tier::ball);
+        if (d->none || lo > end) return {};
+        return {NextContact::Kind::at, lo, hi};
+      }
+    }
+    if (!tried_exact) {
+      tried_exact = true;
+      try {
+        const NextContact c = exactly(i, j, now, end);
+        counts_.count(Predicate::contact_search, Tier::exact);
+        return c;
+      } catch (const BudgetExceeded& e) {
+        budget = e.what();
+      }
+    }
+    if (!motion_.raise_precision()) {
+      throw Undecided("the next contact of a pair is not decided with " +
+                          std::to_string(motion_.options().max_bits) + " bits; exactly: " + budget,
+                      i, j);
+    }
+  }
+}
+
+NextContact ContactSearch::exactly(GenId i, GenId j, const Instant& now, double end) {
+  const bool wall = i == container_id;
+  ExactMotion exact(motion_);
+  const Rational near = to_rational(now.lo);
+  const Contact<Tower> k(exact.moving_site(i, near), exact.moving_site(j, near));
+  if (sign(k.a) == Sign::zero) return {};
+  const Tower disc = k.b * k.b - k.a * k.c;
+  const Sign s = sign(disc);
+  if (!wall && s != Sign::positive) return {};
+  if (wall && s == Sign::zero) {
+    throw Undecided("a disk slides along the container: it has no motion in this model", i, j);
+  }
+  const Tower root = exact.field().sqrt(disc);
+  const Tower delay = wall ? (root - k.b) / k.a : (-root - k.b) / k.a;
+  const Tower t = Tower(near) + delay;
+  const ExactTime instant = now.exact(exact);
+  const auto order = voroproof::compare(time_of(t), instant);
+  if (order < 0) return {};  // the pair parts: the root lies behind
+  if (order == 0) return {NextContact::Kind::now, now.lo, now.hi};
+  const auto [lo, hi] = double_interval(t);
+  if (lo > end) return {};
+  return {NextContact::Kind::at, lo, hi};
+}
+
+DdBall ContactSearch::refine(GenId i, GenId j, double t) const {
+  const DdBall at(t);
+  const Contact<DdBall> k(motion_.moving_site(i, at), motion_.moving_site(j, at));
+  const auto d = delay(k, i == container_id, DdBall());
+  if (!d || d->none) return {t, 0, kInfinity};
+  return at + d->s;
+}
+
+Ball ContactSearch::refine(GenId i, GenId j, const Rational& t, int bits) const {
+  const Ball at(t, bits);
+  const Contact<Ball> k(motion_.moving_site(i, at), motion_.moving_site(j, at));
+  const auto d = delay(k, i == container_id, Ball(bits));
+  if (!d || d->none) {
+    Ball all(bits);
+    all.widen(Magnitude::power_of_two(1 << 20));
+    return all;
+  }
+  return at + d->s;
+}
+
+ExactTime ContactSearch::exact_time(GenId i, GenId j, const Rational& near, ExactMotion& exact) {
+  const Contact<Tower> k(exact.moving_site(i, near), exact.moving_site(j, near));
+  const Tower root = exact.field().sqrt(k.b * k.b - k.a * k.c);
+  const Tower s = ((i == container_id ? root : -root) - k.b) / k.a;
+  return time_of(Tower(near) + s);
+}
+
+NextContact contact_in_doubles(const Motion& motion, GenId i, GenId j, double now, double end) {
+  if (i != container_id && motion.state_id(i) > 0 && motion.state_id(i) == motion.state_id(j)) {
+    return {};
+  }
+  const auto at = [&](GenId g) {
+    const DoubleMotion& m = motion.doubles(g);
+    const double dt = now - m.t;
+    return MovingSite<double>{m.x + m.vx * dt, m.y + m.vy * dt, m.vx, m.vy, m.r};
+  };
+  const Contact<double> k(at(i), at(j));
+  double s = 0;
+  const double disc = k.b * k.b - k.a * k.c;
+  if (i == container_id) {
+    if (!(k.a > 0)) return {};
+    s = k.b > 0 ? -k.c / (k.b + std::sqrt(disc)) : (std::sqrt(disc) - k.b) / k.a;
+  } else {
+    if (!(k.b < 0) || !(disc > 0)) return {};
+    s = k.c / (std::sqrt(disc) - k.b);
+  }
+  const double t = now + std::fmax(s, 0);
+  if (!(t <= end)) return {};
+  return {NextContact::Kind::at, t, t};
+}
+
+}  // namespace voroproof

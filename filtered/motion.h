@@ -1,0 +1,227 @@
+// The motion of the disks: piecewise linear, known at several precisions at once.
+//
+// Between its own collisions and maneuvers a disk moves on a line, so its motion is
+// a state (centre and velocity at a reference time). The state is carried as
+//   - doubles and double-doubles with error bounds, for the filters,
+//   - balls of as many bits as the rest of the run needs,
+//   - on demand, elements of a tower of quadratic fields (ExactMotion below).
+// The log of collisions and maneuvers is the expression graph of every state: to
+// get more bits the log is replayed at a higher precision; no search is repeated.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "exact/ball.h"
+#include "exact/generators.h"
+#include "exact/predicates.h"
+#include "exact/rational.h"
+#include "exact/tower.h"
+#include "filtered/dd_ball.h"
+#include "filtered/double_ball.h"
+
+namespace voroproof {
+
+struct DiskInput {
+  Rational x, y, radius, vx, vy, mass;
+};
+
+struct MotionInput {
+  Rational container_x, container_y, container_radius;
+  Rational restitution = 1;
+  Rational container_restitution = 1;
+  bool whole_container_law = false;  // scale the whole reflected velocity
+  Rational horizon;                  // guides the choice of precision only
+  std::vector<DiskInput> disks;
+};
+
+// A decision that needs more than the stated budget, and what it is about.
+class Undecided : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+  Undecided(const std::string& reason, const Quad& edge)
+      : std::runtime_error(reason), flip(edge) {}
+  Undecided(const std::string& reason, GenId i, GenId j)
+      : std::runtime_error(reason), contact(std::pair(i, j)) {}
+
+  std::optional<Quad> flip;
+  std::optional<std::pair<GenId, GenId>> contact;
+};
+
+// Motion of one generator in doubles: centre (x, y) at time t, velocity, signed
+// radius; the true centre at t is within ex of (x, y) in each coordinate, the true
+// velocity within ev, the true radius within er.
+struct DoubleMotion {
+  double t = 0, x = 0, y = 0, vx = 0, vy = 0, r = 0;
+  double ex = 0, ev = 0, er = 0;
+};
+
+// The same in double-doubles.
+struct DdMotion {
+  DdBall x, y, vx, vy, r;
+};
+
+// A disk's state just after a collision or maneuver, rounded to nearest.
+struct RoundedState {
+  double px, py, vx, vy;
+};
+
+struct Impact {
+  double t;           // the collision time, rounded to nearest
+  DoubleBall time;    // enclosures of it
+  DdBall time_dd;
+  RoundedState first, second;  // second is unused for the container
+};
+
+struct MotionOptions {
+  int start_bits = 192;
+  int max_bits = 16384;
+  std::size_t max_radicals = 4;
+};
+
+class ExactMotion;
+
+class Motion {
+ public:
+  Motion(MotionInput input, MotionOptions options);
+
+  int size() const { return static_cast<int>(input_.disks.size()); }
+  const MotionInput& input() const { return input_; }
+  const MotionOptions& options() const { return options_; }
+
+  const DoubleMotion& doubles(GenId g) const { return doubles_[g + 1]; }
+  // Position at a time in the current motion of the generator.
+  Site<DoubleBall> site(GenId g, const DoubleBall& t) const;
+  Site<DdBall> site(GenId g, const DdBall& t) const;
+  Site<Ball> site(GenId g, const Ball& t) const;
+  MovingSite<DoubleBall> moving_site(GenId g, const DoubleBall& t) const;
+  MovingSite<DdBall> moving_site(GenId g, const DdBall& t) const;
+  MovingSite<Ball> moving_site(GenId g, const Ball& t) const;
+
+  // Whether two generators certainly have the same velocity (identical exact
+  // values), so that their offset never changes.
+  bool same_velocity(GenId a, GenId b) const;
+
+  // Processes the contact of i and j (i < j, i may be the container) that lies
+  // next to the double t_near and which the caller has proved to be their next
+  // contact. Changes both states.
+  Impact collide(GenId i, GenId j, double t_near);
+  // Gives disk g a new velocity at an exact time; returns its rounded state.
+  RoundedState maneuver(GenId g, const Rational& t, const Rational& vx, const Rational& vy);
+
+  // The same in plain doubles, without certificates: for comparison only.
+  Impact collide_in_doubles(GenId i, GenId j, double t);
+  RoundedState maneuver_in_doubles(GenId g, double t, double vx, double vy);
+
+  // Asks for more bits in all states: replays the log with a higher goal. False
+  // when the budget (max_bits) is exhausted.
+  bool raise_precision();
+  // The present goal: every state is known to at least this many bits below the
+  // scale of the scene.
+  int goal_bits() const { return goal_bits_; }
+  int highest_bits() const { return bits_at(0); }
+  std::uint64_t replays() const { return replays_; }
+
+  // The state in force: -1 - g for the initial one, else an index into the log.
+  int state_id(GenId g) const { return state_[g + 1]; }
+
+ private:
+  friend class ExactMotion;
+
+  struct BallState {
+    Ball x, y, vx, vy;
+  };
+  struct Record {
+    GenId i, j;        // collision of i < j; a maneuver of i has j = i
+    int before_i, before_j;
+    double t_ref;      // reference time of the states after it
+    int maneuver;      // index into maneuvers_, or -1
+  };
+  struct ManeuverRecord {
+    Rational t, vx, vy;
+  };
+  struct Response {
+    Ball time;
+    Ball px[2], py[2];  // centres at the collision
+  };
+
+  int bits_at(double t) const;
+  void load_initial_states();
+  void refresh(GenId g);
+  Response respond(const Record& r);
+  void apply_maneuver(const Record& r);
+  bool accurate_enough(GenId g) const;
+  void replay();
+  bool raise_for(double t);
+  double round_coordinate(const Ball& value, GenId g, int which);
+
+  MotionInput input_;
+  MotionOptions options_;
+  int goal_bits_;
+  double slope_ = 0;        // further bits per unit of time before the horizon
+  double horizon_ = 0;
+  std::int64_t x_scale_ = 0, v_scale_ = 0;  // exponents
+  std::uint64_t replays_ = 0;
+  std::vector<Record> log_;
+  std::vector<ManeuverRecord> maneuvers_;
+  std::vector<int> state_;          // per generator
+  std::vector<double> t_ref_;       // per generator
+  std::vector<DoubleMotion> doubles_;
+  std::vector<DdMotion> dds_;
+  std::vector<BallState> balls_;
+  std::vector<Ball> radius_, mass_;
+  // Of the uncertified instance.
+  std::vector<double> plain_mass_;
+  double plain_restitution_ = 1;
+  std::int64_t plain_collisions_ = 0;
+};
+
+// Exact states of the disks of a Motion as it stands, in a tower of quadratic
+// fields over the rationals: what proves equalities. Follows a disk's causal past
+// through the log; throws BudgetExceeded where the tower would need more radicals
+// or larger coefficients than the budget allows. Valid until the Motion changes.
+class ExactMotion {
+ public:
+  struct State {
+    Rational t_ref;
+    Tower x, y, vx, vy;
+  };
+  explicit ExactMotion(const Motion& motion);
+
+  // State in force of a generator (the container rests).
+  const State& state(GenId g);
+  // The state with a given id (Motion::state_id), of generator g.
+  const State& state(int id, GenId g);
+  // The time of the collision or maneuver at which a state began; 0 for an initial one.
+  const Tower& start(int id, GenId g);
+  Tower radius(GenId g) const;  // signed
+  RadicalField& field() { return field_; }
+  MovingSite<Tower> moving_site(GenId g, const Rational& t);
+  Site<Tower> site(GenId g, const Tower& t);
+
+ private:
+  struct Entry {
+    State state;
+    Tower start;
+  };
+  const Entry& entry(int id, GenId g);
+  void compute(int record);
+  const Motion& motion_;
+  RadicalField field_;
+  std::unordered_map<long, Entry> memo_;
+};
+
+// The exact time, within the tower, of the next contact of two moving sites given
+// at time t (see Contact): the root at which they begin to overlap, or the exit of
+// a disk from the container. Precondition: that root exists.
+Tower contact_delay(const Contact<Tower>& contact, bool with_container, RadicalField& field);
+
+// The binary64 nearest to an element, ties to even.
+double round_nearest(const Tower& x);
+
+}  // namespace voroproof

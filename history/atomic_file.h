@@ -1,0 +1,53 @@
+// An output file that appears whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace voroproof {
+
+// Writes to a temporary file beside the target and renames it onto the target on commit(). A file
+// destroyed before that leaves no trace, and a target that existed stays as it was. Data is not
+// forced to the disk: a power failure may lose the file, a killed process leaves only a file named
+// TARGET.<process>.<number>.tmp. A symbolic link stays and the file it names is replaced.
+// Targets other than regular files (devices, pipes, directories) are refused.
+// Every member throws OutputError naming the target when the system refuses.
+class AtomicFile {
+ public:
+  explicit AtomicFile(const std::string& path);
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  ~AtomicFile();
+
+  void write(std::string_view bytes);
+
+  // For fast writers: room for at least `size` bytes (size <= max_room) in the buffer; the caller
+  // fills it and tells by advance() where it stopped.
+  static constexpr std::size_t max_room = 4096;
+  char* room(std::size_t size) {
+    if (buffer_size - used_ < size) flush();
+    return buffer_.get() + used_;
+  }
+  void advance(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.get()); }
+
+  // Gives the file its name. Nothing may be written afterwards.
+  void commit();
+
+ private:
+  static constexpr std::size_t buffer_size = std::size_t{1} << 18;
+
+  void flush();
+  void write_through(const char* data, std::size_t size);
+  [[noreturn]] void fail(const char* action) const;
+
+  std::string path_;
+  std::string target_;
+  std::string temporary_;
+  int descriptor_ = -1;
+  std::unique_ptr<char[]> buffer_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace voroproof

@@ -1,0 +1,128 @@
+// History files: every event of the diagram of a scene, one JSON object a line (docs/formats.md).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "exact/rational.h"
+#include "history/atomic_file.h"
+#include "history/events.h"
+#include "history/line_source.h"
+#include "history/scene.h"
+
+namespace voroproof {
+
+struct HistoryHeader {
+  std::string scene_sha256;  // 64 lower-case hexadecimal digits
+  Rational horizon;
+  std::string producer;                      // "name version"
+  std::optional<std::vector<Quad>> initial;  // the diagram at 0+: canonical, sorted
+};
+
+struct HistoryCounts {
+  std::int64_t flips = 0, collisions = 0, maneuvers = 0;
+  bool operator==(const HistoryCounts&) const = default;
+};
+
+// The last line of a history that covers [0, horizon].
+struct HistoryEnd {
+  HistoryCounts counts;  // as claimed
+};
+
+// The last line of a history that is right up to t only.
+struct HistoryStop {
+  double t = 0;
+  std::string reason;
+  std::vector<std::string> events;  // the events in question, each as JSON text
+  std::optional<Rational> exact_t;  // where t was written as a string
+};
+
+// Writes a history in the one form that this project writes. Call header(), then the events in the
+// order of the history, then end() or stopped(), then close(); the file appears at close() only,
+// and never without a last line. Nothing is kept in memory but a buffer.
+// Edges may be named either way; they are written canonical.
+// Throws OutputError where the file cannot be written, std::logic_error where the calls come in
+// another order or a value has no place in a history (t decreases, not finite).
+class HistoryWriter {
+ public:
+  explicit HistoryWriter(const std::string& path);
+
+  void header(const HistoryHeader& header);
+  void flip(double t, const Quad& quad);
+  void collide(const CollideEvent& event);    // its doubles; `exact` is not looked at
+  void maneuver(const ManeuverEvent& event);  // likewise
+  void write(const Event& event);
+
+  // The run covered the whole horizon. The counts are those of the events written.
+  void end();
+
+  // The run stopped early at t. Of `events`, those in question, only the kind and the ids are
+  // written.
+  void stopped(double t, const std::string& reason, const std::vector<Event>& events);
+
+  void close();
+
+  const HistoryCounts& counts() const { return counts_; }
+
+ private:
+  enum class State { fresh, open, ended, closed };
+
+  void require(State state) const;
+  void advance_to(double t);
+
+  AtomicFile file_;
+  State state_ = State::fresh;
+  std::string horizon_;
+  double last_t_ = 0;
+  HistoryCounts counts_;
+};
+
+// Limits on the lines of a history; see docs/formats.md.
+inline constexpr std::size_t max_header_line = std::size_t{1} << 28;
+inline constexpr std::size_t max_event_line = std::size_t{1} << 20;
+
+// Reads a history line by line in bounded memory and checks everything that can be checked without
+// the scene. Keys may come in any order, edges be named either way and `initial` be in any order:
+// what is handed on is canonical. Every member throws InputError, naming the line.
+class HistoryReader {
+ public:
+  // Reads the header. Ids must be below disk_count, the number of disks of the scene if known.
+  explicit HistoryReader(const std::string& path, int disk_count = max_disks);
+
+  const HistoryHeader& header() const { return header_; }
+
+  // The next event, or nothing after the last; then the last line has been read and is right in
+  // form, and nothing follows it. A file without it is incomplete: an InputError.
+  std::optional<Event> next();
+
+  // The line of the event that next() gave last; after the last event, that of the last line.
+  std::int64_t line() const { return lines_.number(); }
+
+  // The last line, once next() has given nothing.
+  const std::variant<HistoryEnd, HistoryStop>& ending() const { return ending_.value(); }
+
+  // The events that next() has given.
+  const HistoryCounts& counts() const { return counts_; }
+
+  // Whether the end line, if it is one, claims the counts of the events before it.
+  bool counts_match() const;
+
+ private:
+  void read_header();
+  std::optional<Event> read_line(std::string_view text);
+
+  std::string path_;
+  LineSource lines_;
+  int last_id_;
+  HistoryHeader header_;
+  double horizon_ = 0;  // rounded to nearest
+  double last_t_ = 0;
+  std::optional<Rational> last_exact_t_;
+  HistoryCounts counts_;
+  std::optional<std::variant<HistoryEnd, HistoryStop>> ending_;
+};
+
+}  // namespace voroproof

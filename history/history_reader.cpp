@@ -1,0 +1,311 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "history/error.h"
+#include "history/history_file.h"
+#include "history/json_reader.h"
+
+namespace voroproof {
+namespace {
+
+constexpr auto bit = JsonReader::bit;
+constexpr std::int64_t max_count = std::numeric_limits<std::int64_t>::max();
+
+int read_id(JsonReader& json, int lowest, int last_id) {
+  return static_cast<int>(json.integer(lowest, last_id));
+}
+
+Quad read_edge(JsonReader& json, int last_id) {
+  std::array<int, 4> ids{};
+  json.array_of<4>([&](std::size_t i) { ids[i] = read_id(json, container_id, last_id); });
+  const Quad edge{ids[0], ids[1], ids[2], ids[3]};
+  if (!names_an_edge(edge)) json.fail("names no edge: its generators are not distinct");
+  return canonical(edge);
+}
+
+// A member "v" or "p": of a maneuver a vector, of a collision two, of which null is the
+// container's. Which of both can be told only once all keys are read.
+struct Vectors {
+  using Value = std::array<Number, 2>;
+  bool given = false;
+  bool single = false;  // one vector, at [0]
+  std::array<std::optional<Value>, 2> values;
+};
+
+Vectors read_vectors(JsonReader& json) {
+  Vectors vectors;
+  vectors.given = true;
+  Vectors::Value flat;
+  json.array_of<2>([&](std::size_t i) {
+    const bool nested = json.array_is_next();
+    const bool null = !nested && json.null();
+    const bool single = !nested && !null;
+    if (i == 0) vectors.single = single;
+    if (vectors.single != single) json.fail("mixes numbers and vectors");
+    if (single) {
+      flat[i] = json.number();
+    } else if (nested) {
+      Vectors::Value& value = vectors.values[i].emplace();
+      json.array_of<2>([&](std::size_t k) { value[k] = json.number(); });
+    }
+  });
+  if (vectors.single) vectors.values[0] = std::move(flat);
+  return vectors;
+}
+
+bool has_exact(const Vectors& vectors) {
+  for (const auto& value : vectors.values)
+    if (value && ((*value)[0].exact || (*value)[1].exact)) return true;
+  return false;
+}
+
+std::optional<Vec2> nearest(const std::optional<Vectors::Value>& value) {
+  if (!value) return std::nullopt;
+  return Vec2{(*value)[0].nearest, (*value)[1].nearest};
+}
+
+std::optional<ExactVec2> exactly(const std::optional<Vectors::Value>& value) {
+  if (!value) return std::nullopt;
+  return ExactVec2{(*value)[0].value(), (*value)[1].value()};
+}
+
+// The exact values of a line, or null where all its numbers are binary64.
+std::shared_ptr<const ExactValues> exact_values(const Number& t, const Vectors& v,
+                                                const Vectors& p) {
+  if (!t.exact && !has_exact(v) && !has_exact(p)) return nullptr;
+  auto values = std::make_shared<ExactValues>();
+  values->t = t.value();
+  for (std::size_t side = 0; side < 2; ++side) {
+    values->v[side] = exactly(v.values[side]);
+    values->p[side] = exactly(p.values[side]);
+  }
+  return values;
+}
+
+Number read_time(JsonReader& json) {
+  Number t = json.number();
+  if (t.exact ? *t.exact < 0 : t.nearest < 0) json.fail("negative");
+  return t;
+}
+
+HistoryEnd read_end(JsonReader& json, const Rational& horizon) {
+  enum { t, flips, collisions, maneuvers };
+  static constexpr std::array<std::string_view, 4> names = {"t", "flips", "collisions",
+                                                            "maneuvers"};
+  HistoryEnd end;
+  const std::uint32_t all = bit(t) | bit(flips) | bit(collisions) | bit(maneuvers);
+  json.object(names, all, [&](std::size_t member) {
+    switch (member) {
+      case t:
+        // A producer may have rounded an exact horizon to write it here.
+        if (const Number number = read_time(json);
+            number.value() != horizon && number.nearest != round_nearest(horizon))
+          json.fail("not the horizon");
+        break;
+      case flips:
+        end.counts.flips = json.integer(0, max_count);
+        break;
+      case collisions:
+        end.counts.collisions = json.integer(0, max_count);
+        break;
+      case maneuvers:
+        end.counts.maneuvers = json.integer(0, max_count);
+    }
+  });
+  return end;
+}
+
+HistoryStop read_stop(JsonReader& json) {
+  enum { t, reason, events };
+  static constexpr std::array<std::string_view, 3> names = {"t", "reason", "events"};
+  HistoryStop stop;
+  json.object(names, bit(t) | bit(reason), [&](std::size_t member) {
+    switch (member) {
+      case t: {
+        Number number = read_time(json);
+        stop.t = number.nearest;
+        stop.exact_t = std::move(number.exact);
+        break;
+      }
+      case reason:
+        stop.reason = json.text();
+        break;
+      case events:
+        json.array([&](std::size_t) { stop.events.emplace_back(json.any()); });
+    }
+  });
+  return stop;
+}
+
+}  // namespace
+
+HistoryReader::HistoryReader(const std::string& path, int disk_count)
+    : path_(path), lines_(path_), last_id_(disk_count - 1) {
+  read_header();
+}
+
+void HistoryReader::read_header() {
+  const auto text = lines_.next(max_header_line);
+  if (!text) throw InputError(path_, 1, "", "empty file");
+  JsonReader json(*text, path_, lines_.number());
+  enum { format, version, scene_sha256, horizon, producer, initial };
+  static constexpr std::array<std::string_view, 6> names = {"format",  "version",  "scene_sha256",
+                                                            "horizon", "producer", "initial"};
+  constexpr std::uint32_t required =
+      bit(format) | bit(version) | bit(scene_sha256) | bit(horizon) | bit(producer);
+  json.object(names, required, [&](std::size_t member) {
+    switch (member) {
+      case format:
+        if (json.text() != "voroproof-history") json.fail("not \"voroproof-history\"");
+        break;
+      case version:
+        json.integer(1, 1);
+        break;
+      case scene_sha256: {
+        std::string& hash = header_.scene_sha256;
+        hash = json.text();
+        for (char& c : hash)
+          if (c >= 'A' && c <= 'F') c = static_cast<char>(c - 'A' + 'a');
+        if (hash.size() != 64 || hash.find_first_not_of("0123456789abcdef") != std::string::npos)
+          json.fail("not 64 hexadecimal digits");
+        break;
+      }
+      case horizon:
+        header_.horizon = read_time(json).value();
+        break;
+      case producer:
+        header_.producer = json.text();
+        break;
+      case initial: {
+        std::vector<Quad>& edges = header_.initial.emplace();
+        json.array([&](std::size_t) { edges.push_back(read_edge(json, last_id_)); });
+        std::sort(edges.begin(), edges.end());
+        if (std::adjacent_find(edges.begin(), edges.end()) != edges.end())
+          json.fail("names an edge twice");
+      }
+    }
+  });
+  json.finish();
+  horizon_ = round_nearest(header_.horizon);
+}
+
+std::optional<Event> HistoryReader::next() {
+  if (ending_) return std::nullopt;
+  const auto text = lines_.next(max_event_line);
+  if (!text)
+    throw InputError(path_, lines_.number(), "", "incomplete: the file ends without an end line");
+  std::optional<Event> event = read_line(*text);
+  if (!event && lines_.next(max_event_line))
+    throw InputError(path_, lines_.number(), "", "text after the last line of the history");
+  return event;
+}
+
+std::optional<Event> HistoryReader::read_line(std::string_view text) {
+  JsonReader json(text, path_, lines_.number());
+  enum { t, flip, collide, maneuver, v, p, end, stopped };
+  static constexpr std::array<std::string_view, 8> names = {"t", "flip", "collide", "maneuver",
+                                                            "v", "p",    "end",     "stopped"};
+  Number time;
+  Quad quad{};
+  std::array<int, 2> pair{};
+  int disk = 0;
+  Vectors velocities, centers;
+  const std::uint32_t seen = json.object(names, 0, [&](std::size_t member) {
+    switch (member) {
+      case t:
+        time = read_time(json);
+        break;
+      case flip:
+        quad = read_edge(json, last_id_);
+        break;
+      case collide:
+        json.array_of<2>([&](std::size_t i) { pair[i] = read_id(json, container_id, last_id_); });
+        if (pair[0] >= pair[1]) json.fail("not two ids, the smaller first");
+        break;
+      case maneuver:
+        disk = read_id(json, 0, last_id_);
+        break;
+      case v:
+        velocities = read_vectors(json);
+        break;
+      case p:
+        centers = read_vectors(json);
+        break;
+      case end:
+        ending_ = read_end(json, header_.horizon);
+        break;
+      case stopped:
+        ending_ = read_stop(json);
+    }
+  });
+  json.finish();
+
+  const auto blame = [&](std::size_t member, const std::string& reason) {
+    throw InputError(path_, lines_.number(), std::string(names[member]), reason);
+  };
+  const std::uint32_t kind =
+      seen & (bit(flip) | bit(collide) | bit(maneuver) | bit(end) | bit(stopped));
+  if (kind == 0) json.fail("neither an event nor an end line");
+  if (kind & (kind - 1)) json.fail("more than one event");
+  if ((kind & (bit(end) | bit(stopped))) && seen != kind)
+    json.fail("an end line with other fields");
+  if ((kind & bit(stopped))) {
+    const HistoryStop& stop = std::get<HistoryStop>(*ending_);
+    time.nearest = stop.t;
+    time.exact = stop.exact_t;
+  }
+  if (kind & bit(end)) return std::nullopt;
+
+  const std::size_t t_or_stopped = kind & bit(stopped) ? stopped : t;
+  if (!(kind & bit(stopped)) && !(seen & bit(t))) blame(t, "missing");
+  const bool decreases = time.exact || last_exact_t_
+                             ? time.value() < last_exact_t_.value_or(to_rational(last_t_))
+                             : time.nearest < last_t_;
+  if (decreases) blame(t_or_stopped, "earlier than the event before it");
+  // Rounding an event at the horizon may move it beyond, but not beyond the rounded horizon.
+  if (time.nearest > horizon_) blame(t_or_stopped, "beyond the horizon");
+  last_t_ = time.nearest;
+  last_exact_t_ = time.exact;
+  if (kind & bit(stopped)) return std::nullopt;
+
+  if (kind & bit(flip)) {
+    if (seen & (bit(v) | bit(p))) json.fail("a flip has neither v nor p");
+    ++counts_.flips;
+    return FlipEvent{time.nearest, quad, exact_values(time, velocities, centers)};
+  }
+  if (kind & bit(collide)) {
+    const auto check = [&](std::size_t member, const Vectors& vectors) {
+      if (!vectors.given) return;
+      if (vectors.single) blame(member, "not two vectors");
+      for (std::size_t side = 0; side < 2; ++side) {
+        const bool is_container = pair[side] == container_id;
+        if (vectors.values[side].has_value() == is_container)
+          blame(member, is_container ? "not null for the container" : "null for a disk");
+      }
+    };
+    check(v, velocities);
+    check(p, centers);
+    ++counts_.collisions;
+    CollideEvent event{time.nearest, pair[0], pair[1], {}, {}, {}};
+    for (std::size_t side = 0; side < 2; ++side) {
+      event.v[side] = nearest(velocities.values[side]);
+      event.p[side] = nearest(centers.values[side]);
+    }
+    event.exact = exact_values(time, velocities, centers);
+    return event;
+  }
+  if (velocities.given && !velocities.single) blame(v, "not one vector");
+  if (centers.given && !centers.single) blame(p, "not one vector");
+  ++counts_.maneuvers;
+  return ManeuverEvent{time.nearest, disk, nearest(velocities.values[0]),
+                       nearest(centers.values[0]), exact_values(time, velocities, centers)};
+}
+
+bool HistoryReader::counts_match() const {
+  const auto* end = std::get_if<HistoryEnd>(&ending());
+  return end == nullptr || end->counts == counts_;
+}
+
+}  // namespace voroproof

@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "history/history_file.h"
+#include "history/json_text.h"
+
+namespace voroproof {
+namespace {
+
+// The longest event line: a collision with nine numbers, two ids and its keys.
+constexpr std::size_t max_written_line = 10 * max_double_text + 256;
+static_assert(max_written_line <= AtomicFile::max_room);
+
+template <std::size_t N>
+char* put_literal(char* out, const char (&text)[N]) {
+  return std::copy(text, text + N - 1, out);
+}
+
+char* put_quad(char* out, const Quad& quad) {
+  const Quad q = canonical(quad);
+  *out++ = '[';
+  out = put_integer(out, q.l);
+  *out++ = ',';
+  out = put_integer(out, q.r);
+  *out++ = ',';
+  out = put_integer(out, q.s);
+  *out++ = ',';
+  out = put_integer(out, q.e);
+  *out++ = ']';
+  return out;
+}
+
+char* put_vector(char* out, const std::optional<Vec2>& v) {
+  if (!v) return put_literal(out, "null");
+  *out++ = '[';
+  out = put_number(out, (*v)[0]);
+  *out++ = ',';
+  out = put_number(out, (*v)[1]);
+  *out++ = ']';
+  return out;
+}
+
+char* put_vectors(char* out, const std::array<std::optional<Vec2>, 2>& v) {
+  *out++ = '[';
+  out = put_vector(out, v[0]);
+  *out++ = ',';
+  out = put_vector(out, v[1]);
+  *out++ = ']';
+  return out;
+}
+
+// The members "flip", "collide", "maneuver" of an event.
+char* put_kind(char* out, const FlipEvent& event) {
+  return put_quad(put_literal(out, "\"flip\":"), event.quad);
+}
+
+char* put_kind(char* out, const CollideEvent& event) {
+  out = put_literal(out, "\"collide\":[");
+  out = put_integer(out, event.i);
+  *out++ = ',';
+  out = put_integer(out, event.j);
+  *out++ = ']';
+  return out;
+}
+
+char* put_kind(char* out, const ManeuverEvent& event) {
+  return put_integer(put_literal(out, "\"maneuver\":"), event.disk);
+}
+
+char* put_time(char* out, double t) {
+  out = put_number(put_literal(out, "{\"t\":"), t);
+  *out++ = ',';
+  return out;
+}
+
+// Whether the values are given in the one way the format knows: for both disks or for neither.
+bool well_formed(const CollideEvent& event, const std::array<std::optional<Vec2>, 2>& values) {
+  return event.i == container_id ? !values[0] : values[0].has_value() == values[1].has_value();
+}
+
+}  // namespace
+
+HistoryWriter::HistoryWriter(const std::string& path) : file_(path) {}
+
+void HistoryWriter::header(const HistoryHeader& header) {
+  require(State::fresh);
+  state_ = State::open;
+  horizon_ = number_text(header.horizon);
+  file_.write("{\"format\":\"voroproof-history\",\"version\":1,\"scene_sha256\":" +
+              string_text(header.scene_sha256) + ",\"horizon\":" + horizon_ +
+              ",\"producer\":" + string_text(header.producer));
+  if (header.initial) {
+    std::vector<Quad> edges = *header.initial;
+    for (Quad& edge : edges) edge = canonical(edge);
+    std::sort(edges.begin(), edges.end());
+    const char* separator = ",\"initial\":[";
+    for (const Quad& edge : edges) {
+      file_.write(separator);
+      file_.advance(put_quad(file_.room(max_written_line), edge));
+      separator = ",";
+    }
+    file_.write(edges.empty() ? ",\"initial\":[]" : "]");
+  }
+  file_.write("}\n");
+}
+
+void HistoryWriter::flip(double t, const Quad& quad) {
+  advance_to(t);
+  ++counts_.flips;
+  char* out = put_time(file_.room(max_written_line), t);
+  out = put_quad(put_literal(out, "\"flip\":"), quad);
+  file_.advance(put_literal(out, "}\n"));
+}
+
+void HistoryWriter::collide(const CollideEvent& event) {
+  if (event.i >= event.j || !well_formed(event, event.v) || !well_formed(event, event.p))
+    throw std::logic_error("not a collision of a history");
+  advance_to(event.t);
+  ++counts_.collisions;
+  char* out = put_kind(put_time(file_.room(max_written_line), event.t), event);
+  if (event.v[1]) out = put_vectors(put_literal(out, ",\"v\":"), event.v);
+  if (event.p[1]) out = put_vectors(put_literal(out, ",\"p\":"), event.p);
+  file_.advance(put_literal(out, "}\n"));
+}
+
+void HistoryWriter::maneuver(const ManeuverEvent& event) {
+  advance_to(event.t);
+  ++counts_.maneuvers;
+  char* out = put_kind(put_time(file_.room(max_written_line), event.t), event);
+  if (event.v) out = put_vector(put_literal(out, ",\"v\":"), event.v);
+  if (event.p) out = put_vector(put_literal(out, ",\"p\":"), event.p);
+  file_.advance(put_literal(out, "}\n"));
+}
+
+void HistoryWriter::write(const Event& event) {
+  if (const auto* f = std::get_if<FlipEvent>(&event)) return flip(f->t, f->quad);
+  if (const auto* c = std::get_if<CollideEvent>(&event)) return collide(*c);
+  maneuver(std::get<ManeuverEvent>(event));
+}
+
+void HistoryWriter::end() {
+  require(State::open);
+  state_ = State::ended;
+  file_.write("{\"end\":{\"t\":" + horizon_ + ",\"flips\":" + std::to_string(counts_.flips) +
+              ",\"collisions\":" + std::to_string(counts_.collisions) +
+              ",\"maneuvers\":" + std::to_string(counts_.maneuvers) + "}}\n");
+}
+
+void HistoryWriter::stopped(double t, const std::string& reason, const std::vector<Event>& events) {
+  advance_to(t);
+  state_ = State::ended;
+  file_.write("{\"stopped\":{\"t\":" + number_text(t) + ",\"reason\":" + string_text(reason) +
+              ",\"events\":[");
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    char* out = put_literal(file_.room(max_written_line), "{");
+    if (i > 0) {
+      *(out - 1) = ',';
+      *out++ = '{';
+    }
+    out = std::visit([&](const auto& event) { return put_kind(out, event); }, events[i]);
+    file_.advance(put_literal(out, "}"));
+  }
+  file_.write("]}}\n");
+}
+
+void HistoryWriter::close() {
+  require(State::ended);
+  state_ = State::closed;
+  file_.commit();
+}
+
+void HistoryWriter::require(State state) const {
+  if (state_ != state) throw std::logic_error("the parts of a history come in another order");
+}
+
+void HistoryWriter::advance_to(double t) {
+  require(State::open);
+  if (!(std::isfinite(t) && t >= last_t_))
+    throw std::logic_error("the times of a history must be finite and never decrease from 0");
+  last_t_ = t;
+}
+
+}  // namespace voroproof

@@ -1,0 +1,65 @@
+#include "history/line_source.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "history/error.h"
+
+namespace voroproof {
+
+LineSource::LineSource(const std::string& path)
+    : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)), buffer_(1 << 18) {
+  if (descriptor_ < 0)
+    throw InputError(path_, 0, "", std::string("cannot read: ") + std::strerror(errno));
+}
+
+LineSource::~LineSource() { close(descriptor_); }
+
+std::optional<std::string_view> LineSource::next(std::size_t limit) {
+  std::size_t searched = 0;
+  for (;;) {
+    const char* const begin = buffer_.data() + begin_;
+    const std::size_t available = end_ - begin_;
+    const void* const found =
+        available > searched ? std::memchr(begin + searched, '\n', available - searched) : nullptr;
+    const std::size_t length =
+        found ? static_cast<std::size_t>(static_cast<const char*>(found) - begin) : available;
+    if (length > limit)
+      throw InputError(path_, number_ + 1, "",
+                       "a line of more than " + std::to_string(limit) + " bytes");
+    if (found) {
+      begin_ += length + 1;
+      ++number_;
+      return std::string_view(begin, length);
+    }
+    searched = available;
+    if (!fill()) {
+      if (available == 0) return std::nullopt;
+      begin_ = end_;
+      ++number_;
+      return std::string_view(begin, available);
+    }
+  }
+}
+
+bool LineSource::fill() {
+  if (begin_ > 0) {
+    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+    end_ -= begin_;
+    begin_ = 0;
+  }
+  if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
+  for (;;) {
+    const ssize_t got = read(descriptor_, buffer_.data() + end_, buffer_.size() - end_);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0)
+      throw InputError(path_, number_ + 1, "", std::string("cannot read: ") + std::strerror(errno));
+    end_ += static_cast<std::size_t>(got);
+    return got > 0;
+  }
+}
+
+}  // namespace voroproof

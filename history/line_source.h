@@ -1,0 +1,38 @@
+// The lines of a file of any length, in bounded memory.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voroproof {
+
+class LineSource {
+ public:
+  // Throws InputError where the file cannot be opened.
+  explicit LineSource(const std::string& path);
+  LineSource(const LineSource&) = delete;
+  LineSource& operator=(const LineSource&) = delete;
+  ~LineSource();
+
+  // The next line without its end, or nothing after the last. Text after the last line end is a
+  // line too. The view holds until the next call. Throws InputError where the line has more than
+  // `limit` bytes, or the file cannot be read.
+  std::optional<std::string_view> next(std::size_t limit);
+
+  // Of the line that next() gave last; 0 before the first.
+  std::int64_t number() const { return number_; }
+
+ private:
+  bool fill();  // reads more; false at the end of the file
+
+  std::string path_;
+  int descriptor_;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0, end_ = 0;  // what is read and not yet given
+  std::int64_t number_ = 0;
+};
+
+}  // namespace voroproof

@@ -1,0 +1,70 @@
+// The scene: disks in a circular container, and what is to happen to them (docs/formats.md).
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "exact/rational.h"
+
+namespace voroproof {
+
+struct Point2 {
+  Rational x, y;
+};
+
+struct DiskSpec {
+  Rational x, y;    // centre at t = 0
+  Rational radius;  // >= 0
+  Rational vx, vy;  // velocity at t = 0
+  Rational mass;    // > 0, but 0 for a lone disk of radius 0 that was given none
+};
+
+// At time t the velocity of the disk becomes (vx, vy).
+struct Maneuver {
+  Rational t;
+  int disk;
+  Rational vx, vy;
+};
+
+// What container_restitution scales at the wall: the normal part of the velocity, or all of it.
+enum class ContainerLaw { normal, whole };
+
+struct Scene {
+  Rational cx, cy, container_radius;
+  Rational restitution = 1;            // between disks, in [0,1]
+  Rational container_restitution = 1;  // in (0,1]
+  ContainerLaw law = ContainerLaw::normal;
+  Rational horizon;  // >= 0
+  std::vector<DiskSpec> disks;
+  std::vector<Maneuver> maneuvers;  // sorted by t
+  std::string name, comment;
+  std::optional<std::variant<std::string, Integer>> seed;
+  std::string sha256;  // of the bytes that were read; empty for a scene that was not read
+};
+
+// Limits on what is read; see docs/formats.md.
+inline constexpr std::size_t max_scene_bytes = std::size_t{1} << 30;
+inline constexpr int max_disks = 2'000'000;
+inline constexpr int max_maneuvers = 2'000'000;
+inline constexpr double max_scene_value = 1e100;   // of a magnitude
+inline constexpr double min_scene_value = 1e-100;  // of a magnitude that is not zero
+
+// Reads and checks a scene completely: form, values, and that the disks lie inside the container
+// without overlap. Takes O(n log n) comparisons, whatever the positions and radii.
+// Throws InputError.
+Scene read_scene(const std::string& path);
+
+// The same of a file's bytes; `file_name` is for messages.
+Scene parse_scene(std::string_view bytes, const std::string& file_name);
+
+// Writes the scene so that reading it gives the same values, one disk a line. Values that are
+// exactly a binary64 become JSON numbers, others strings "p/q". Masses equal to the default are
+// left out, and so are other defaults.
+void write_scene(std::ostream& out, const Scene& scene);
+
+}  // namespace voroproof

@@ -1,0 +1,60 @@
+#include <ostream>
+
+#include "history/json_text.h"
+#include "history/scene.h"
+
+namespace voroproof {
+namespace {
+
+std::string pair_text(const Rational& x, const Rational& y) {
+  return '[' + number_text(x) + ", " + number_text(y) + ']';
+}
+
+std::string seed_text(const std::variant<std::string, Integer>& seed) {
+  if (const auto* text = std::get_if<std::string>(&seed)) return string_text(*text);
+  return std::get<Integer>(seed).get_str();
+}
+
+// A disk of radius 0 has no default mass; a lone one may have none at all.
+bool has_default_mass(const DiskSpec& disk) { return disk.mass == disk.radius * disk.radius; }
+
+}  // namespace
+
+void write_scene(std::ostream& out, const Scene& scene) {
+  out << "{\"format\": \"voroproof-scene\", \"version\": 1,\n";
+  if (!scene.name.empty()) out << " \"name\": " << string_text(scene.name) << ",\n";
+  if (!scene.comment.empty()) out << " \"comment\": " << string_text(scene.comment) << ",\n";
+  if (scene.seed) out << " \"seed\": " << seed_text(*scene.seed) << ",\n";
+  out << " \"container\": {\"center\": " << pair_text(scene.cx, scene.cy)
+      << ", \"radius\": " << number_text(scene.container_radius);
+  if (scene.container_restitution != 1)
+    out << ", \"restitution\": " << number_text(scene.container_restitution);
+  out << "},\n";
+  if (scene.law == ContainerLaw::whole) out << " \"container_law\": \"whole\",\n";
+  out << " \"restitution\": " << number_text(scene.restitution) << ",\n"
+      << " \"horizon\": " << number_text(scene.horizon) << ",\n"
+      << " \"disks\": [";
+  const char* separator = "\n  ";
+  for (const DiskSpec& disk : scene.disks) {
+    out << separator << "{\"center\": " << pair_text(disk.x, disk.y)
+        << ", \"radius\": " << number_text(disk.radius)
+        << ", \"velocity\": " << pair_text(disk.vx, disk.vy);
+    if (!has_default_mass(disk)) out << ", \"mass\": " << number_text(disk.mass);
+    out << '}';
+    separator = ",\n  ";
+  }
+  out << ']';
+  if (!scene.maneuvers.empty()) {
+    out << ",\n \"maneuvers\": [";
+    separator = "\n  ";
+    for (const Maneuver& maneuver : scene.maneuvers) {
+      out << separator << "{\"t\": " << number_text(maneuver.t) << ", \"disk\": " << maneuver.disk
+          << ", \"velocity\": " << pair_text(maneuver.vx, maneuver.vy) << '}';
+      separator = ",\n  ";
+    }
+    out << ']';
+  }
+  out << "}\n";
+}
+
+}  // namespace voroproof

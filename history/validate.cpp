@@ -1,0 +1,101 @@
+#include "history/validate.h"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "history/diagram_file.h"
+#include "history/error.h"
+#include "history/file_bytes.h"
+#include "history/history_file.h"
+#include "history/json_reader.h"
+#include "history/json_text.h"
+#include "history/scene.h"
+
+namespace voroproof {
+namespace {
+
+struct Format {
+  std::string name;
+  std::int64_t line;
+};
+
+// The member "format" of the object that the text starts with. What comes after it may be anything.
+std::optional<Format> format_of(std::string_view text, const std::string& path) {
+  JsonReader json(text, path);
+  std::optional<Format> format;
+  json.any_object([&](std::string_view name) {
+    if (name == "format") {
+      format = {std::string(json.text()), json.line()};
+      return false;
+    }
+    json.any();
+    return true;
+  });
+  return format;
+}
+
+// As a rule the field comes first. Only if it does not, more than the beginning is looked at.
+Format find_format(const std::string& path) {
+  constexpr std::size_t beginning = 4096;
+  const std::string bytes = file_bytes(path, beginning, true);
+  if (bytes.size() == beginning) {
+    try {
+      if (const auto format = format_of(bytes, path)) return *format;
+    } catch (const InputError&) {
+      // The fault may be the cut.
+    }
+    const std::string more = file_bytes(path, max_scene_bytes, true);
+    if (const auto format = format_of(more, path)) return *format;
+  } else if (const auto format = format_of(bytes, path)) {
+    return *format;
+  }
+  throw InputError(path, 1, "format", "missing");
+}
+
+std::string count(std::int64_t number, const std::string& one, const std::string& several) {
+  return std::to_string(number) + ' ' + (number == 1 ? one : several);
+}
+
+template <class List>
+std::string count(const List& list, const std::string& one, const std::string& several) {
+  return count(static_cast<std::int64_t>(list.size()), one, several);
+}
+
+std::string validate_history(const std::string& path) {
+  HistoryReader history(path);
+  while (history.next()) {
+  }
+  const HistoryCounts& counts = history.counts();
+  const std::string events = count(counts.flips, "flip", "flips") + ", " +
+                             count(counts.collisions, "collision", "collisions") + ", " +
+                             count(counts.maneuvers, "maneuver", "maneuvers");
+  if (const auto* stop = std::get_if<HistoryStop>(&history.ending()))
+    return "history: " + events + ", stopped at t = " + number_text(stop->t) + ": " +
+           printable(stop->reason);
+  if (!history.counts_match())
+    throw InputError(path, history.line(), "end", "wrong counts: the file has " + events);
+  return "history: " + events + ", complete to t = " + number_text(history.header().horizon);
+}
+
+}  // namespace
+
+std::string validate_file(const std::string& path) {
+  const Format format = find_format(path);
+  if (format.name == "voroproof-scene") {
+    const Scene scene = read_scene(path);
+    return "scene: " + count(scene.disks, "disk", "disks") + ", " +
+           count(scene.maneuvers, "maneuver", "maneuvers") + ", horizon " +
+           number_text(scene.horizon);
+  }
+  if (format.name == "voroproof-history") return validate_history(path);
+  if (format.name == "voroproof-diagram") {
+    const DiagramFile diagram = read_diagram(path);
+    return "diagram: " + count(diagram.disks, "disk", "disks") + ", " +
+           count(diagram.vertices, "vertex", "vertices") + ", " +
+           count(diagram.edges, "edge", "edges");
+  }
+  throw InputError(path, format.line, "format", "none of this project: " + printable(format.name));
+}
+
+}  // namespace voroproof

@@ -1,0 +1,833 @@
+#include "kinetic/engine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <unordered_map>
+
+#include "filtered/collapse.h"
+#include "filtered/contact.h"
+#include "kinetic/queue.h"
+#include "kinetic/static_diagram.h"
+
+namespace voroproof {
+
+namespace {
+
+using HalfEdge = Diagram::HalfEdge;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// A disk of an inelastic scene that collides this often within this part of the
+// horizon is taken to collide for ever: an inelastic collapse.
+constexpr int kCollapseCollisions = 48;
+constexpr double kCollapseSpan = 1e-10;
+
+// Relative width below which a time needs no further refinement before it is compared
+// and rounded: both nearly always succeed then.
+constexpr double kFine = 1e-20;
+
+bool same_generators(const Quad& a, const Quad& b) {
+  std::array<GenId, 4> x{a.l, a.r, a.s, a.e}, y{b.l, b.r, b.s, b.e};
+  std::sort(x.begin(), x.end());
+  std::sort(y.begin(), y.end());
+  return x == y;
+}
+
+// Adds the time spent in a scope to a sum, if there is one.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double* sum) : sum_(sum) {
+    if (sum_ != nullptr) start_ = Clock::now();
+  }
+  ~Stopwatch() {
+    if (sum_ != nullptr) *sum_ += std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double* sum_;
+  Clock::time_point start_{};
+};
+
+// Events of the present instant, kept back until all of the instant is decided.
+struct PendingEvent {
+  double t;
+  GenId i = 0, j = 0;  // a maneuver has i = j
+  RoundedState first{}, second{};
+};
+using Pending = std::variant<Quad, PendingEvent>;
+
+}  // namespace
+
+template <bool certified>
+class Engine<certified>::Implementation {
+ public:
+  Implementation(const MotionInput& input, std::vector<ManeuverInput> maneuvers,
+                 EngineOptions options)
+      : options_(std::move(options)),
+        motion_(input, options_.motion),
+        maneuvers_(std::move(maneuvers)),
+        diagram_(motion_.size()),
+        collapses_(motion_, stats_.tiers),
+        contacts_(motion_, stats_.tiers),
+        queue_(1),
+        horizon_(input.horizon),
+        horizon_up_(round_up(input.horizon)),
+        inelastic_(input.restitution < 1 || input.container_restitution < 1) {}
+
+  Outcome run(EventSink& sink) {
+    sink_ = &sink;
+    Outcome outcome;
+    try {
+      start();
+      while (step()) {
+        if (options_.monitor && (++steps_ & 0x0f) == 0 && !options_.monitor(now_.lo, events_)) {
+          outcome.kind = Outcome::Kind::interrupted;
+          outcome.reason = "interrupted";
+          break;
+        }
+      }
+      outcome.t = outcome.kind == Outcome::Kind::complete ? round_nearest(horizon_) : written_t_;
+    } catch (const Undecided& u) {
+      if (!begun_) sink_->begin({});
+      outcome.kind = Outcome::Kind::stopped;
+      outcome.t = now_t_;
+      outcome.reason = u.what();
+      if (u.flip) outcome.events.emplace_back(*u.flip);
+      if (u.contact) outcome.events.emplace_back(*u.contact);
+    }
+    stats_.end = outcome.t;
+    stats_.replays = motion_.replays();
+    stats_.highest_bits = motion_.highest_bits();
+    stats_.goal_bits = motion_.goal_bits();
+    return outcome;
+  }
+
+  EngineStats stats_;
+  EngineOptions options_;
+  Motion motion_;
+  std::vector<ManeuverInput> maneuvers_;
+  Diagram diagram_;
+
+ private:
+  // ---- Items of the queue: two for each edge, then the next maneuver, the horizon. ----
+  int flip_item(int edge) const { return 2 * edge; }
+  int contact_item(int edge) const { return 2 * edge + 1; }
+  int maneuver_item() const { return 2 * slots_; }
+  int horizon_item() const { return 2 * slots_ + 1; }
+  bool is_flip(int item) const { return item < maneuver_item() && (item & 1) == 0; }
+  bool is_contact(int item) const { return item < maneuver_item() && (item & 1) == 1; }
+
+  // What a search found out about an item.
+  struct Found {
+    double lo = 0, hi = 0;  // isolates the event; meaningless for a bound
+    bool event = false;     // false: the key is only a bound
+    bool pending = false;   // a flip due at the present instant, see due_flips_
+    bool fine = false;      // fine_ has the isolating interval
+  };
+
+  std::pair<GenId, GenId> pair_of(int item) const {
+    if (diagram_.edges() == 0) return {container_id, 0};  // a lone disk: see start()
+    const HalfEdge h = item & ~1;
+    return std::minmax(diagram_.org(h), diagram_.dest(h));
+  }
+  Quad quad_of(int edge) const { return diagram_.quad(2 * edge); }
+
+  double* clock(double& sum) { return options_.profile ? &sum : nullptr; }
+
+  void set_key(int item, double key) {
+    const Stopwatch watch(clock(stats_.queue_seconds));
+    queue_.set(item, key);
+  }
+
+  // ---- Searches. ----
+  void record_collapse(int edge, const Collapse& c) {
+    Found& f = found_[flip_item(edge)];
+    if (f.fine) fine_.erase(edge);
+    f = {};
+    switch (c.kind) {
+      case Collapse::Kind::none:
+        set_key(flip_item(edge), c.lo >= horizon_up_ ? kInfinity : c.lo);
+        break;
+      case Collapse::Kind::root:
+        ++stats_.predicted_flips;
+        f = {c.lo, c.hi, true, false, c.fine != nullptr};
+        if (c.fine) fine_[edge] = c.fine;
+        set_key(flip_item(edge), c.lo);
+        break;
+      case Collapse::Kind::now:
+        ++stats_.predicted_flips;
+        f.pending = true;
+        due_flips_.insert({canonical(quad_of(edge)), edge});
+        set_key(flip_item(edge), kInfinity);
+        break;
+    }
+  }
+
+  void drop_pending(int edge) {
+    Found& f = found_[flip_item(edge)];
+    if (f.pending) {
+      std::erase_if(due_flips_, [&](const auto& due) { return due.second == edge; });
+      f.pending = false;
+    }
+  }
+
+  double window_end(double from) const {
+    return std::fmin(std::fmax(from + window_, std::nextafter(from, kInfinity)), horizon_up_);
+  }
+
+  void search_flip_from_now(int edge) {
+    const Stopwatch watch(clock(stats_.flip_seconds));
+    count_search();
+    const Quad q = quad_of(edge);
+    if constexpr (certified) {
+      record_collapse(edge, collapses_.from(q, now_, window_end(now_.lo)));
+    } else {
+      record_collapse(edge, collapse_in_doubles(motion_, q, now_.lo, window_end(now_.lo)));
+    }
+  }
+
+  void search_flip_after(int edge, double start, const RootInterval* fine) {
+    const Stopwatch watch(clock(stats_.flip_seconds));
+    count_search();
+    const Quad q = quad_of(edge);
+    if constexpr (certified) {
+      record_collapse(edge, collapses_.after(q, start, window_end(start), fine));
+    } else {
+      record_collapse(edge, collapse_in_doubles(motion_, q, start, window_end(start)));
+    }
+  }
+
+  void search_contact(int edge) {
+    const Stopwatch watch(clock(stats_.collision_seconds));
+    ++stats_.contact_searches;
+    const int item = contact_item(edge);
+    const auto [i, j] = pair_of(item);
+    NextContact c;
+    if constexpr (certified) {
+      c = contacts_.from(i, j, now_, horizon_up_);
+    } else {
+      c = contact_in_doubles(motion_, i, j, now_.lo, horizon_up_);
+    }
+    found_[item] = {};
+    if (c.kind == NextContact::Kind::none) {
+      set_key(item, kInfinity);
+      return;
+    }
+    ++stats_.predicted_collisions;
+    if (c.kind == NextContact::Kind::now) {
+      due_contacts_.insert({i, j});
+      set_key(item, kInfinity);
+      return;
+    }
+    found_[item] = {c.lo, c.hi, true, false, false};
+    set_key(item, c.lo);
+  }
+
+  // The look-ahead follows the mean life of a search's result.
+  void count_search() {
+    ++stats_.flip_searches;
+    if ((stats_.flip_searches & 0xfff) == 0 && now_.lo > 0) {
+      const double life = now_.lo * diagram_.edges() / static_cast<double>(stats_.flip_searches);
+      window_ = std::fmax(1.5 * life, 1e-9 * horizon_up_);
+    }
+  }
+
+  // ---- Time of an item. ----
+  struct Candidate {
+    int item;
+    double lo, hi;
+    DdBall dd;
+  };
+
+  Candidate candidate(int item) {
+    const Found& f = found_[item];
+    if (item == maneuver_item() || item == horizon_item()) {
+      const Instant t = instant_at(item == horizon_item() ? horizon_ : next_maneuver().t);
+      return {item, t.lo, t.hi, t.dd};
+    }
+    if constexpr (!certified) return {item, f.lo, f.hi, DdBall(f.lo)};
+    DdBall dd;
+    if (is_flip(item)) {
+      const Quad q = quad_of(item / 2);
+      dd = collapses_.refine(q, f.lo, f.hi);
+      if (dd.rad > kFine * (1 + dd.hi) && dd.rad < kInfinity) {
+        double lo = 0, hi = 0;
+        enclose(dd, lo, hi);
+        dd = collapses_.refine(q, std::fmax(lo, f.lo), std::fmin(hi, f.hi));
+      }
+    } else {
+      const auto [i, j] = pair_of(item);
+      dd = contacts_.refine(i, j, 0.5 * (f.lo + f.hi));
+    }
+    if (!(dd.rad <= kFine * (1 + dd.hi))) dd = ball_refined(item);
+    Candidate c{item, 0, 0, dd};
+    enclose(dd, c.lo, c.hi);
+    // The isolating interval may be the tighter one.
+    c.lo = std::fmax(c.lo, f.lo);
+    c.hi = std::fmin(c.hi, f.hi);
+    return c;
+  }
+
+  // Binary64 numbers around a double-double: neighbours, or as near as its radius lets.
+  static void enclose(const DdBall& t, double& lo, double& hi) {
+    const double below = (t.lo - t.rad) * (1 + 0x1p-50), above = (t.lo + t.rad) * (1 + 0x1p-50);
+    lo = t.lo - t.rad >= 0                  ? t.hi
+         : below > -2 * half_gap_below(t.hi) ? std::nextafter(t.hi, -kInfinity)
+                                             : std::nextafter(t.hi + below, -kInfinity);
+    hi = t.lo + t.rad <= 0                 ? t.hi
+         : above < 2 * half_gap_above(t.hi) ? std::nextafter(t.hi, kInfinity)
+                                            : std::nextafter(t.hi + above, kInfinity);
+  }
+  static double half_gap_above(double x) { return 0.5 * (std::nextafter(x, kInfinity) - x); }
+  static double half_gap_below(double x) { return 0.5 * (x - std::nextafter(x, -kInfinity)); }
+
+  Ball ball_of(int item, int bits) {
+    const Found& f = found_[item];
+    if (is_flip(item)) {
+      const Quad q = quad_of(item / 2);
+      if (f.fine) {
+        const RootInterval& root = *fine_.at(item / 2);
+        return collapses_.refine(q, root.lo, root.hi, bits);
+      }
+      return collapses_.refine(q, to_rational(f.lo), to_rational(f.hi), bits);
+    }
+    if (is_contact(item)) {
+      const auto [i, j] = pair_of(item);
+      return contacts_.refine(i, j, to_rational(0.5 * (f.lo + f.hi)), bits);
+    }
+    return Ball(item == horizon_item() ? horizon_ : next_maneuver().t, bits);
+  }
+
+  DdBall ball_refined(int item) {
+    DdBall dd;
+    ball_of(item, motion_.goal_bits() + 32).to_double_double(dd.hi, dd.lo, dd.rad);
+    return dd;
+  }
+
+  ExactTime exact_time(int item, ExactMotion& exact) {
+    const Found& f = found_[item];
+    if (is_flip(item)) {
+      const Quad q = quad_of(item / 2);
+      if (f.fine) {
+        const RootInterval& root = *fine_.at(item / 2);
+        return CollapseSearch::exact_root(q, root.lo, root.hi, exact);
+      }
+      return CollapseSearch::exact_root(q, to_rational(f.lo), to_rational(f.hi), exact);
+    }
+    if (is_contact(item)) {
+      const auto [i, j] = pair_of(item);
+      return ContactSearch::exact_time(i, j, to_rational(f.lo), exact);
+    }
+    return ExactTime(item == horizon_item() ? horizon_ : next_maneuver().t);
+  }
+
+  [[noreturn]] void give_up(const std::string& reason, int item) {
+    if (is_flip(item)) throw Undecided(reason, quad_of(item / 2));
+    if (is_contact(item)) {
+      const auto [i, j] = pair_of(item);
+      throw Undecided(reason, i, j);
+    }
+    throw Undecided(reason);
+  }
+
+  // The order of two events: negative, zero or positive.
+  int order(const Candidate& a, const Candidate& b) {
+    if constexpr (!certified) {
+      return a.lo < b.lo ? -1 : a.lo > b.lo ? 1 : a.item < b.item ? -1 : 1;
+    }
+    if (is_contact(a.item) && is_contact(b.item) && pair_of(a.item) == pair_of(b.item)) return 0;
+    const Sign s = sign(a.dd - b.dd);
+    if (s == Sign::negative || s == Sign::positive) {
+      stats_.tiers.count(Predicate::compare, Tier::dd);
+      return static_cast<int>(s);
+    }
+    std::string budget;
+    try {
+      ExactMotion exact(motion_);
+      const auto c = compare(exact_time(a.item, exact), exact_time(b.item, exact));
+      stats_.tiers.count(Predicate::compare, Tier::exact);
+      if (c == 0) ++stats_.ties;
+      return c < 0 ? -1 : c > 0 ? 1 : 0;
+    } catch (const BudgetExceeded& e) {
+      budget = e.what();
+    }
+    for (;;) {
+      const int bits = motion_.goal_bits() + 32;
+      const Sign t = sign(ball_of(a.item, bits) - ball_of(b.item, bits));
+      if (t == Sign::negative || t == Sign::positive) {
+        stats_.tiers.count(Predicate::compare, Tier::ball);
+        return static_cast<int>(t);
+      }
+      if (!motion_.raise_precision()) {
+        give_up("two events may be simultaneous: " + budget, a.item);
+      }
+    }
+  }
+
+  // The candidate's time rounded to binary64.
+  double rounded_time(const Candidate& c) {
+    if constexpr (!certified) return c.lo;
+    // hi is the nearest double of hi + lo unless the ball reaches half a gap.
+    if (c.dd.rad < half_gap_below(c.dd.hi) && std::fabs(c.dd.lo) + c.dd.rad < half_gap_below(c.dd.hi)) {
+      stats_.tiers.count(Predicate::round_time, Tier::dd);
+      return c.dd.hi;
+    }
+    double t = 0;
+    if (ball_of(c.item, motion_.goal_bits() + 32).round_to_double(t)) {
+      stats_.tiers.count(Predicate::round_time, Tier::ball);
+      return t;
+    }
+    std::string budget;
+    try {
+      ExactMotion exact(motion_);
+      t = round_nearest(exact_time(c.item, exact));
+      stats_.tiers.count(Predicate::round_time, Tier::exact);
+      return t;
+    } catch (const BudgetExceeded& e) {
+      budget = e.what();
+    }
+    for (;;) {
+      if (!motion_.raise_precision()) {
+        give_up("an event time may lie on a rounding boundary: " + budget, c.item);
+      }
+      if (ball_of(c.item, motion_.goal_bits() + 32).round_to_double(t)) return t;
+    }
+  }
+
+  const ManeuverInput& next_maneuver() const { return maneuvers_[next_maneuver_]; }
+  void queue_maneuver() {
+    const bool more = next_maneuver_ < maneuvers_.size() && next_maneuver().t <= horizon_;
+    found_[maneuver_item()].event = more;
+    set_key(maneuver_item(), more ? round_down(next_maneuver().t) : kInfinity);
+  }
+
+  // ---- The start: t = 0. ----
+  void start() {
+    const Stopwatch watch(clock(stats_.initial_seconds));
+    now_ = instant_at(0);
+    now_t_ = 0;
+    diagram_ = static_diagram(motion_, 0, stats_.tiers);
+    const int edges = diagram_.edges();
+    // A lone disk has no V-edge but meets the container all the same: one slot.
+    slots_ = motion_.size() == 1 ? 1 : edges;
+    queue_ = EventQueue(2 * slots_ + 2);
+    found_.assign(2 * slots_ + 2, {});
+    stamp_.assign(edges, 0);
+    const double spacing = 2 * round_nearest(motion_.input().container_radius) /
+                           std::sqrt(1.0 + motion_.size());
+    double speed = 0;
+    for (GenId g = 0; g < motion_.size(); ++g) {
+      const DoubleMotion& m = motion_.doubles(g);
+      speed = std::fmax(speed, std::hypot(m.vx, m.vy));
+    }
+    window_ = speed > 0 ? 0.25 * spacing / speed : horizon_up_;
+    found_[horizon_item()].event = true;
+    set_key(horizon_item(), round_down(horizon_));
+    queue_maneuver();
+    if (inelastic_) recent_.resize(motion_.size());
+    for (int e = 0; e < slots_; ++e) search_contact(e);
+    process_motion_events(0);
+    if constexpr (certified) {
+      stats_.settling_flips = settle(diagram_, motion_, now_, stats_.tiers);
+    }
+    sink_->begin(diagram_.quads());
+    begun_ = true;
+    degree_.assign(motion_.size() + 1, 0);
+    for (HalfEdge h = 0; h < 2 * edges; ++h) ++degree_[diagram_.org(h) + 1];
+    due_flips_.clear();
+    for (int e = 0; e < edges; ++e) search_flip_from_now(e);
+    for (int e = 0; e < slots_; ++e) search_contact(e);
+    flush();
+  }
+
+
+  // ---- One instant. ----
+  bool step() {
+    std::vector<Candidate> ties;
+    if (!next_instant(ties)) return false;
+    const double t = rounded_time(ties.front());
+    now_t_ = t;
+    set_now(ties.front());
+    bool horizon = false;
+    if (ties.size() == 1) {
+      if (ties.front().item == horizon_item()) return false;
+      process_single(ties.front(), t);
+    } else {
+      for (const Candidate& c : ties) {
+        if (is_flip(c.item)) {
+          // Kept with its isolating interval: what follows the flip starts beyond it.
+          found_[c.item].pending = true;
+          due_flips_.insert({canonical(quad_of(c.item / 2)), c.item / 2});
+          queue_.set(c.item, kInfinity);
+        } else if (is_contact(c.item)) {
+          due_contacts_.insert(pair_of(c.item));
+          queue_.set(c.item, kInfinity);
+        } else if (c.item == horizon_item()) {
+          horizon = true;
+        } else {
+          due_maneuvers_ = true;
+        }
+      }
+    }
+    process_motion_events(t);
+    while (!due_flips_.empty()) {
+      const int edge = due_flips_.begin()->second;
+      due_flips_.erase(due_flips_.begin());
+      process_flip(edge, t);
+    }
+    flush();
+    if (horizon) {
+      // The horizon itself is over once its events are.
+      set_key(horizon_item(), horizon_up_);
+    }
+    return true;
+  }
+
+  // Collisions, then maneuvers, then collisions again.
+  void process_motion_events(double t) {
+    for (;;) {
+      if (!due_contacts_.empty()) {
+        const auto [i, j] = *due_contacts_.begin();
+        due_contacts_.erase(due_contacts_.begin());
+        process_contact(i, j, t);
+      } else if (due_maneuvers_) {
+        due_maneuvers_ = false;
+        const Rational instant = next_maneuver().t;
+        std::vector<ManeuverInput> together;
+        while (next_maneuver_ < maneuvers_.size() && next_maneuver().t == instant) {
+          together.push_back(maneuvers_[next_maneuver_++]);
+        }
+        std::sort(together.begin(), together.end(),
+                  [](const auto& a, const auto& b) { return a.disk < b.disk; });
+        for (const ManeuverInput& m : together) process_maneuver(m, t);
+        queue_maneuver();
+      } else {
+        return;
+      }
+    }
+  }
+
+  void process_single(const Candidate& c, double t) {
+    if (is_flip(c.item)) {
+      process_flip(c.item / 2, t);
+    } else if (is_contact(c.item)) {
+      const auto [i, j] = pair_of(c.item);
+      process_contact(i, j, t);
+    } else {
+      due_maneuvers_ = true;
+    }
+  }
+
+  // The next event and all that are simultaneous with it.
+  bool next_instant(std::vector<Candidate>& ties) {
+    for (;;) {
+      const int item = queue_.top();
+      if (queue_.key(item) == kInfinity) return false;
+      if (found_[item].event) break;
+      extend(item);
+    }
+    Candidate first = candidate(queue_.top());
+    ties.push_back(first);
+    queue_.set(first.item, kInfinity);
+    near_.clear();
+    for (;;) {
+      const int other = queue_.top();
+      if (queue_.key(other) > first.hi) break;
+      if (!found_[other].event) {
+        extend(other);
+        continue;
+      }
+      const Candidate c = candidate(other);
+      if (c.lo > queue_.key(other)) {
+        queue_.set(other, c.lo);
+        continue;
+      }
+      queue_.set(other, kInfinity);
+      const int o = order(first, c);
+      if (o < 0) {
+        near_.push_back(c);
+      } else if (o > 0) {
+        near_.insert(near_.end(), ties.begin(), ties.end());
+        ties.assign(1, c);
+        first = c;
+      } else {
+        ties.push_back(c);
+      }
+    }
+    for (const Candidate& c : near_) queue_.set(c.item, c.lo);
+    return true;
+  }
+
+  // Looks further ahead for an item of which only a bound is known.
+  void extend(int item) {
+    const double start = queue_.key(item);
+    search_flip_after(item / 2, start, nullptr);
+  }
+
+  void set_now(const Candidate& c) {
+    now_.lo = c.lo;
+    now_.hi = c.hi;
+    now_.dd = c.dd;
+    if constexpr (certified) {
+      if (is_flip(c.item)) {
+        const Quad q = quad_of(c.item / 2);
+        const Found& f = found_[c.item];
+        const RootInterval root = f.fine ? *fine_.at(c.item / 2)
+                                         : RootInterval{to_rational(f.lo), to_rational(f.hi)};
+        now_.exact = [q, root](ExactMotion& exact) {
+          return CollapseSearch::exact_root(q, root.lo, root.hi, exact);
+        };
+      } else if (is_contact(c.item)) {
+        // Until the states change this is the pair's next contact; process_contact
+        // replaces it by the start of the new state.
+        const auto [i, j] = pair_of(c.item);
+        const Rational near = to_rational(found_[c.item].lo);
+        now_.exact = [i = i, j = j, near](ExactMotion& exact) {
+          return ContactSearch::exact_time(i, j, near, exact);
+        };
+      } else {
+        now_ = instant_at(c.item == horizon_item() ? horizon_ : next_maneuver().t);
+      }
+    }
+  }
+
+  // ---- Events. ----
+  FlipKind kind_of(const Quad& q) const {
+    const auto degree = [&](GenId g) { return degree_[g + 1]; };
+    const auto within = [&](GenId g) {
+      // Whether all neighbours of g are generators of the quadruplet.
+      const HalfEdge first = diagram_.anchor(g);
+      HalfEdge h = first;
+      do {
+        const GenId n = diagram_.dest(h);
+        if (n != q.l && n != q.r && n != q.s && n != q.e) return false;
+        h = diagram_.rotate(h);
+      } while (h != first);
+      return true;
+    };
+    const bool l3 = degree(q.l) == 3, r3 = degree(q.r) == 3;
+    if (l3 && r3) return FlipKind::threethree_to_twotwo;
+    if (l3 || r3) {
+      for (const GenId g : {q.s, q.e}) {
+        if (degree(g) == 3 && within(g)) return FlipKind::threethree_to_twofour;
+      }
+      return FlipKind::three_to_two;
+    }
+    const bool s2 = degree(q.s) == 2, e2 = degree(q.e) == 2;
+    if (s2 && e2) return FlipKind::twotwo_to_threethree;
+    if (s2 || e2) {
+      for (const GenId g : {q.l, q.r}) {
+        if (degree(g) == 4 && within(g)) return FlipKind::twofour_to_threethree;
+      }
+      return FlipKind::two_to_three;
+    }
+    return FlipKind::ordinary;
+  }
+
+  void process_flip(int edge, double t) {
+    const HalfEdge h = 2 * edge;
+    const Quad q = diagram_.quad(h);
+    const Found found = found_[flip_item(edge)];
+    std::shared_ptr<const RootInterval> fine;
+    if (found.fine) fine = fine_.at(edge);
+    found_[flip_item(edge)].pending = false;
+    ++stats_.flips[static_cast<int>(kind_of(q))];
+    const int around[4] = {diagram_.next(h) / 2, diagram_.previous(h) / 2,
+                           diagram_.next(h ^ 1) / 2, diagram_.previous(h ^ 1) / 2};
+    diagram_.flip(h);
+    --degree_[q.l + 1];
+    --degree_[q.r + 1];
+    ++degree_[q.s + 1];
+    ++degree_[q.e + 1];
+    pending_.emplace_back(canonical(q));
+    // Edges with the same four generators have the flip time as a root: they start
+    // beyond its isolating interval, where they are legal by construction.
+    const auto reschedule = [&](int e) {
+      drop_pending(e);
+      const bool same = e == edge || same_generators(quad_of(e), q);
+      if (same && found.event) {
+        search_flip_after(e, found.hi, fine.get());
+      } else {
+        search_flip_from_now(e);
+      }
+    };
+    reschedule(edge);
+    for (int k = 0; k < 4; ++k) {
+      // In small configurations one edge may appear twice.
+      if (std::find(around, around + k, around[k]) == around + k && around[k] != edge) {
+        reschedule(around[k]);
+      }
+    }
+    search_contact(edge);
+    (void)t;
+  }
+
+  void recompute_around(GenId g) {
+    const HalfEdge first = diagram_.anchor(g);
+    if (first < 0) {
+      search_contact(0);
+      return;
+    }
+    HalfEdge h = first;
+    do {
+      search_contact(h / 2);
+      touch(h / 2);
+      touch(diagram_.next(h) / 2);
+      h = diagram_.rotate(h);
+    } while (h != first);
+  }
+  // Searches an edge's next flip once per event.
+  void touch(int edge) {
+    if (stamp_[edge] == stamp_now_) return;
+    stamp_[edge] = stamp_now_;
+    drop_pending(edge);
+    if (begun_) search_flip_from_now(edge);
+  }
+
+  void process_contact(GenId i, GenId j, double t) {
+    Impact impact;
+    {
+      const Stopwatch watch(clock(stats_.move_seconds));
+      if constexpr (certified) {
+        impact = motion_.collide(i, j, now_.dd.hi);
+      } else {
+        impact = motion_.collide_in_doubles(i, j, now_.lo);
+      }
+    }
+    if constexpr (certified) {
+      const int id = motion_.state_id(j);
+      now_.exact = [id, j](ExactMotion& exact) { return time_of(exact.start(id, j)); };
+    }
+    pending_.emplace_back(PendingEvent{t, i, j, impact.first, impact.second});
+    ++(i == container_id ? stats_.wall_collisions : stats_.disk_collisions);
+    if (inelastic_) watch_for_collapse(i, j);
+    ++stamp_now_;
+    forget_contacts_of(i);
+    forget_contacts_of(j);
+    if (i != container_id) recompute_around(i);
+    recompute_around(j);
+  }
+
+  void process_maneuver(const ManeuverInput& m, double t) {
+    RoundedState state{};
+    {
+      const Stopwatch watch(clock(stats_.move_seconds));
+      if constexpr (certified) {
+        state = motion_.maneuver(m.disk, m.t, m.vx, m.vy);
+      } else {
+        state = motion_.maneuver_in_doubles(m.disk, t, m.vx.get_d(), m.vy.get_d());
+      }
+    }
+    pending_.emplace_back(PendingEvent{t, m.disk, m.disk, state, {}});
+    ++stats_.maneuvers;
+    ++stamp_now_;
+    forget_contacts_of(m.disk);
+    recompute_around(m.disk);
+  }
+
+  // Contacts due now are looked for anew after every change of a velocity.
+  void forget_contacts_of(GenId g) {
+    if (g == container_id) return;
+    std::erase_if(due_contacts_,
+                  [g](const auto& pair) { return pair.first == g || pair.second == g; });
+  }
+
+  void watch_for_collapse(GenId i, GenId j) {
+    for (const GenId g : {i, j}) {
+      if (g == container_id) continue;
+      auto& times = recent_[g];
+      times.push_back(now_.lo);
+      if (times.size() <= kCollapseCollisions) continue;
+      times.erase(times.begin());
+      if (times.back() - times.front() < kCollapseSpan * horizon_up_) {
+        throw Undecided("inelastic collapse: disk " + std::to_string(g) + " collides " +
+                            std::to_string(kCollapseCollisions) + " times within " +
+                            std::to_string(times.back() - times.front()) + " time units",
+                        i, j);
+      }
+    }
+  }
+
+  void flush() {
+    for (const Pending& p : pending_) {
+      ++events_;
+      if (const Quad* q = std::get_if<Quad>(&p)) {
+        sink_->flip(now_t_, *q);
+      } else {
+        const PendingEvent& e = std::get<PendingEvent>(p);
+        if (e.i == e.j) {
+          sink_->maneuver(e.t, e.i, e.first);
+        } else {
+          sink_->collide(e.t, e.i, e.j, e.first, e.second);
+        }
+      }
+    }
+    if (!pending_.empty()) written_t_ = now_t_;
+    pending_.clear();
+  }
+
+  CollapseSearch collapses_;
+  ContactSearch contacts_;
+  EventQueue queue_;
+  Rational horizon_;
+  double horizon_up_;
+  bool inelastic_;
+  EventSink* sink_ = nullptr;
+  bool begun_ = false;
+  int slots_ = 0;  // V-edges, or 1 for a lone disk
+  std::vector<Found> found_;
+  std::unordered_map<int, std::shared_ptr<const RootInterval>> fine_;
+  std::vector<int> degree_;
+  std::vector<std::uint64_t> stamp_;
+  std::uint64_t stamp_now_ = 0;
+  std::size_t next_maneuver_ = 0;
+  double window_ = 0;
+  Instant now_;
+  double now_t_ = 0, written_t_ = 0;
+  std::set<std::pair<Quad, int>> due_flips_;
+  std::set<std::pair<GenId, GenId>> due_contacts_;
+  bool due_maneuvers_ = false;
+  std::vector<Candidate> near_;
+  std::vector<Pending> pending_;
+  std::vector<std::vector<double>> recent_;
+  std::uint64_t steps_ = 0, events_ = 0;
+};
+
+template <bool certified>
+Engine<certified>::Engine(const MotionInput& input, std::vector<ManeuverInput> maneuvers,
+                          EngineOptions options)
+    : implementation_(
+          std::make_unique<Implementation>(input, std::move(maneuvers), std::move(options))) {}
+template <bool certified>
+Engine<certified>::~Engine() = default;
+template <bool certified>
+Outcome Engine<certified>::run(EventSink& sink) {
+  return implementation_->run(sink);
+}
+template <bool certified>
+const EngineStats& Engine<certified>::stats() const {
+  return implementation_->stats_;
+}
+template <bool certified>
+const Diagram& Engine<certified>::diagram() const {
+  return implementation_->diagram_;
+}
+template <bool certified>
+const Motion& Engine<certified>::motion() const {
+  return implementation_->motion_;
+}
+template <bool certified>
+Motion& Engine<certified>::motion() {
+  return implementation_->motion_;
+}
+
+template class Engine<true>;
+template class Engine<false>;
+
+}  // namespace voroproof

@@ -1,0 +1,376 @@
+#include "kinetic/static_diagram.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <stdexcept>
+
+namespace voroproof {
+
+namespace {
+
+using HalfEdge = Diagram::HalfEdge;
+
+std::optional<bool> is_positive(Sign s) {
+  if (s == Sign::unknown) return std::nullopt;
+  return s == Sign::positive;
+}
+
+template <class T>
+using Direction = std::array<T, 2>;
+
+template <class T>
+Sign cross(const Direction<T>& a, const Direction<T>& b) {
+  return sign(T(a[0] * b[1] - a[1] * b[0]));
+}
+template <class T>
+Sign dot(const Direction<T>& a, const Direction<T>& b) {
+  return sign(T(a[0] * b[0] + a[1] * b[1]));
+}
+
+// Whether direction x lies on the counterclockwise arc from a to b, a included iff
+// `closed_at_a`, b never. Equal a and b make an empty arc.
+template <class T>
+std::optional<bool> on_arc(const Direction<T>& a, const Direction<T>& b, const Direction<T>& x,
+                           bool closed_at_a) {
+  const auto starts = [&](Sign ax) -> std::optional<bool> {  // x ahead of a, less than pi
+    if (ax == Sign::unknown) return std::nullopt;
+    return ax == Sign::positive || (ax == Sign::zero && closed_at_a);
+  };
+  switch (cross(a, b)) {
+    case Sign::unknown:
+      return std::nullopt;
+    case Sign::positive: {  // the arc is shorter than pi
+      const Sign ax = cross(a, x), xb = cross(x, b);
+      if (ax == Sign::negative || xb == Sign::negative || xb == Sign::zero) return false;
+      if (xb == Sign::unknown) return std::nullopt;
+      return starts(ax);
+    }
+    case Sign::negative: {  // longer: its complement, from b to a, is shorter
+      const Sign bx = cross(b, x), xa = cross(x, a);
+      if (bx == Sign::negative || xa == Sign::negative) return true;
+      if (bx == Sign::unknown || xa == Sign::unknown) return std::nullopt;
+      if (xa == Sign::zero) return closed_at_a;  // x = a, as x = -a has bx < 0
+      return false;
+    }
+    case Sign::zero: {
+      const Sign ab = dot(a, b);
+      if (ab == Sign::unknown) return std::nullopt;
+      if (ab == Sign::positive) return false;
+      const Sign ax = cross(a, x);
+      if (ax != Sign::zero) return is_positive(ax);
+      return closed_at_a ? is_positive(dot(a, x)) : std::optional<bool>(false);
+    }
+  }
+  return std::nullopt;
+}
+
+// The predicates of the construction, over the sites at one exact time.
+class Predicates {
+ public:
+  Predicates(const Motion& motion, const Rational& t, TierCounts& counts)
+      : motion_(motion), counts_(counts), t_(t) {
+    const double nearest = round_nearest(t);
+    const double error = std::fabs(round_nearest(Rational(t - to_rational(nearest))));
+    const DoubleBall at(nearest, error * (1 + 0x1p-50));
+    const DdBall at_dd(nearest, 0, error * (1 + 0x1p-50));
+    for (GenId g = container_id; g < motion.size(); ++g) {
+      doubles_.push_back(motion.site(g, at));
+      dds_.push_back(motion.site(g, at_dd));
+    }
+  }
+
+  const Site<DoubleBall>& rough(GenId g) const { return doubles_[g + 1]; }
+
+  // Runs a predicate, given as a template over (site of a generator, square root),
+  // through the tiers until it is decided.
+  template <class F>
+  bool decide(F&& predicate) {
+    if (const auto r = predicate([this](GenId g) { return doubles_[g + 1]; }, OwnRoot{})) {
+      counts_.count(Predicate::incircle, Tier::filter);
+      return *r;
+    }
+    if (const auto r = predicate([this](GenId g) { return dds_[g + 1]; }, OwnRoot{})) {
+      counts_.count(Predicate::incircle, Tier::dd);
+      return *r;
+    }
+    const Ball t(t_, motion_.goal_bits() + 32);
+    if (const auto r = predicate([&](GenId g) { return motion_.site(g, t); }, OwnRoot{})) {
+      counts_.count(Predicate::incircle, Tier::ball);
+      return *r;
+    }
+    ExactMotion exact(motion_);
+    const Tower at(t_);
+    try {
+      const auto r = predicate([&](GenId g) { return exact.site(g, at); },
+                               [&](const Tower& x) { return exact.field().sqrt(x); });
+      counts_.count(Predicate::incircle, Tier::exact);
+      return r.value();
+    } catch (const BudgetExceeded& e) {
+      throw Undecided(std::string("a predicate of the static diagram: ") + e.what());
+    }
+  }
+
+ private:
+  const Motion& motion_;
+  TierCounts& counts_;
+  Rational t_;
+  std::vector<Site<DoubleBall>> doubles_;
+  std::vector<Site<DdBall>> dds_;
+};
+
+template <class Sites>
+auto triple(Sites& at, GenId a, GenId b, GenId c) {
+  const auto v = disk_first(a, b, c);
+  return TangentTriple(at(v[0]), at(v[1]), at(v[2]), v[1] == container_id || v[2] == container_id);
+}
+
+// Direction from the disk `base` to the vertex (base, b, c), up to a positive factor.
+template <class Sites, class Root>
+auto vertex_direction(Sites& at, Root& root, GenId base, GenId b, GenId c) {
+  return circle_direction(
+      TangentTriple(at(base), at(b), at(c), b == container_id || c == container_id), root);
+}
+
+class Construction {
+ public:
+  Construction(const Motion& motion, const Rational& t, TierCounts& counts)
+      : predicates_(motion, t, counts), diagram_(motion.size()) {}
+
+  Diagram build(const std::vector<GenId>& order) {
+    if (order.size() >= 2) diagram_.start(order[0], order[1]);
+    for (std::size_t k = 2; k < order.size(); ++k) insert(order[k], order[k - 1]);
+    return std::move(diagram_);
+  }
+
+ private:
+  // A link edge of the growing cell: its triangle on the left has the new generator
+  // as apex, in the place of `before` (or of the ray that started the insertion).
+  struct LinkEdge {
+    HalfEdge h;
+    GenId before;
+    GenId ray_from;  // the generator the ray starts at, if `before` does not count
+  };
+  static constexpr GenId no_ray = -2;
+
+  void insert(GenId i, GenId near) {
+    GenId j = near;
+    HalfEdge exit = exit_edge(j, i);
+    while (!meets(i, j, diagram_.dest(exit))) {
+      j = diagram_.dest(exit);
+      exit = exit_edge(j, i);
+    }
+    const auto halves = diagram_.insert_in_edge(exit, i);
+    // halves[0] has i as apex on its own side, halves[1] on its twin's.
+    std::vector<LinkEdge> link{{halves[0], no_ray, j}, {Diagram::twin(halves[1]), no_ray, j}};
+    while (!link.empty()) {
+      const LinkEdge edge = link.back();
+      link.pop_back();
+      if (!absorbs(i, edge)) continue;
+      const HalfEdge t = Diagram::twin(edge.h);
+      const HalfEdge a = diagram_.next(t);  // from org(h) to the outer apex
+      const HalfEdge b = diagram_.next(a);
+      const GenId l = diagram_.org(edge.h), r = diagram_.dest(edge.h);
+      diagram_.flip(edge.h);
+      link.push_back({a, r, no_ray});
+      link.push_back({b, l, no_ray});
+    }
+  }
+
+  // The edge of cell j through which the ray of j and i leaves it: from j's centre
+  // through i's, or for the container from the boundary through i's centre inwards.
+  HalfEdge exit_edge(GenId j, GenId i) {
+    const HalfEdge first = diagram_.anchor(j);
+    HalfEdge h = first;
+    do {
+      const GenId s = diagram_.apex(Diagram::twin(h)), k = diagram_.dest(h), e = diagram_.apex(h);
+      const bool here = predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
+        const auto base = at(j), target = at(i);
+        using T = std::decay_t<decltype(base.x)>;
+        const Direction<T> ray{target.x - base.x, target.y - base.y};
+        if (j != container_id) {
+          return on_arc<T>(vertex_direction(at, root, j, s, k),
+                           vertex_direction(at, root, j, k, e), ray, true);
+        }
+        // The edges run clockwise around the container's centre.
+        const auto direction = [&](GenId a, GenId b) {
+          const auto z = tangent_circle(triple(at, j, a, b), root);
+          return Direction<T>{z[0] - base.x, z[1] - base.y};
+        };
+        return on_arc<T>(direction(k, e), direction(s, k), ray, true);
+      });
+      if (here) return h;
+      h = diagram_.rotate(h);
+    } while (h != first);
+    throw std::logic_error("static diagram: a ray leaves a cell through none of its edges");
+  }
+
+  // Whether the point y where that ray meets the edge j|k is nearer to i than to j. If
+  // it is not, the gap between i and k is smaller than that between i and j.
+  bool meets(GenId i, GenId j, GenId k) {
+    return predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
+      const auto cj = at(j), ci = at(i), ck = at(k);
+      using T = std::decay_t<decltype(cj.x)>;
+      const T ux = ci.x - cj.x, uy = ci.y - cj.y, si = ci.r - cj.r;
+      const T dx = ck.x - cj.x, dy = ck.y - cj.y, sk = ck.r - cj.r;
+      const T l2 = ux * ux + uy * uy;
+      const T l = root(l2);
+      const T along = dx * ux + dy * uy;
+      const T pk = dx * dx + dy * dy - sk * sk;
+      T q = l;
+      if (j == container_id) {
+        // y = O + u tau / l with tau = -p_k / (2 (s_k - d_k.u/l)); it is nearer to i iff tau
+        // < (l + s_i) / 2, where s_k and s_i are R + r_k and R + r_i.
+        q = -(pk * l) - (sk * l - along) * (l + si);
+      } else {
+        // The circle tangent to j and k with its centre on the ray has kappa = (d_k.u/l +
+        // s_k)/p_k; i conflicts iff p_i kappa < l + s_i. Times l |p_k|:
+        q = (l2 - si * si) * (along + sk * l) - pk * (l2 + si * l);
+        if (k == container_id) q = -q;
+      }
+      const Sign s = sign(q);
+      if (s == Sign::unknown) return std::nullopt;
+      return s == Sign::negative;
+    });
+  }
+
+  // The direction from the disk k to the point y of a ray that starts at the container.
+  template <class T>
+  static Direction<T> to_ray_end(const Site<T>& container, const Site<T>& ci, const Site<T>& ck,
+                                 const T& l) {
+    const T ux = ci.x - container.x, uy = ci.y - container.y;
+    const T dx = ck.x - container.x, dy = ck.y - container.y, sk = ck.r - container.r;
+    const T pk = dx * dx + dy * dy - sk * sk;
+    const T below = sk * l - (dx * ux + dy * uy);  // positive
+    const T scale = -pk / (below + below);         // tau / l
+    return {ux * scale - dx, uy * scale - dy};
+  }
+
+  bool absorbs(GenId i, const LinkEdge& edge) {
+    const HalfEdge t = Diagram::twin(edge.h);
+    const GenId l = diagram_.org(edge.h), r = diagram_.dest(edge.h), x = diagram_.apex(t);
+    if (x == i) return false;
+    const bool conflict = predicates_.decide([&](auto at, auto) -> std::optional<bool> {
+      const auto site = at(i);
+      const auto v = triple(at, r, l, x);
+      const Sign f = sign(cotangency(at(r), at(l), at(x), site));
+      const Sign s = incircle(v, site, false, f);
+      if (s == Sign::unknown) return std::nullopt;
+      return s == Sign::negative;
+    });
+    if (!conflict) return false;
+    // Both ends of the edge are in conflict. All of it is, unless both circles of (l,
+    // r, i) exist and lie on it.
+    const bool both = predicates_.decide([&](auto at, auto) -> std::optional<bool> {
+      const Sign a = circle_exists(triple(at, l, r, i));
+      if (a == Sign::negative || a == Sign::zero) return false;
+      const Sign b = circle_exists(triple(at, l, i, r));
+      if (b == Sign::negative || b == Sign::zero) return false;
+      if (a == Sign::unknown || b == Sign::unknown) return std::nullopt;
+      return true;
+    });
+    if (!both) return true;
+    // Seen from a disk of the pair, the edge runs counterclockwise from its start to
+    // its end; the circle (l, r, i) in the orientation of i's triangle is where the
+    // conflict would stop.
+    const bool from_l = l != container_id && (edge.ray_from < 0 || edge.ray_from == l);
+    const GenId base = from_l ? l : r, other = from_l ? r : l;
+    const bool stops = predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
+      const auto origin = at(base);
+      using T = std::decay_t<decltype(origin.x)>;
+      Direction<T> inside;
+      if (edge.ray_from == container_id) {
+        const auto o = at(container_id), target = at(i);
+        const T lx = target.x - o.x, ly = target.y - o.y;
+        inside = to_ray_end<T>(o, target, origin, root(T(lx * lx + ly * ly)));
+      } else if (edge.ray_from != no_ray) {
+        const auto target = at(i);
+        inside = {target.x - origin.x, target.y - origin.y};
+      } else {
+        inside = from_l ? vertex_direction(at, root, base, other, edge.before)
+                        : vertex_direction(at, root, base, edge.before, other);
+      }
+      const Direction<T> outside = from_l ? vertex_direction(at, root, base, x, other)
+                                          : vertex_direction(at, root, base, other, x);
+      const Direction<T> stop = from_l ? vertex_direction(at, root, base, other, i)
+                                       : vertex_direction(at, root, base, i, other);
+      return from_l ? on_arc<T>(outside, inside, stop, false)
+                    : on_arc<T>(inside, outside, stop, false);
+    });
+    return !stops;
+  }
+
+  Predicates predicates_;
+  Diagram diagram_;
+};
+
+std::vector<GenId> insertion_order(const Motion& motion, double t) {
+  using Kernel = CGAL::Simple_cartesian<double>;
+  std::vector<Kernel::Point_2> centers;
+  centers.reserve(motion.size());
+  for (GenId g = 0; g < motion.size(); ++g) {
+    const auto site = motion.site(g, DoubleBall(t));
+    centers.emplace_back(site.x.mid, site.y.mid);
+  }
+  std::vector<std::size_t> order(motion.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
+  const CGAL::Spatial_sort_traits_adapter_2<Kernel, Map> traits(
+      CGAL::make_property_map(centers.data()));
+  CGAL::spatial_sort(order.begin(), order.end(), traits);
+  return {order.begin(), order.end()};
+}
+
+}  // namespace
+
+Diagram static_diagram(const Motion& motion, const Rational& t, TierCounts& counts) {
+  return Construction(motion, t, counts).build(insertion_order(motion, round_nearest(t)));
+}
+
+Instant instant_at(const Rational& t) {
+  Instant now;
+  now.lo = round_down(t);
+  now.hi = round_up(t);
+  const double nearest = round_nearest(t);
+  now.dd = DdBall(nearest, 0, std::fabs(round_nearest(Rational(t - to_rational(nearest)))) * 1.01);
+  now.exact = [t](ExactMotion&) { return ExactTime(t); };
+  return now;
+}
+
+long settle(Diagram& diagram, Motion& motion, const Instant& now, TierCounts& counts) {
+  CollapseSearch search(motion, counts);
+  std::set<std::pair<Quad, HalfEdge>> illegal;
+  const DoubleBall t = DoubleBall::hull(now.lo, now.hi);
+  const auto examine = [&](HalfEdge h) {
+    const Quad q = diagram.quad(h);
+    if (q.s == q.e) return;
+    const Sign f = sign(cotangency(motion.site(q.l, t), motion.site(q.r, t), motion.site(q.s, t),
+                                   motion.site(q.e, t)));
+    if (f == Sign::positive || f == Sign::negative) return;
+    if (search.from(q, now, now.hi).kind == Collapse::Kind::now) {
+      illegal.insert({canonical(q), h & ~1});
+    }
+  };
+  for (HalfEdge h = 0; h < 2 * diagram.edges(); h += 2) examine(h);
+  long flips = 0;
+  while (!illegal.empty()) {
+    const HalfEdge h = illegal.begin()->second;
+    illegal.erase(illegal.begin());
+    const HalfEdge around[4] = {diagram.next(h), diagram.previous(h), diagram.next(h ^ 1),
+                                diagram.previous(h ^ 1)};
+    for (const HalfEdge a : around) illegal.erase({canonical(diagram.quad(a)), a & ~1});
+    diagram.flip(h);
+    ++flips;
+    examine(h);
+    for (const HalfEdge a : around) examine(a);
+  }
+  return flips;
+}
+
+}  // namespace voroproof

@@ -1,0 +1,148 @@
+#include "topology/diagram.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace voroproof {
+
+Diagram::HalfEdge Diagram::new_edge(GenId a, GenId b) {
+  const auto h = static_cast<HalfEdge>(org_.size());
+  org_.push_back(a);
+  org_.push_back(b);
+  next_.resize(next_.size() + 2, -1);
+  anchor_[a + 1] = h;
+  anchor_[b + 1] = h + 1;
+  return h;
+}
+
+void Diagram::link(HalfEdge a, HalfEdge b, HalfEdge c) {
+  next_[a] = b;
+  next_[b] = c;
+  next_[c] = a;
+}
+
+void Diagram::start(GenId a, GenId b) {
+  const HalfEdge ca = new_edge(container_id, a);
+  const HalfEdge ab = new_edge(a, b);
+  const HalfEdge bc = new_edge(b, container_id);
+  link(ca, ab, bc);
+  link(twin(ca), twin(bc), twin(ab));
+}
+
+std::array<Diagram::HalfEdge, 2> Diagram::insert_in_edge(HalfEdge h, GenId g) {
+  const GenId l = org(h);
+  const GenId r = dest(h);
+  // The old edge keeps its triangle with the old apex(h); a second copy takes the
+  // other triangle, and g goes in between.
+  const HalfEdge lower = twin(h);
+  const HalfEdge a = next_[lower];
+  const HalfEdge b = next_[a];
+  const HalfEdge copy = new_edge(l, r);
+  const HalfEdge lg = new_edge(l, g);
+  const HalfEdge gr = new_edge(g, r);
+  link(twin(copy), a, b);
+  link(copy, twin(gr), twin(lg));
+  link(lg, gr, lower);
+  return {copy, h};
+}
+
+void Diagram::flip(HalfEdge h) {
+  const HalfEdge t = twin(h);
+  const HalfEdge re = next_[h], el = next_[re];   // triangle l r e
+  const HalfEdge ls = next_[t], sr = next_[ls];   // triangle r l s
+  const GenId l = org_[h], r = org_[t], e = org_[el], s = org_[sr];
+  if (anchor_[l + 1] == h) anchor_[l + 1] = ls;
+  if (anchor_[r + 1] == t) anchor_[r + 1] = re;
+  org_[h] = s;
+  org_[t] = e;
+  link(h, el, ls);  // s e l
+  link(t, sr, re);  // e s r
+}
+
+std::vector<Quad> Diagram::quads() const {
+  std::vector<Quad> all;
+  all.reserve(org_.size() / 2);
+  for (HalfEdge h = 0; h < static_cast<HalfEdge>(org_.size()); h += 2) {
+    all.push_back(canonical(quad(h)));
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+bool Diagram::is_valid(std::string* why) const {
+  const auto fail = [why](const std::string& reason) {
+    if (why != nullptr) *why = reason;
+    return false;
+  };
+  const auto halves = static_cast<HalfEdge>(org_.size());
+  if (disks_ < 2) {
+    return halves == 0 ? true : fail("a diagram of fewer than two disks has no edges");
+  }
+  if (edges() != 3 * (disks_ + 1) - 6) return fail("wrong number of edges");
+  std::vector<int> degree(disks_ + 1, 0);
+  for (HalfEdge h = 0; h < halves; ++h) {
+    if (next_[h] < 0 || next_[h] >= halves) return fail("a half-edge has no successor");
+    if (next_[next_[next_[h]]] != h) return fail("a dual face is not a triangle");
+    if (org_[next_[h]] != dest(h)) return fail("consecutive half-edges do not meet");
+    if (org_[h] < container_id || org_[h] >= disks_) return fail("a generator does not exist");
+    if (org_[h] == dest(h)) return fail("an edge has one generator on both sides");
+    ++degree[org_[h] + 1];
+  }
+  for (GenId g = container_id; g < disks_; ++g) {
+    const HalfEdge first = anchor_[g + 1];
+    if (first < 0 || org_[first] != g) return fail("generator " + std::to_string(g) + " is lost");
+    int seen = 0;
+    HalfEdge h = first;
+    do {
+      ++seen;
+      h = rotate(h);
+    } while (h != first && seen <= degree[g + 1]);
+    if (seen != degree[g + 1]) {
+      return fail("the edges of generator " + std::to_string(g) + " do not form one ring");
+    }
+  }
+  return true;
+}
+
+Diagram diagram_of(int disks, const std::vector<Quad>& edges) {
+  Diagram d(disks);
+  const auto fail = [](const std::string& reason) { throw std::invalid_argument(reason); };
+  // Half-edges by (org, dest, apex): an oriented triple names at most one vertex, so
+  // the successor of a half-edge is found by its rotated triple.
+  std::vector<std::pair<Triple, Diagram::HalfEdge>> corners;
+  corners.reserve(2 * edges.size());
+  for (const Quad& q : edges) {
+    for (const GenId g : {q.l, q.r, q.s, q.e}) {
+      if (g < container_id || g >= disks) fail("there is no generator " + std::to_string(g));
+    }
+    const Diagram::HalfEdge h = d.new_edge(q.l, q.r);
+    corners.push_back({{q.l, q.r, q.e}, h});
+    corners.push_back({{q.r, q.l, q.s}, Diagram::twin(h)});
+  }
+  std::sort(corners.begin(), corners.end());
+  const auto name = [](const Triple& t) {
+    return "[" + std::to_string(t[0]) + "," + std::to_string(t[1]) + "," + std::to_string(t[2]) +
+           "]";
+  };
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    if (corners[k].first == corners[k - 1].first) {
+      fail("vertex " + name(corners[k].first) + " is named by two edges on one side");
+    }
+  }
+  for (const auto& [t, h] : corners) {
+    const Triple rotated{t[1], t[2], t[0]};
+    const auto it = std::lower_bound(
+        corners.begin(), corners.end(), rotated,
+        [](const auto& corner, const Triple& wanted) { return corner.first < wanted; });
+    if (it == corners.end() || it->first != rotated) {
+      fail("vertex " + name(t) + " lacks an edge between " + std::to_string(t[1]) + " and " +
+           std::to_string(t[2]));
+    }
+    d.next_[h] = it->second;
+  }
+  std::string why;
+  if (!d.is_valid(&why)) fail(why);
+  return d;
+}
+
+}  // namespace voroproof

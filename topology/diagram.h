@@ -1,0 +1,78 @@
+// The combinatorial Voronoi diagram, kept as its dual: a triangulation of the
+// sphere with the generators as vertices. Cells with two edges and pairs of
+// generators that share several edges are ordinary here: only incidences count.
+//
+// Notation. V-edge e owns the half-edges 2e and 2e+1. Half-edge h runs in the dual
+// from generator org(h) to dest(h) and has a triangle (a V-vertex) on its left, whose
+// third generator is apex(h); the triangle's generators org(h), dest(h), apex(h) are
+// the V-vertex in counterclockwise order. As a quadruplet, half-edge h is
+//   [l, r, s, e] = [org(h), dest(h), apex(twin h), apex(h)],
+// the V-edge walked with l on the left from its start vertex [l, s, r] to its end
+// vertex [l, r, e] (paper section 4: CDP {l, r}, TDP {s, e}).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "exact/generators.h"
+
+namespace voroproof {
+
+class Diagram {
+ public:
+  using HalfEdge = std::int32_t;
+
+  // A diagram of `disks` disks and the container, no edges yet.
+  explicit Diagram(int disks) : disks_(disks), anchor_(disks + 1, -1) {}
+
+  // The one diagram of two disks a, b and the container: both tangent circles.
+  void start(GenId a, GenId b);
+  // Splits edge h by a new generator g, whose cell gets two edges: with org(h) and
+  // with dest(h). The half-edges returned run org(h) -> dest(h) with g as apex on
+  // the side of the old apex(twin h) [first] and of the old apex(h) [second]: the
+  // two remaining parts of the old edge.
+  std::array<HalfEdge, 2> insert_in_edge(HalfEdge h, GenId g);
+  // Replaces the edge of h, with quadruplet [l,r,s,e], by [s,e,r,l]; h then runs
+  // from s to e. Precondition: s != e.
+  void flip(HalfEdge h);
+
+  int disks() const { return disks_; }
+  int edges() const { return static_cast<int>(org_.size() / 2); }
+  static HalfEdge twin(HalfEdge h) { return h ^ 1; }
+  HalfEdge next(HalfEdge h) const { return next_[h]; }
+  HalfEdge previous(HalfEdge h) const { return next_[next_[h]]; }
+  GenId org(HalfEdge h) const { return org_[h]; }
+  GenId dest(HalfEdge h) const { return org_[h ^ 1]; }
+  GenId apex(HalfEdge h) const { return org_[previous(h)]; }
+  Quad quad(HalfEdge h) const { return {org(h), dest(h), apex(h ^ 1), apex(h)}; }
+  // Some half-edge that starts at g, or -1.
+  HalfEdge anchor(GenId g) const { return anchor_[g + 1]; }
+  // The next half-edge counterclockwise around org(h).
+  HalfEdge rotate(HalfEdge h) const { return previous(h) ^ 1; }
+
+  // Canonical quads of all edges, sorted.
+  std::vector<Quad> quads() const;
+  // Whether the incidences are those of a triangulation of the sphere by all
+  // generators: cycles of three, consistent ends, Euler's count, every generator
+  // reached. On failure `why` (if given) says what is wrong.
+  bool is_valid(std::string* why = nullptr) const;
+
+ private:
+  friend Diagram diagram_of(int disks, const std::vector<Quad>& edges);
+  HalfEdge new_edge(GenId a, GenId b);
+  void link(HalfEdge a, HalfEdge b, HalfEdge c);
+
+  int disks_;
+  std::vector<GenId> org_;
+  std::vector<HalfEdge> next_;
+  std::vector<HalfEdge> anchor_;
+};
+
+// Rebuilds the incidences from the quads of all edges (as in a history's
+// header or a diagram file). Throws std::invalid_argument, with the reason, where
+// they are not those of a diagram of `disks` disks.
+Diagram diagram_of(int disks, const std::vector<Quad>& edges);
+
+}  // namespace voroproof
