@@ -820,36 +820,47 @@ Ball CollapseSearch::refine(const Quad& q, const Rational& lo, const Rational& h
   const MakeBall make{bits};
   Rational a = lo, b = hi;
   Ball root = make.hull(a, b);
-  for (int step = 0; step < 64; ++step) {
-    const Ball center(Rational((a + b) / 2), bits);
+  const Sign at_lo = sign(flip_value(motion_, q, make(lo), cocircular));
+  for (;;) {
+    const Rational middle = (a + b) / 2;
+    const Ball center(middle, bits);
+    const Ball f = flip_value(motion_, q, center, cocircular);
     const Ball slope = flip_value_and_slope(motion_, q, make.hull(a, b), cocircular).slope;
-    const Ball next = center - flip_value(motion_, q, center, cocircular) / slope;
-    if (!(next.radius() < root.radius())) break;
-    const bool done = !(next.radius().scaled(4) < root.radius());
-    root = next;
-    if (done) break;
-    // The new enclosure as rationals, for the next hull.
-    mpq_class mid;
-    mpfr_get_q(mid.get_mpq_t(), root.midpoint());
-    mpq_class rad = 1;
-    const long e = static_cast<long>(root.radius().exponent()) + 1;
-    if (e >= 0) {
-      rad <<= static_cast<unsigned long>(e);
+    const Ball next = center - f / slope;
+    if (sign(slope) != Sign::unknown && next.radius().scaled(2) < root.radius()) {
+      // The interval Newton method gains at least two bits.
+      root = next;
+      Rational mid, rad = 1;
+      mpfr_get_q(mid.get_mpq_t(), root.midpoint());
+      const long e = static_cast<long>(root.radius().exponent()) + 1;
+      if (e >= 0) {
+        rad <<= static_cast<unsigned long>(e);
+      } else {
+        rad >>= static_cast<unsigned long>(-e);
+      }
+      a = std::max<Rational>(a, mid - rad);
+      b = std::min<Rational>(b, mid + rad);
+      if (!(a < b)) return root;
     } else {
-      rad >>= static_cast<unsigned long>(-e);
+      // Not monotone enough yet, or at the limit of the precision: bisect.
+      const Sign s = sign(f);
+      if (s == at_lo) {
+        a = middle;
+      } else if (s == -at_lo && s != Sign::unknown) {
+        b = middle;
+      } else {
+        return root;
+      }
+      root = make.hull(a, b);
     }
-    a = std::max<Rational>(a, mid - rad);
-    b = std::min<Rational>(b, mid + rad);
-    if (!(a < b)) break;
   }
-  return root;
 }
 
 ExactTime CollapseSearch::exact_root(const Quad& q, const Rational& lo, const Rational& hi,
                                      ExactMotion& exact) {
   if (lo == hi) return ExactTime(lo);
   const Polynomial<Tower> phi = flip_polynomial(q, exact);
-  return ExactTime(square_free_part(phi), RootInterval{lo, hi});
+  return ExactTime(phi, RootInterval{lo, hi});
 }
 
 Sign CollapseSearch::sign_at(const Quad& q, const Rational& t) {

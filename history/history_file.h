@@ -10,6 +10,7 @@
 #include "exact/rational.h"
 #include "history/atomic_file.h"
 #include "history/events.h"
+#include "history/json_reader.h"
 #include "history/line_source.h"
 #include "history/scene.h"
 
@@ -86,7 +87,8 @@ inline constexpr std::size_t max_event_line = std::size_t{1} << 20;
 
 // Reads a history line by line in bounded memory and checks everything that can be checked without
 // the scene. Keys may come in any order, edges be named either way and `initial` be in any order:
-// what is handed on is canonical. Every member throws InputError, naming the line.
+// what is handed on is canonical. Every member throws InputError, naming the line; a
+// reader that threw is of no further use.
 class HistoryReader {
  public:
   // Reads the header. Ids must be below disk_count, the number of disks of the scene if known.
@@ -112,7 +114,7 @@ class HistoryReader {
 
  private:
   void read_header();
-  std::optional<Event> read_line(std::string_view text);
+  void check_time(const Number& t, const char* field);
 
   std::string path_;
   LineSource lines_;

@@ -139,6 +139,119 @@ HistoryStop read_stop(JsonReader& json) {
   return stop;
 }
 
+// The members of a line after the first.
+enum Member { t, flip, collide, maneuver, v, p, end, stopped };
+constexpr std::array<std::string_view, 8> member_names = {"t", "flip", "collide", "maneuver",
+                                                          "v", "p",    "end",     "stopped"};
+constexpr std::uint32_t flip_line = bit(flip), collide_line = bit(collide),
+                        maneuver_line = bit(maneuver), end_line = bit(end),
+                        stop_line = bit(stopped);
+
+struct Line {
+  std::uint32_t seen = 0;  // the bit set of its members
+  Number time;             // also of a stop line; not of an end line
+  Quad quad{};
+  std::array<GenId, 2> pair{};
+  GenId disk = 0;
+  Vectors velocities, centers;
+  std::optional<std::variant<HistoryEnd, HistoryStop>> ending;
+};
+
+// Whether the vectors of a collision are two, and null for the container only.
+void check_vectors(const JsonReader& json, const Line& line, const Vectors& vectors,
+                   const std::string& name) {
+  if (!vectors.given) return;
+  if (vectors.single) json.fail_in(name, "not two vectors");
+  for (std::size_t side = 0; side < 2; ++side) {
+    const bool is_container = line.pair[side] == container_id;
+    if (vectors.values[side].has_value() == is_container)
+      json.fail_in(name, is_container ? "not null for the container" : "null for a disk");
+  }
+}
+
+// Whether the members of a line make one event, or one last line.
+void check_members(const JsonReader& json, const Line& line) {
+  const std::uint32_t kind =
+      line.seen & (flip_line | collide_line | maneuver_line | end_line | stop_line);
+  if (kind == 0) json.fail("neither an event nor an end line");
+  if (kind & (kind - 1)) json.fail("more than one event");
+  if (kind & (end_line | stop_line)) {
+    if (line.seen != kind) json.fail("an end line with other fields");
+    return;
+  }
+  if (!(line.seen & bit(t))) json.fail_in("t", "missing");
+  if (kind & flip_line) {
+    if (line.seen != (bit(t) | bit(flip))) json.fail("a flip has neither v nor p");
+  } else if (kind & collide_line) {
+    check_vectors(json, line, line.velocities, "v");
+    check_vectors(json, line, line.centers, "p");
+  } else {
+    if (line.velocities.given && !line.velocities.single) json.fail_in("v", "not one vector");
+    if (line.centers.given && !line.centers.single) json.fail_in("p", "not one vector");
+  }
+}
+
+Line read_line(std::string_view text, const std::string& path, std::int64_t number, int last_id,
+               const Rational& horizon) {
+  JsonReader json(text, path, number);
+  Line line;
+  line.seen = json.object(member_names, 0, [&](std::size_t member) {
+    switch (member) {
+      case t:
+        line.time = read_time(json);
+        break;
+      case flip:
+        line.quad = read_edge(json, last_id);
+        break;
+      case collide:
+        json.array_of<2>(
+            [&](std::size_t i) { line.pair[i] = read_id(json, container_id, last_id); });
+        if (line.pair[0] >= line.pair[1]) json.fail("not two ids, the smaller first");
+        break;
+      case maneuver:
+        line.disk = read_id(json, 0, last_id);
+        break;
+      case v:
+        line.velocities = read_vectors(json);
+        break;
+      case p:
+        line.centers = read_vectors(json);
+        break;
+      case end:
+        line.ending = read_end(json, horizon);
+        break;
+      case stopped: {
+        HistoryStop stop = read_stop(json);
+        line.time = {stop.t, stop.exact_t};
+        line.ending = std::move(stop);
+      }
+    }
+  });
+  json.finish();
+  check_members(json, line);
+  return line;
+}
+
+FlipEvent flip_of(const Line& line) {
+  return {line.time.nearest, line.quad, exact_values(line.time, line.velocities, line.centers)};
+}
+
+CollideEvent collision_of(const Line& line) {
+  const auto& [v_i, v_j] = line.velocities.values;
+  const auto& [p_i, p_j] = line.centers.values;
+  return {line.time.nearest,
+          line.pair[0],
+          line.pair[1],
+          {nearest(v_i), nearest(v_j)},
+          {nearest(p_i), nearest(p_j)},
+          exact_values(line.time, line.velocities, line.centers)};
+}
+
+ManeuverEvent maneuver_of(const Line& line) {
+  return {line.time.nearest, line.disk, nearest(line.velocities.values[0]),
+          nearest(line.centers.values[0]), exact_values(line.time, line.velocities, line.centers)};
+}
+
 }  // namespace
 
 HistoryReader::HistoryReader(const std::string& path, int disk_count)
@@ -196,111 +309,36 @@ std::optional<Event> HistoryReader::next() {
   const auto text = lines_.next(max_event_line);
   if (!text)
     throw InputError(path_, lines_.number(), "", "incomplete: the file ends without an end line");
-  std::optional<Event> event = read_line(*text);
-  if (!event && lines_.next(max_event_line))
-    throw InputError(path_, lines_.number(), "", "text after the last line of the history");
-  return event;
+  Line line = read_line(*text, path_, lines_.number(), last_id_, header_.horizon);
+  if (!(line.seen & end_line)) check_time(line.time, line.seen & stop_line ? "stopped" : "t");
+  if (line.ending) {
+    if (lines_.next(max_event_line))
+      throw InputError(path_, lines_.number(), "", "text after the last line of the history");
+    ending_ = std::move(line.ending);
+    return std::nullopt;
+  }
+  if (line.seen & flip_line) {
+    ++counts_.flips;
+    return flip_of(line);
+  }
+  if (line.seen & collide_line) {
+    ++counts_.collisions;
+    return collision_of(line);
+  }
+  ++counts_.maneuvers;
+  return maneuver_of(line);
 }
 
-std::optional<Event> HistoryReader::read_line(std::string_view text) {
-  JsonReader json(text, path_, lines_.number());
-  enum { t, flip, collide, maneuver, v, p, end, stopped };
-  static constexpr std::array<std::string_view, 8> names = {"t", "flip", "collide", "maneuver",
-                                                            "v", "p",    "end",     "stopped"};
-  Number time;
-  Quad quad{};
-  std::array<int, 2> pair{};
-  int disk = 0;
-  Vectors velocities, centers;
-  const std::uint32_t seen = json.object(names, 0, [&](std::size_t member) {
-    switch (member) {
-      case t:
-        time = read_time(json);
-        break;
-      case flip:
-        quad = read_edge(json, last_id_);
-        break;
-      case collide:
-        json.array_of<2>([&](std::size_t i) { pair[i] = read_id(json, container_id, last_id_); });
-        if (pair[0] >= pair[1]) json.fail("not two ids, the smaller first");
-        break;
-      case maneuver:
-        disk = read_id(json, 0, last_id_);
-        break;
-      case v:
-        velocities = read_vectors(json);
-        break;
-      case p:
-        centers = read_vectors(json);
-        break;
-      case end:
-        ending_ = read_end(json, header_.horizon);
-        break;
-      case stopped:
-        ending_ = read_stop(json);
-    }
-  });
-  json.finish();
-
-  const auto blame = [&](std::size_t member, const std::string& reason) {
-    throw InputError(path_, lines_.number(), std::string(names[member]), reason);
-  };
-  const std::uint32_t kind =
-      seen & (bit(flip) | bit(collide) | bit(maneuver) | bit(end) | bit(stopped));
-  if (kind == 0) json.fail("neither an event nor an end line");
-  if (kind & (kind - 1)) json.fail("more than one event");
-  if ((kind & (bit(end) | bit(stopped))) && seen != kind)
-    json.fail("an end line with other fields");
-  if ((kind & bit(stopped))) {
-    const HistoryStop& stop = std::get<HistoryStop>(*ending_);
-    time.nearest = stop.t;
-    time.exact = stop.exact_t;
-  }
-  if (kind & bit(end)) return std::nullopt;
-
-  const std::size_t t_or_stopped = kind & bit(stopped) ? stopped : t;
-  if (!(kind & bit(stopped)) && !(seen & bit(t))) blame(t, "missing");
-  const bool decreases = time.exact || last_exact_t_
-                             ? time.value() < last_exact_t_.value_or(to_rational(last_t_))
-                             : time.nearest < last_t_;
-  if (decreases) blame(t_or_stopped, "earlier than the event before it");
+void HistoryReader::check_time(const Number& t, const char* field) {
+  const bool decreases = t.exact || last_exact_t_
+                             ? t.value() < last_exact_t_.value_or(to_rational(last_t_))
+                             : t.nearest < last_t_;
+  if (decreases)
+    throw InputError(path_, lines_.number(), field, "earlier than the event before it");
   // Rounding an event at the horizon may move it beyond, but not beyond the rounded horizon.
-  if (time.nearest > horizon_) blame(t_or_stopped, "beyond the horizon");
-  last_t_ = time.nearest;
-  last_exact_t_ = time.exact;
-  if (kind & bit(stopped)) return std::nullopt;
-
-  if (kind & bit(flip)) {
-    if (seen & (bit(v) | bit(p))) json.fail("a flip has neither v nor p");
-    ++counts_.flips;
-    return FlipEvent{time.nearest, quad, exact_values(time, velocities, centers)};
-  }
-  if (kind & bit(collide)) {
-    const auto check = [&](std::size_t member, const Vectors& vectors) {
-      if (!vectors.given) return;
-      if (vectors.single) blame(member, "not two vectors");
-      for (std::size_t side = 0; side < 2; ++side) {
-        const bool is_container = pair[side] == container_id;
-        if (vectors.values[side].has_value() == is_container)
-          blame(member, is_container ? "not null for the container" : "null for a disk");
-      }
-    };
-    check(v, velocities);
-    check(p, centers);
-    ++counts_.collisions;
-    CollideEvent event{time.nearest, pair[0], pair[1], {}, {}, {}};
-    for (std::size_t side = 0; side < 2; ++side) {
-      event.v[side] = nearest(velocities.values[side]);
-      event.p[side] = nearest(centers.values[side]);
-    }
-    event.exact = exact_values(time, velocities, centers);
-    return event;
-  }
-  if (velocities.given && !velocities.single) blame(v, "not one vector");
-  if (centers.given && !centers.single) blame(p, "not one vector");
-  ++counts_.maneuvers;
-  return ManeuverEvent{time.nearest, disk, nearest(velocities.values[0]),
-                       nearest(centers.values[0]), exact_values(time, velocities, centers)};
+  if (t.nearest > horizon_) throw InputError(path_, lines_.number(), field, "beyond the horizon");
+  last_t_ = t.nearest;
+  last_exact_t_ = t.exact;
 }
 
 bool HistoryReader::counts_match() const {

@@ -317,11 +317,9 @@ void JsonReader::fail_length(std::size_t wanted) const {
   fail("not an array of " + std::to_string(wanted) + " elements");
 }
 
-void JsonReader::fail_missing(std::int64_t line, std::string_view name) const {
-  std::string missing = field();
-  if (!missing.empty()) missing += '.';
-  missing += name;
-  throw InputError(*file_, line, missing, "missing");
+void JsonReader::fail_in(const std::string& member, const std::string& reason) const {
+  const std::string object = field();
+  throw InputError(*file_, line_, object.empty() ? member : object + '.' + member, reason);
 }
 
 }  // namespace voroproof

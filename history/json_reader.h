@@ -57,7 +57,8 @@ class JsonReader {
     if (const std::uint32_t missing = required & ~seen) {
       std::size_t index = 0;
       while (!(missing & bit(index))) ++index;
-      fail_missing(first_line, names[index]);
+      line_ = first_line;
+      fail_in(std::string(names[index]), "missing");
     }
     return seen;
   }
@@ -138,6 +139,9 @@ class JsonReader {
   // Throws the InputError that blames the value just read or about to be read.
   [[noreturn]] void fail(const std::string& reason) const;
 
+  // The same for a member of the object just read.
+  [[noreturn]] void fail_in(const std::string& member, const std::string& reason) const;
+
  private:
   // One step of the field's path: the name of a member, or the index of an element.
   struct Step {
@@ -168,7 +172,6 @@ class JsonReader {
   [[noreturn]] void fail_expected(const char* what);
   [[noreturn]] void fail_depth() const;
   [[noreturn]] void fail_length(std::size_t wanted) const;
-  [[noreturn]] void fail_missing(std::int64_t line, std::string_view name) const;
 
   const char* next_;
   const char* end_;
