@@ -208,17 +208,14 @@ bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleR
   const double fl = std::fabs(p.c[0]), fr = std::fabs(p.c[degree]);
   double x = fl / (fl + fr);
   double slope = 0;
-  for (int step = 0; step < 12; ++step) {
+  for (int step = 0; step < 60; ++step) {
     const double f = value(degree, p.c.data(), x, slope);
     if (std::fabs(f) <= err) break;
     ((f > 0) == (sl > 0) ? xl : xr) = x;
-    double next = x - f / slope;
-    if (!(next > xl && next < xr)) next = 0.5 * (xl + xr);
-    if (std::fabs(next - x) < 0x1p-44) {
-      x = next;
-      break;
-    }
-    x = next;
+    const double newton = f / slope;
+    if (std::fabs(newton) < 0x1p-44) break;
+    const double next = x - newton;
+    x = next > xl && next < xr ? next : 0.5 * (xl + xr);
   }
   const double width = p.u1 - p.u0;
   double delta = 4 * err / std::fabs(slope) + 0x1p-42;
@@ -893,17 +890,18 @@ Collapse collapse_in_doubles(const Motion& motion, const Quad& q, double start, 
   if (!(start < end)) return none_until(end);
   BernsteinForm form;
   if (form_flip_polynomial<false>(motion, q, start, end, form)) return none_until(end);
-  Collapse answer = none_until(end);
-  each_root(form, start, end, [&](const DoubleRoot& root) {
+  Collapse answer;
+  const double reached = each_root(form, start, end, [&](const DoubleRoot& root) {
     if (judge_in_doubles(motion, q, root.hi, cotangency_sign(root.after, form.degree == 4)) !=
         Verdict::collapses) {
       return true;
     }
-    answer.kind = Collapse::Kind::root;
-    answer.lo = answer.hi = 0.5 * (root.lo + root.hi);
+    answer = {Collapse::Kind::root, root.lo, root.hi, nullptr};
     return false;
   });
-  return answer;
+  if (answer.kind == Collapse::Kind::root) return answer;
+  // A root too near to the start to be told from it is passed over.
+  return none_until(std::fmax(reached, start + 1e-7 * (end - start)));
 }
 
 }  // namespace voroproof

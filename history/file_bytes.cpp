@@ -1,5 +1,7 @@
 #include "history/file_bytes.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -17,7 +19,11 @@ std::string file_bytes(const std::string& path, std::size_t limit, bool may_cut)
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);
   if (!file) fail();
+  constexpr std::size_t max_step = std::size_t{1} << 24;
   std::string bytes;
+  struct stat status {};
+  if (fstat(fileno(file.get()), &status) == 0 && S_ISREG(status.st_mode))
+    bytes.reserve(std::min(static_cast<std::size_t>(status.st_size), limit) + max_step);
   std::size_t step = std::size_t{1} << 16;
   for (;;) {
     const std::size_t before = bytes.size();
@@ -33,7 +39,7 @@ std::string file_bytes(const std::string& path, std::size_t limit, bool may_cut)
       return bytes;
     }
     if (got < wanted) return bytes;
-    step = std::min(2 * step, std::size_t{1} << 24);
+    step = std::min(2 * step, max_step);
   }
 }
 

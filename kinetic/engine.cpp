@@ -251,7 +251,10 @@ class Engine<certified>::Implementation {
       const Instant t = instant_at(item == horizon_item() ? horizon_ : next_maneuver().t);
       return {item, t.lo, t.hi, t.dd};
     }
-    if constexpr (!certified) return {item, f.lo, f.hi, DdBall(f.lo)};
+    if constexpr (!certified) {
+      const double t = 0.5 * (f.lo + f.hi);
+      return {item, t, t, DdBall(t)};
+    }
     DdBall dd;
     if (is_flip(item)) {
       const Quad q = quad_of(item / 2);

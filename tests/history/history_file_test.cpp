@@ -295,6 +295,9 @@ struct Bad {
   std::string message;
 };
 
+// What gtest calls the case.
+void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.message; }
+
 class BadHistory : public testing::TestWithParam<Bad> {};
 
 TEST_P(BadHistory, IsRefusedWithLineAndField) {

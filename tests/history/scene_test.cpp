@@ -127,6 +127,9 @@ struct Bad {
   std::string message;   // after "s.json:"
 };
 
+// What gtest calls the case.
+void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.message; }
+
 class BadScene : public testing::TestWithParam<Bad> {};
 
 TEST_P(BadScene, IsRefusedWithLineAndField) {
