@@ -557,6 +557,75 @@ std::array<Sign, 2> exact_existence(const Quad& q, const Rational& t, ExactMotio
 
 }  // namespace
 
+namespace {
+
+// The flip polynomial and its derivative in time, at moving sites.
+template <class T>
+struct ValueAndSlope {
+  T value, slope;
+};
+
+template <class T>
+ValueAndSlope<T> cotangency_and_slope(const std::array<MovingSite<T>, 4>& s) {
+  struct Pair {
+    T p, d;
+  };
+  const auto pair = [&](int i, int j) {
+    const T dx = s[i].x - s[j].x, dy = s[i].y - s[j].y, dr = s[i].r - s[j].r;
+    const T h = dx * (s[i].vx - s[j].vx) + dy * (s[i].vy - s[j].vy);
+    return Pair{dx * dx + dy * dy - dr * dr, h + h};
+  };
+  const auto product = [](const Pair& a, const Pair& b) {
+    return Pair{a.p * b.p, a.p * b.d + a.d * b.p};
+  };
+  const Pair a = product(pair(0, 1), pair(2, 3));
+  const Pair b = product(pair(0, 2), pair(1, 3));
+  const Pair c = product(pair(0, 3), pair(1, 2));
+  const T g = a.p - b.p - c.p;
+  const T gd = a.d - b.d - c.d;
+  const T bc = b.p * c.p;
+  const T bcd = b.p * c.d + b.d * c.p;
+  const T bc2 = bc + bc, bcd2 = bcd + bcd, ggd = g * gd;
+  return {g * g - (bc2 + bc2), ggd + ggd - (bcd2 + bcd2)};
+}
+
+template <class T>
+ValueAndSlope<T> cocircularity_and_slope(const std::array<MovingSite<T>, 4>& s) {
+  struct Row {
+    T x, y, vx, vy, p, d;
+  };
+  const auto row = [&](int i) {
+    const T x = s[i].x - s[3].x, y = s[i].y - s[3].y;
+    const T vx = s[i].vx - s[3].vx, vy = s[i].vy - s[3].vy;
+    const T h = x * vx + y * vy;
+    return Row{x, y, vx, vy, x * x + y * y, h + h};
+  };
+  const std::array<Row, 3> r{row(0), row(1), row(2)};
+  const auto term = [&](int k, int i, int j) {
+    const T cross = r[i].x * r[j].y - r[i].y * r[j].x;
+    const T slope = (r[i].vx * r[j].y - r[i].vy * r[j].x) + (r[i].x * r[j].vy - r[i].y * r[j].vx);
+    return ValueAndSlope<T>{r[k].p * cross, r[k].p * slope + r[k].d * cross};
+  };
+  const auto a = term(0, 1, 2), b = term(1, 2, 0), c = term(2, 0, 1);
+  return {a.value + b.value + c.value, a.slope + b.slope + c.slope};
+}
+
+template <class T>
+ValueAndSlope<T> flip_value_and_slope(const Motion& m, const Quad& q, const T& t,
+                                      bool cocircular) {
+  const std::array<MovingSite<T>, 4> s{m.moving_site(q.l, t), m.moving_site(q.r, t),
+                                       m.moving_site(q.s, t), m.moving_site(q.e, t)};
+  return cocircular ? cocircularity_and_slope(s) : cotangency_and_slope(s);
+}
+
+template <class T>
+T flip_value(const Motion& m, const Quad& q, const T& t, bool cocircular) {
+  const auto s = sites(m, q, t);
+  return cocircular ? cocircularity(s[0], s[1], s[2], s[3]) : cotangency(s[0], s[1], s[2], s[3]);
+}
+
+}  // namespace
+
 // The first tier, of a form whose coefficients are not all of one sign. Undecided where
 // the filter cannot say what happens just after the start; undecided parts further on
 // wait for their turn (`none` up to there).
@@ -583,7 +652,7 @@ std::optional<Collapse> CollapseSearch::filter(const Quad& q, const BernsteinFor
 
 Collapse CollapseSearch::after(const Quad& q, double start, double end,
                                const RootInterval* fine) {
-  if (never_collapses(q)) return none_until(kInfinity);
+  if (q.s == q.e || at_relative_rest(q)) return none_until(kInfinity);  // Lemma 8
   if (fine != nullptr) return slow(q, fine->hi, nullptr, end);
   if (!(start < end)) return none_until(end);
   BernsteinForm form;
@@ -600,6 +669,7 @@ Collapse CollapseSearch::after(const Quad& q, double start, double end,
 
 Collapse CollapseSearch::from(const Quad& q, const Instant& now, double end) {
   if (q.s == q.e) return none_until(kInfinity);
+  if (at_relative_rest(q)) return at_rest(q, now);
   if (now.lo < end) {
     BernsteinForm form;
     std::optional<Collapse> answer;
@@ -617,10 +687,36 @@ Collapse CollapseSearch::from(const Quad& q, const Instant& now, double end) {
   return slow(q, to_rational(now.lo), &now, end);
 }
 
-bool CollapseSearch::never_collapses(const Quad& q) const {
-  // Lemma 8; and four generators at rest relative to each other.
-  return q.s == q.e || (motion_.same_velocity(q.l, q.r) && motion_.same_velocity(q.l, q.s) &&
-                        motion_.same_velocity(q.l, q.e));
+bool CollapseSearch::at_relative_rest(const Quad& q) const {
+  return motion_.same_velocity(q.l, q.r) && motion_.same_velocity(q.l, q.s) &&
+         motion_.same_velocity(q.l, q.e);
+}
+
+// Four generators at rest relative to each other: the edge is legal for good unless
+// they are cotangent now and the rule of the largest id is against it.
+Collapse CollapseSearch::at_rest(const Quad& q, const Instant& now) {
+  const Collapse legal = none_until(kInfinity);
+  if (legal_while_cotangent(q)) return legal;
+  if (sign(flip_value(motion_, q, DoubleBall::hull(now.lo, now.hi), false)) != Sign::unknown) {
+    counts_.count(Predicate::flip_search, Tier::filter);
+    return legal;
+  }
+  if (sign(flip_value(motion_, q, now.dd, false)) != Sign::unknown) {
+    counts_.count(Predicate::flip_search, Tier::dd);
+    return legal;
+  }
+  try {
+    ExactMotion exact(motion_);
+    const auto s = exact_incircles(q, to_rational(now.hi), exact);
+    counts_.count(Predicate::flip_search, Tier::exact);
+    if (s[0] != Sign::zero || s[1] != Sign::zero) return legal;
+  } catch (const BudgetExceeded& e) {
+    throw Undecided(std::string("four generators at relative rest may be cotangent: ") + e.what(),
+                    q);
+  }
+  Collapse illegal;
+  illegal.kind = Collapse::Kind::now;
+  return illegal;
 }
 
 Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instant* now,
@@ -731,75 +827,6 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
   }
   return none_until(voroproof::round_down(finish));
 }
-
-namespace {
-
-// The flip polynomial and its derivative in time, at moving sites.
-template <class T>
-struct ValueAndSlope {
-  T value, slope;
-};
-
-template <class T>
-ValueAndSlope<T> cotangency_and_slope(const std::array<MovingSite<T>, 4>& s) {
-  struct Pair {
-    T p, d;
-  };
-  const auto pair = [&](int i, int j) {
-    const T dx = s[i].x - s[j].x, dy = s[i].y - s[j].y, dr = s[i].r - s[j].r;
-    const T h = dx * (s[i].vx - s[j].vx) + dy * (s[i].vy - s[j].vy);
-    return Pair{dx * dx + dy * dy - dr * dr, h + h};
-  };
-  const auto product = [](const Pair& a, const Pair& b) {
-    return Pair{a.p * b.p, a.p * b.d + a.d * b.p};
-  };
-  const Pair a = product(pair(0, 1), pair(2, 3));
-  const Pair b = product(pair(0, 2), pair(1, 3));
-  const Pair c = product(pair(0, 3), pair(1, 2));
-  const T g = a.p - b.p - c.p;
-  const T gd = a.d - b.d - c.d;
-  const T bc = b.p * c.p;
-  const T bcd = b.p * c.d + b.d * c.p;
-  const T bc2 = bc + bc, bcd2 = bcd + bcd, ggd = g * gd;
-  return {g * g - (bc2 + bc2), ggd + ggd - (bcd2 + bcd2)};
-}
-
-template <class T>
-ValueAndSlope<T> cocircularity_and_slope(const std::array<MovingSite<T>, 4>& s) {
-  struct Row {
-    T x, y, vx, vy, p, d;
-  };
-  const auto row = [&](int i) {
-    const T x = s[i].x - s[3].x, y = s[i].y - s[3].y;
-    const T vx = s[i].vx - s[3].vx, vy = s[i].vy - s[3].vy;
-    const T h = x * vx + y * vy;
-    return Row{x, y, vx, vy, x * x + y * y, h + h};
-  };
-  const std::array<Row, 3> r{row(0), row(1), row(2)};
-  const auto term = [&](int k, int i, int j) {
-    const T cross = r[i].x * r[j].y - r[i].y * r[j].x;
-    const T slope = (r[i].vx * r[j].y - r[i].vy * r[j].x) + (r[i].x * r[j].vy - r[i].y * r[j].vx);
-    return ValueAndSlope<T>{r[k].p * cross, r[k].p * slope + r[k].d * cross};
-  };
-  const auto a = term(0, 1, 2), b = term(1, 2, 0), c = term(2, 0, 1);
-  return {a.value + b.value + c.value, a.slope + b.slope + c.slope};
-}
-
-template <class T>
-ValueAndSlope<T> flip_value_and_slope(const Motion& m, const Quad& q, const T& t,
-                                      bool cocircular) {
-  const std::array<MovingSite<T>, 4> s{m.moving_site(q.l, t), m.moving_site(q.r, t),
-                                       m.moving_site(q.s, t), m.moving_site(q.e, t)};
-  return cocircular ? cocircularity_and_slope(s) : cotangency_and_slope(s);
-}
-
-template <class T>
-T flip_value(const Motion& m, const Quad& q, const T& t, bool cocircular) {
-  const auto s = sites(m, q, t);
-  return cocircular ? cocircularity(s[0], s[1], s[2], s[3]) : cotangency(s[0], s[1], s[2], s[3]);
-}
-
-}  // namespace
 
 DdBall CollapseSearch::refine(const Quad& q, double lo, double hi) const {
   // One step of the interval Newton method: the root lies in c - f(c) / f'([lo, hi]).

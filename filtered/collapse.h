@@ -76,7 +76,8 @@ class CollapseSearch {
  private:
   std::optional<Collapse> filter(const Quad& q, const BernsteinForm& form, double start,
                                  double end) const;
-  bool never_collapses(const Quad& q) const;
+  bool at_relative_rest(const Quad& q) const;
+  Collapse at_rest(const Quad& q, const Instant& now);
   Collapse slow(const Quad& q, const Rational& start, const Instant* now, double end);
   Collapse exactly(const Quad& q, const Rational& start, const Instant* now, double end);
 

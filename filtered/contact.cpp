@@ -45,6 +45,7 @@ NextContact ContactSearch::from(GenId i, GenId j, const Instant& now, double end
   // Two disks of the same collision leave each other, or stay at rest in contact.
   const bool wall = i == container_id;
   if (!wall && motion_.state_id(i) > 0 && motion_.state_id(i) == motion_.state_id(j)) return {};
+  if (motion_.same_velocity(i, j)) return {};
   const DoubleBall t(now.lo);
   const Contact<DoubleBall> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
   const auto d = delay(k, wall, DoubleBall());

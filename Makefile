@@ -1,0 +1,37 @@
+# One command each; see README.md. JOBS=n limits the parallel jobs.
+JOBS ?= $(shell nproc)
+MAKEFLAGS += --no-print-directory
+
+SOURCES = $(shell find exact filtered topology history kinetic certify corpus apps bench tests \
+  -name '*.h' -o -name '*.cpp')
+
+.PHONY: build demo test bench format clean
+
+build:
+	cmake --preset release
+	cmake --build --preset release -j $(JOBS)
+
+# Installs what is missing, builds, simulates, checks, draws into demo/.
+demo:
+	@JOBS=$(JOBS) scripts/demo.sh
+
+# Ends with ctest's own summary.
+test:
+	scripts/install-deps.sh test
+	cmake --preset release
+	cmake --build --preset release -j $(JOBS)
+	ctest --preset release -j $(JOBS)
+
+# See docs/benchmarks.md.
+bench:
+	scripts/install-deps.sh bench
+	cmake --preset bench
+	cmake --build --preset bench -j $(JOBS)
+	build/voroproof_bench_predicates
+	build/voroproof_bench_runs
+
+format:
+	clang-format -i $(SOURCES)
+
+clean:
+	rm -rf build build-* demo

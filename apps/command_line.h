@@ -1,0 +1,68 @@
+// What the verbs of the command line share: exit codes, the errors of usage, arguments that are
+// exact numbers, and the names under which the verbs register.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "exact/rational.h"
+
+namespace voroproof {
+
+// One code for each kind of outcome; 1 is left to the certifier (`s REFUTED`).
+enum class ExitCode {
+  ok = 0,
+  bad_input = 2,    // a bad command line or input, an output that cannot be written
+  undecided = 3,    // the run stopped: a decision beyond the budget, an inelastic collapse
+  internal = 4,     // a fault of the program
+  memory = 5,       // out of memory
+  interrupted = 6,  // SIGINT or SIGTERM
+};
+
+// A command line that asks for what is not possible; what() is one line.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// What the parsed command line asks for.
+using Action = std::function<ExitCode()>;
+
+// Each adds a verb; parsing it sets `action`.
+void add_generate(CLI::App& app, Action& action);
+void add_simulate(CLI::App& app, Action& action);
+void add_snapshot(CLI::App& app, Action& action);
+void add_render(CLI::App& app, Action& action);
+void add_validate(CLI::App& app, Action& action);
+
+// "voroproof VERSION", as histories name their producer.
+std::string producer();
+
+// The required option -o, --output.
+CLI::Option* add_output(CLI::App& verb, std::string& path, const std::string& what);
+
+// An option that takes a decimal number and means the binary64 nearest to it.
+CLI::Option* add_real(CLI::App& verb, const std::string& name, double& value,
+                      const std::string& description);
+
+// An option that takes one of a few words.
+CLI::Option* add_choice(CLI::App& verb, const std::string& name,
+                        const std::vector<std::string>& choices, std::string& value,
+                        const std::string& description);
+
+// Lets an integer option take decimal digits only.
+CLI::Validator whole_number();
+
+// A time >= 0 from its exact text: a decimal, a fraction or a hexadecimal float, within the limits
+// of a scene's values. Throws UsageError, naming the option.
+Rational time_argument(const std::string& option, const std::string& text);
+
+// Throws UsageError where one of the output files is another of them or one of the inputs. Empty
+// names are passed over.
+void require_distinct(const std::vector<std::string>& inputs,
+                      const std::vector<std::string>& outputs);
+
+}  // namespace voroproof

@@ -1,0 +1,189 @@
+// voroproof simulate: from a scene to its history.
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "apps/command_line.h"
+#include "apps/history_sink.h"
+#include "apps/interruption.h"
+#include "apps/progress.h"
+#include "apps/scene_motion.h"
+#include "apps/stats_file.h"
+#include "history/error.h"
+#include "history/json_text.h"
+
+namespace voroproof {
+namespace {
+
+struct Request {
+  std::string scene, history, stats, horizon;
+  int threads = 1;
+  MotionOptions motion;
+  std::string filters = "on";
+  bool quiet = false;
+};
+
+// Lets decisions skip the tiers in doubles and double-doubles, where the engine can.
+template <class Options>
+void set_filters(Options& options, bool on) {
+  if constexpr (requires { options.filters = on; }) {
+    options.filters = on;
+  } else if (!on) {
+    throw UsageError("--filters: this engine cannot do without its filters");
+  }
+}
+
+EngineOptions engine_options(const Request& request) {
+  EngineOptions options;
+  options.motion = request.motion;
+  set_filters(options.motion, request.filters == "on");
+  options.profile = !request.stats.empty();
+  return options;
+}
+
+std::unique_ptr<HistorySink> make_sink(int threads, HistoryWriter& writer, HistoryHeader header,
+                                       int disks) {
+  if (threads == 1) return std::make_unique<HistorySink>(writer, std::move(header), disks);
+  return std::make_unique<BackgroundHistorySink>(writer, std::move(header), disks);
+}
+
+// The events that an outcome names, as a history writes them.
+std::vector<Event> events_of(const Outcome& outcome) {
+  std::vector<Event> events;
+  for (const auto& event : outcome.events) {
+    if (const auto* edge = std::get_if<Quad>(&event)) {
+      events.emplace_back(FlipEvent{.t = outcome.t, .quad = *edge});
+    } else {
+      const auto [i, j] = std::get<std::pair<GenId, GenId>>(event);
+      events.emplace_back(CollideEvent{.t = outcome.t, .i = std::min(i, j), .j = std::max(i, j)});
+    }
+  }
+  return events;
+}
+
+// One line that depends on the scene and the options alone.
+void print_summary(const Outcome& outcome, const EngineStats& stats) {
+  std::cout << "flips " << stats.flip_count();
+  for (std::size_t kind = 0; kind < stats.flips.size(); ++kind) {
+    if (stats.flips[kind] == 0) continue;
+    std::cout << ' ' << flip_kind_names[kind] << ' ' << stats.flips[kind];
+  }
+  std::cout << "; collisions " << stats.disk_collisions + stats.wall_collisions << " disks "
+            << stats.disk_collisions << " container " << stats.wall_collisions << "; maneuvers "
+            << stats.maneuvers << "; t " << number_text(outcome.t) << "; bits "
+            << stats.highest_bits << '\n';
+}
+
+ExitCode report(const Outcome& outcome) {
+  switch (outcome.kind) {
+    case Outcome::Kind::complete:
+      return ExitCode::ok;
+    case Outcome::Kind::stopped:
+      std::cerr << "voroproof: stopped at t = " << number_text(outcome.t) << ": "
+                << printable(outcome.reason, 4096) << '\n';
+      return ExitCode::undecided;
+    case Outcome::Kind::interrupted:
+      break;
+  }
+  std::cerr << "voroproof: interrupted at t = " << number_text(outcome.t) << '\n';
+  return ExitCode::interrupted;
+}
+
+ExitCode simulate(const Request& request) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  require_distinct({request.scene}, {request.history, request.stats});
+  if (request.motion.start_bits > request.motion.max_bits) {
+    throw UsageError("--start-bits: more than --max-bits");
+  }
+  const CooperativeInterruption interruption;
+  Scene scene = read_scene(request.scene);
+  if (!request.horizon.empty()) scene.horizon = time_argument("--horizon", request.horizon);
+  const int disks = static_cast<int>(scene.disks.size());
+
+  // Both outputs are begun first, so that a path that cannot be written is known before the run.
+  std::optional<AtomicFile> stats_file;
+  if (!request.stats.empty()) stats_file.emplace(request.stats);
+  HistoryWriter writer(request.history);
+  const auto sink = make_sink(request.threads, writer,
+                              {.scene_sha256 = scene.sha256,
+                               .horizon = scene.horizon,
+                               .producer = producer(),
+                               .initial = {}},
+                              disks);
+
+  EngineOptions options = engine_options(request);
+  std::optional<Progress> progress;
+  progress.emplace(round_nearest(scene.horizon), request.quiet);
+  options.monitor = [&](double t, std::uint64_t events) {
+    progress->report(t, events);
+    return !interruption.requested();
+  };
+  Engine<true> engine(motion_input(scene), maneuver_input(scene), options);
+  const Outcome outcome = engine.run(*sink);
+  progress.reset();
+  sink->finish();
+
+  if (outcome.kind == Outcome::Kind::complete) {
+    writer.end();
+  } else {
+    writer.stopped(outcome.t, outcome.reason, events_of(outcome));
+  }
+  writer.close();
+  if (stats_file) {
+    const RunDescription run{
+        .producer = producer(),
+        .scene_sha256 = scene.sha256,
+        .disks = disks,
+        .horizon = scene.horizon,
+        .start_bits = request.motion.start_bits,
+        .max_bits = request.motion.max_bits,
+        .threads = request.threads,
+        .filters = request.filters == "on",
+        .total_seconds = std::chrono::duration<double>(Clock::now() - start).count()};
+    stats_file->write(stats_text(run, outcome, engine.stats()));
+    stats_file->commit();
+  }
+  if (!request.quiet) print_summary(outcome, engine.stats());
+  return report(outcome);
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Action& action) {
+  constexpr int least_bits = 64, most_bits = 1 << 24;
+  auto request = std::make_shared<Request>();
+  CLI::App* verb = app.add_subcommand("simulate", "Write the exact history of a scene");
+  verb->add_option("scene", request->scene, "the scene")->type_name("FILE")->required();
+  add_output(*verb, request->history, "the history to write");
+  verb->add_option("--horizon", request->horizon,
+                   "in place of the scene's, exactly: a decimal (0.1 is one tenth), a fraction\n"
+                   "(1/3) or a hexadecimal float (0x1.8p-3)")
+      ->type_name("TIME");
+  verb->add_option("--stats", request->stats, "write counts and times of the run here, as JSON")
+      ->type_name("FILE");
+  verb->add_option("--threads", request->threads,
+                   "2 or more: a second thread writes the history, whose bytes stay the same")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  verb->add_option("--start-bits", request->motion.start_bits,
+                   "precision of the states to begin with; the history does not depend on it")
+      ->check(whole_number())
+      ->check(CLI::Range(least_bits, most_bits))
+      ->capture_default_str();
+  verb->add_option("--max-bits", request->motion.max_bits,
+                   "a run that needs more stops (exit code 3)")
+      ->check(whole_number())
+      ->check(CLI::Range(least_bits, most_bits))
+      ->capture_default_str();
+  add_choice(*verb, "--filters", {"on", "off"}, request->filters,
+             "whether decisions are tried in doubles and double-doubles first; the history does\n"
+             "not depend on it");
+  verb->add_flag("--quiet", request->quiet, "no progress on the terminal and no summary");
+  verb->footer("Example:\n  voroproof simulate a.scene.json -o a.history.jsonl --stats a.stats.json");
+  verb->callback([request, &action] { action = [request] { return simulate(*request); }; });
+}
+
+}  // namespace voroproof

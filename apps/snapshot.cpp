@@ -1,0 +1,151 @@
+#include "apps/snapshot.h"
+
+#include <cmath>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "apps/interruption.h"
+#include "apps/recorded_moment.h"
+#include "apps/scene_motion.h"
+#include "exact/predicates.h"
+#include "filtered/collapse.h"
+#include "history/json_text.h"
+#include "kinetic/static_diagram.h"
+
+namespace voroproof {
+namespace {
+
+constexpr int bits = 160;
+
+// Every generator at the instant, the container first.
+using Moment = std::vector<MovingSite<Ball>>;
+
+class NoSink final : public EventSink {
+ public:
+  void begin(const std::vector<Quad>&) override {}
+  void flip(double, const Quad&) override {}
+  void collide(double, GenId, GenId, const RoundedState&, const RoundedState&) override {}
+  void maneuver(double, GenId, const RoundedState&) override {}
+};
+
+// The engine with the motion that is in force at t.
+std::unique_ptr<Engine<true>> run_to(const Scene& scene, const Rational& t,
+                                     const EngineOptions& options) {
+  MotionInput input = motion_input(scene);
+  input.horizon = t;
+  auto engine = std::make_unique<Engine<true>>(input, maneuver_input(scene), options);
+  NoSink sink;
+  const Outcome outcome = engine->run(sink);
+  if (outcome.kind == Outcome::Kind::interrupted) throw Interrupted();
+  if (outcome.kind == Outcome::Kind::stopped) {
+    throw Undecided("the motion is known before t = " + number_text(outcome.t) +
+                    " only: " + outcome.reason);
+  }
+  return engine;
+}
+
+Diagram diagram_at(Motion& motion, const Rational& t) {
+  TierCounts counts;
+  Diagram diagram = static_diagram(motion, t, counts);
+  settle(diagram, motion, instant_at(t), counts);
+  return diagram;
+}
+
+Moment moment_of(const Motion& motion, const Rational& t) {
+  const Ball time(t, bits);
+  Moment moment;
+  moment.reserve(motion.size() + 1);
+  for (GenId g = container_id; g < motion.size(); ++g) {
+    moment.push_back(motion.moving_site(g, time));
+  }
+  return moment;
+}
+
+Moment moment_of(const Scene& scene, const std::vector<RecordedState>& states, const Rational& t) {
+  const auto ball = [](const Rational& q) { return Ball(q, bits); };
+  Moment moment;
+  moment.reserve(states.size() + 1);
+  moment.push_back({ball(scene.cx), ball(scene.cy), Ball(bits), Ball(bits),
+                    ball(Rational(-scene.container_radius))});
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const auto& [since, center, velocity] = states[i];
+    const Rational x = center[0] + velocity[0] * (t - since);
+    const Rational y = center[1] + velocity[1] * (t - since);
+    moment.push_back({ball(x), ball(y), ball(velocity[0]), ball(velocity[1]),
+                      ball(scene.disks[i].radius)});
+  }
+  return moment;
+}
+
+// The binary64 nearest to the number in the ball; where the ball straddles the boundary between
+// two, the one nearest to its midpoint, and zero where that is in the ball.
+double rounded(const Ball& ball) {
+  double x = 0;
+  if (ball.round_to_double(x)) return x;
+  if (mpfr_number_p(ball.midpoint()) == 0 || !std::isfinite(ball.radius().to_double())) {
+    throw Undecided("a coordinate of the diagram is not known to " + std::to_string(bits) +
+                    " bits");
+  }
+  return ball.sign() == Sign::unknown ? 0 : mpfr_get_d(ball.midpoint(), MPFR_RNDN);
+}
+
+Vec2 rounded(const Ball& x, const Ball& y) { return {rounded(x), rounded(y)}; }
+
+DiagramVertex vertex(const Moment& moment, const Triple& generators) {
+  const auto [i, j, k] = disk_first(generators[0], generators[1], generators[2]);
+  const auto site = [&](GenId g) {
+    const MovingSite<Ball>& s = moment[g + 1];
+    return Site<Ball>{s.x, s.y, s.r};
+  };
+  // Recorded positions are rounded: where two circles of three generators are about to become one,
+  // their discriminant may come out below zero.
+  const auto root = [](const Ball& x) {
+    return x.sign() == Sign::negative ? Ball(x.precision()) : sqrt(x);
+  };
+  const TangentTriple<Ball> triple(site(i), site(j), site(k),
+                                   j == container_id || k == container_id);
+  const auto circle = tangent_circle(triple, root);
+  return {generators, rounded(circle[0], circle[1]), rounded(circle[2])};
+}
+
+DiagramFile assemble(const Scene& scene, const Rational& t, const Moment& moment,
+                     const Diagram& diagram) {
+  DiagramFile file;
+  file.t = round_nearest(t);
+  if (to_rational(file.t) != t) file.t_text = t.get_str();
+  file.scene_sha256 = scene.sha256;
+  const MovingSite<Ball>& container = moment.front();
+  file.container_center = rounded(container.x, container.y);
+  file.container_radius = -rounded(container.r);
+  for (std::size_t g = 1; g < moment.size(); ++g) {
+    const MovingSite<Ball>& disk = moment[g];
+    file.disks.push_back({rounded(disk.x, disk.y), rounded(disk.r), rounded(disk.vx, disk.vy)});
+  }
+  file.edges = diagram.quads();
+  std::set<Triple> vertices;
+  for (const Quad& edge : file.edges) vertices.insert({start_vertex(edge), end_vertex(edge)});
+  for (const Triple& generators : vertices) file.vertices.push_back(vertex(moment, generators));
+  return file;
+}
+
+}  // namespace
+
+DiagramFile snapshot(const Scene& scene, const Rational& t, const EngineOptions& options) {
+  const auto engine = run_to(scene, t, options);
+  const Diagram diagram = diagram_at(engine->motion(), t);
+  return assemble(scene, t, moment_of(engine->motion(), t), diagram);
+}
+
+DiagramFile snapshot(const Scene& scene, const std::string& history_path, const Rational& t,
+                     const EngineOptions& options) {
+  const auto initial = [&] { return diagram_at(run_to(scene, 0, options)->motion(), 0); };
+  const RecordedMoment recorded = recorded_moment(scene, history_path, t, initial);
+  const Moment moment = recorded.states
+                            ? moment_of(scene, *recorded.states, t)
+                            : moment_of(run_to(scene, t, options)->motion(), t);
+  return assemble(scene, t, moment, recorded.diagram);
+}
+
+}  // namespace voroproof

@@ -1,0 +1,59 @@
+// The next contact of the two generators of an edge within a horizon of 1000.
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/data_sets.h"
+#include "bench/paired.h"
+#include "bench/predicates_bench.h"
+#include "filtered/contact.h"
+#include "kinetic/static_diagram.h"
+
+namespace voroproof::bench {
+
+namespace {
+
+constexpr double kHorizon = 1000;
+
+void certified(benchmark::State& state, const std::string& name) {
+  const DataSet& set = data_set(name);
+  std::vector<std::pair<GenId, GenId>> pairs;
+  for (const Quad& q : set.quads) pairs.push_back(std::minmax(q.l, q.r));
+  TierCounts counts;
+  ContactSearch search(*set.motion, counts);
+  const Instant now = instant_at(0);
+  run_paired(
+      state, pairs.size(),
+      [&] {
+        return seconds_of([&] {
+          for (const auto& [i, j] : pairs) {
+            benchmark::DoNotOptimize(search.from(i, j, now, kHorizon));
+          }
+        });
+      },
+      [&] {
+        return seconds_of([&] {
+          for (const auto& [i, j] : pairs) {
+            benchmark::DoNotOptimize(contact_in_doubles(*set.motion, i, j, 0, kHorizon));
+          }
+        });
+      });
+  const auto& by_tier = counts.decided[static_cast<int>(Predicate::contact_search)];
+  double all = 0;
+  for (const auto n : by_tier) all += static_cast<double>(n);
+  state.counters["beyond_double"] =
+      100 * (1 - static_cast<double>(by_tier[static_cast<int>(Tier::filter)]) / all);
+}
+
+}  // namespace
+
+void register_contact_benchmarks() {
+  for (const std::string& name : data_set_names) {
+    benchmark::RegisterBenchmark(("contact/certified/" + name).c_str(),
+                                 [=](benchmark::State& state) { certified(state, name); })
+        ->UseManualTime()
+        ->Unit(benchmark::kMicrosecond);
+  }
+}
+
+}  // namespace voroproof::bench

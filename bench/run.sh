@@ -1,0 +1,41 @@
+#!/bin/sh
+# Builds the benchmarks (Release) and runs them all: about ten minutes on a quiet machine.
+#   bench/run.sh [BUILD]      BUILD: the build directory, by default `build`
+# Tables go to the terminal, results as JSON to BUILD/bench/results.
+set -eu
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+build=${1:-$root/build}
+results=$build/bench/results
+
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DVOROPROOF_BENCH=ON
+cmake --build "$build" --target voroproof_bench_runs voroproof_bench_growth
+# Not there without Google Benchmark.
+predicates=$build/voroproof_bench_predicates
+if cmake --build "$build" --target help | grep -q voroproof_bench_predicates; then
+  cmake --build "$build" --target voroproof_bench_predicates
+else
+  predicates=
+fi
+mkdir -p "$results"
+
+whole_run() { # NAME OPTIONS...
+  name=$1
+  shift
+  "$build/voroproof_bench_runs" "$@" --json "$results/run_$name.json"
+  echo
+}
+whole_run reference --n 1000 --horizon 1000 --repeats 7
+whole_run reference_10000 --n 10000 --horizon 200 --repeats 3
+whole_run dense --n 1000 --horizon 100 --density 0.3 --repeats 5
+whole_run equal --n 1000 --horizon 200 --rmin 5 --rmax 5 --repeats 5
+whole_run nearly_equal --n 1000 --horizon 200 --rmin 5 --rmax 5.000000005 --repeats 5
+
+"$build/voroproof_bench_growth" --json "$results/growth.json"
+echo
+
+if [ -n "$predicates" ]; then
+  "$predicates" --benchmark_min_time=0.2 --benchmark_counters_tabular=true \
+    --benchmark_out="$results/predicates.json" --benchmark_out_format=json
+fi
+echo "results: $results"

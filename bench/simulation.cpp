@@ -1,0 +1,140 @@
+#include "bench/simulation.h"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <ctime>
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+
+#include "apps/history_sink.h"
+#include "apps/scene_motion.h"
+#include "bench/statistics.h"
+#include "corpus/generate.h"
+
+namespace voroproof::bench {
+
+namespace {
+
+// Removes its file at the end, also when a run throws.
+class TemporaryFile {
+ public:
+  TemporaryFile()
+      : path_(std::filesystem::temp_directory_path() /
+              ("voroproof-bench-" + std::to_string(getpid()) + ".history.jsonl")) {}
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  std::string path() const { return path_.string(); }
+  std::uint64_t size() const { return std::filesystem::file_size(path_); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// Notes when the engine hands over the first diagram.
+class TimedSink : public EventSink {
+ public:
+  explicit TimedSink(EventSink& next) : next_(next) {}
+  void begin(const std::vector<Quad>& initial) override {
+    begun_ = Clock::now();
+    next_.begin(initial);
+  }
+  void flip(double t, const Quad& edge) override { next_.flip(t, edge); }
+  void collide(double t, GenId i, GenId j, const RoundedState& first,
+               const RoundedState& second) override {
+    next_.collide(t, i, j, first, second);
+  }
+  void maneuver(double t, GenId disk, const RoundedState& state) override {
+    next_.maneuver(t, disk, state);
+  }
+  Clock::time_point begun() const { return begun_; }
+
+ private:
+  EventSink& next_;
+  Clock::time_point begun_ = Clock::now();
+};
+
+template <bool certified>
+RunResult run(const Scene& scene, bool profile) {
+  const TemporaryFile file;
+  RunResult result;
+  const std::clock_t cpu_start = std::clock();
+  const auto start = Clock::now();
+  {
+    EngineOptions options;
+    options.profile = profile;
+    Engine<certified> engine(motion_input(scene), maneuver_input(scene), options);
+    HistoryWriter writer(file.path());
+    // The scene exists in memory only: its fingerprint stands for none.
+    BackgroundHistorySink history(
+        writer, {std::string(64, '0'), scene.horizon, "voroproof-bench 1", std::nullopt},
+        static_cast<int>(scene.disks.size()));
+    TimedSink sink(history);
+    result.outcome = engine.run(sink);
+    history.finish();
+    if (result.outcome.kind == Outcome::Kind::complete) {
+      writer.end();
+    } else {
+      writer.stopped(result.outcome.t, result.outcome.reason, {});
+    }
+    writer.close();
+    result.loop_seconds = seconds_since(sink.begun());
+    result.stats = engine.stats();
+  }
+  result.seconds = seconds_since(start);
+  result.cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+  result.bytes = file.size();
+  return result;
+}
+
+}  // namespace
+
+Scene scene_of(const SceneChoice& choice) {
+  ReferenceOptions o;
+  o.n = choice.n;
+  o.seed = choice.seed;
+  o.horizon = choice.horizon;
+  o.density = choice.density;
+  o.rmin = choice.rmin;
+  o.rmax = choice.rmax;
+  return generate_reference(o);
+}
+
+RunResult simulate(const Scene& scene, bool certified, bool profile) {
+  return certified ? run<true>(scene, profile) : run<false>(scene, profile);
+}
+
+std::uint64_t peak_memory(const SceneChoice& choice, EngineKind engine) {
+  const pid_t child = fork();
+  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (child == 0) {
+    int status = 1;
+    try {
+      const Scene scene = scene_of(choice);
+      if (engine != EngineKind::none) simulate(scene, engine == EngineKind::certified, false);
+      status = 0;
+    } catch (const std::exception&) {
+      // The exit status tells; the parent reports.
+    }
+    _exit(status);
+  }
+  int status = 0;
+  rusage usage{};
+  while (wait4(child, &status, 0, &usage) < 0) {
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "wait4");
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    throw std::runtime_error("the run whose memory was to be measured failed");
+  }
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace voroproof::bench

@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# From nothing to checked pictures: installs what is missing, builds the program, simulates the
+# paper's kind of data (30 disks), checks the result and draws it. Leaves everything in demo/.
+#
+# usage: scripts/demo.sh [N [SEED [HORIZON]]]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+n=${1:-30}
+seed=${2:-1}
+horizon=${3:-200}
+out=demo
+program=build/voroproof
+
+say() { printf '\n== %s\n' "$*"; }
+run() {
+  printf '$ %s\n' "$*"
+  "$@"
+}
+
+# The set of edges of a diagram file: the structure, without coordinates.
+edges_of() { sed -n '/^"edges":\[/,$p' "$1"; }
+
+# The structure replayed from the history must be the one constructed afresh from the disks alone.
+check_history() {
+  local scene=$1 history=$2
+  shift 2
+  local t replayed=$out/replayed.diagram.json fresh=$out/fresh.diagram.json
+  "$program" validate "$scene" "$history"
+  for t in "$@"; do
+    "$program" snapshot "$scene" "$history" --at "$t" -o "$replayed"
+    "$program" snapshot "$scene" --at "$t" -o "$fresh"
+    "$program" validate "$replayed" "$fresh"
+    if [ -z "$(edges_of "$fresh")" ] ||
+      ! cmp -s <(edges_of "$replayed") <(edges_of "$fresh"); then
+      echo "t = $t: the history and the construction from scratch DIFFER" >&2
+      return 1
+    fi
+    echo "t = $t: $(edges_of "$fresh" | grep -c '^\[') edges, equal from the history and from scratch"
+  done
+  rm -f "$replayed" "$fresh"
+}
+
+say "Packages"
+scripts/install-deps.sh
+
+say "Building $program"
+cmake --preset demo
+cmake --build --preset demo -j "${JOBS:-$(nproc)}"
+
+mkdir -p "$out"
+scene=$out/scene.json
+history=$out/scene.history.jsonl
+
+say "A scene: $n disks, density 0.05, unit speed, up to t = $horizon"
+run "$program" generate reference --n "$n" --seed "$seed" --horizon "$horizon" -o "$scene"
+
+say "Its history: every flip of an edge and every collision"
+run "$program" simulate "$scene" -o "$history" --stats "$out/stats.json"
+tail -n 1 "$history"
+
+say "A check"
+times=()
+for percent in 0 10 25 50 75 90 100; do times+=("$((horizon * percent))/100"); done
+check_history "$scene" "$history" "${times[@]}"
+
+say "Pictures"
+for k in 0 1 2 3; do
+  picture=$out/frame$k
+  run "$program" snapshot "$scene" "$history" --at "$((horizon * k))/3" -o "$picture.diagram.json"
+  run "$program" render "$picture.diagram.json" -o "$picture.svg"
+  run "$program" render "$picture.diagram.json" -o "$picture.png"
+done
+
+say "Done: a scene, its history, statistics and four diagrams with pictures"
+ls "$out"

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that the project needs and that are not there yet.
+#
+# usage: scripts/install-deps.sh [test] [bench] [ci]
+#   without arguments: what building and running the program takes
+#   test:  what building the tests takes besides
+#   bench: what the benchmarks and the peers they measure take besides
+#   ci:    the second compiler and the formatter besides
+#
+# Where nothing is missing it neither asks for root nor uses the network.
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build pkg-config
+  libgmp-dev libmpfr-dev             # exact numbers, balls
+  libboost-dev libcgal-dev           # spatial sorting; oracles of the tests
+  nlohmann-json3-dev libcli11-dev    # files, command line
+  libssl-dev libcairo2-dev           # SHA-256, pictures
+)
+for group in "$@"; do
+  case "$group" in
+    test) packages+=(libgtest-dev librapidcheck-dev) ;;
+    bench) packages+=(libbenchmark-dev libmpfi-dev libflint-dev libflint-arb-dev) ;;
+    ci) packages+=(clang clang-format) ;;
+    *)
+      echo "install-deps: unknown group '$group' (test, bench, ci)" >&2
+      exit 2
+      ;;
+  esac
+done
+
+if ! command -v dpkg-query >/dev/null; then
+  echo "install-deps: this is no Debian system; needed are the equivalents of: ${packages[*]}" >&2
+  exit 0
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  echo "install-deps: all ${#packages[@]} packages are installed"
+  exit 0
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "install-deps: neither root nor sudo; as root, run: apt-get install ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+echo "install-deps: installing ${missing[*]}"
+# The lists on hand may do where fetching new ones fails.
+"${as_root[@]}" apt-get update -qq || echo "install-deps: apt-get update failed" >&2
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -y -qq --no-install-recommends "${missing[@]}"

@@ -1,0 +1,67 @@
+// Properties of the engine over small integer scenes, where ties are ordinary. A failing scene
+// is shrunk and shown as a scene file. RC_PARAMS="max_success=10000" looks further.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/support/history_check.h"
+#include "tests/support/lattice_scene.h"
+
+namespace voroproof::testing {
+namespace {
+
+// Nothing in these families needs more than the budget, except that inelastic collapse is a
+// reason to stop.
+void expect_right(const LatticeScene& lattice, bool may_collapse = false) {
+  const Scene scene = scene_of(lattice);
+  const Run history = run(scene);
+  if (may_collapse && !history.complete()) {
+    RC_ASSERT(history.outcome.reason.find("inelastic collapse") != std::string::npos);
+    return;
+  }
+  CheckCounts seen;
+  const std::string fault = check_history(scene, history, {}, &seen);
+  RC_ASSERT(fault == std::string());
+  RC_CLASSIFY(history.count(Event::Kind::flip) > 0, "flips");
+  RC_CLASSIFY(history.count(Event::Kind::collision) > 0, "collisions");
+  RC_CLASSIFY(seen.ties > 0, "simultaneous events");
+}
+
+RC_GTEST_PROP(EngineOnLattice, Elastic, ()) {
+  expect_right(*lattice_scenes({}));
+}
+
+RC_GTEST_PROP(EngineOnLattice, EqualRadii, ()) {
+  LatticeFamily family;
+  family.max_radius = 1;
+  expect_right(*lattice_scenes(family));
+}
+
+RC_GTEST_PROP(EngineOnLattice, WithPoints, ()) {
+  LatticeFamily family;
+  family.min_radius = 0;
+  family.max_radius = 2;
+  expect_right(*lattice_scenes(family));
+}
+
+RC_GTEST_PROP(EngineOnLattice, WithManeuvers, ()) {
+  LatticeFamily family;
+  family.maneuvers = true;
+  expect_right(*lattice_scenes(family));
+}
+
+RC_GTEST_PROP(EngineOnLattice, AtRestButForManeuvers, ()) {
+  LatticeFamily family;
+  family.maneuvers = true;
+  family.max_speed = 1;
+  expect_right(*lattice_scenes(family));
+}
+
+RC_GTEST_PROP(EngineOnLattice, Inelastic, ()) {
+  LatticeFamily family;
+  family.elastic = false;
+  family.maneuvers = true;
+  expect_right(*lattice_scenes(family), true);
+}
+
+}  // namespace
+}  // namespace voroproof::testing

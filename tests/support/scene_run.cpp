@@ -1,0 +1,163 @@
+#include "tests/support/scene_run.h"
+
+#include <bit>
+#include <sstream>
+#include <utility>
+
+#include "apps/scene_motion.h"
+#include "history/error.h"
+
+namespace voroproof::testing {
+namespace {
+
+class Recorder : public EventSink {
+ public:
+  explicit Recorder(Run& run) : run_(run) {}
+
+  void begin(const std::vector<Quad>& initial) override {
+    run_.initial = initial;
+    ++run_.begins;
+  }
+  void flip(double t, const Quad& edge) override {
+    Event e{Event::Kind::flip, t};
+    e.edge = edge;
+    run_.events.push_back(e);
+  }
+  void collide(double t, GenId i, GenId j, const RoundedState& first,
+               const RoundedState& second) override {
+    run_.events.push_back({Event::Kind::collision, t, {}, i, j, first, second});
+  }
+  void maneuver(double t, GenId disk, const RoundedState& state) override {
+    run_.events.push_back({Event::Kind::maneuver, t, {}, disk, disk, state, {}});
+  }
+
+ private:
+  Run& run_;
+};
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+bool same_state(const RoundedState& a, const RoundedState& b) {
+  return same_bits(a.px, b.px) && same_bits(a.py, b.py) && same_bits(a.vx, b.vx) &&
+         same_bits(a.vy, b.vy);
+}
+
+bool same_event(const Event& a, const Event& b) {
+  if (a.kind != b.kind || !same_bits(a.t, b.t)) return false;
+  if (a.kind == Event::Kind::flip) return a.edge == b.edge;
+  if (a.i != b.i || a.j != b.j) return false;
+  const bool first_counts = a.i != container_id, second_counts = a.kind == Event::Kind::collision;
+  return (!first_counts || same_state(a.first, b.first)) &&
+         (!second_counts || same_state(a.second, b.second));
+}
+
+std::string name(const Event& e) {
+  switch (e.kind) {
+    case Event::Kind::flip:
+      return "flip " + text(e.edge);
+    case Event::Kind::collision:
+      return "collide " + std::to_string(e.i) + " " + std::to_string(e.j);
+    case Event::Kind::maneuver:
+      return "maneuver " + std::to_string(e.i);
+  }
+  return "";
+}
+
+void write_state(std::ostream& out, const RoundedState& s) {
+  out << " p (" << s.px << ", " << s.py << ") v (" << s.vx << ", " << s.vy << ")";
+}
+
+}  // namespace
+
+DiskSpec disk(Rational x, Rational y, Rational radius, Rational vx, Rational vy) {
+  Rational mass = radius * radius;
+  return disk(std::move(x), std::move(y), std::move(radius), std::move(vx), std::move(vy),
+              std::move(mass));
+}
+
+DiskSpec disk(Rational x, Rational y, Rational radius, Rational vx, Rational vy, Rational mass) {
+  return {std::move(x),  std::move(y),  std::move(radius),
+          std::move(vx), std::move(vy), std::move(mass)};
+}
+
+Scene scene_of(Rational container_radius, Rational horizon, std::vector<DiskSpec> disks) {
+  Scene scene;
+  scene.container_radius = std::move(container_radius);
+  scene.horizon = std::move(horizon);
+  scene.disks = std::move(disks);
+  return scene;
+}
+
+bool is_acceptable(const Scene& scene) {
+  try {
+    parse_scene(text(scene), "scene");
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::string text(const Scene& scene) {
+  std::ostringstream out;
+  write_scene(out, scene);
+  return out.str();
+}
+
+std::string text(const Quad& q) {
+  std::ostringstream out;
+  out << '[' << q.l << ',' << q.r << ',' << q.s << ',' << q.e << ']';
+  return out.str();
+}
+
+std::string text(const Event& event) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "t = " << event.t << ": " << name(event);
+  if (event.kind != Event::Kind::flip) {
+    if (event.i != container_id) write_state(out, event.first);
+    if (event.kind == Event::Kind::collision) write_state(out, event.second);
+  }
+  return out.str();
+}
+
+std::size_t Run::count(Event::Kind kind) const {
+  std::size_t n = 0;
+  for (const Event& e : events) n += e.kind == kind;
+  return n;
+}
+
+Run run(const Scene& scene, const MotionOptions& options) {
+  Run result;
+  Recorder recorder(result);
+  EngineOptions engine_options;
+  engine_options.motion = options;
+  Engine<true> engine(motion_input(scene), maneuver_input(scene), engine_options);
+  result.outcome = engine.run(recorder);
+  result.stats = engine.stats();
+  result.final_diagram = engine.diagram().quads();
+  return result;
+}
+
+std::vector<std::string> names(const Run& run) {
+  std::vector<std::string> result;
+  for (const Event& e : run.events) result.push_back(name(e));
+  return result;
+}
+
+std::string difference(const Run& a, const Run& b) {
+  if (a.outcome.kind != b.outcome.kind) return "outcomes";
+  if (a.initial != b.initial) return "initial diagrams";
+  for (std::size_t k = 0; k < a.events.size() && k < b.events.size(); ++k) {
+    if (!same_event(a.events[k], b.events[k])) {
+      return "event " + std::to_string(k) + ": " + text(a.events[k]) + " and " + text(b.events[k]);
+    }
+  }
+  if (a.events.size() != b.events.size()) {
+    return std::to_string(a.events.size()) + " and " + std::to_string(b.events.size()) + " events";
+  }
+  return "";
+}
+
+}  // namespace voroproof::testing

@@ -1,0 +1,60 @@
+// Scenes made in a line, and the engine's history of one, kept in memory.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <string>
+#include <vector>
+
+#include "history/scene.h"
+#include "kinetic/engine.h"
+
+namespace voroproof::testing {
+
+// Mass: radius squared, as by default in scene files.
+DiskSpec disk(Rational x, Rational y, Rational radius, Rational vx, Rational vy);
+DiskSpec disk(Rational x, Rational y, Rational radius, Rational vx, Rational vy, Rational mass);
+
+// An elastic scene around the origin.
+Scene scene_of(Rational container_radius, Rational horizon, std::vector<DiskSpec> disks);
+
+// Whether the readers of scene files accept it: nothing overlaps, nobody slides along the wall.
+bool is_acceptable(const Scene& scene);
+
+// The scene file, for messages that can be reproduced.
+std::string text(const Scene& scene);
+std::string text(const Quad& q);
+
+struct Event {
+  enum class Kind { flip, collision, maneuver };
+  Kind kind;
+  double t;
+  Quad edge{};                     // of a flip
+  GenId i = 0, j = 0;              // of a collision, i < j; a maneuver has i = j
+  RoundedState first{}, second{};  // of a collision: `first` is meaningless for the container
+};
+
+std::string text(const Event& event);
+
+struct Run {
+  std::vector<Quad> initial;
+  std::vector<Event> events;
+  std::vector<Quad> final_diagram;  // of the engine when it ended
+  Outcome outcome;
+  EngineStats stats;
+  int begins = 0;  // calls of EventSink::begin
+
+  bool complete() const { return outcome.kind == Outcome::Kind::complete; }
+  std::size_t count(Event::Kind kind) const;
+};
+
+// The exact engine's run from 0 to the horizon.
+Run run(const Scene& scene, const MotionOptions& options = {});
+
+// "flip [..]" or "collide i j" in order, without times: what two runs must share.
+std::vector<std::string> names(const Run& run);
+
+// The first difference between two runs in events or any written number; empty if there is none.
+std::string difference(const Run& a, const Run& b);
+
+}  // namespace voroproof::testing
