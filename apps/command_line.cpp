@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <system_error>
 
@@ -23,11 +24,15 @@ bool same_file(const std::string& a, const std::string& b) {
   return error ? a == b : first == second;
 }
 
-// Digits only: the command line's library would take 010 for eight and wrap -1 around.
+// The library of the command line would take 010 for eight, wrap -1 around and cut what is too
+// large.
 std::string fault_of_whole(const std::string& text) {
-  const bool digits =
-      !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  if (!digits || (text.size() > 1 && text[0] == '0')) return text + " is not a whole number";
+  const char* const end = text.data() + text.size();
+  std::uint64_t value = 0;
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end || text != std::to_string(value)) {
+    return text + " is not a whole number below 2^64";
+  }
   return {};
 }
 
@@ -58,7 +63,7 @@ CLI::Option* add_choice(CLI::App& verb, const std::string& name,
                         const std::string& description) {
   return verb.add_option(name, value, description)
       ->check(CLI::IsMember(choices))
-      ->type_name("")
+      ->type_name("NAME")
       ->capture_default_str();
 }
 

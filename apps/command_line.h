@@ -53,7 +53,7 @@ CLI::Option* add_choice(CLI::App& verb, const std::string& name,
                         const std::vector<std::string>& choices, std::string& value,
                         const std::string& description);
 
-// Lets an integer option take decimal digits only.
+// Lets an integer option take nothing but a whole number in its usual decimal form.
 CLI::Validator whole_number();
 
 // A time >= 0 from its exact text: a decimal, a fraction or a hexadecimal float, within the limits

@@ -80,7 +80,7 @@ void add_enum(CLI::App& verb, const std::string& name, const std::map<std::strin
   verb.add_option_function<std::string>(
           name, [&names, &value](const std::string& text) { value = names.at(text); }, description)
       ->check(CLI::IsMember(&names))
-      ->type_name("")
+      ->type_name("NAME")
       ->default_str(initial);
 }
 

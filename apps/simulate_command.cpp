@@ -182,7 +182,8 @@ void add_simulate(CLI::App& app, Action& action) {
              "whether decisions are tried in doubles and double-doubles first; the history does\n"
              "not depend on it");
   verb->add_flag("--quiet", request->quiet, "no progress on the terminal and no summary");
-  verb->footer("Example:\n  voroproof simulate a.scene.json -o a.history.jsonl --stats a.stats.json");
+  verb->footer(
+      "Example:\n  voroproof simulate a.scene.json -o a.history.jsonl --stats a.stats.json");
   verb->callback([request, &action] { action = [request] { return simulate(*request); }; });
 }
 

@@ -73,8 +73,8 @@ Moment moment_of(const Scene& scene, const std::vector<RecordedState>& states, c
     const auto& [since, center, velocity] = states[i];
     const Rational x = center[0] + velocity[0] * (t - since);
     const Rational y = center[1] + velocity[1] * (t - since);
-    moment.push_back({ball(x), ball(y), ball(velocity[0]), ball(velocity[1]),
-                      ball(scene.disks[i].radius)});
+    moment.push_back(
+        {ball(x), ball(y), ball(velocity[0]), ball(velocity[1]), ball(scene.disks[i].radius)});
   }
   return moment;
 }
@@ -142,9 +142,8 @@ DiagramFile snapshot(const Scene& scene, const std::string& history_path, const 
                      const EngineOptions& options) {
   const auto initial = [&] { return diagram_at(run_to(scene, 0, options)->motion(), 0); };
   const RecordedMoment recorded = recorded_moment(scene, history_path, t, initial);
-  const Moment moment = recorded.states
-                            ? moment_of(scene, *recorded.states, t)
-                            : moment_of(run_to(scene, t, options)->motion(), t);
+  const Moment moment = recorded.states ? moment_of(scene, *recorded.states, t)
+                                        : moment_of(run_to(scene, t, options)->motion(), t);
   return assemble(scene, t, moment, recorded.diagram);
 }
 

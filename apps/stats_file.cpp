@@ -64,7 +64,8 @@ std::string stats_text(const RunDescription& run, const Outcome& outcome,
                       {"disks", stats.disk_collisions},
                       {"container", stats.wall_collisions}}},
                     {"maneuvers", stats.maneuvers}};
-  json["predicted"] = {{"flips", stats.predicted_flips}, {"collisions", stats.predicted_collisions}};
+  json["predicted"] = {{"flips", stats.predicted_flips},
+                       {"collisions", stats.predicted_collisions}};
   json["searches"] = {{"flips", stats.flip_searches}, {"collisions", stats.contact_searches}};
   json["ties"] = stats.ties;
   json["settling_flips"] = stats.settling_flips;

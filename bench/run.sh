@@ -29,7 +29,7 @@ whole_run reference --n 1000 --horizon 1000 --repeats 7
 whole_run reference_10000 --n 10000 --horizon 200 --repeats 3
 whole_run dense --n 1000 --horizon 100 --density 0.3 --repeats 5
 whole_run equal --n 1000 --horizon 200 --rmin 5 --rmax 5 --repeats 5
-whole_run nearly_equal --n 1000 --horizon 200 --rmin 5 --rmax 5.000000005 --repeats 5
+whole_run nearly_equal --n 1000 --horizon 200 --rmin 5 --rmax 5.000000005 --repeats 3
 
 "$build/voroproof_bench_growth" --json "$results/growth.json"
 echo

@@ -21,10 +21,10 @@ struct SceneChoice {
 Scene scene_of(const SceneChoice& choice);
 
 struct RunResult {
-  double seconds = 0;       // everything from the scene in memory to the closed history
-  double cpu_seconds = 0;   // the same, of all threads, as the system counts them
-  double loop_seconds = 0;  // from the first diagram on: without the static construction
-  std::uint64_t bytes = 0;  // of the history
+  double seconds = 0;           // everything from the scene in memory to the closed history
+  double cpu_seconds = 0;       // the same, of all threads, as the system counts them
+  double loop_cpu_seconds = 0;  // from the first diagram on: without its construction
+  std::uint64_t bytes = 0;      // of the history
   Outcome outcome;
   EngineStats stats;
   std::uint64_t events() const {

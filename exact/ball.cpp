@@ -81,10 +81,11 @@ void Ball::set_precision(Precision bits) {
 Magnitude Ball::magnitude_of(mpfr_srcptr x) {
   if (mpfr_zero_p(x)) return Magnitude();
   if (!mpfr_number_p(x)) return Magnitude::power_of_two(kInfiniteExponent);
-  // The leading 53 bits, rounded away from zero: scale to [1, 2) by hand.
-  long e = 0;
-  const double m = mpfr_get_d_2exp(&e, x, MPFR_RNDA);
-  return Magnitude::of(m).scaled(e);
+  // |x| = m 2^exp with m in [1/2, 1); its leading 53 bits, rounded up.
+  const mp_size_t top = (mpfr_get_prec(x) - 1) / GMP_NUMB_BITS;
+  static_assert(GMP_NUMB_BITS == 64);
+  const auto leading = static_cast<double>((x->_mpfr_d[top] >> 11) + 1);
+  return Magnitude::of(leading * 0x1p-53).scaled(mpfr_get_exp(x));
 }
 
 Sign Ball::sign() const {
@@ -112,6 +113,15 @@ bool Ball::round_to_double(double& out) const {
     out = mpfr_get_d(mid_, MPFR_RNDN);
     return true;
   }
+  // hi is the nearest double of hi + lo unless the ball reaches half way to a neighbour.
+  double hi = 0, lo = 0, err = 0;
+  to_double_double(hi, lo, err);
+  const double reach_of_ball = (std::fabs(lo) + err) * kUp;
+  const double toward_zero = std::fabs(hi) - std::nextafter(std::fabs(hi), 0.0);
+  if (std::fabs(hi) > 1e-290 && reach_of_ball < 0.5 * toward_zero * (1 - 0x1p-50)) {
+    out = hi;
+    return true;
+  }
   // Both ends of the ball, rounded outward at a precision that leaves the ends
   // where they are up to a relative 2^-64 of the radius, must round to one double.
   const Precision bits = std::max<Precision>(precision(), 64) + 64;
@@ -125,11 +135,11 @@ bool Ball::round_to_double(double& out) const {
   mpfr_set_d(reach.mid_, unit.to_double(), MPFR_RNDU);
   mpfr_mul_2si(reach.mid_, reach.mid_, static_cast<long>(radius_.exponent()), MPFR_RNDU);
   mpfr_sub(end.mid_, mid_, reach.mid_, MPFR_RNDD);
-  const double lo = mpfr_get_d(end.mid_, MPFR_RNDN);
+  const double low_end = mpfr_get_d(end.mid_, MPFR_RNDN);
   mpfr_add(end.mid_, mid_, reach.mid_, MPFR_RNDU);
-  const double hi = mpfr_get_d(end.mid_, MPFR_RNDN);
-  if (lo != hi) return false;
-  out = lo;
+  const double high_end = mpfr_get_d(end.mid_, MPFR_RNDN);
+  if (low_end != high_end) return false;
+  out = low_end;
   return true;
 }
 
@@ -169,53 +179,47 @@ void Ball::to_double_double(double& hi, double& lo, double& err) const {
 }
 
 void Ball::add(Ball& out, const Ball& a, const Ball& b, Precision bits) {
-  const Magnitude radius = a.radius_ + b.radius_;
-  if (&out != &a && &out != &b) {
-    out.set_precision(bits);
-    const int t = mpfr_add(out.mid_, a.mid_, b.mid_, MPFR_RNDN);
-    out.radius_ = radius;
-    out.add_rounding(t);
+  if (out.precision_or(bits) != bits && (&out == &a || &out == &b)) {
+    Ball r(bits);
+    add(r, a, b, bits);
+    out = std::move(r);
     return;
   }
-  Ball r(bits);
-  const int t = mpfr_add(r.mid_, a.mid_, b.mid_, MPFR_RNDN);
-  r.radius_ = radius;
-  r.add_rounding(t);
-  out = std::move(r);
+  const Magnitude radius = a.radius_ + b.radius_;
+  out.set_precision(bits);
+  const int t = mpfr_add(out.mid_, a.mid_, b.mid_, MPFR_RNDN);
+  out.radius_ = radius;
+  out.add_rounding(t);
 }
 
 void Ball::sub(Ball& out, const Ball& a, const Ball& b, Precision bits) {
-  const Magnitude radius = a.radius_ + b.radius_;
-  if (&out != &a && &out != &b) {
-    out.set_precision(bits);
-    const int t = mpfr_sub(out.mid_, a.mid_, b.mid_, MPFR_RNDN);
-    out.radius_ = radius;
-    out.add_rounding(t);
+  if (out.precision_or(bits) != bits && (&out == &a || &out == &b)) {
+    Ball r(bits);
+    sub(r, a, b, bits);
+    out = std::move(r);
     return;
   }
-  Ball r(bits);
-  const int t = mpfr_sub(r.mid_, a.mid_, b.mid_, MPFR_RNDN);
-  r.radius_ = radius;
-  r.add_rounding(t);
-  out = std::move(r);
+  const Magnitude radius = a.radius_ + b.radius_;
+  out.set_precision(bits);
+  const int t = mpfr_sub(out.mid_, a.mid_, b.mid_, MPFR_RNDN);
+  out.radius_ = radius;
+  out.add_rounding(t);
 }
 
 void Ball::mul(Ball& out, const Ball& a, const Ball& b, Precision bits) {
+  if (out.precision_or(bits) != bits && (&out == &a || &out == &b)) {
+    Ball r(bits);
+    mul(r, a, b, bits);
+    out = std::move(r);
+    return;
+  }
   Magnitude radius;
   if (!a.radius_.is_zero()) radius = a.radius_ * (magnitude_of(b.mid_) + b.radius_);
   if (!b.radius_.is_zero()) radius = radius + b.radius_ * magnitude_of(a.mid_);
-  if (&out != &a && &out != &b) {
-    out.set_precision(bits);
-    const int t = mpfr_mul(out.mid_, a.mid_, b.mid_, MPFR_RNDN);
-    out.radius_ = radius;
-    out.add_rounding(t);
-    return;
-  }
-  Ball r(bits);
-  const int t = mpfr_mul(r.mid_, a.mid_, b.mid_, MPFR_RNDN);
-  r.radius_ = radius;
-  r.add_rounding(t);
-  out = std::move(r);
+  out.set_precision(bits);
+  const int t = mpfr_mul(out.mid_, a.mid_, b.mid_, MPFR_RNDN);
+  out.radius_ = radius;
+  out.add_rounding(t);
 }
 
 void Ball::sqr(Ball& out, const Ball& a, Precision bits) { mul(out, a, a, bits); }

@@ -118,6 +118,10 @@ class Ball {
 
  private:
   void set_precision(Precision bits);
+  // A moved-from ball has no precision: then `bits`.
+  Precision precision_or(Precision bits) const {
+    return mid_->_mpfr_d == nullptr ? bits : mpfr_get_prec(mid_);
+  }
   // Adds the rounding error of the operation that just wrote mid_.
   void add_rounding(int ternary) {
     if (ternary != 0) {

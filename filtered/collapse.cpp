@@ -62,9 +62,10 @@ struct EdgeTriples {
 
 // Reads the verdict off the signs just after the root. Both circles must exist from
 // the root to that time: `exist` is evaluated over the whole interval.
-template <class T>
-Verdict judge(const Quad& q, const EdgeTriples<T>& hull, const std::array<Site<T>, 4>& at_hull,
-              const std::array<Site<T>, 4>& at_after, Sign f_after) {
+template <class T, class SitesAfter>
+Verdict judge(const Quad& q, const std::array<Site<T>, 4>& at_hull, SitesAfter&& sites_after,
+              Sign f_after) {
+  const EdgeTriples<T> hull = EdgeTriples<T>::of(q, at_hull);
   const Sign start_exists = circle_exists(hull.start);
   if (start_exists == Sign::negative) return Verdict::stays;
   const Sign end_exists = circle_exists(hull.end);
@@ -80,6 +81,7 @@ Verdict judge(const Quad& q, const EdgeTriples<T>& hull, const std::array<Site<T
   Sign a = in_start(hull, at_hull);
   Sign b = in_end(hull, at_hull);
   if (a == Sign::unknown || b == Sign::unknown) {
+    const std::array<Site<T>, 4> at_after = sites_after();
     const EdgeTriples<T> after = EdgeTriples<T>::of(q, at_after);
     a = in_start(after, at_after);
     b = in_end(after, at_after);
@@ -113,7 +115,7 @@ Site<double> plain_site(const Motion& motion, GenId g, double t) {
 Verdict judge_in_doubles(const Motion& m, const Quad& q, double after, Sign f) {
   const std::array<Site<double>, 4> at{plain_site(m, q.l, after), plain_site(m, q.r, after),
                                        plain_site(m, q.s, after), plain_site(m, q.e, after)};
-  return judge(q, EdgeTriples<double>::of(q, at), at, at, f);
+  return judge(q, at, [&] { return at; }, f);
 }
 
 // ---- The double tier: subdivision of one Bernstein form. ----
@@ -424,10 +426,11 @@ int count_roots_in(const Coefficients<T>& c) {
   return variations <= 1 ? variations : -1;
 }
 
-// The answer of a tier that may give up.
+// The answer of a tier that may give up: then it is decided up to `reached` only.
 struct Attempt {
   bool decided = false;
   Collapse answer;
+  Rational reached;
 };
 
 Collapse make_root(const Rational& lo, const Rational& hi) {
@@ -471,18 +474,16 @@ Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, co
       for (;;) {
         const T hull = make.hull(part.a, part.b);
         const auto at_hull = sites(motion, q, hull);
-        const auto at_after = sites(motion, q, make(part.b));
-        const Verdict verdict =
-            judge(q, EdgeTriples<T>::of(q, at_hull), at_hull, at_after,
-                  cotangency_sign(-before, cocircular));
+        const auto after = [&] { return sites(motion, q, make(part.b)); };
+        const Verdict verdict = judge(q, at_hull, after, cotangency_sign(-before, cocircular));
         const bool near_now = now != nullptr && part.a <= to_rational(now->hi);
         if (verdict == Verdict::stays && !near_now) break;
         if (verdict == Verdict::collapses && !near_now &&
             voroproof::round_up(part.b) - voroproof::round_down(part.a) <
                 1e-6 * (1 + std::fabs(voroproof::round_down(part.a)))) {
-          return {true, make_root(part.a, part.b)};
+          return {true, make_root(part.a, part.b), {}};
         }
-        if (++part.depth > max_halvings) return {};
+        if (++part.depth > max_halvings) return {false, {}, part.a};
         Coefficients<T> left, right;
         halve_in(part.c, half, left, right);
         const Sign middle = sign(right.front());
@@ -494,12 +495,12 @@ Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, co
           part.b = m;
           part.c = std::move(left);
         } else {
-          return {};
+          return {false, {}, part.a};
         }
       }
       continue;
     }
-    if (++part.depth > max_halvings) return {};
+    if (++part.depth > max_halvings) return {false, {}, part.a};
     const Rational m = (part.a + part.b) / 2;
     Part right{m, part.b, {}, part.depth};
     Part left{part.a, m, {}, part.depth};
@@ -507,7 +508,7 @@ Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, co
     stack.push_back(std::move(right));
     stack.push_back(std::move(left));
   }
-  return {true, none_until(voroproof::round_down(end))};
+  return {true, none_until(voroproof::round_down(end)), {}};
 }
 
 // ---- The exact tier. ----
@@ -531,7 +532,7 @@ bool equal_radii(const Quad& q, ExactMotion& exact) {
 
 Polynomial<Tower> flip_polynomial(const Quad& q, ExactMotion& exact) {
   const auto p = paths(q, exact);
-  return equal_radii(q, exact) ? cocircularity(p[0], p[1], p[2], p[3])
+  return equal_radii(q, exact) ? cocircularity(p[3], p[0], p[1], p[2])
                                : cotangency(p[0], p[1], p[2], p[3]);
 }
 
@@ -621,7 +622,8 @@ ValueAndSlope<T> flip_value_and_slope(const Motion& m, const Quad& q, const T& t
 template <class T>
 T flip_value(const Motion& m, const Quad& q, const T& t, bool cocircular) {
   const auto s = sites(m, q, t);
-  return cocircular ? cocircularity(s[0], s[1], s[2], s[3]) : cotangency(s[0], s[1], s[2], s[3]);
+  // The base is the last site, as in cocircularity_and_slope: another base may turn the sign.
+  return cocircular ? cocircularity(s[3], s[0], s[1], s[2]) : cotangency(s[0], s[1], s[2], s[3]);
 }
 
 }  // namespace
@@ -636,9 +638,9 @@ std::optional<Collapse> CollapseSearch::filter(const Quad& q, const BernsteinFor
   const double reached = each_root(form, start, end, [&](const DoubleRoot& root) {
     const DoubleBall hull = DoubleBall::hull(root.lo, root.hi);
     const auto at_hull = sites(motion_, q, hull);
-    const auto at_after = sites(motion_, q, DoubleBall(root.hi));
-    const Verdict verdict = judge(q, EdgeTriples<DoubleBall>::of(q, at_hull), at_hull, at_after,
-                                  cotangency_sign(root.after, form.degree == 4));
+    const auto after = [&] { return sites(motion_, q, DoubleBall(root.hi)); };
+    const Verdict verdict =
+        judge(q, at_hull, after, cotangency_sign(root.after, form.degree == 4));
     if (verdict == Verdict::stays) return true;
     decided = verdict == Verdict::collapses;
     if (decided) answer = Collapse{Collapse::Kind::root, root.lo, root.hi, nullptr};
@@ -655,6 +657,7 @@ Collapse CollapseSearch::after(const Quad& q, double start, double end,
   if (q.s == q.e || at_relative_rest(q)) return none_until(kInfinity);  // Lemma 8
   if (fine != nullptr) return slow(q, fine->hi, nullptr, end);
   if (!(start < end)) return none_until(end);
+  if (!motion_.options().filters) return slow(q, to_rational(start), nullptr, end);
   BernsteinForm form;
   std::optional<Collapse> answer;
   if (form_flip_polynomial<true>(motion_, q, start, end, form)) {
@@ -670,7 +673,7 @@ Collapse CollapseSearch::after(const Quad& q, double start, double end,
 Collapse CollapseSearch::from(const Quad& q, const Instant& now, double end) {
   if (q.s == q.e) return none_until(kInfinity);
   if (at_relative_rest(q)) return at_rest(q, now);
-  if (now.lo < end) {
+  if (now.lo < end && motion_.options().filters) {
     BernsteinForm form;
     std::optional<Collapse> answer;
     if (form_flip_polynomial<true>(motion_, q, now.lo, end, form)) {
@@ -723,15 +726,26 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
                               double end) {
   const Rational finish =
       std::max<Rational>(to_rational(end), start + Rational(1, 1L << 40));
-  Attempt attempt = search_in<DdBall>(motion_, q, start, finish, now, 48, MakeDd{});
-  if (attempt.decided) {
-    counts_.count(Predicate::flip_search, Tier::dd);
-    return attempt.answer;
+  Attempt attempt;
+  if (motion_.options().filters) {
+    attempt = search_in<DdBall>(motion_, q, start, finish, now, 48, MakeDd{});
+    if (!attempt.decided) {
+      // What is hard later in the window can wait: an event may come first.
+      const double from = now != nullptr ? now->hi : voroproof::round_up(start);
+      const double reached = voroproof::round_down(attempt.reached);
+      attempt.decided = reached - from > 0.01 * (end - from);
+      attempt.answer = none_until(reached);
+    }
+    if (attempt.decided) {
+      counts_.count(Predicate::flip_search, Tier::dd);
+      return attempt.answer;
+    }
   }
   std::string budget;
   for (bool tried_exact = false;;) {
     const int bits = motion_.goal_bits() + 32;
-    attempt = search_in<Ball>(motion_, q, start, finish, now, bits / 2, MakeBall{bits});
+    attempt = search_in<Ball>(motion_, q, start, finish, now, std::min(bits / 2, 512),
+                              MakeBall{bits});
     if (attempt.decided) {
       counts_.count(Predicate::flip_search, Tier::ball);
       return attempt.answer;
@@ -885,31 +899,6 @@ ExactTime CollapseSearch::exact_root(const Quad& q, const Rational& lo, const Ra
   if (lo == hi) return ExactTime(lo);
   const Polynomial<Tower> phi = flip_polynomial(q, exact);
   return ExactTime(phi, RootInterval{lo, hi});
-}
-
-Sign CollapseSearch::sign_at(const Quad& q, const Rational& t) {
-  const bool cocircular = flip_polynomial_is_cocircularity(motion_, q);
-  Sign s = sign(flip_value(motion_, q, MakeDd{}(t), cocircular));
-  if (s != Sign::unknown) return s;
-  std::string budget;
-  for (bool tried_exact = false;;) {
-    s = sign(flip_value(motion_, q, Ball(t, motion_.goal_bits() + 32), cocircular));
-    if (s != Sign::unknown) return s;
-    if (!tried_exact) {
-      tried_exact = true;
-      try {
-        ExactMotion exact(motion_);
-        const auto at = exact_sites(q, t, exact);
-        return cocircular ? sign(cocircularity(at[0], at[1], at[2], at[3]))
-                          : sign(cotangency(at[0], at[1], at[2], at[3]));
-      } catch (const BudgetExceeded& e) {
-        budget = e.what();
-      }
-    }
-    if (!motion_.raise_precision()) {
-      throw Undecided("the sign of a flip polynomial at a given time: " + budget, q);
-    }
-  }
 }
 
 Collapse collapse_in_doubles(const Motion& motion, const Quad& q, double start, double end) {

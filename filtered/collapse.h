@@ -70,8 +70,6 @@ class CollapseSearch {
   // The same root exactly.
   static ExactTime exact_root(const Quad& q, const Rational& lo, const Rational& hi,
                               ExactMotion& exact);
-  // The sign of q's flip polynomial at an exact time. May throw Undecided.
-  Sign sign_at(const Quad& q, const Rational& t);
 
  private:
   std::optional<Collapse> filter(const Quad& q, const BernsteinForm& form, double start,

@@ -46,6 +46,7 @@ NextContact ContactSearch::from(GenId i, GenId j, const Instant& now, double end
   const bool wall = i == container_id;
   if (!wall && motion_.state_id(i) > 0 && motion_.state_id(i) == motion_.state_id(j)) return {};
   if (motion_.same_velocity(i, j)) return {};
+  if (!motion_.options().filters) return slow(i, j, now, end);
   const DoubleBall t(now.lo);
   const Contact<DoubleBall> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
   const auto d = delay(k, wall, DoubleBall());
@@ -72,7 +73,7 @@ NextContact ContactSearch::slow(GenId i, GenId j, const Instant& now, double end
   const auto usable = [&](double lo, double hi) {
     return lo > now.hi && hi - lo < 1e-6 * (1 + std::fabs(lo));
   };
-  {
+  if (motion_.options().filters) {
     const DdBall t(now.lo);
     const Contact<DdBall> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
     const auto d = delay(k, wall, DdBall());
@@ -128,6 +129,13 @@ NextContact ContactSearch::exactly(GenId i, GenId j, const Instant& now, double 
   if (sign(k.a) == Sign::zero) return {};
   const Tower disc = k.b * k.b - k.a * k.c;
   const Sign s = sign(disc);
+  if (!wall && s == Sign::zero && sign(exact.radius(i) + exact.radius(j)) == Sign::zero &&
+      sign(k.b) == Sign::negative) {
+    // Two points meet: announced as a contact, which Motion::collide refuses.
+    const auto [lo, hi] = double_interval(Tower(near) - k.b / k.a);
+    if (lo > end) return {};
+    return {NextContact::Kind::at, std::max(lo, now.hi), std::max(hi, now.hi)};
+  }
   if (!wall && s != Sign::positive) return {};
   if (wall && s == Sign::zero) {
     throw Undecided("a disk slides along the container: it has no motion in this model", i, j);

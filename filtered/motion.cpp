@@ -68,8 +68,10 @@ Motion::Motion(MotionInput input, MotionOptions options)
 
 int Motion::bits_at(double t) const {
   const double ahead = std::max(0.0, horizon_ - t) * slope_;
-  return static_cast<int>(
-      std::min<double>(goal_bits_ + kHeadroom + ahead, static_cast<double>(options_.max_bits)));
+  const double bits =
+      std::min<double>(goal_bits_ + kHeadroom + ahead, static_cast<double>(options_.max_bits));
+  // Whole limbs: the balls at hand keep their memory from one collision to the next.
+  return (static_cast<int>(bits) + 63) / 64 * 64;
 }
 
 void Motion::load_initial_states() {
@@ -88,6 +90,7 @@ void Motion::load_initial_states() {
       radius_[g + 1] = dyadic_or_rounded(d.radius, bits);
       mass_[g + 1] = dyadic_or_rounded(d.mass, bits);
     }
+    dds_[g + 1].r = dd_of(radius_[g + 1]);
   }
 }
 
@@ -95,7 +98,7 @@ void Motion::load_initial_states() {
 void Motion::refresh(GenId g) {
   const BallState& s = balls_[g + 1];
   DdMotion& dd = dds_[g + 1];
-  dd = {dd_of(s.x), dd_of(s.y), dd_of(s.vx), dd_of(s.vy), dd_of(radius_[g + 1])};
+  dd = {dd_of(s.x), dd_of(s.y), dd_of(s.vx), dd_of(s.vy), dd.r};
   DoubleMotion& m = doubles_[g + 1];
   m.t = t_ref_[g + 1];
   m.x = dd.x.hi;
@@ -157,13 +160,16 @@ bool Motion::same_velocity(GenId a, GenId b) const {
   return same(m.vx, o.vx) && same(m.vy, o.vy);
 }
 
-Motion::Response Motion::respond(const Record& r) {
+const Motion::Response& Motion::respond(const Record& r) {
   const Ball::Precision bits = bits_at(r.t_ref);
+  Workspace& m = workspace_;
+  Response& out = m.out;
+  Ball &dt = m.balls[0], &term = m.balls[1], &dx = m.balls[2], &dy = m.balls[3], &wx = m.balls[4], &wy = m.balls[5], &a = m.balls[6], &b = m.balls[7], &c = m.balls[8], &root = m.balls[9], &s = m.balls[10], &reach = m.balls[11], &reach2 = m.balls[12], &nx = m.balls[13], &ny = m.balls[14], &k = m.balls[15], &kx = m.balls[16], &ky = m.balls[17], &ix = m.balls[18], &iy = m.balls[19];
+  auto& x = m.x;
+  auto& y = m.y;
   const bool wall = r.i == container_id;
-  Ball dt(bits), term(bits);
   // Centres and velocities at the reference time; with the container at rest,
   // the offset runs from it to the disk j.
-  Ball x[2], y[2];
   for (int k = 0; k < 2; ++k) {
     const GenId g = k == 0 ? r.i : r.j;
     const BallState& s = balls_[g + 1];
@@ -172,7 +178,9 @@ Motion::Response Motion::respond(const Record& r) {
       y[k] = s.y;
       continue;
     }
-    Ball::sub(dt, Ball(r.t_ref, 53), Ball(t_ref_[g + 1], 53), bits);
+    m.now = Ball(r.t_ref, 53);
+    m.then = Ball(t_ref_[g + 1], 53);
+    Ball::sub(dt, m.now, m.then, bits);
     Ball::mul(term, s.vx, dt, bits);
     Ball::add(x[k], s.x, term, bits);
     Ball::mul(term, s.vy, dt, bits);
@@ -180,8 +188,6 @@ Motion::Response Motion::respond(const Record& r) {
   }
   BallState& si = balls_[r.i + 1];
   BallState& sj = balls_[r.j + 1];
-  Ball dx(bits), dy(bits), wx(bits), wy(bits), a(bits), b(bits), c(bits), root(bits), s(bits);
-  Ball reach(bits), reach2(bits);
   Ball::sub(dx, x[1], x[0], bits);
   Ball::sub(dy, y[1], y[0], bits);
   Ball::sub(wx, sj.vx, si.vx, bits);
@@ -213,10 +219,8 @@ Motion::Response Motion::respond(const Record& r) {
     Ball::sub(term, root, b, bits);
     Ball::div(s, term, a, bits);
   }
-  Response out;
-  Ball::add(out.time, Ball(r.t_ref, 53), s, bits);
+  Ball::add(out.time, m.now, s, bits);
   // n = d + w s; w.n is -root at the contact of two disks, +root at the wall.
-  Ball nx(bits), ny(bits), k(bits), kx(bits), ky(bits);
   Ball::mul(term, wx, s, bits);
   Ball::add(nx, dx, term, bits);
   Ball::mul(term, wy, s, bits);
@@ -266,7 +270,6 @@ Motion::Response Motion::respond(const Record& r) {
     Ball::div(k, root, term, bits);
     const Rational law = -(1 + input_.restitution);
     Ball::mul(k, k, Ball(law, law == -2 ? 2 : bits), bits);
-    Ball ix(bits), iy(bits);
     Ball::mul(nx, k, nx, bits);
     Ball::mul(ny, k, ny, bits);
     Ball::mul(ix, mass_[r.j + 1], nx, bits);
@@ -364,10 +367,14 @@ double Motion::round_coordinate(const Ball& value, GenId g, int which) {
 }
 
 Impact Motion::collide(GenId i, GenId j, double t_near) {
+  if (radius_[i + 1].sign() == Sign::zero && radius_[j + 1].sign() == Sign::zero) {
+    throw Undecided("two points meet: a contact without a normal, which the model does not cover",
+                    i, j);
+  }
   const Record record{i, j, state_[i + 1], state_[j + 1], t_near, -1};
   const int id = static_cast<int>(log_.size());
   log_.push_back(record);
-  Response response = respond(record);
+  const Response& response = respond(record);
   // Two disks of one record are told apart by the sign of the generator's slot.
   if (i != container_id) state_[i + 1] = id + 1;
   state_[j + 1] = id + 1;
@@ -379,7 +386,7 @@ Impact Motion::collide(GenId i, GenId j, double t_near) {
     log_.pop_back();
     replay();
     log_.push_back(record);
-    response = respond(record);
+    respond(record);
   }
   if (i != container_id) refresh(i);
   refresh(j);
@@ -410,7 +417,7 @@ Impact Motion::collide(GenId i, GenId j, double t_near) {
       log_.pop_back();
       replay();
       log_.push_back(record);
-      response = respond(record);
+      respond(record);
       if (i != container_id) refresh(i);
       refresh(j);
     }

@@ -9,6 +9,7 @@
 // get more bits the log is replayed at a higher precision; no search is repeated.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -79,6 +80,7 @@ struct Impact {
 };
 
 struct MotionOptions {
+  bool filters = true;  // false: no decision is taken in doubles or double-doubles
   int start_bits = 192;
   int max_bits = 16384;
   std::size_t max_radicals = 4;
@@ -150,10 +152,17 @@ class Motion {
     Ball px[2], py[2];  // centres at the collision
   };
 
+  // What a collision computes with, kept so that no memory is allocated for it.
+  struct Workspace {
+    std::array<Ball, 20> balls;
+    Ball now, then, x[2], y[2];
+    Response out;
+  };
+
   int bits_at(double t) const;
   void load_initial_states();
   void refresh(GenId g);
-  Response respond(const Record& r);
+  const Response& respond(const Record& r);
   void apply_maneuver(const Record& r);
   bool accurate_enough(GenId g) const;
   void replay();
@@ -175,6 +184,7 @@ class Motion {
   std::vector<DdMotion> dds_;
   std::vector<BallState> balls_;
   std::vector<Ball> radius_, mass_;
+  Workspace workspace_;
   // Of the uncertified instance.
   std::vector<double> plain_mass_;
   double plain_restitution_ = 1;

@@ -96,7 +96,7 @@ class Engine<certified>::Implementation {
     } catch (const Undecided& u) {
       if (!begun_) sink_->begin({});
       outcome.kind = Outcome::Kind::stopped;
-      outcome.t = now_t_;
+      outcome.t = std::fmax(written_t_, frontier_);
       outcome.reason = u.what();
       if (u.flip) outcome.events.emplace_back(*u.flip);
       if (u.contact) outcome.events.emplace_back(*u.contact);
@@ -243,20 +243,31 @@ class Engine<certified>::Implementation {
     int item;
     double lo, hi;
     DdBall dd;
+    bool tight;  // dd is as narrow as it gets without more precision
   };
+
+  // What the search has found, and no more.
+  Candidate rough_candidate(int item) {
+    if (!certified || !is_contact(item)) return candidate(item);
+    const Found& f = found_[item];
+    const double middle = 0.5 * (f.lo + f.hi);
+    return {item, f.lo, f.hi, DdBall(middle, 0, (f.hi - f.lo) * (1 + 0x1p-50)), false};
+  }
 
   Candidate candidate(int item) {
     const Found& f = found_[item];
     if (item == maneuver_item() || item == horizon_item()) {
       const Instant t = instant_at(item == horizon_item() ? horizon_ : next_maneuver().t);
-      return {item, t.lo, t.hi, t.dd};
+      return {item, t.lo, t.hi, t.dd, true};
     }
     if constexpr (!certified) {
       const double t = 0.5 * (f.lo + f.hi);
-      return {item, t, t, DdBall(t)};
+      return {item, t, t, DdBall(t), true};
     }
-    DdBall dd;
-    if (is_flip(item)) {
+    DdBall dd(0, 0, kInfinity);
+    if (!options_.motion.filters) {
+      dd = ball_refined(item);
+    } else if (is_flip(item)) {
       const Quad q = quad_of(item / 2);
       dd = collapses_.refine(q, f.lo, f.hi);
       if (dd.rad > kFine * (1 + dd.hi) && dd.rad < kInfinity) {
@@ -269,7 +280,7 @@ class Engine<certified>::Implementation {
       dd = contacts_.refine(i, j, 0.5 * (f.lo + f.hi));
     }
     if (!(dd.rad <= kFine * (1 + dd.hi))) dd = ball_refined(item);
-    Candidate c{item, 0, 0, dd};
+    Candidate c{item, 0, 0, dd, true};
     enclose(dd, c.lo, c.hi);
     // The isolating interval may be the tighter one.
     c.lo = std::fmax(c.lo, f.lo);
@@ -345,9 +356,17 @@ class Engine<certified>::Implementation {
       return a.lo < b.lo ? -1 : a.lo > b.lo ? 1 : a.item < b.item ? -1 : 1;
     }
     if (is_contact(a.item) && is_contact(b.item) && pair_of(a.item) == pair_of(b.item)) return 0;
-    const Sign s = sign(a.dd - b.dd);
-    if (s == Sign::negative || s == Sign::positive) {
-      stats_.tiers.count(Predicate::compare, Tier::dd);
+    if (options_.motion.filters) {
+      const Sign s = sign(a.dd - b.dd);
+      if (s == Sign::negative || s == Sign::positive) {
+        stats_.tiers.count(Predicate::compare, Tier::dd);
+        return static_cast<int>(s);
+      }
+    }
+    const int bits_now = motion_.goal_bits() + 32;
+    if (const Sign s = sign(ball_of(a.item, bits_now) - ball_of(b.item, bits_now));
+        s == Sign::negative || s == Sign::positive) {
+      stats_.tiers.count(Predicate::compare, Tier::ball);
       return static_cast<int>(s);
     }
     std::string budget;
@@ -377,7 +396,7 @@ class Engine<certified>::Implementation {
   double rounded_time(const Candidate& c) {
     if constexpr (!certified) return c.lo;
     // hi is the nearest double of hi + lo unless the ball reaches half a gap.
-    if (c.dd.rad < half_gap_below(c.dd.hi) && std::fabs(c.dd.lo) + c.dd.rad < half_gap_below(c.dd.hi)) {
+    if (options_.motion.filters && std::fabs(c.dd.lo) + c.dd.rad < half_gap_below(c.dd.hi)) {
       stats_.tiers.count(Predicate::round_time, Tier::dd);
       return c.dd.hi;
     }
@@ -454,9 +473,17 @@ class Engine<certified>::Implementation {
   bool step() {
     std::vector<Candidate> ties;
     if (!next_instant(ties)) return false;
+    set_now(ties.front());
+    if (!ties.front().tight) {
+      // A lone contact: now_t_ becomes known with its collision.
+      const auto [i, j] = pair_of(ties.front().item);
+      process_contact(i, j, std::nullopt);
+      process_motion_events(now_t_);
+      finish_instant();
+      return true;
+    }
     const double t = rounded_time(ties.front());
     now_t_ = t;
-    set_now(ties.front());
     bool horizon = false;
     if (ties.size() == 1) {
       if (ties.front().item == horizon_item()) return false;
@@ -479,17 +506,22 @@ class Engine<certified>::Implementation {
       }
     }
     process_motion_events(t);
-    while (!due_flips_.empty()) {
-      const int edge = due_flips_.begin()->second;
-      due_flips_.erase(due_flips_.begin());
-      process_flip(edge, t);
-    }
-    flush();
+    finish_instant();
     if (horizon) {
       // The horizon itself is over once its events are.
       set_key(horizon_item(), horizon_up_);
     }
     return true;
+  }
+
+  // The flips of the instant; then all of it is decided and can be told.
+  void finish_instant() {
+    while (!due_flips_.empty()) {
+      const int edge = due_flips_.begin()->second;
+      due_flips_.erase(due_flips_.begin());
+      process_flip(edge);
+    }
+    flush();
   }
 
   // Collisions, then maneuvers, then collisions again.
@@ -518,7 +550,7 @@ class Engine<certified>::Implementation {
 
   void process_single(const Candidate& c, double t) {
     if (is_flip(c.item)) {
-      process_flip(c.item / 2, t);
+      process_flip(c.item / 2);
     } else if (is_contact(c.item)) {
       const auto [i, j] = pair_of(c.item);
       process_contact(i, j, t);
@@ -532,16 +564,23 @@ class Engine<certified>::Implementation {
     for (;;) {
       const int item = queue_.top();
       if (queue_.key(item) == kInfinity) return false;
+      frontier_ = queue_.key(item);
       if (found_[item].event) break;
       extend(item);
     }
-    Candidate first = candidate(queue_.top());
+    // A contact that nothing is near needs no refinement: its collision computes it.
+    Candidate first = rough_candidate(queue_.top());
     ties.push_back(first);
     queue_.set(first.item, kInfinity);
     near_.clear();
     for (;;) {
       const int other = queue_.top();
       if (queue_.key(other) > first.hi) break;
+      if (!first.tight) {
+        first = candidate(first.item);
+        ties.assign(1, first);
+        continue;
+      }
       if (!found_[other].event) {
         extend(other);
         continue;
@@ -633,7 +672,7 @@ class Engine<certified>::Implementation {
     return FlipKind::ordinary;
   }
 
-  void process_flip(int edge, double t) {
+  void process_flip(int edge) {
     const HalfEdge h = 2 * edge;
     const Quad q = diagram_.quad(h);
     const Found found = found_[flip_item(edge)];
@@ -668,7 +707,6 @@ class Engine<certified>::Implementation {
       }
     }
     search_contact(edge);
-    (void)t;
   }
 
   void recompute_around(GenId g) {
@@ -693,7 +731,8 @@ class Engine<certified>::Implementation {
     if (begun_) search_flip_from_now(edge);
   }
 
-  void process_contact(GenId i, GenId j, double t) {
+  // The time is that of the instant, or, for a lone contact, what the collision says.
+  void process_contact(GenId i, GenId j, std::optional<double> t) {
     Impact impact;
     {
       const Stopwatch watch(clock(stats_.move_seconds));
@@ -704,10 +743,15 @@ class Engine<certified>::Implementation {
       }
     }
     if constexpr (certified) {
+      if (!t) {
+        now_t_ = impact.t;
+        now_.dd = impact.time_dd;
+        enclose(now_.dd, now_.lo, now_.hi);
+      }
       const int id = motion_.state_id(j);
       now_.exact = [id, j](ExactMotion& exact) { return time_of(exact.start(id, j)); };
     }
-    pending_.emplace_back(PendingEvent{t, i, j, impact.first, impact.second});
+    pending_.emplace_back(PendingEvent{t.value_or(now_t_), i, j, impact.first, impact.second});
     ++(i == container_id ? stats_.wall_collisions : stats_.disk_collisions);
     if (inelastic_) watch_for_collapse(i, j);
     ++stamp_now_;
@@ -793,6 +837,7 @@ class Engine<certified>::Implementation {
   double window_ = 0;
   Instant now_;
   double now_t_ = 0, written_t_ = 0;
+  double frontier_ = 0;  // every event before this time is in the history
   std::set<std::pair<Quad, int>> due_flips_;
   std::set<std::pair<GenId, GenId>> due_contacts_;
   bool due_maneuvers_ = false;

@@ -92,13 +92,15 @@ class Predicates {
   // through the tiers until it is decided.
   template <class F>
   bool decide(F&& predicate) {
-    if (const auto r = predicate([this](GenId g) { return doubles_[g + 1]; }, OwnRoot{})) {
-      counts_.count(Predicate::incircle, Tier::filter);
-      return *r;
-    }
-    if (const auto r = predicate([this](GenId g) { return dds_[g + 1]; }, OwnRoot{})) {
-      counts_.count(Predicate::incircle, Tier::dd);
-      return *r;
+    if (motion_.options().filters) {
+      if (const auto r = predicate([this](GenId g) { return doubles_[g + 1]; }, OwnRoot{})) {
+        counts_.count(Predicate::incircle, Tier::filter);
+        return *r;
+      }
+      if (const auto r = predicate([this](GenId g) { return dds_[g + 1]; }, OwnRoot{})) {
+        counts_.count(Predicate::incircle, Tier::dd);
+        return *r;
+      }
     }
     const Ball t(t_, motion_.goal_bits() + 32);
     if (const auto r = predicate([&](GenId g) { return motion_.site(g, t); }, OwnRoot{})) {

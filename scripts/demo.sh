@@ -2,7 +2,7 @@
 # From nothing to checked pictures: installs what is missing, builds the program, simulates the
 # paper's kind of data (30 disks), checks the result and draws it. Leaves everything in demo/.
 #
-# usage: scripts/demo.sh [N [SEED [HORIZON]]]
+# usage: scripts/demo.sh [N [SEED [HORIZON]]]   (a whole number each)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -18,6 +18,12 @@ run() {
   "$@"
 }
 
+# A fraction of the horizon, as exact text: fraction NUMERATOR DENOMINATOR.
+fraction() {
+  local product=$((horizon * $1))
+  if ((product % $2 == 0)); then echo $((product / $2)); else echo "$product/$2"; fi
+}
+
 # The set of edges of a diagram file: the structure, without coordinates.
 edges_of() { sed -n '/^"edges":\[/,$p' "$1"; }
 
@@ -26,17 +32,17 @@ check_history() {
   local scene=$1 history=$2
   shift 2
   local t replayed=$out/replayed.diagram.json fresh=$out/fresh.diagram.json
-  "$program" validate "$scene" "$history"
+  run "$program" validate "$scene" "$history"
   for t in "$@"; do
     "$program" snapshot "$scene" "$history" --at "$t" -o "$replayed"
     "$program" snapshot "$scene" --at "$t" -o "$fresh"
-    "$program" validate "$replayed" "$fresh"
+    "$program" validate "$replayed" "$fresh" >/dev/null
     if [ -z "$(edges_of "$fresh")" ] ||
       ! cmp -s <(edges_of "$replayed") <(edges_of "$fresh"); then
       echo "t = $t: the history and the construction from scratch DIFFER" >&2
       return 1
     fi
-    echo "t = $t: $(edges_of "$fresh" | grep -c '^\[') edges, equal from the history and from scratch"
+    echo "t = $t: $(edges_of "$fresh" | grep -c '^\[') edges, equal by the history and from scratch"
   done
   rm -f "$replayed" "$fresh"
 }
@@ -59,15 +65,15 @@ say "Its history: every flip of an edge and every collision"
 run "$program" simulate "$scene" -o "$history" --stats "$out/stats.json"
 tail -n 1 "$history"
 
-say "A check"
+say "A check: the diagram replayed from the history, and constructed from the disks alone"
 times=()
-for percent in 0 10 25 50 75 90 100; do times+=("$((horizon * percent))/100"); done
+for percent in 0 10 25 50 75 90 100; do times+=("$(fraction "$percent" 100)"); done
 check_history "$scene" "$history" "${times[@]}"
 
 say "Pictures"
 for k in 0 1 2 3; do
   picture=$out/frame$k
-  run "$program" snapshot "$scene" "$history" --at "$((horizon * k))/3" -o "$picture.diagram.json"
+  run "$program" snapshot "$scene" "$history" --at "$(fraction "$k" 3)" -o "$picture.diagram.json"
   run "$program" render "$picture.diagram.json" -o "$picture.svg"
   run "$program" render "$picture.diagram.json" -o "$picture.png"
 done
