@@ -22,13 +22,11 @@ test:
 	cmake --build --preset release -j $(JOBS)
 	ctest --preset release -j $(JOBS)
 
-# See docs/benchmarks.md.
+# About ten minutes; see docs/benchmarks.md.
 bench:
 	scripts/install-deps.sh bench
 	cmake --preset bench
-	cmake --build --preset bench -j $(JOBS)
-	build/voroproof_bench_predicates
-	build/voroproof_bench_runs
+	bench/run.sh
 
 format:
 	clang-format -i $(SOURCES)

@@ -40,8 +40,21 @@ std::string fault_of_whole(const std::string& text) {
 
 std::string producer() { return "voroproof " VOROPROOF_VERSION; }
 
-CLI::Option* add_output(CLI::App& verb, std::string& path, const std::string& what) {
-  return verb.add_option("-o,--output", path, what)->type_name("FILE")->required();
+CLI::Option* add_text(CLI::App& verb, const std::string& name, std::string& value,
+                      const std::string& type, const std::string& description) {
+  const auto fault = [](const std::string& text) { return text.empty() ? "is empty" : ""; };
+  return verb.add_option(name, value, description)
+      ->type_name(type)
+      ->check(CLI::Validator(fault, ""));
+}
+
+CLI::Option* add_file(CLI::App& verb, const std::string& name, std::string& path,
+                      const std::string& description) {
+  return add_text(verb, name, path, "FILE", description);
+}
+
+CLI::Option* add_output(CLI::App& verb, std::string& path, const std::string& description) {
+  return add_file(verb, "-o,--output", path, description)->required();
 }
 
 CLI::Option* add_real(CLI::App& verb, const std::string& name, double& value,

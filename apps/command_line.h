@@ -41,8 +41,16 @@ void add_validate(CLI::App& app, Action& action);
 // "voroproof VERSION", as histories name their producer.
 std::string producer();
 
+// An option or a positional argument whose text is not empty.
+CLI::Option* add_text(CLI::App& verb, const std::string& name, std::string& value,
+                      const std::string& type, const std::string& description);
+
+// The same for the name of a file.
+CLI::Option* add_file(CLI::App& verb, const std::string& name, std::string& path,
+                      const std::string& description);
+
 // The required option -o, --output.
-CLI::Option* add_output(CLI::App& verb, std::string& path, const std::string& what);
+CLI::Option* add_output(CLI::App& verb, std::string& path, const std::string& description);
 
 // An option that takes a decimal number and means the binary64 nearest to it.
 CLI::Option* add_real(CLI::App& verb, const std::string& name, double& value,

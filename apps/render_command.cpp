@@ -30,7 +30,7 @@ ExitCode render(const Request& request) {
 void add_render(CLI::App& app, Action& action) {
   auto request = std::make_shared<Request>();
   CLI::App* verb = app.add_subcommand("render", "Draw a diagram as SVG or PNG");
-  verb->add_option("diagram", request->diagram, "the diagram file")->type_name("FILE")->required();
+  add_file(*verb, "diagram", request->diagram, "the diagram file")->required();
   add_output(*verb, request->output, "the picture to write; its name ends in .svg or .png");
   verb->add_option("--size", request->options.size, "width and height in pixels")
       ->check(whole_number())

@@ -24,20 +24,10 @@ struct Request {
   bool quiet = false;
 };
 
-// Lets decisions skip the tiers in doubles and double-doubles, where the engine can.
-template <class Options>
-void set_filters(Options& options, bool on) {
-  if constexpr (requires { options.filters = on; }) {
-    options.filters = on;
-  } else if (!on) {
-    throw UsageError("--filters: this engine cannot do without its filters");
-  }
-}
-
 EngineOptions engine_options(const Request& request) {
   EngineOptions options;
   options.motion = request.motion;
-  set_filters(options.motion, request.filters == "on");
+  options.motion.filters = request.filters == "on";
   options.profile = !request.stats.empty();
   return options;
 }
@@ -155,14 +145,12 @@ void add_simulate(CLI::App& app, Action& action) {
   constexpr int least_bits = 64, most_bits = 1 << 24;
   auto request = std::make_shared<Request>();
   CLI::App* verb = app.add_subcommand("simulate", "Write the exact history of a scene");
-  verb->add_option("scene", request->scene, "the scene")->type_name("FILE")->required();
+  add_file(*verb, "scene", request->scene, "the scene")->required();
   add_output(*verb, request->history, "the history to write");
-  verb->add_option("--horizon", request->horizon,
-                   "in place of the scene's, exactly: a decimal (0.1 is one tenth), a fraction\n"
-                   "(1/3) or a hexadecimal float (0x1.8p-3)")
-      ->type_name("TIME");
-  verb->add_option("--stats", request->stats, "write counts and times of the run here, as JSON")
-      ->type_name("FILE");
+  add_text(*verb, "--horizon", request->horizon, "TIME",
+           "in place of the scene's, exactly: a decimal (0.1 is one tenth), a fraction\n"
+           "(1/3) or a hexadecimal float (0x1.8p-3)");
+  add_file(*verb, "--stats", request->stats, "write counts and times of the run here, as JSON");
   verb->add_option("--threads", request->threads,
                    "2 or more: a second thread writes the history, whose bytes stay the same")
       ->check(whole_number())

@@ -33,15 +33,13 @@ ExitCode take_snapshot(const Request& request) {
 void add_snapshot(CLI::App& app, Action& action) {
   auto request = std::make_shared<Request>();
   CLI::App* verb = app.add_subcommand("snapshot", "Write the diagram at one instant");
-  verb->add_option("scene", request->scene, "the scene")->type_name("FILE")->required();
-  verb->add_option("history", request->history,
-                   "a history of the scene: the diagram follows from its flips and recorded\n"
-                   "positions; without one, from nothing but the true positions at the time")
-      ->type_name("FILE");
-  verb->add_option("--at", request->t,
-                   "the time, whose events have happened, exactly: a decimal (0.1 is one\n"
-                   "tenth), a fraction (1/3) or a hexadecimal float (0x1.8p-3)")
-      ->type_name("TIME")
+  add_file(*verb, "scene", request->scene, "the scene")->required();
+  add_file(*verb, "history", request->history,
+           "a history of the scene: the diagram follows from its flips and recorded\n"
+           "positions; without one, from nothing but the true positions at the time");
+  add_text(*verb, "--at", request->t, "TIME",
+           "the time, whose events have happened, exactly: a decimal (0.1 is one\n"
+           "tenth), a fraction (1/3) or a hexadecimal float (0x1.8p-3)")
       ->required();
   add_output(*verb, request->output, "the diagram to write");
   verb->footer("Example:\n  voroproof snapshot a.scene.json --at 1/3 -o a.diagram.json");

@@ -13,7 +13,7 @@ namespace {
 // reason to stop.
 void expect_right(const LatticeScene& lattice, bool may_collapse = false) {
   const Scene scene = scene_of(lattice);
-  const Run history = run(scene);
+  const RecordedRun history = run(scene);
   if (may_collapse && !history.complete()) {
     RC_ASSERT(history.outcome.reason.find("inelastic collapse") != std::string::npos);
     return;

@@ -65,7 +65,7 @@ bool is_motion(const Event& e) { return e.kind != Event::Kind::flip; }
 
 // The records, in the order of the events. A maneuver at the instant of an earlier event of its
 // disk is moved by less than anything here resolves, since the oracle rounds that event's time.
-std::vector<oracle::MotionRecord> records_of(const Scene& scene, const Run& run) {
+std::vector<oracle::MotionRecord> records_of(const Scene& scene, const RecordedRun& run) {
   const Rational nudge(1, Integer(1) << 700);
   std::vector<oracle::MotionRecord> records;
   std::map<int, double> last;
@@ -95,7 +95,7 @@ class Checker {
   using Motion = oracle::BasicMotionOracle<Digits>;
   using Number = typename Motion::Number;
 
-  Checker(const Scene& scene, const Run& run, const HistoryCheck& check, CheckCounts& counts)
+  Checker(const Scene& scene, const RecordedRun& run, const HistoryCheck& check, CheckCounts& counts)
       : scene_(scene),
         run_(run),
         check_(check),
@@ -482,7 +482,7 @@ class Checker {
   }
 
   const Scene& scene_;
-  const Run& run_;
+  const RecordedRun& run_;
   const HistoryCheck& check_;
   CheckCounts& counts_;
   oracle::MotionScene motion_scene_;
@@ -495,7 +495,7 @@ class Checker {
 };
 
 template <unsigned Digits>
-void check(const Scene& scene, const Run& run, const HistoryCheck& check, CheckCounts& counts) {
+void check(const Scene& scene, const RecordedRun& run, const HistoryCheck& check, CheckCounts& counts) {
   Checker<Digits>(scene, run, check, counts).run_all();
 }
 
@@ -530,7 +530,7 @@ CheckCounts& CheckCounts::operator+=(const CheckCounts& o) {
   return *this;
 }
 
-std::string check_history(const Scene& scene, const Run& run, const HistoryCheck& options,
+std::string check_history(const Scene& scene, const RecordedRun& run, const HistoryCheck& options,
                           CheckCounts* counts) {
   CheckCounts seen;
   std::string fault;

@@ -1,4 +1,4 @@
-// Families of random scenes, the same on every platform but for the generators of <random>.
+// Families of random scenes.
 #pragma once
 
 #include <random>

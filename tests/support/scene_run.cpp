@@ -12,7 +12,7 @@ namespace {
 
 class Recorder : public EventSink {
  public:
-  explicit Recorder(Run& run) : run_(run) {}
+  explicit Recorder(RecordedRun& run) : run_(run) {}
 
   void begin(const std::vector<Quad>& initial) override {
     run_.initial = initial;
@@ -32,7 +32,7 @@ class Recorder : public EventSink {
   }
 
  private:
-  Run& run_;
+  RecordedRun& run_;
 };
 
 bool same_bits(double a, double b) {
@@ -122,14 +122,14 @@ std::string text(const Event& event) {
   return out.str();
 }
 
-std::size_t Run::count(Event::Kind kind) const {
+std::size_t RecordedRun::count(Event::Kind kind) const {
   std::size_t n = 0;
   for (const Event& e : events) n += e.kind == kind;
   return n;
 }
 
-Run run(const Scene& scene, const MotionOptions& options) {
-  Run result;
+RecordedRun run(const Scene& scene, const MotionOptions& options) {
+  RecordedRun result;
   Recorder recorder(result);
   EngineOptions engine_options;
   engine_options.motion = options;
@@ -140,13 +140,13 @@ Run run(const Scene& scene, const MotionOptions& options) {
   return result;
 }
 
-std::vector<std::string> names(const Run& run) {
+std::vector<std::string> names(const RecordedRun& run) {
   std::vector<std::string> result;
   for (const Event& e : run.events) result.push_back(name(e));
   return result;
 }
 
-std::string difference(const Run& a, const Run& b) {
+std::string difference(const RecordedRun& a, const RecordedRun& b) {
   if (a.outcome.kind != b.outcome.kind) return "outcomes";
   if (a.initial != b.initial) return "initial diagrams";
   for (std::size_t k = 0; k < a.events.size() && k < b.events.size(); ++k) {

@@ -36,7 +36,7 @@ struct Event {
 
 std::string text(const Event& event);
 
-struct Run {
+struct RecordedRun {
   std::vector<Quad> initial;
   std::vector<Event> events;
   std::vector<Quad> final_diagram;  // of the engine when it ended
@@ -49,12 +49,12 @@ struct Run {
 };
 
 // The exact engine's run from 0 to the horizon.
-Run run(const Scene& scene, const MotionOptions& options = {});
+RecordedRun run(const Scene& scene, const MotionOptions& options = {});
 
 // "flip [..]" or "collide i j" in order, without times: what two runs must share.
-std::vector<std::string> names(const Run& run);
+std::vector<std::string> names(const RecordedRun& run);
 
 // The first difference between two runs in events or any written number; empty if there is none.
-std::string difference(const Run& a, const Run& b);
+std::string difference(const RecordedRun& a, const RecordedRun& b);
 
 }  // namespace voroproof::testing
