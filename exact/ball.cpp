@@ -225,8 +225,7 @@ void Ball::mul(Ball& out, const Ball& a, const Ball& b, Precision bits) {
 void Ball::sqr(Ball& out, const Ball& a, Precision bits) { mul(out, a, a, bits); }
 
 void Ball::mul_d(Ball& out, const Ball& a, double b, Precision bits) {
-  const Magnitude radius =
-      a.radius_.is_zero() ? Magnitude() : a.radius_ * Magnitude::of(b);
+  const Magnitude radius = a.radius_.is_zero() ? Magnitude() : a.radius_ * Magnitude::of(b);
   if (&out == &a && out.precision() == bits) {
     const int t = mpfr_mul_d(out.mid_, out.mid_, b, MPFR_RNDN);
     out.radius_ = radius;

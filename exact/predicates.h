@@ -82,8 +82,8 @@ struct TangentTriple {
   bool with_container;
 
   TangentTriple(const Site<T>& i, const Site<T>& j, const Site<T>& k, bool container)
-      : TangentTriple(i, {j.x - i.x, j.y - i.y, j.r - i.r}, {k.x - i.x, k.y - i.y, k.r - i.r}, container,
-               0) {}
+      : TangentTriple(i, {j.x - i.x, j.y - i.y, j.r - i.r}, {k.x - i.x, k.y - i.y, k.r - i.r},
+                      container, 0) {}
 
  private:
   TangentTriple(const Site<T>& i, const Site<T>& dj, const Site<T>& dk, bool container, int)

@@ -10,7 +10,7 @@ constexpr double u = 0x1p-53;
 
 constexpr std::array<double, 9> kBinomial8{1, 8, 28, 56, 70, 56, 28, 8, 1};
 constexpr std::array<double, 5> kBinomial4{1, 4, 6, 4, 1};
-constexpr std::array<double, 9> kInverse8{1,       1.0 / 8,  1.0 / 28, 1.0 / 56, 1.0 / 70,
+constexpr std::array<double, 9> kInverse8{1,        1.0 / 8,  1.0 / 28, 1.0 / 56, 1.0 / 70,
                                           1.0 / 56, 1.0 / 28, 1.0 / 8,  1};
 
 // Products in the scaled Bernstein basis (coefficients times binomials) are plain

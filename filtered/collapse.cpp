@@ -14,9 +14,9 @@ ExactTime time_of(const Tower& t) {
   // The root of x - t, between binary64 neighbours made distinct.
   const auto [lo, hi] = double_interval(t);
   constexpr double inf = std::numeric_limits<double>::infinity();
-  return ExactTime(Polynomial<Tower>{-t, Tower(1)},
-                   RootInterval{to_rational(std::nextafter(lo, -inf)),
-                                to_rational(std::nextafter(hi, inf))});
+  return ExactTime(
+      Polynomial<Tower>{-t, Tower(1)},
+      RootInterval{to_rational(std::nextafter(lo, -inf)), to_rational(std::nextafter(hi, inf))});
 }
 
 std::array<GenId, 3> disk_first(GenId a, GenId b, GenId c) {
@@ -41,7 +41,7 @@ struct EdgeSigns {
 
 template <class T>
 TangentTriple<T> triple_of(const std::array<GenId, 3>& v, const Site<T>& a, const Site<T>& b,
-                    const Site<T>& c) {
+                           const Site<T>& c) {
   // a, b, c in the order of the vertex before disk_first.
   const bool container = v[1] == container_id || v[2] == container_id;
   return {a, b, c, container};
@@ -115,7 +115,8 @@ Site<double> plain_site(const Motion& motion, GenId g, double t) {
 Verdict judge_in_doubles(const Motion& m, const Quad& q, double after, Sign f) {
   const std::array<Site<double>, 4> at{plain_site(m, q.l, after), plain_site(m, q.r, after),
                                        plain_site(m, q.s, after), plain_site(m, q.e, after)};
-  return judge(q, at, [&] { return at; }, f);
+  return judge(
+      q, at, [&] { return at; }, f);
 }
 
 // ---- The double tier: subdivision of one Bernstein form. ----
@@ -284,7 +285,8 @@ struct MakeDd {
     const Rational rest = q - to_rational(hi);
     const double lo = voroproof::round_nearest(rest);
     const Rational left = rest - to_rational(lo);
-    return {hi, lo, sgn(left) == 0 ? 0.0 : std::fabs(lo) * 0x1p-52 + std::numeric_limits<double>::min()};
+    return {hi, lo,
+            sgn(left) == 0 ? 0.0 : std::fabs(lo) * 0x1p-52 + std::numeric_limits<double>::min()};
   }
   // A ball around the interval.
   DdBall hull(const Rational& lo, const Rational& hi) const {
@@ -358,10 +360,10 @@ Coefficients<T> form_in(const Motion& motion, const Quad& q, const Rational& a, 
       const T x1i = s1[i].x - s1[3].x, y1i = s1[i].y - s1[3].y;
       const T x0j = s0[j].x - s0[3].x, y0j = s0[j].y - s0[3].y;
       const T x1j = s1[j].x - s1[3].x, y1j = s1[j].y - s1[3].y;
-      return multiply(tangency2(k, 3),
-                      Coefficients<T>{x0i * y0j - y0i * x0j,
-                                      (x0i * y1j - y0i * x1j) + (x1i * y0j - y1i * x0j),
-                                      x1i * y1j - y1i * x1j});
+      return multiply(
+          tangency2(k, 3),
+          Coefficients<T>{x0i * y0j - y0i * x0j, (x0i * y1j - y0i * x1j) + (x1i * y0j - y1i * x0j),
+                          x1i * y1j - y1i * x1j});
     };
     f = term(0, 1, 2);
     for (const auto& t : {term(1, 2, 0), term(2, 0, 1)}) {
@@ -612,8 +614,7 @@ ValueAndSlope<T> cocircularity_and_slope(const std::array<MovingSite<T>, 4>& s) 
 }
 
 template <class T>
-ValueAndSlope<T> flip_value_and_slope(const Motion& m, const Quad& q, const T& t,
-                                      bool cocircular) {
+ValueAndSlope<T> flip_value_and_slope(const Motion& m, const Quad& q, const T& t, bool cocircular) {
   const std::array<MovingSite<T>, 4> s{m.moving_site(q.l, t), m.moving_site(q.r, t),
                                        m.moving_site(q.s, t), m.moving_site(q.e, t)};
   return cocircular ? cocircularity_and_slope(s) : cotangency_and_slope(s);
@@ -639,8 +640,7 @@ std::optional<Collapse> CollapseSearch::filter(const Quad& q, const BernsteinFor
     const DoubleBall hull = DoubleBall::hull(root.lo, root.hi);
     const auto at_hull = sites(motion_, q, hull);
     const auto after = [&] { return sites(motion_, q, DoubleBall(root.hi)); };
-    const Verdict verdict =
-        judge(q, at_hull, after, cotangency_sign(root.after, form.degree == 4));
+    const Verdict verdict = judge(q, at_hull, after, cotangency_sign(root.after, form.degree == 4));
     if (verdict == Verdict::stays) return true;
     decided = verdict == Verdict::collapses;
     if (decided) answer = Collapse{Collapse::Kind::root, root.lo, root.hi, nullptr};
@@ -652,8 +652,7 @@ std::optional<Collapse> CollapseSearch::filter(const Quad& q, const BernsteinFor
   return std::nullopt;
 }
 
-Collapse CollapseSearch::after(const Quad& q, double start, double end,
-                               const RootInterval* fine) {
+Collapse CollapseSearch::after(const Quad& q, double start, double end, const RootInterval* fine) {
   if (q.s == q.e || at_relative_rest(q)) return none_until(kInfinity);  // Lemma 8
   if (fine != nullptr) return slow(q, fine->hi, nullptr, end);
   if (!(start < end)) return none_until(end);
@@ -724,8 +723,7 @@ Collapse CollapseSearch::at_rest(const Quad& q, const Instant& now) {
 
 Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instant* now,
                               double end) {
-  const Rational finish =
-      std::max<Rational>(to_rational(end), start + Rational(1, 1L << 40));
+  const Rational finish = std::max<Rational>(to_rational(end), start + Rational(1, 1L << 40));
   Attempt attempt;
   if (motion_.options().filters) {
     attempt = search_in<DdBall>(motion_, q, start, finish, now, 48, MakeDd{});
@@ -744,8 +742,8 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
   std::string budget;
   for (bool tried_exact = false;;) {
     const int bits = motion_.goal_bits() + 32;
-    attempt = search_in<Ball>(motion_, q, start, finish, now, std::min(bits / 2, 512),
-                              MakeBall{bits});
+    attempt =
+        search_in<Ball>(motion_, q, start, finish, now, std::min(bits / 2, 512), MakeBall{bits});
     if (attempt.decided) {
       counts_.count(Predicate::flip_search, Tier::ball);
       return attempt.answer;
@@ -790,8 +788,7 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
   std::optional<ExactTime> instant;
   if (now != nullptr) instant = now->exact(exact);
   for (std::size_t k = 0; k < roots.size(); ++k) {
-    const auto order = instant ? compare(roots[k], *instant)
-                               : compare(roots[k], start);
+    const auto order = instant ? compare(roots[k], *instant) : compare(roots[k], start);
     if (order < 0) continue;
     if (order == 0 && !instant) continue;  // the search starts at a root: beyond it
     // A rational time after this root and before the next.
@@ -822,7 +819,8 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
         }
       } else {
         const MakeBall make{2 * bits};
-        const auto at = sites(motion_, q, make.hull(roots[k].interval().lo, roots[k].interval().hi));
+        const auto at =
+            sites(motion_, q, make.hull(roots[k].interval().lo, roots[k].interval().hi));
         const auto triples = EdgeTriples<Ball>::of(q, at);
         exists = {circle_exists(triples.start), circle_exists(triples.end)};
       }
@@ -830,8 +828,8 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
         verdict = Verdict::stays;
       } else if (exists[0] == Sign::positive && exists[1] == Sign::positive) {
         const auto s = exact_incircles(q, t, exact);
-        verdict = s[0] == Sign::negative && s[1] == Sign::negative ? Verdict::collapses
-                                                                   : Verdict::stays;
+        verdict =
+            s[0] == Sign::negative && s[1] == Sign::negative ? Verdict::collapses : Verdict::stays;
       }
     }
     if (verdict == Verdict::collapses) {
@@ -852,8 +850,7 @@ DdBall CollapseSearch::refine(const Quad& q, double lo, double hi) const {
   return DdBall(c) - f / DdBall(slope.mid, 0, slope.rad);
 }
 
-Ball CollapseSearch::refine(const Quad& q, const Rational& lo, const Rational& hi,
-                            int bits) const {
+Ball CollapseSearch::refine(const Quad& q, const Rational& lo, const Rational& hi, int bits) const {
   const bool cocircular = flip_polynomial_is_cocircularity(motion_, q);
   const MakeBall make{bits};
   Rational a = lo, b = hi;

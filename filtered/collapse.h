@@ -93,8 +93,6 @@ std::array<GenId, 3> disk_first(GenId a, GenId b, GenId c);
 // Whether the edge that exists while its four generators stay cotangent is q: its
 // dual joins the largest id to its opposite (docs/formats.md; Devillers & Teillaud,
 // "Perturbations for Delaunay and weighted Delaunay 3D triangulations", 2011).
-inline bool legal_while_cotangent(const Quad& q) {
-  return std::max(q.l, q.r) > std::max(q.s, q.e);
-}
+inline bool legal_while_cotangent(const Quad& q) { return std::max(q.l, q.r) > std::max(q.s, q.e); }
 
 }  // namespace voroproof

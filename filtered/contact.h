@@ -35,6 +35,7 @@ class ContactSearch {
   // The time of the next contact that `from` announced, exactly. `near` is any
   // rational next to it.
   static ExactTime exact_time(GenId i, GenId j, const Rational& near, ExactMotion& exact);
+
  private:
   NextContact slow(GenId i, GenId j, const Instant& now, double end);
   NextContact exactly(GenId i, GenId j, const Instant& now, double end);

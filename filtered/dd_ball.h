@@ -27,7 +27,7 @@ struct DdBall {
 
 namespace dd_detail {
 inline constexpr double kUnit = 0x1p-102;
-inline constexpr double kUp = 1 + 0x1p-49;   // as in double_ball.h
+inline constexpr double kUp = 1 + 0x1p-49;    // as in double_ball.h
 inline constexpr double kTiny = 4 * DBL_MIN;  // underflow of the error terms
 
 inline void two_sum(double a, double b, double& s, double& e) {
@@ -95,8 +95,7 @@ inline DdBall operator/(const DdBall& a, const DdBall& b) {
 inline DdBall sqrt(const DdBall& a) {
   using namespace dd_detail;
   if (!(a.hi * (1 - 0x1p-50) > a.rad)) {
-    const double top =
-        std::sqrt((std::fmax(a.hi, 0) * (1 + 0x1p-50) + a.rad) * kUp) * kUp;
+    const double top = std::sqrt((std::fmax(a.hi, 0) * (1 + 0x1p-50) + a.rad) * kUp) * kUp;
     return {0.5 * top, 0, 0.5 * top * kUp + kTiny};
   }
   const double s = std::sqrt(a.hi);

@@ -164,7 +164,11 @@ const Motion::Response& Motion::respond(const Record& r) {
   const Ball::Precision bits = bits_at(r.t_ref);
   Workspace& m = workspace_;
   Response& out = m.out;
-  Ball &dt = m.balls[0], &term = m.balls[1], &dx = m.balls[2], &dy = m.balls[3], &wx = m.balls[4], &wy = m.balls[5], &a = m.balls[6], &b = m.balls[7], &c = m.balls[8], &root = m.balls[9], &s = m.balls[10], &reach = m.balls[11], &reach2 = m.balls[12], &nx = m.balls[13], &ny = m.balls[14], &k = m.balls[15], &kx = m.balls[16], &ky = m.balls[17], &ix = m.balls[18], &iy = m.balls[19];
+  Ball &dt = m.balls[0], &term = m.balls[1], &dx = m.balls[2], &dy = m.balls[3], &wx = m.balls[4],
+       &wy = m.balls[5], &a = m.balls[6], &b = m.balls[7], &c = m.balls[8], &root = m.balls[9],
+       &s = m.balls[10], &reach = m.balls[11], &reach2 = m.balls[12], &nx = m.balls[13],
+       &ny = m.balls[14], &k = m.balls[15], &kx = m.balls[16], &ky = m.balls[17], &ix = m.balls[18],
+       &iy = m.balls[19];
   auto& x = m.x;
   auto& y = m.y;
   const bool wall = r.i == container_id;
@@ -307,8 +311,7 @@ bool Motion::accurate_enough(GenId g) const {
   const auto fine = [this](const Ball& b, std::int64_t scale) {
     return b.is_exact() || scale - b.radius().exponent() >= goal_bits_;
   };
-  return fine(s.x, x_scale_) && fine(s.y, x_scale_) && fine(s.vx, v_scale_) &&
-         fine(s.vy, v_scale_);
+  return fine(s.x, x_scale_) && fine(s.y, x_scale_) && fine(s.vx, v_scale_) && fine(s.vy, v_scale_);
 }
 
 void Motion::replay() {
@@ -396,8 +399,8 @@ Impact Motion::collide(GenId i, GenId j, double t_near) {
     const auto state = [&](GenId g, int side) {
       const BallState& s = balls_[g + 1];
       return RoundedState{round_coordinate(response.px[side], g, 0),
-                          round_coordinate(response.py[side], g, 1),
-                          round_coordinate(s.vx, g, 2), round_coordinate(s.vy, g, 3)};
+                          round_coordinate(response.py[side], g, 1), round_coordinate(s.vx, g, 2),
+                          round_coordinate(s.vy, g, 3)};
     };
     if (i != container_id) out.first = state(i, 0);
     out.second = state(j, 1);
@@ -433,8 +436,8 @@ RoundedState Motion::maneuver(GenId g, const Rational& t, const Rational& vx, co
   const double t_ref = round_nearest(t);
   maneuvers_.push_back({t, vx, vy});
   v_scale_ = std::max({v_scale_, exponent_of(vx), exponent_of(vy)});
-  const Record record{g,     g, state_[g + 1], state_[g + 1],
-                      t_ref, static_cast<int>(maneuvers_.size()) - 1};
+  const Record record{
+      g, g, state_[g + 1], state_[g + 1], t_ref, static_cast<int>(maneuvers_.size()) - 1};
   RoundedState out{0, 0, round_nearest(vx), round_nearest(vy)};
   for (;;) {
     const Ball::Precision bits = bits_at(t_ref);
@@ -513,7 +516,9 @@ ExactMotion::ExactMotion(const Motion& motion)
       field_(RadicalField::Budget{motion.options().max_radicals,
                                   static_cast<std::size_t>(motion.options().max_bits) * 4}) {}
 
-const ExactMotion::State& ExactMotion::state(GenId g) { return entry(motion_.state_id(g), g).state; }
+const ExactMotion::State& ExactMotion::state(GenId g) {
+  return entry(motion_.state_id(g), g).state;
+}
 const ExactMotion::State& ExactMotion::state(int id, GenId g) { return entry(id, g).state; }
 const Tower& ExactMotion::start(int id, GenId g) { return entry(id, g).start; }
 
@@ -571,10 +576,9 @@ void ExactMotion::compute(int record) {
     const Tower back = Tower(Rational(m.t - before.t_ref));
     const Tower ahead = Tower(Rational(m.t - t_ref));
     const Tower vx(m.vx), vy(m.vy);
-    memo_[base + r.i + 1] = {
-        {t_ref, before.x + before.vx * back - vx * ahead, before.y + before.vy * back - vy * ahead,
-         vx, vy},
-        Tower(m.t)};
+    memo_[base + r.i + 1] = {{t_ref, before.x + before.vx * back - vx * ahead,
+                              before.y + before.vy * back - vy * ahead, vx, vy},
+                             Tower(m.t)};
     return;
   }
   const bool wall = r.i == container_id;
@@ -594,8 +598,8 @@ void ExactMotion::compute(int record) {
   // w.n = b + a s.
   const Tower q = (contact.b + contact.a * s) / (reach * reach);
   const auto restart = [&](const MovingSite<Tower>& m, GenId g, const Tower& vx, const Tower& vy) {
-    memo_[base + g + 1] = {
-        {t_ref, m.x + (m.vx - vx) * s, m.y + (m.vy - vy) * s, vx, vy}, Tower(t_ref) + s};
+    memo_[base + g + 1] = {{t_ref, m.x + (m.vx - vx) * s, m.y + (m.vy - vy) * s, vx, vy},
+                           Tower(t_ref) + s};
   };
   if (wall) {
     const Rational& e = in.container_restitution;

@@ -45,8 +45,7 @@ struct MotionInput {
 class Undecided : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-  Undecided(const std::string& reason, const Quad& edge)
-      : std::runtime_error(reason), flip(edge) {}
+  Undecided(const std::string& reason, const Quad& edge) : std::runtime_error(reason), flip(edge) {}
   Undecided(const std::string& reason, GenId i, GenId j)
       : std::runtime_error(reason), contact(std::pair(i, j)) {}
 
@@ -73,8 +72,8 @@ struct RoundedState {
 };
 
 struct Impact {
-  double t;           // the collision time, rounded to nearest
-  DoubleBall time;    // enclosures of it
+  double t;         // the collision time, rounded to nearest
+  DoubleBall time;  // enclosures of it
   DdBall time_dd;
   RoundedState first, second;  // second is unused for the container
 };
@@ -139,10 +138,10 @@ class Motion {
     Ball x, y, vx, vy;
   };
   struct Record {
-    GenId i, j;        // collision of i < j; a maneuver of i has j = i
+    GenId i, j;  // collision of i < j; a maneuver of i has j = i
     int before_i, before_j;
-    double t_ref;      // reference time of the states after it
-    int maneuver;      // index into maneuvers_, or -1
+    double t_ref;  // reference time of the states after it
+    int maneuver;  // index into maneuvers_, or -1
   };
   struct ManeuverRecord {
     Rational t, vx, vy;
@@ -172,14 +171,14 @@ class Motion {
   MotionInput input_;
   MotionOptions options_;
   int goal_bits_;
-  double slope_ = 0;        // further bits per unit of time before the horizon
+  double slope_ = 0;  // further bits per unit of time before the horizon
   double horizon_ = 0;
   std::int64_t x_scale_ = 0, v_scale_ = 0;  // exponents
   std::uint64_t replays_ = 0;
   std::vector<Record> log_;
   std::vector<ManeuverRecord> maneuvers_;
-  std::vector<int> state_;          // per generator
-  std::vector<double> t_ref_;       // per generator
+  std::vector<int> state_;     // per generator
+  std::vector<double> t_ref_;  // per generator
   std::vector<DoubleMotion> doubles_;
   std::vector<DdMotion> dds_;
   std::vector<BallState> balls_;

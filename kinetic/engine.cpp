@@ -291,10 +291,10 @@ class Engine<certified>::Implementation {
   // Binary64 numbers around a double-double: neighbours, or as near as its radius lets.
   static void enclose(const DdBall& t, double& lo, double& hi) {
     const double below = (t.lo - t.rad) * (1 + 0x1p-50), above = (t.lo + t.rad) * (1 + 0x1p-50);
-    lo = t.lo - t.rad >= 0                  ? t.hi
+    lo = t.lo - t.rad >= 0                   ? t.hi
          : below > -2 * half_gap_below(t.hi) ? std::nextafter(t.hi, -kInfinity)
                                              : std::nextafter(t.hi + below, -kInfinity);
-    hi = t.lo + t.rad <= 0                 ? t.hi
+    hi = t.lo + t.rad <= 0                  ? t.hi
          : above < 2 * half_gap_above(t.hi) ? std::nextafter(t.hi, kInfinity)
                                             : std::nextafter(t.hi + above, kInfinity);
   }
@@ -441,8 +441,8 @@ class Engine<certified>::Implementation {
     queue_ = EventQueue(2 * slots_ + 2);
     found_.assign(2 * slots_ + 2, {});
     stamp_.assign(edges, 0);
-    const double spacing = 2 * round_nearest(motion_.input().container_radius) /
-                           std::sqrt(1.0 + motion_.size());
+    const double spacing =
+        2 * round_nearest(motion_.input().container_radius) / std::sqrt(1.0 + motion_.size());
     double speed = 0;
     for (GenId g = 0; g < motion_.size(); ++g) {
       const DoubleMotion& m = motion_.doubles(g);
@@ -467,7 +467,6 @@ class Engine<certified>::Implementation {
     for (int e = 0; e < slots_; ++e) search_contact(e);
     flush();
   }
-
 
   // ---- One instant. ----
   bool step() {
@@ -620,8 +619,8 @@ class Engine<certified>::Implementation {
       if (is_flip(c.item)) {
         const Quad q = quad_of(c.item / 2);
         const Found& f = found_[c.item];
-        const RootInterval root = f.fine ? *fine_.at(c.item / 2)
-                                         : RootInterval{to_rational(f.lo), to_rational(f.hi)};
+        const RootInterval root =
+            f.fine ? *fine_.at(c.item / 2) : RootInterval{to_rational(f.lo), to_rational(f.hi)};
         now_.exact = [q, root](ExactMotion& exact) {
           return CollapseSearch::exact_root(q, root.lo, root.hi, exact);
         };
@@ -680,8 +679,8 @@ class Engine<certified>::Implementation {
     if (found.fine) fine = fine_.at(edge);
     found_[flip_item(edge)].pending = false;
     ++stats_.flips[static_cast<int>(kind_of(q))];
-    const int around[4] = {diagram_.next(h) / 2, diagram_.previous(h) / 2,
-                           diagram_.next(h ^ 1) / 2, diagram_.previous(h ^ 1) / 2};
+    const int around[4] = {diagram_.next(h) / 2, diagram_.previous(h) / 2, diagram_.next(h ^ 1) / 2,
+                           diagram_.previous(h ^ 1) / 2};
     diagram_.flip(h);
     --degree_[q.l + 1];
     --degree_[q.r + 1];

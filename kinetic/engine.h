@@ -64,7 +64,7 @@ struct EngineStats {
   // came true; and the searches made.
   std::uint64_t predicted_flips = 0, predicted_collisions = 0;
   std::uint64_t flip_searches = 0, contact_searches = 0;
-  std::uint64_t ties = 0;           // pairs of events proved simultaneous
+  std::uint64_t ties = 0;            // pairs of events proved simultaneous
   std::uint64_t settling_flips = 0;  // at t = 0, not events
   std::uint64_t replays = 0;
   int highest_bits = 0, goal_bits = 0;

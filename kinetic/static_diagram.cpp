@@ -197,8 +197,8 @@ class Construction {
         using T = std::decay_t<decltype(base.x)>;
         const Direction<T> ray{target.x - base.x, target.y - base.y};
         if (j != container_id) {
-          return on_arc<T>(vertex_direction(at, root, j, s, k),
-                           vertex_direction(at, root, j, k, e), ray, true);
+          return on_arc<T>(vertex_direction(at, root, j, s, k), vertex_direction(at, root, j, k, e),
+                           ray, true);
         }
         // The edges run clockwise around the container's centre.
         const auto direction = [&](GenId a, GenId b) {

@@ -48,8 +48,8 @@ std::array<Diagram::HalfEdge, 2> Diagram::insert_in_edge(HalfEdge h, GenId g) {
 
 void Diagram::flip(HalfEdge h) {
   const HalfEdge t = twin(h);
-  const HalfEdge re = next_[h], el = next_[re];   // triangle l r e
-  const HalfEdge ls = next_[t], sr = next_[ls];   // triangle r l s
+  const HalfEdge re = next_[h], el = next_[re];  // triangle l r e
+  const HalfEdge ls = next_[t], sr = next_[ls];  // triangle r l s
   const GenId l = org_[h], r = org_[t], e = org_[el], s = org_[sr];
   if (anchor_[l + 1] == h) anchor_[l + 1] = ls;
   if (anchor_[r + 1] == t) anchor_[r + 1] = re;

@@ -26,9 +26,7 @@ void expect_right(const LatticeScene& lattice, bool may_collapse = false) {
   RC_CLASSIFY(seen.ties > 0, "simultaneous events");
 }
 
-RC_GTEST_PROP(EngineOnLattice, Elastic, ()) {
-  expect_right(*lattice_scenes({}));
-}
+RC_GTEST_PROP(EngineOnLattice, Elastic, ()) { expect_right(*lattice_scenes({})); }
 
 RC_GTEST_PROP(EngineOnLattice, EqualRadii, ()) {
   LatticeFamily family;

@@ -62,8 +62,8 @@ TEST(EngineAgainstOracles, FewDisks) {
 
 TEST(EngineAgainstOracles, ManyKindsOfRadii) {
   for (const auto& [rmin, rmax] :
-       {std::pair(2.0, 8.0), std::pair(1e-4, 15.0), std::pair(5.0, 5.0),
-        std::pair(4.0, 4.0 + 1e-9), std::pair(1e-9, 1e-9), std::pair(0.0, 0.0)}) {
+       {std::pair(2.0, 8.0), std::pair(1e-4, 15.0), std::pair(5.0, 5.0), std::pair(4.0, 4.0 + 1e-9),
+        std::pair(1e-9, 1e-9), std::pair(0.0, 0.0)}) {
     const Totals totals =
         expect_right(4, 20, RandomScene{.n = 10, .rmin = rmin, .rmax = rmax, .horizon = 30});
     EXPECT_GT(totals.flips, 40u);
@@ -89,7 +89,8 @@ TEST(EngineAgainstOracles, Dense) {
 
 TEST(EngineAgainstOracles, TinyBesideHuge) {
   const auto make = [](Random& random) {
-    Scene scene = random_scene({.n = 9, .rmin = 1e-3, .rmax = 0.1, .speed = 10, .horizon = 10}, random);
+    Scene scene =
+        random_scene({.n = 9, .rmin = 1e-3, .rmax = 0.1, .speed = 10, .horizon = 10}, random);
     // One disk that fills much of the container would not find its place last.
     Scene big = random_scene({.n = 1, .rmin = 45, .rmax = 55, .horizon = 10}, random);
     big.cx = scene.cx;
@@ -150,8 +151,8 @@ Scene touching_ring(Random& random) {
   struct PythagoreanTriple {
     int x, y, length;
   };
-  const std::vector<PythagoreanTriple> directions{{3, 4, 5},    {-4, 3, 5},   {-5, -12, 13},
-                                                  {12, -5, 13}, {8, 15, 17},  {-15, 8, 17},
+  const std::vector<PythagoreanTriple> directions{{3, 4, 5},    {-4, 3, 5},  {-5, -12, 13},
+                                                  {12, -5, 13}, {8, 15, 17}, {-15, 8, 17},
                                                   {0, -1, 1},   {1, 0, 1}};
   Scene scene = scene_of(40, 20, {disk(0, 0, 8, 0, 0)});
   const auto velocity = [&random] {
@@ -165,8 +166,7 @@ Scene touching_ring(Random& random) {
     const Rational scale = (8 + r) / length;
     const auto v = velocity();
     Scene more = scene;
-    more.disks.push_back(
-        disk(x * scale, y * scale, r, v.first, v.second));
+    more.disks.push_back(disk(x * scale, y * scale, r, v.first, v.second));
     if (is_acceptable(more)) scene = more;
   }
   return scene;

@@ -95,7 +95,8 @@ class Checker {
   using Motion = oracle::BasicMotionOracle<Digits>;
   using Number = typename Motion::Number;
 
-  Checker(const Scene& scene, const RecordedRun& run, const HistoryCheck& check, CheckCounts& counts)
+  Checker(const Scene& scene, const RecordedRun& run, const HistoryCheck& check,
+          CheckCounts& counts)
       : scene_(scene),
         run_(run),
         check_(check),
@@ -308,7 +309,8 @@ class Checker {
     const std::size_t pieces = gaps.size();
     gaps.push_back(end);
     const auto chosen = [&](std::size_t k, int wanted) {
-      const std::size_t step = std::max<std::size_t>(1, pieces / static_cast<std::size_t>(std::max(wanted, 1)));
+      const std::size_t step =
+          std::max<std::size_t>(1, pieces / static_cast<std::size_t>(std::max(wanted, 1)));
       return wanted > 0 && k % step == step / 2;
     };
 
@@ -495,7 +497,8 @@ class Checker {
 };
 
 template <unsigned Digits>
-void check(const Scene& scene, const RecordedRun& run, const HistoryCheck& check, CheckCounts& counts) {
+void check(const Scene& scene, const RecordedRun& run, const HistoryCheck& check,
+           CheckCounts& counts) {
   Checker<Digits>(scene, run, check, counts).run_all();
 }
 

@@ -38,7 +38,7 @@ struct CheckCounts {
 //   instant happens within half a unit in the last place of its time;
 // - the end: the engine's diagram is the replayed one.
 // Returns the first fault, or an empty string.
-std::string check_history(const Scene& scene, const RecordedRun& run, const HistoryCheck& check = {},
-                          CheckCounts* counts = nullptr);
+std::string check_history(const Scene& scene, const RecordedRun& run,
+                          const HistoryCheck& check = {}, CheckCounts* counts = nullptr);
 
 }  // namespace voroproof::testing

@@ -46,9 +46,9 @@ Scene scene_of(const LatticeScene& lattice) {
   if (kept.empty()) return scene;
   for (const LatticeManeuver& m : lattice.maneuvers) {
     const Maneuver wanted{m.t, m.disk % static_cast<int>(kept.size()), m.vx, m.vy};
-    const bool taken = std::any_of(
-        scene.maneuvers.begin(), scene.maneuvers.end(),
-        [&](const Maneuver& o) { return o.t == wanted.t && o.disk == wanted.disk; });
+    const bool taken =
+        std::any_of(scene.maneuvers.begin(), scene.maneuvers.end(),
+                    [&](const Maneuver& o) { return o.t == wanted.t && o.disk == wanted.disk; });
     if (!taken) scene.maneuvers.push_back(wanted);
   }
   std::stable_sort(scene.maneuvers.begin(), scene.maneuvers.end(),

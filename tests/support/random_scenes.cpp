@@ -29,11 +29,11 @@ Scene random_scene(const RandomScene& options, Random& random) {
   std::vector<double> radii;
   double area = 0;
   for (int k = 0; k < options.n; ++k) {
-    const double r = options.rmax == 0 ? 0
-                     : options.rmin == options.rmax
-                         ? options.rmax
-                         : options.rmin *
-                               std::exp(uniform(random, 0, std::log(options.rmax / options.rmin)));
+    const double r =
+        options.rmax == 0 ? 0
+        : options.rmin == options.rmax
+            ? options.rmax
+            : options.rmin * std::exp(uniform(random, 0, std::log(options.rmax / options.rmin)));
     radii.push_back(r);
     area += r * r;
   }
@@ -66,15 +66,15 @@ Scene random_scene(const RandomScene& options, Random& random) {
     const double speed = uniform(random, 0, 2 * options.speed), r = radii[k];
     // Sums are rounded: a hair's breadth of room was left for that.
     scene.disks.push_back({scene.cx.get_d() + places[k].x, scene.cy.get_d() + places[k].y, r,
-                           speed * d.x, speed * d.y, r == 0 ? Rational(1) : Rational(r) * Rational(r)});
+                           speed * d.x, speed * d.y,
+                           r == 0 ? Rational(1) : Rational(r) * Rational(r)});
   }
   std::shuffle(scene.disks.begin(), scene.disks.end(), random);
   for (int k = 0; k < options.maneuvers; ++k) {
     const Place d = direction(random);
     const double speed = uniform(random, 0, 2 * options.speed);
     const int id = static_cast<int>(random() % static_cast<std::uint64_t>(options.n));
-    scene.maneuvers.push_back(
-        {uniform(random, 0, options.horizon), id, speed * d.x, speed * d.y});
+    scene.maneuvers.push_back({uniform(random, 0, options.horizon), id, speed * d.x, speed * d.y});
   }
   std::sort(scene.maneuvers.begin(), scene.maneuvers.end(),
             [](const Maneuver& a, const Maneuver& b) { return a.t < b.t; });
