@@ -12,9 +12,10 @@
 
 namespace voroproof {
 
-// One code for each kind of outcome; 1 is left to the certifier (`s REFUTED`).
+// One code for each kind of outcome.
 enum class ExitCode {
   ok = 0,
+  refuted = 1,      // a history was disproved
   bad_input = 2,    // a bad command line or input, an output that cannot be written
   undecided = 3,    // the run stopped: a decision beyond the budget, an inelastic collapse
   internal = 4,     // a fault of the program
@@ -37,6 +38,7 @@ void add_simulate(CLI::App& app, Action& action);
 void add_snapshot(CLI::App& app, Action& action);
 void add_render(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
+void add_certify(CLI::App& app, Action& action);
 
 // "voroproof VERSION", as histories name their producer.
 std::string producer();

@@ -1,0 +1,149 @@
+// voroproof certify: is a history that of the scene?
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "apps/command_line.h"
+#include "apps/interruption.h"
+#include "apps/progress.h"
+#include "apps/scene_motion.h"
+#include "certify/certifier.h"
+#include "certify/report.h"
+#include "history/error.h"
+#include "kinetic/static_diagram.h"
+
+namespace voroproof {
+namespace {
+
+struct Request {
+  std::string scene, history, report, truth = "exact", tolerance = "1e-6", law_tolerance = "1e-9";
+  CertifyOptions options;
+  int threads = 1;
+  bool quiet = false;
+};
+
+ExitCode exit_code(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::certified:
+      return ExitCode::ok;
+    case Verdict::refuted:
+      return ExitCode::refuted;
+    case Verdict::undecided:
+      break;
+  }
+  return ExitCode::undecided;
+}
+
+// A diagram for histories that give none; the certifier proves it or refutes it.
+std::vector<Quad> construct_initial(Motion& motion) {
+  TierCounts counts;
+  Diagram diagram = static_diagram(motion, 0, counts);
+  settle(diagram, motion, instant_at(0), counts);
+  return diagram.quads();
+}
+
+ExitCode certify_files(Request& request) {
+  require_distinct({request.scene, request.history}, {request.report});
+  const CooperativeInterruption interruption;
+  std::optional<AtomicFile> report_file;
+  if (!request.report.empty()) report_file.emplace(request.report);
+  const Scene scene = read_scene(request.scene);
+  const auto history = open_history(request.history, static_cast<int>(scene.disks.size()));
+  const HistoryHeader& header = history->header();
+  if (!header.scene_sha256.empty() && header.scene_sha256 != scene.sha256) {
+    throw InputError(request.history, 1, "scene_sha256", "is not that of " + request.scene);
+  }
+  CertifyOptions& options = request.options;
+  options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
+  options.tolerance = time_argument("--tolerance", request.tolerance);
+  options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
+  options.propose_initial = construct_initial;
+  std::optional<Progress> progress;
+  progress.emplace(round_nearest(header.horizon), request.quiet);
+  options.monitor = [&](double t, std::int64_t events) {
+    progress->report(t, static_cast<std::uint64_t>(events));
+    return !interruption.requested();
+  };
+  Certificate certificate;
+  try {
+    certificate = certify(scene, motion_input(scene), *history, options);
+  } catch (const CertificationInterrupted&) {
+    throw Interrupted();
+  }
+  progress.reset();
+  if (report_file) {
+    const CertificationRun run{.producer = producer(),
+                               .scene_file = request.scene,
+                               .history_file = request.history,
+                               .scene_sha256 = scene.sha256,
+                               .history_producer = header.producer,
+                               .disks = static_cast<int>(scene.disks.size()),
+                               .horizon = header.horizon};
+    report_file->write(report_text(run, options, certificate));
+    report_file->commit();
+  }
+  if (certificate.verdict != Verdict::certified) {
+    std::cerr << "voroproof: " << request.history << ": "
+              << printable(reason_line(certificate), 4096) << '\n';
+  }
+  if (!request.quiet) {
+    std::cout << "c " << certificate.flips << " flips, " << certificate.collisions
+              << " collisions, " << certificate.maneuvers << " maneuvers proved; certified prefix "
+              << certificate.prefix_events << " events, t = " << certificate.prefix_t << "; swaps "
+              << certificate.swaps << '\n';
+    for (const std::string& remark : certificate.remarks) std::cout << "c " << remark << '\n';
+  }
+  std::cout << verdict_line(certificate.verdict) << '\n';
+  return exit_code(certificate.verdict);
+}
+
+}  // namespace
+
+void add_certify(CLI::App& app, Action& action) {
+  auto request = std::make_shared<Request>();
+  CLI::App* verb = app.add_subcommand("certify", "Prove or refute a history of a scene");
+  add_file(*verb, "scene", request->scene, "the scene")->required();
+  add_file(*verb, "history", request->history, "the history, whoever wrote it")->required();
+  add_choice(*verb, "--truth", {"exact", "recorded"}, request->truth,
+             "against the true motion of the scene, or against that which the history's own\n"
+             "collision times and velocities define (for long floating-point runs)");
+  add_text(*verb, "--tolerance", request->tolerance, "TIME", "of the claimed times")
+      ->capture_default_str();
+  add_text(*verb, "--law-tolerance", request->law_tolerance, "RATIO",
+           "of the claimed velocities, relative to the speeds that meet")
+      ->capture_default_str();
+  verb->add_flag("--strict", request->options.strict,
+                 "refute claims that are out of order, however near they are");
+  verb->add_option("--threads", request->threads, "threads to use")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  add_file(*verb, "--report", request->report, "write everything that was found here, as JSON");
+  verb->add_option("--max-bits", request->options.motion.max_bits,
+                   "what needs more is undecided (exit code 3)")
+      ->check(whole_number())
+      ->check(CLI::Range(64, 1 << 24))
+      ->capture_default_str();
+  verb->add_flag("--quiet", request->quiet, "no progress on the terminal, nothing but the verdict");
+  verb->footer(
+      "The last line of the output is s CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) or\n"
+      "s UNDECIDED (3).\n"
+      "Example:\n  voroproof certify a.scene.json a.history.jsonl --truth recorded --report "
+      "r.json");
+  verb->callback([request, &action] {
+    action = [request] {
+      try {
+        return certify_files(*request);
+      } catch (const InputError& error) {
+        std::cerr << "voroproof: " << printable(error.what(), 4096) << '\n';
+      } catch (const UsageError& error) {
+        std::cerr << "voroproof: " << error.what() << '\n';
+        return ExitCode::bad_input;
+      }
+      std::cout << "s INVALID\n";
+      return ExitCode::bad_input;
+    };
+  });
+}
+
+}  // namespace voroproof

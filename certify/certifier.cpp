@@ -1,0 +1,1373 @@
+#include "certify/certifier.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <memory>
+#include <set>
+
+#include "certify/contact_proof.h"
+#include "certify/edge_proof.h"
+#include "certify/initial_proof.h"
+#include "certify/witness.h"
+#include "filtered/collapse.h"
+#include "filtered/contact.h"
+#include "history/json_text.h"
+#include "topology/diagram.h"
+
+namespace voroproof {
+
+namespace {
+
+using HalfEdge = Diagram::HalfEdge;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Half widths of the brackets that are tried around a claimed flip time, relative to max(1, t).
+constexpr std::array<double, 2> kBrackets{0x1p-38, 0x1p-31};
+
+// How many of the claims that are near each other in time are looked at together.
+constexpr std::size_t kMaxNear = 64;
+
+// A false claim is called mistimed where the event comes within so many tolerances of it.
+constexpr int kMistimed = 1000;
+
+// An instant of the history, with what it takes to compare it exactly.
+struct Moment {
+  enum class Kind { rational, flip, contact, state };
+  Kind kind = Kind::rational;
+  double lo = 0, hi = 0;
+  Rational t;   // rational
+  Quad quad{};  // flip: isolated in [lo, hi], or more narrowly:
+  std::shared_ptr<const RootInterval> root;
+  GenId i = 0, j = 0;  // contact of i and j near lo
+  int state = 0;       // state: when generator j began this state,
+  DdBall dd;           // and that instant
+
+  static Moment at(const Rational& t) {
+    Moment m;
+    m.t = t;
+    m.lo = round_down(t);
+    m.hi = round_up(t);
+    return m;
+  }
+};
+
+// What is known of a V-edge since its quadruplet or the motion of its generators last changed: it
+// is legal and does not collapse until `from`.
+struct Life {
+  double from = 0;
+  long born = 0;         // the instant at which it began
+  bool illegal = false;  // it has to flip at that instant
+  bool due = false;      // it collapses at `root`, next
+  Collapse root;
+};
+
+// The pair of a V-edge likewise: apart or parting, no contact until `from`.
+struct Adjacency {
+  double from = 0;
+  long born = 0;
+};
+
+struct Refuted {
+  Divergence divergence;
+};
+
+std::string text(const Quad& q) {
+  return "[" + std::to_string(q.l) + "," + std::to_string(q.r) + "," + std::to_string(q.s) + "," +
+         std::to_string(q.e) + "]";
+}
+std::string text(GenId i, GenId j) {
+  return "[" + std::to_string(i) + "," + std::to_string(j) + "]";
+}
+std::string between(double lo, double hi) {
+  return "at a time in [" + number_text(lo) + ", " + number_text(hi) + "]";
+}
+
+bool same_generators(const Quad& a, const Quad& b) {
+  std::array<GenId, 4> x{a.l, a.r, a.s, a.e}, y{b.l, b.r, b.s, b.e};
+  std::sort(x.begin(), x.end());
+  std::sort(y.begin(), y.end());
+  return x == y;
+}
+
+Rational square(const Rational& x) { return x * x; }
+Rational norm2(const ExactVec2& v) { return v[0] * v[0] + v[1] * v[1]; }
+ExactVec2 minus(const ExactVec2& a, const ExactVec2& b) { return {a[0] - b[0], a[1] - b[1]}; }
+
+// An upper bound of the length of a vector, good to a part in 10^15.
+Rational length_bound(const ExactVec2& v) {
+  const double n = round_up(norm2(v));
+  return to_rational(std::nextafter(std::sqrt(n), kInfinity));
+}
+
+class Certifier {
+ public:
+  Certifier(const Scene& scene, const MotionInput& input, HistorySource& history,
+            const CertifyOptions& options)
+      : scene_(scene),
+        history_(history),
+        options_(options),
+        horizon_(history.header().horizon),
+        motion_(with_horizon(input, horizon_), options.motion),
+        diagram_(motion_.size()),
+        collapses_(motion_, certificate_.tiers),
+        contacts_(motion_, certificate_.tiers),
+        tolerance_up_(round_up(options.tolerance)),
+        last_event_(motion_.size() + 1, 0) {
+    for (const DiskSpec& d : scene.disks) {
+      claimed_v_.push_back({d.vx, d.vy});
+      top_speed_ = std::max(top_speed_, length_bound({d.vx, d.vy}));
+    }
+  }
+
+  Certificate run() {
+    certificate_.remarks = history_.remarks();
+    try {
+      try {
+        start();
+        while (!near_.empty() || refill()) process_next();
+        finish();
+      } catch (const Refuted& r) {
+        throw Refuted{first_divergence(r.divergence)};
+      }
+    } catch (const Refuted& r) {
+      certificate_.verdict = Verdict::refuted;
+      certificate_.divergence = first_doubt_ && !unoriented() ? *first_doubt_ : r.divergence;
+      prefix_until(certificate_.divergence->t);
+    } catch (const Undecided& u) {
+      certificate_.verdict = Verdict::undecided;
+      certificate_.reason = u.what();
+      certificate_.reason_line = line_;
+      prefix_until(frontier_.lo);
+    }
+    certificate_.highest_bits = motion_.highest_bits();
+    if (ulps_count_ > 0) certificate_.ulps_mean = ulps_sum_ / static_cast<double>(ulps_count_);
+    return std::move(certificate_);
+  }
+
+ private:
+  static MotionInput with_horizon(MotionInput input, const Rational& horizon) {
+    input.horizon = horizon;
+    return input;
+  }
+
+  // ---- Claims. ----
+  struct Claim {
+    Event event;
+    std::int64_t line;
+  };
+
+  // Reads the claims that follow within twice the tolerance of the next one: their true order may
+  // differ from that of the file.
+  bool refill() {
+    while (!ended_ && (near_.empty() || (near_.size() < kMaxNear &&
+                                         time(near_.back().event) <=
+                                             time(near_.front().event) + 2 * tolerance_up_))) {
+      std::optional<Event> event = history_.next();
+      if (!event) {
+        ended_ = true;
+        break;
+      }
+      near_.push_back({std::move(*event), history_.line()});
+      times_.push_back(time(near_.back().event));
+      lines_.push_back(history_.line());
+    }
+    return !near_.empty();
+  }
+
+  [[noreturn]] void refute(Fault fault, const std::string& truth, Witness witness = {}) {
+    Divergence d;
+    d.fault = fault;
+    d.line = line_;
+    d.t = claim_ ? time(*claim_) : frontier_.lo;
+    d.claim = claim_;
+    d.truth = truth;
+    d.witness = std::move(witness);
+    throw Refuted{std::move(d)};
+  }
+
+  [[noreturn]] void refute_missing_flip(const Quad& q, const Collapse& root) {
+    Divergence d = missing_flip(q, root);
+    throw Refuted{std::move(d)};
+  }
+
+  Divergence missing_flip(const Quad& q, const Collapse& root) {
+    const auto [lo, hi] = interval_of(root);
+    Divergence d;
+    d.fault = Fault::missing_event;
+    d.t = root.lo;
+    d.line = line_at(root.lo);
+    d.truth = "edge " + text(canonical(q)) + " flips " + between(root.lo, root.hi);
+    d.true_flip = canonical(q);
+    d.true_time = {root.lo, root.hi};
+    d.witness = collapse_witness(motion_, q, lo, hi);
+    return d;
+  }
+
+  Divergence missing_contact(GenId i, GenId j, double lo, double hi) {
+    Divergence d;
+    d.fault = options_.truth == Truth::recorded ? Fault::overlap : Fault::missing_event;
+    d.t = lo;
+    d.line = line_at(lo);
+    d.truth = "generators " + text(i, j) + " touch and approach " + between(lo, hi);
+    d.true_contact = {i, j};
+    d.true_time = {lo, hi};
+    d.witness = contact_witness(motion_, i, j, to_rational(lo), to_rational(hi));
+    return d;
+  }
+
+  // The line of the first claim later than t, or the last line read.
+  std::int64_t line_at(double t) const {
+    const auto it = std::upper_bound(times_.begin(), times_.end(), t);
+    return it == times_.end() ? history_.line() : lines_[it - times_.begin()];
+  }
+
+  void prefix_until(double t) {
+    certificate_.prefix_t = std::min(t, frontier_.lo);
+    const auto it = std::lower_bound(times_.begin(), times_.end(), certificate_.prefix_t);
+    certificate_.prefix_events = std::min<std::int64_t>(it - times_.begin(), processed_);
+  }
+
+  // ---- Time. ----
+  Instant instant(const Moment& m) {
+    Instant now;
+    now.lo = m.lo;
+    now.hi = m.hi;
+    now.dd = narrow(m);
+    now.exact = [this, m](ExactMotion& exact) { return exact_time_of(m, exact); };
+    return now;
+  }
+
+  ExactTime exact_time_of(const Moment& m, ExactMotion& exact) const {
+    switch (m.kind) {
+      case Moment::Kind::rational:
+        break;
+      case Moment::Kind::flip: {
+        const RootInterval r =
+            m.root ? *m.root : RootInterval{to_rational(m.lo), to_rational(m.hi)};
+        return CollapseSearch::exact_root(m.quad, r.lo, r.hi, exact);
+      }
+      case Moment::Kind::contact:
+        return ContactSearch::exact_time(m.i, m.j, to_rational(m.lo), exact);
+      case Moment::Kind::state:
+        return time_of(exact.start(m.state, m.j));
+    }
+    return ExactTime(m.t);
+  }
+
+  // Negative, zero or positive.
+  int compare_moments(const Moment& a, const Moment& b) {
+    if (a.hi < b.lo) return -1;
+    if (b.hi < a.lo) return 1;
+    if (a.kind == Moment::Kind::rational && b.kind == Moment::Kind::rational) {
+      return a.t < b.t ? -1 : a.t > b.t ? 1 : 0;
+    }
+    const DdBall difference = narrow(a) - narrow(b);
+    const Sign s = sign(difference);
+    if (s == Sign::negative || s == Sign::positive) return static_cast<int>(s);
+    ++certificate_.beyond_filter;
+    std::string budget;
+    for (bool tried = false;;) {
+      const Sign t = sign(ball_of(a) - ball_of(b));
+      if (t == Sign::negative || t == Sign::positive) return static_cast<int>(t);
+      if (!tried) {
+        tried = true;
+        try {
+          ExactMotion exact(motion_);
+          const auto c = compare(exact_time_of(a, exact), exact_time_of(b, exact));
+          return c < 0 ? -1 : c > 0 ? 1 : 0;
+        } catch (const BudgetExceeded& e) {
+          budget = e.what();
+        }
+      }
+      if (!motion_.raise_precision()) {
+        throw Undecided("two events may be simultaneous: " + budget);
+      }
+    }
+  }
+
+  DdBall narrow(const Moment& m) const {
+    DdBall dd(0, 0, kInfinity);
+    if (m.kind == Moment::Kind::flip) dd = collapses_.refine(m.quad, m.lo, m.hi);
+    if (m.kind == Moment::Kind::contact) dd = contacts_.refine(m.i, m.j, 0.5 * (m.lo + m.hi));
+    if (m.kind == Moment::Kind::state) dd = m.dd;
+    if (m.kind == Moment::Kind::rational) {
+      const double near = round_nearest(m.t);
+      const double error = std::fabs(round_nearest(Rational(m.t - to_rational(near))));
+      return DdBall(near, 0, error * (1 + 0x1p-50));
+    }
+    const double middle = 0.5 * (m.lo + m.hi);
+    const DdBall hull(middle, 0, (m.hi - m.lo) * (1 + 0x1p-50));
+    return dd.rad < hull.rad ? dd : hull;
+  }
+
+  Ball ball_of(const Moment& m) {
+    const int bits = motion_.goal_bits() + 32;
+    switch (m.kind) {
+      case Moment::Kind::rational:
+        break;
+      case Moment::Kind::flip:
+        return m.root ? collapses_.refine(m.quad, m.root->lo, m.root->hi, bits)
+                      : collapses_.refine(m.quad, to_rational(m.lo), to_rational(m.hi), bits);
+      case Moment::Kind::contact:
+        return contacts_.refine(m.i, m.j, to_rational(0.5 * (m.lo + m.hi)), bits);
+      case Moment::Kind::state: {
+        Ball b(to_rational(m.dd.hi) + to_rational(m.dd.lo), bits);
+        b.widen(Magnitude::of(m.dd.rad));
+        return b;
+      }
+    }
+    return Ball(m.t, bits);
+  }
+
+  // Whether a moment is within the tolerance of the claimed time.
+  bool within_tolerance(const Moment& m, const Rational& claimed) {
+    const Moment first = Moment::at(claimed - options_.tolerance);
+    const Moment last = Moment::at(claimed + options_.tolerance);
+    return compare_moments(m, first) >= 0 && compare_moments(m, last) <= 0;
+  }
+
+  // Where the truth has come to. A later moment makes it move on, and then nothing may be left
+  // that had to happen before.
+  void advance(const Moment& m) {
+    const int order = compare_moments(m, frontier_);
+    if (order < 0) {
+      refute(Fault::wrong_order, "the event lies " + between(m.lo, m.hi) +
+                                     ", before the event claimed before it, and cannot be swapped "
+                                     "with it");
+    }
+    if (order > 0) {
+      leave_instant();
+      frontier_ = m;
+      ++instant_;
+      return;
+    }
+    if (processed_ > 0) ++certificate_.simultaneous;
+    if (m.kind != Moment::Kind::flip) frontier_ = m;
+  }
+
+  // Every edge illegal at the present instant must have flipped.
+  void leave_instant() {
+    for (const int e : illegal_) {
+      const Life& life = lives_[e];
+      if (life.illegal && life.born == instant_) {
+        Collapse c;
+        c.lo = frontier_.lo;
+        c.hi = frontier_.hi;
+        Divergence d = missing_flip(diagram_.quad(2 * e), c);
+        d.witness = motion_witness(motion_, generators(diagram_.quad(2 * e)), to_rational(c.lo));
+        throw Refuted{d};
+      }
+    }
+    illegal_.clear();
+  }
+
+  static std::vector<GenId> generators(const Quad& q) { return {q.l, q.r, q.s, q.e}; }
+
+  static std::pair<Rational, Rational> interval_of(const Collapse& c) {
+    if (c.fine) return {c.fine->lo, c.fine->hi};
+    return {to_rational(c.lo), to_rational(c.hi)};
+  }
+
+  static Moment moment_of(const Quad& q, const Collapse& c) {
+    Moment m;
+    m.kind = Moment::Kind::flip;
+    m.quad = q;
+    m.lo = c.lo;
+    m.hi = c.hi;
+    m.root = c.fine;
+    return m;
+  }
+
+  // ---- Lives of edges. ----
+  std::optional<Collapse> first_collapse(const Quad& q, double from, double end) {
+    while (from < end) {
+      const Collapse c = collapses_.after(q, from, end);
+      if (c.kind == Collapse::Kind::root) return c;
+      if (!(c.lo > from)) {
+        throw Undecided("the life of edge " + text(canonical(q)) + " is not decided", q);
+      }
+      from = c.lo;
+    }
+    return std::nullopt;
+  }
+
+  // A life begins at m. `own`: m is the one root in [m.lo, m.hi] of the edge's own polynomial, and
+  // the edge is what the flip there left.
+  void begin_life(int edge, const Moment& m, bool own) {
+    Life& life = lives_[edge];
+    life = {};
+    life.born = instant_;
+    const Quad q = diagram_.quad(2 * edge);
+    life.from = own ? m.hi : m.lo;
+    const bool isolated = own && m.root == nullptr;
+    if (isolated || q.s == q.e || (!own && proved_not_cotangent(motion_, q, m.lo, m.hi))) return;
+    ++certificate_.beyond_filter;
+    const double soon = std::nextafter(m.hi, kInfinity);
+    const Collapse c =
+        own ? collapses_.after(q, m.hi, soon, m.root.get()) : collapses_.from(q, instant(m), soon);
+    switch (c.kind) {
+      case Collapse::Kind::none:
+        life.from = std::max(c.lo, m.lo);
+        break;
+      case Collapse::Kind::root:
+        life.due = true;
+        life.root = c;
+        break;
+      case Collapse::Kind::now:
+        life.illegal = true;
+        illegal_.push_back(edge);
+        break;
+    }
+  }
+
+  // The life ends at m without a flip of the edge; `closed`: a collapse at m itself is missed too.
+  void end_life(int edge, const Moment& m, bool closed = false) {
+    ++certificate_.edge_lives;
+    Life& life = lives_[edge];
+    const Quad q = diagram_.quad(2 * edge);
+    if (life.illegal) {
+      if (life.born == instant_ && !closed) return;
+      Collapse c;
+      c.lo = c.hi = m.lo;
+      refute_missing_flip(q, c);
+    }
+    if (!life.due) {
+      if (proved_free(motion_, q, life.from, m.hi)) return;
+      ++certificate_.beyond_filter;
+      const auto c = first_collapse(q, life.from, m.hi);
+      if (!c) return;
+      life.due = true;
+      life.root = *c;
+    }
+    const int order = compare_moments(moment_of(q, life.root), m);
+    if (order < 0 || (order == 0 && closed)) refute_missing_flip(q, life.root);
+  }
+
+  // ---- Lives of pairs. ----
+  std::pair<GenId, GenId> pair_of(int edge) const {
+    if (diagram_.edges() == 0) return {container_id, 0};
+    return std::minmax(diagram_.org(2 * edge), diagram_.dest(2 * edge));
+  }
+
+  void begin_pair(int edge, const Moment& m) { pairs_[edge] = {m.lo, instant_}; }
+
+  // Whether the last thing that happened to both was their own collision.
+  bool partners(GenId i, GenId j) const {
+    return i != container_id && last_event_[i + 1] != 0 && last_event_[i + 1] == last_event_[j + 1];
+  }
+
+  // The pair's adjacency, or its motion, ends at m without a collision of the two.
+  void end_pair(int edge, const Moment& m, bool closed = false) {
+    const auto [i, j] = pair_of(edge);
+    if (partners(i, j)) return;
+    ++certificate_.pair_lives;
+    const double from = pairs_[edge].from;
+    if (proved_apart(motion_, i, j, from, m.hi)) return;
+    ++certificate_.beyond_filter;
+    if (options_.truth == Truth::recorded) {
+      check_overlap(i, j, from, m);
+      return;
+    }
+    const Moment begin = Moment::at(to_rational(from));
+    const NextContact c = contacts_.from(i, j, instant(begin), std::nextafter(m.hi, kInfinity));
+    if (c.kind == NextContact::Kind::none) return;
+    const int order = compare_moments(contact_moment(i, j, c), m);
+    if (order > 0) return;
+    if (order == 0 && !closed) {
+      // They touch as something else happens. If they still approach after it, that is for their
+      // next life; but of collisions at one instant the smallest pair comes first.
+      if (colliding_ && std::pair(i, j) < *colliding_) {
+        refute(Fault::wrong_order, "generators " + text(i, j) +
+                                       " touch and approach at the same instant and come first");
+      }
+      return;
+    }
+    throw Refuted{missing_contact(i, j, c.lo, c.hi)};
+  }
+
+  static Moment contact_moment(GenId i, GenId j, const NextContact& c) {
+    Moment m;
+    m.kind = Moment::Kind::contact;
+    m.lo = c.lo;
+    m.hi = c.hi;
+    m.i = i;
+    m.j = j;
+    return m;
+  }
+
+  // |offset + w s|^2 - reach^2, s from the time `at`, in the recorded motion: all rational.
+  Contact<Rational> exact_contact(GenId i, GenId j, const Rational& at) {
+    ExactMotion exact(motion_);
+    const auto site = [&](GenId g) {
+      const MovingSite<Tower> s = exact.moving_site(g, at);
+      return MovingSite<Rational>{s.x.rational(), s.y.rational(), s.vx.rational(), s.vy.rational(),
+                                  s.r.rational()};
+    };
+    return {site(i), site(j)};
+  }
+
+  // Recorded truth: two disks may overlap, or a disk leave the container, for no longer than the
+  // tolerance.
+  void check_overlap(GenId i, GenId j, double from, const Moment& m) {
+    const Contact<Rational> k = exact_contact(i, j, to_rational(from));
+    if (sgn(k.a) == 0) {
+      if (sgn(k.c) >= 0 || i == container_id) return;
+      throw Refuted{missing_contact(i, j, from, m.hi)};
+    }
+    const Rational discriminant = k.b * k.b - k.a * k.c;
+    if (i != container_id && sgn(discriminant) <= 0) return;
+    constexpr int bits = 512;
+    const Ball a(k.a, bits), b(k.b, bits), root = sqrt(Ball(discriminant, bits));
+    const Ball enter = (-b - root) / a, leave = (root - b) / a;
+    const Ball end(Rational(to_rational(m.hi) - to_rational(from)), bits), zero(bits);
+    const Ball tolerance(options_.tolerance, bits);
+    const auto first = [&](const Ball& x, const Ball& y) {
+      return sign(x - y) == Sign::negative ? x : y;
+    };
+    const auto last = [&](const Ball& x, const Ball& y) {
+      return sign(x - y) == Sign::positive ? x : y;
+    };
+    const auto allowed = [&](const Ball& lo, const Ball& hi) {
+      return sign(hi - lo - tolerance) == Sign::negative;
+    };
+    // Ends that cannot be told apart differ by nothing that counts.
+    const bool fine = i == container_id
+                          ? allowed(zero, first(enter, end)) && allowed(last(leave, zero), end)
+                          : allowed(last(enter, zero), first(leave, end));
+    if (fine) return;
+    double lo = 0, hi = 0;
+    (Ball(to_rational(from), bits) + (i == container_id ? leave : last(enter, zero)))
+        .to_interval(lo, hi);
+    throw Refuted{missing_contact(i, j, lo, hi)};
+  }
+
+  // ---- The start. ----
+  void start() {
+    frontier_ = Moment::at(Rational(0));
+    refill();
+    // What happens to the motion at t = 0 comes before the diagram at 0+.
+    while (!near_.empty() && sgn(exact_time(near_.front().event)) == 0 &&
+           !std::holds_alternative<FlipEvent>(near_.front().event)) {
+      take(0);
+      if (const auto* c = std::get_if<CollideEvent>(&*claim_)) {
+        collide(*c);
+      } else {
+        maneuver(std::get<ManeuverEvent>(*claim_));
+      }
+      done();
+      refill();
+    }
+    claim_.reset();
+    line_ = 1;
+    std::vector<Quad> initial;
+    if (history_.header().initial) {
+      initial = *history_.header().initial;
+    } else if (motion_.size() >= 2) {
+      if (!options_.propose_initial) {
+        throw Undecided("the history gives no initial diagram, and none is at hand");
+      }
+      initial = options_.propose_initial(motion_);
+      certificate_.remarks.push_back(
+          "the history gives no initial diagram: that of the scene was constructed and proved");
+    }
+    std::string why;
+    if (motion_.size() < 2) {
+      if (!initial.empty()) {
+        refute(Fault::wrong_initial_diagram, "a diagram of fewer than two disks has no edge");
+      }
+    } else {
+      try {
+        diagram_ = diagram_of(motion_.size(), initial);
+      } catch (const std::invalid_argument& e) {
+        refute(Fault::wrong_initial_diagram, e.what());
+      }
+      if (!diagram_.is_valid(&why)) refute(Fault::wrong_initial_diagram, why);
+      if (const auto f = initial_fault(diagram_, motion_, 0, certificate_.tiers)) {
+        Witness w;
+        if (f->vertex && f->conflict) {
+          w = conflict_witness(motion_, *f->vertex, *f->conflict, 0);
+        } else if (f->edge) {
+          w = motion_witness(motion_, generators(*f->edge), 0);
+        } else if (f->vertex) {
+          w = motion_witness(motion_, {f->vertex->begin(), f->vertex->end()}, 0);
+        }
+        refute(Fault::wrong_initial_diagram, f->truth, w);
+      }
+    }
+    const int edges = diagram_.edges();
+    lives_.assign(edges, {});
+    pairs_.assign(motion_.size() == 1 ? 1 : edges, {});
+    const Moment now = Moment::at(Rational(0));
+    for (int e = 0; e < edges; ++e) begin_life(e, now, false);
+    for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) begin_pair(e, now);
+    begun_ = true;
+  }
+
+  // ---- One claim. ----
+  void take(std::size_t k) {
+    claim_ = std::move(near_[k].event);
+    line_ = near_[k].line;
+    near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+
+  void done() {
+    ++processed_;
+    if (options_.monitor && (processed_ & 0xff) == 0 &&
+        !options_.monitor(frontier_.lo, processed_)) {
+      throw CertificationInterrupted{};
+    }
+  }
+
+  void process_next() {
+    refill();
+    const std::size_t k = near_.size() > 1 ? earliest() : 0;
+    take(k);
+    if (const auto* f = std::get_if<FlipEvent>(&*claim_)) {
+      flip(*f);
+    } else if (const auto* c = std::get_if<CollideEvent>(&*claim_)) {
+      collide(*c);
+    } else {
+      maneuver(std::get<ManeuverEvent>(*claim_));
+    }
+    if (k > 0) ++certificate_.swaps;
+    done();
+  }
+
+  // Which of the near claims is the first in truth. Only a claim that is certainly earlier than
+  // those before it, and whose own edge or pair is there already, goes before them.
+  std::size_t earliest() {
+    std::size_t best = 0;
+    std::optional<Moment> first = probe(near_[0].event);
+    if (!first) return 0;
+    for (std::size_t k = 1; k < near_.size(); ++k) {
+      const double t = time(near_[k].event);
+      // A flip is only looked for in its widest bracket.
+      if (std::holds_alternative<FlipEvent>(near_[k].event) &&
+          t - kBrackets.back() * std::fmax(1, t) > first->hi) {
+        continue;
+      }
+      const std::optional<Moment> m = probe(near_[k].event);
+      if (m && m->hi < first->lo) {
+        first = m;
+        best = k;
+      }
+    }
+    if (best > 0 && options_.strict) {
+      take(0);
+      refute(Fault::wrong_order,
+             "an event claimed after it happens before it, " + between(first->lo, first->hi));
+    }
+    return best;
+  }
+
+  // The true time of a claim, where that is easily had.
+  std::optional<Moment> probe(const Event& event) {
+    if (const auto* f = std::get_if<FlipEvent>(&event)) {
+      const HalfEdge h = find(f->quad);
+      if (h < 0 || lives_[h / 2].illegal || lives_[h / 2].due) return std::nullopt;
+      return bracket(diagram_.quad(h), lives_[h / 2].from, f->t);
+    }
+    if (options_.truth == Truth::recorded) return Moment::at(exact_time(event));
+    if (const auto* c = std::get_if<CollideEvent>(&event)) {
+      const int e = adjacency(c->i, c->j);
+      if (e < 0) return std::nullopt;
+      const NextContact next = next_contact(e, c->i, c->j);
+      if (next.kind == NextContact::Kind::none) return std::nullopt;
+      return contact_moment(c->i, c->j, next);
+    }
+    return std::nullopt;
+  }
+
+  // ---- Flips. ----
+  // The half-edge with this quadruplet, or -1.
+  HalfEdge find(const Quad& q) const {
+    if (diagram_.edges() == 0) return -1;
+    const HalfEdge first = diagram_.anchor(degree_hint(q));
+    HalfEdge h = first;
+    const bool from_l = diagram_.org(first) == q.l;
+    do {
+      const HalfEdge g = from_l ? h : Diagram::twin(h);
+      if (diagram_.quad(g) == q) return g;
+      h = diagram_.rotate(h);
+    } while (h != first);
+    return -1;
+  }
+  // The container has many neighbours.
+  GenId degree_hint(const Quad& q) const { return q.l == container_id ? q.r : q.l; }
+
+  // The flip of q within a narrow bracket around the claimed time, if that is easily proved.
+  std::optional<Moment> bracket(const Quad& q, double from, double t) const {
+    for (const double relative : kBrackets) {
+      const double pad = std::fmin(relative * std::fmax(1, t), 0.99 * tolerance_up_);
+      const double lo = t - pad, hi = t + pad;
+      if (!(from <= lo)) continue;
+      if (!proved_collapse(motion_, q, lo, hi)) continue;
+      Moment m;
+      m.kind = Moment::Kind::flip;
+      m.quad = q;
+      m.lo = lo;
+      m.hi = hi;
+      return m;
+    }
+    return std::nullopt;
+  }
+
+  void flip(const FlipEvent& claim) {
+    HalfEdge h = find(claim.quad);
+    if (h < 0) h = find_unoriented(claim.quad);
+    if (h < 0) {
+      refute(Fault::edge_not_present,
+             "no edge of the diagram has the quadruplet " + text(claim.quad));
+    }
+    const int edge = h / 2;
+    const Quad q = diagram_.quad(h);
+    const Life life = lives_[edge];
+    const Rational t = exact_time(Event(claim));
+    Moment m;
+    bool own = true;  // the polynomial's one root in [m.lo, m.hi]
+    std::optional<Moment> easy;
+    if (!life.illegal && !life.due) easy = bracket(q, life.from, claim.t);
+    if (easy && proved_free(motion_, q, life.from, easy->lo)) {
+      m = *easy;
+    } else if (life.illegal) {
+      ++certificate_.beyond_filter;
+      if (life.born != instant_) {
+        refute(Fault::wrong_order, "the edge flips at an earlier instant");
+      }
+      m = frontier_;
+      own = false;
+      if (!within_tolerance(m, t)) mistimed(q, {Collapse::Kind::root, m.lo, m.hi, nullptr}, t);
+    } else {
+      ++certificate_.beyond_filter;
+      const double end = round_up(Rational(t + options_.tolerance));
+      std::optional<Collapse> c =
+          life.due ? std::optional(life.root) : first_collapse(q, life.from, end);
+      if (!c) {
+        const double horizon = round_up(horizon_);
+        c = first_collapse(q, std::max(life.from, end), horizon);
+        if (c) mistimed(q, *c, t);
+        refute(Fault::spurious_event,
+               "edge " + text(canonical(q)) + " does not collapse under its present motion",
+               motion_witness(motion_, generators(q), t));
+      }
+      m = moment_of(q, *c);
+      if (!within_tolerance(m, t)) mistimed(q, *c, t);
+    }
+    if (!life.illegal) advance(m);
+    if (life.illegal) ++certificate_.simultaneous;
+    if (options_.truth == Truth::exact && own) count_ulps(m, claim.t);
+    ++certificate_.flips;
+
+    const int around[4] = {diagram_.next(h) / 2, diagram_.previous(h) / 2, diagram_.next(h ^ 1) / 2,
+                           diagram_.previous(h ^ 1) / 2};
+    std::array<int, 4> others{};
+    int count = 0;
+    for (const int e : around) {
+      if (e == edge ||
+          std::find(others.begin(), others.begin() + count, e) != others.begin() + count) {
+        continue;
+      }
+      others[count++] = e;
+    }
+    for (int k = 0; k < count; ++k) end_life(others[k], m);
+    end_pair(edge, m);
+    diagram_.flip(h);
+    begin_life(edge, m, own);
+    for (int k = 0; k < count; ++k) {
+      // An edge of the same four generators has the same root, and is legal beyond it.
+      begin_life(others[k], m, own && same_generators(diagram_.quad(2 * others[k]), q));
+    }
+    begin_pair(edge, m);
+  }
+
+  [[noreturn]] void mistimed(const Quad& q, const Collapse& c, const Rational& claimed) {
+    const auto [lo, hi] = interval_of(c);
+    const Rational far = kMistimed * options_.tolerance;
+    const bool near = lo - claimed <= far && claimed - hi <= far;
+    Divergence d;
+    d.fault = near || hi < claimed ? Fault::wrong_time : Fault::spurious_event;
+    d.line = line_;
+    d.t = time(*claim_);
+    d.claim = claim_;
+    d.truth = "edge " + text(canonical(q)) + " flips " + between(c.lo, c.hi);
+    d.true_flip = canonical(q);
+    d.true_time = {c.lo, c.hi};
+    d.witness = collapse_witness(motion_, q, lo, hi);
+    throw Refuted{d};
+  }
+
+  // A quadruplet whose two third generators are exchanged is that of an edge whose producer does
+  // not orient its quadruplets, or a fault. One alone is a fault: the doubt is kept until enough
+  // others show that orientation has no meaning in this file.
+  HalfEdge find_unoriented(const Quad& q) {
+    const HalfEdge h = find(canonical(Quad{q.l, q.r, q.e, q.s}));
+    const HalfEdge g = h >= 0 ? h : find(reversed(canonical(Quad{q.l, q.r, q.e, q.s})));
+    if (g < 0) return -1;
+    if (certificate_.resolved++ == 0) {
+      certificate_.first_resolved_line = line_;
+      Divergence d;
+      d.fault = Fault::wrong_quadruple;
+      d.line = line_;
+      d.t = time(*claim_);
+      d.claim = claim_;
+      d.truth = "the edge with these generators is " + text(canonical(diagram_.quad(g)));
+      d.true_flip = canonical(diagram_.quad(g));
+      d.witness = motion_witness(motion_, generators(q), to_rational(d.t));
+      first_doubt_ = d;
+    }
+    return g;
+  }
+
+  void count_ulps(const Moment& m, double claimed) {
+    const DdBall d = narrow(m) - DdBall(claimed);
+    const double ulp = std::nextafter(claimed, kInfinity) - claimed;
+    const double error = std::fabs(d.hi + d.lo) / ulp;
+    ulps_sum_ += error;
+    ++ulps_count_;
+    if (error > certificate_.ulps_max) {
+      certificate_.ulps_max = error;
+      certificate_.ulps_max_line = line_;
+    }
+  }
+
+  // ---- Collisions and maneuvers. ----
+  // A V-edge between the two, or -1.
+  int adjacency(GenId i, GenId j) const {
+    if (motion_.size() == 1) return 0;
+    const HalfEdge first = diagram_.anchor(j);
+    HalfEdge h = first;
+    do {
+      if (diagram_.dest(h) == i) return h / 2;
+      h = diagram_.rotate(h);
+    } while (h != first);
+    return -1;
+  }
+
+  NextContact next_contact(int edge, GenId i, GenId j) {
+    if (partners(i, j)) return {};
+    const Moment from = Moment::at(to_rational(begun_ ? pairs_[edge].from : 0));
+    NextContact c = contacts_.from(i, j, instant(from), round_up(horizon_));
+    if (c.kind != NextContact::Kind::at) return c;
+    const DdBall dd = contacts_.refine(i, j, 0.5 * (c.lo + c.hi));
+    if (dd.rad < kInfinity) {
+      c.lo = std::max(c.lo, std::nextafter(dd.hi + (dd.lo - dd.rad), -kInfinity));
+      c.hi = std::min(c.hi, std::nextafter(dd.hi + (dd.lo + dd.rad), kInfinity));
+    }
+    return c;
+  }
+
+  // The edges that have one of the two disks among their generators: spokes first.
+  void collect_around(GenId i, GenId j) {
+    spokes_.clear();
+    rim_.clear();
+    if (!begun_) return;
+    for (const GenId g : {i, j}) {
+      if (g == container_id) continue;
+      if (motion_.size() == 1) {
+        spokes_.insert(0);
+        continue;
+      }
+      const HalfEdge first = diagram_.anchor(g);
+      HalfEdge h = first;
+      do {
+        spokes_.insert(h / 2);
+        rim_.insert(diagram_.next(h) / 2);
+        h = diagram_.rotate(h);
+      } while (h != first);
+    }
+    for (const int e : spokes_) rim_.erase(e);
+  }
+
+  void end_around(const Moment& m) {
+    if (diagram_.edges() == 0) return;
+    for (const int e : spokes_) end_life(e, m);
+    for (const int e : rim_) end_life(e, m);
+  }
+  void begin_around(const Moment& m) {
+    for (const int e : spokes_) begin_pair(e, m);
+    if (diagram_.edges() == 0) return;
+    for (const int e : spokes_) begin_life(e, m, false);
+    for (const int e : rim_) begin_life(e, m, false);
+  }
+  void end_pairs_around(const Moment& m) {
+    for (const int e : spokes_) {
+      if (!colliding_ || pair_of(e) != *colliding_) end_pair(e, m);
+    }
+  }
+
+  void collide(const CollideEvent& claim) {
+    require_maneuvers_before(time(*claim_));
+    colliding_ = {claim.i, claim.j};
+    const int edge = begun_ ? adjacency(claim.i, claim.j) : 0;
+    if (edge < 0) {
+      refute(Fault::wrong_pair, "generators " + text(claim.i, claim.j) +
+                                    " are not adjacent in the diagram, so they do not touch");
+    }
+    const Rational t = exact_time(Event(claim));
+    if (options_.truth == Truth::exact) {
+      collide_exactly(claim, edge, t);
+    } else {
+      collide_as_recorded(claim, t);
+    }
+    colliding_.reset();
+    ++certificate_.collisions;
+  }
+
+  void collide_exactly(const CollideEvent& claim, int edge, const Rational& t) {
+    const GenId i = claim.i, j = claim.j;
+    const NextContact c = next_contact(edge, i, j);
+    if (c.kind == NextContact::Kind::none) {
+      refute(Fault::spurious_event,
+             "generators " + text(i, j) + " do not touch under their present motion",
+             motion_witness(motion_, {i, j}, t));
+    }
+    Moment m = contact_moment(i, j, c);
+    if (!within_tolerance(m, t)) {
+      Divergence d;
+      const Rational far = kMistimed * options_.tolerance;
+      const bool near = to_rational(c.lo) - t <= far;
+      d.fault = near ? Fault::wrong_time : Fault::spurious_event;
+      d.line = line_;
+      d.t = claim.t;
+      d.claim = claim_;
+      d.truth = "generators " + text(i, j) + " touch " + between(c.lo, c.hi);
+      d.true_contact = {i, j};
+      d.true_time = {c.lo, c.hi};
+      d.witness = contact_witness(motion_, i, j, to_rational(c.lo), to_rational(c.hi));
+      throw Refuted{d};
+    }
+    advance(m);
+    collect_around(i, j);
+    end_around(m);
+    end_pairs_around(m);
+    // The law between the claimed values first, while the state before is at hand.
+    if (claim.p[1])
+      check_law(claim, {*exact_center(claim, 0 + (i == container_id)), *exact_center(claim, 1)});
+    const Impact impact = motion_.collide(i, j, 0.5 * (m.lo + m.hi));
+    m.kind = Moment::Kind::state;
+    m.state = motion_.state_id(j);
+    m.dd = impact.time_dd;
+    frontier_ = m;
+    check_state(claim, 1, impact.second);
+    if (i != container_id) check_state(claim, 0, impact.first);
+    note_motion(i, j, claim,
+                {{{to_rational(impact.first.vx), to_rational(impact.first.vy)},
+                  {to_rational(impact.second.vx), to_rational(impact.second.vy)}}});
+    begin_around(m);
+  }
+
+  // Claimed values against the true ones (correctly rounded): positions within the tolerance of
+  // time at the top speed, velocities within it relative to that speed.
+  void check_state(const CollideEvent& claim, int side, const RoundedState& truth) {
+    const ExactVec2 v{to_rational(truth.vx), to_rational(truth.vy)};
+    const ExactVec2 p{to_rational(truth.px), to_rational(truth.py)};
+    top_speed_ = std::max(top_speed_, length_bound(v));
+    check_values(exact_velocity(claim, side), exact_center(claim, side), v, p);
+  }
+
+  void check_values(const std::optional<ExactVec2>& v, const std::optional<ExactVec2>& p,
+                    const ExactVec2& true_v, const ExactVec2& true_p) {
+    const Rational allowed2 = square(options_.tolerance * top_speed_);
+    if (v && norm2(minus(*v, true_v)) > allowed2) {
+      refute(Fault::wrong_response, "the velocity is (" + number_text(true_v[0].get_d()) + ", " +
+                                        number_text(true_v[1].get_d()) + ")");
+    }
+    check_center(p, true_p);
+  }
+
+  void check_center(const std::optional<ExactVec2>& p, const ExactVec2& true_p) {
+    // A centre is written as binary64.
+    const Rational rounding = 4 * length_bound(true_p) / (Rational(1) << 53);
+    const Rational allowed = options_.tolerance * top_speed_ + rounding;
+    if (p && norm2(minus(*p, true_p)) > square(allowed)) {
+      refute(Fault::wrong_response, "the centre is (" + number_text(true_p[0].get_d()) + ", " +
+                                        number_text(true_p[1].get_d()) + ")");
+    }
+  }
+
+  // Velocities after a collision with centres p and the claimed velocities before it: the law of
+  // docs/formats.md, for the container with n = c - O.
+  std::array<ExactVec2, 2> law(GenId i, GenId j, const std::array<ExactVec2, 2>& p) const {
+    std::array<ExactVec2, 2> v{ExactVec2{0, 0}, claimed_v_[j]};
+    if (i == container_id) {
+      const ExactVec2 n = minus(p[1], {scene_.cx, scene_.cy});
+      const Rational q = (v[1][0] * n[0] + v[1][1] * n[1]) / norm2(n);
+      const Rational& e = scene_.container_restitution;
+      for (int k = 0; k < 2; ++k) {
+        v[1][k] = scene_.law == ContainerLaw::whole ? Rational(e * (v[1][k] - 2 * q * n[k]))
+                                                    : Rational(v[1][k] - (1 + e) * q * n[k]);
+      }
+      return v;
+    }
+    v[0] = claimed_v_[i];
+    const ExactVec2 n = minus(p[1], p[0]), w = minus(v[1], v[0]);
+    const Rational& mi = scene_.disks[i].mass;
+    const Rational& mj = scene_.disks[j].mass;
+    const Rational q =
+        (1 + scene_.restitution) * (w[0] * n[0] + w[1] * n[1]) / (norm2(n) * (mi + mj));
+    for (int k = 0; k < 2; ++k) {
+      v[0][k] += mj * q * n[k];
+      v[1][k] -= mi * q * n[k];
+    }
+    return v;
+  }
+
+  // How far the claimed velocities are from the law with centres p, and how far they may be. The
+  // centres are written as binary64, so that the normal is known no better than that.
+  bool obeys_law(const CollideEvent& claim, const std::array<ExactVec2, 2>& p) const {
+    const GenId i = claim.i, j = claim.j;
+    const ExactVec2 n = i == container_id ? minus(p[1], {scene_.cx, scene_.cy}) : minus(p[1], p[0]);
+    if (norm2(n) == 0) return false;
+    const auto v = law(i, j, p);
+    Rational speed = length_bound(claimed_v_[j]);
+    if (i != container_id) speed += length_bound(claimed_v_[i]);
+    const Rational reach = scene_reach(i, j);
+    const Rational normal = 16 * length_bound(p[1]) / (reach * (Rational(1) << 53));
+    const Rational allowed2 = square((options_.law_tolerance + normal) * speed);
+    for (const int side : {0, 1}) {
+      if (side == 0 && i == container_id) continue;
+      const auto claimed = exact_velocity(claim, side);
+      if (claimed && norm2(minus(*claimed, v[side])) > allowed2) return false;
+    }
+    return true;
+  }
+
+  Rational scene_reach(GenId i, GenId j) const {
+    return i == container_id ? Rational(scene_.container_radius - scene_.disks[j].radius)
+                             : Rational(scene_.disks[i].radius + scene_.disks[j].radius);
+  }
+
+  void check_law(const CollideEvent& claim, const std::array<ExactVec2, 2>& p) {
+    if (!claim.v[1] || obeys_law(claim, p)) return;
+    refute_response(claim, p);
+  }
+
+  [[noreturn]] void refute_response(const CollideEvent& claim, const std::array<ExactVec2, 2>& p) {
+    const auto v = law(claim.i, claim.j, p);
+    std::string truth = "by the law of collision the velocities are ";
+    for (const int side : {0, 1}) {
+      if (side == 0 && claim.i == container_id) continue;
+      truth += "(" + number_text(v[side][0].get_d()) + ", " + number_text(v[side][1].get_d()) + ")";
+      if (side == 0) truth += " and ";
+    }
+    refute(Fault::wrong_response, truth,
+           motion_witness(motion_, {claim.i, claim.j}, exact_time(*claim_)));
+  }
+
+  // What a collision leaves for later claims; `computed` where the claim gives no velocities.
+  void note_motion(GenId i, GenId j, const CollideEvent& claim,
+                   const std::array<ExactVec2, 2>& computed) {
+    const int event = ++motion_events_;
+    for (const int side : {0, 1}) {
+      const GenId g = side == 0 ? i : j;
+      if (g == container_id) continue;
+      claimed_v_[g] = exact_velocity(claim, side).value_or(computed[side]);
+      last_event_[g + 1] = event;
+    }
+  }
+
+  void collide_as_recorded(const CollideEvent& claim, const Rational& t) {
+    const GenId i = claim.i, j = claim.j;
+    check_recorded_contact(i, j, t);
+    const Moment m = Moment::at(t);
+    advance(m);
+    collect_around(i, j);
+    end_around(m);
+    end_pairs_around(m);
+    std::array<ExactVec2, 2> path;
+    {
+      ExactMotion exact(motion_);
+      for (const int side : {0, 1}) {
+        const GenId g = side == 0 ? i : j;
+        const MovingSite<Tower> s = exact.moving_site(g, t);
+        path[side] = {s.x.rational(), s.y.rational()};
+        if (g != container_id) check_center(exact_center(claim, side), path[side]);
+      }
+    }
+    std::array<ExactVec2, 2> centers = path;
+    for (const int side : {0, 1}) {
+      if (const auto p = exact_center(claim, side)) centers[side] = *p;
+    }
+    std::array<ExactVec2, 2> after;
+    if (claim.v[1]) {
+      if (!obeys_law(claim, path) && !obeys_law(claim, centers)) refute_response(claim, path);
+    } else {
+      after = law(i, j, centers);
+      for (ExactVec2& v : after) {
+        for (Rational& x : v) x = to_rational(round_nearest(x));
+      }
+      remark_velocities(claim.p[1].has_value());
+    }
+    note_motion(i, j, claim, after);
+    for (const int side : {0, 1}) {
+      const GenId g = side == 0 ? i : j;
+      if (g == container_id) continue;
+      top_speed_ = std::max(top_speed_, length_bound(claimed_v_[g]));
+      motion_.maneuver(g, t, claimed_v_[g][0], claimed_v_[g][1]);
+    }
+    begin_around(m);
+  }
+
+  void remark_velocities(bool centers) {
+    if (centers ? remarked_centers_ : remarked_paths_) return;
+    (centers ? remarked_centers_ : remarked_paths_) = true;
+    certificate_.remarks.push_back(
+        centers
+            ? "collisions without velocities: computed by the law from the recorded centres"
+            : "collisions without velocities and centres: computed by the law from the path; such "
+              "a file soon leaves its producer's motion");
+  }
+
+  // Recorded truth: the pair touches within the tolerance of the claimed time.
+  void check_recorded_contact(GenId i, GenId j, const Rational& t) {
+    const Contact<Rational> k = exact_contact(i, j, t);
+    const Rational& tol = options_.tolerance;
+    const auto value = [&](const Rational& s) { return Rational((k.a * s + 2 * k.b) * s + k.c); };
+    const bool wall = i == container_id;
+    const Rational before = value(-tol), after = value(tol);
+    // A change from apart to overlapping within the tolerance.
+    if (wall ? sgn(before) <= 0 && sgn(after) >= 0 : sgn(before) >= 0 && sgn(after) <= 0) return;
+    const Rational discriminant = k.b * k.b - k.a * k.c;
+    if (sgn(k.a) > 0 && sgn(discriminant) >= 0) {
+      constexpr int bits = 512;
+      const Ball root = sqrt(Ball(discriminant, bits)), b(k.b, bits), a(k.a, bits);
+      const Ball contact = wall ? (root - b) / a : (-b - root) / a;
+      const Ball limit(tol, bits);
+      if (sign(contact - limit) != Sign::positive && sign(contact + limit) != Sign::negative)
+        return;
+      double lo = 0, hi = 0;
+      (Ball(t, bits) + contact).to_interval(lo, hi);
+      Divergence d;
+      const double far = kMistimed * tolerance_up_;
+      d.fault = std::fabs(lo - round_nearest(t)) <= far ? Fault::wrong_time : Fault::spurious_event;
+      d.line = line_;
+      d.t = time(*claim_);
+      d.claim = claim_;
+      d.truth = "generators " + text(i, j) + " touch " + between(lo, hi);
+      d.true_contact = {i, j};
+      d.true_time = {lo, hi};
+      d.witness = contact_witness(motion_, i, j, to_rational(lo), to_rational(hi));
+      throw Refuted{d};
+    }
+    if (!wall && sgn(k.a) > 0) {
+      // They only come near: a graze. Near enough for a contact within the tolerance of time?
+      Rational s = -k.b / k.a;
+      s = std::max(Rational(-tol), std::min(tol, s));
+      const Rational distance2 = value(s) + square(scene_reach(i, j));
+      const Rational reach = scene_reach(i, j) + tol * to_rational(std::sqrt(round_up(k.a)));
+      if (distance2 <= square(reach)) return;
+    }
+    refute(Fault::spurious_event, "generators " + text(i, j) + " do not touch",
+           motion_witness(motion_, {i, j}, t));
+  }
+
+  void maneuver(const ManeuverEvent& claim) {
+    const Rational t = exact_time(Event(claim));
+    // Any order among those of one instant.
+    std::size_t k = next_maneuver_;
+    const auto& all = scene_.maneuvers;
+    while (k < all.size() && (all[k].disk != claim.disk || done_maneuvers_.contains(k)) &&
+           all[k].t <= t + options_.tolerance) {
+      ++k;
+    }
+    if (k == all.size() || all[k].disk != claim.disk) {
+      refute(Fault::spurious_event, "the scene schedules no such maneuver");
+    }
+    const Maneuver& scheduled = all[k];
+    const Rational off = t - scheduled.t;
+    if (abs(off) > options_.tolerance) {
+      refute(Fault::wrong_time, "the maneuver is scheduled at t = " + scheduled.t.get_str());
+    }
+    require_maneuvers_before(round_down(scheduled.t));
+    done_maneuvers_.insert(k);
+    while (done_maneuvers_.erase(next_maneuver_) > 0) ++next_maneuver_;
+    const ExactVec2 v{scheduled.vx, scheduled.vy};
+    const auto claimed = exact_velocity(claim);
+    const Rational speed = length_bound(v);
+    if (claimed && norm2(minus(*claimed, v)) > square(options_.law_tolerance * speed)) {
+      refute(Fault::wrong_response, "the scheduled velocity is (" + number_text(v[0].get_d()) +
+                                        ", " + number_text(v[1].get_d()) + ")");
+    }
+    const bool exact = options_.truth == Truth::exact;
+    const Moment m = Moment::at(exact ? scheduled.t : t);
+    advance(m);
+    const GenId g = claim.disk;
+    collect_around(container_id, g);
+    end_around(m);
+    end_pairs_around(m);
+    claimed_v_[g] = claimed.value_or(v);
+    last_event_[g + 1] = ++motion_events_;
+    top_speed_ = std::max(top_speed_, length_bound(claimed_v_[g]));
+    const ExactVec2 given = exact ? v : claimed_v_[g];
+    const RoundedState s = motion_.maneuver(g, m.t, given[0], given[1]);
+    check_center(exact_center(claim), {to_rational(s.px), to_rational(s.py)});
+    begin_around(m);
+    ++certificate_.maneuvers;
+  }
+
+  // Every maneuver scheduled before t must have been claimed.
+  void require_maneuvers_before(double t) {
+    const auto& all = scene_.maneuvers;
+    while (done_maneuvers_.erase(next_maneuver_) > 0) ++next_maneuver_;
+    if (next_maneuver_ == all.size()) return;
+    const Maneuver& m = all[next_maneuver_];
+    if (m.t > horizon_ || m.t + options_.tolerance >= to_rational(t)) return;
+    Divergence d;
+    d.fault = Fault::missing_event;
+    d.line = line_;
+    d.t = round_nearest(m.t);
+    d.truth =
+        "disk " + std::to_string(m.disk) + " is scheduled for a maneuver at t = " + m.t.get_str();
+    throw Refuted{d};
+  }
+
+  // ---- The end. ----
+  void finish() {
+    claim_.reset();
+    line_ = history_.line();
+    const auto* stop = std::get_if<HistoryStop>(&history_.ending());
+    Rational end = horizon_;
+    if (stop != nullptr) end = stop->exact_t ? *stop->exact_t : to_rational(stop->t);
+    if (stop == nullptr || end > frontier_.t) {
+      for (std::size_t k = next_maneuver_; k < scene_.maneuvers.size(); ++k) {
+        if (scene_.maneuvers[k].t > end || done_maneuvers_.contains(k)) continue;
+        if (stop != nullptr && scene_.maneuvers[k].t == end) continue;
+        Divergence d;
+        d.fault = Fault::missing_event;
+        d.line = line_;
+        d.t = round_nearest(scene_.maneuvers[k].t);
+        d.truth = "disk " + std::to_string(scene_.maneuvers[k].disk) +
+                  " is scheduled for a maneuver at t = " + scene_.maneuvers[k].t.get_str();
+        throw Refuted{d};
+      }
+    }
+    const Moment m = Moment::at(end);
+    // The horizon of some files is rounded, and events may lie beyond it.
+    if (compare_moments(m, frontier_) >= 0) {
+      if (stop == nullptr) leave_instant();
+      for (int e = 0; e < diagram_.edges(); ++e) end_life(e, m, stop == nullptr);
+      for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) end_pair(e, m, stop == nullptr);
+    } else if (stop == nullptr) {
+      leave_instant();
+    }
+    if (stop == nullptr && !history_.counts_match()) {
+      refute(Fault::bad_count, "the file has " + std::to_string(history_.counts().flips) +
+                                   " flips, " + std::to_string(history_.counts().collisions) +
+                                   " collisions and " +
+                                   std::to_string(history_.counts().maneuvers) + " maneuvers");
+    }
+    settle_orientation();
+    certificate_.prefix_events = processed_;
+    certificate_.prefix_t = round_down(end);
+    if (stop != nullptr) {
+      certificate_.verdict = Verdict::undecided;
+      certificate_.reason = "the history stops at t = " + number_text(stop->t) +
+                            " and is right up to there: " + stop->reason;
+      certificate_.reason_line = line_;
+    } else {
+      certificate_.verdict = Verdict::certified;
+    }
+  }
+
+  bool unoriented() const {
+    return !options_.strict && certificate_.resolved >= 2 &&
+           5 * certificate_.resolved >= certificate_.flips;
+  }
+
+  // Quadruplets that had to be resolved are the producer's way only where there are many.
+  void settle_orientation() {
+    if (certificate_.resolved == 0) return;
+    if (!unoriented()) throw Refuted{*first_doubt_};
+    certificate_.remarks.push_back(
+        "the quadruplets are not oriented: " + std::to_string(certificate_.resolved) +
+        " were resolved by the diagram, the first on line " +
+        std::to_string(certificate_.first_resolved_line));
+  }
+
+  // What was refuted may be the consequence of something missed before: the earliest event that
+  // every open life should have had, up to the refuted claim.
+  Divergence first_divergence(const Divergence& found) {
+    Divergence first = found;
+    if (!begun_) return first;
+    double limit =
+        found.true_time && (*found.true_time)[0] < found.t ? (*found.true_time)[0] : found.t;
+    const double margin =
+        found.fault == Fault::missing_event || found.fault == Fault::overlap ? 0 : tolerance_up_;
+    limit = std::min(limit, round_up(horizon_));
+    for (int e = 0; e < diagram_.edges(); ++e) {
+      const Quad q = diagram_.quad(2 * e);
+      Life& life = lives_[e];
+      if (life.illegal) continue;
+      std::optional<Collapse> c;
+      if (life.due) {
+        c = life.root;
+      } else if (!proved_free(motion_, q, life.from, limit)) {
+        c = first_collapse(q, life.from, limit);
+      }
+      if (!c || c->hi >= limit - margin) continue;
+      limit = c->lo;
+      first = missing_flip(q, *c);
+    }
+    for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
+      const auto [i, j] = pair_of(e);
+      if (partners(i, j) || proved_apart(motion_, i, j, pairs_[e].from, limit)) continue;
+      const Moment begin = Moment::at(to_rational(pairs_[e].from));
+      const NextContact c = contacts_.from(i, j, instant(begin), limit);
+      if (c.kind == NextContact::Kind::none || c.hi >= limit - margin - tolerance_up_) continue;
+      limit = c.lo;
+      first = missing_contact(i, j, c.lo, c.hi);
+    }
+    return first;
+  }
+
+  const Scene& scene_;
+  HistorySource& history_;
+  const CertifyOptions& options_;
+  Certificate certificate_;
+  Rational horizon_;
+  Motion motion_;
+  Diagram diagram_;
+  CollapseSearch collapses_;
+  ContactSearch contacts_;
+  double tolerance_up_;
+  Rational top_speed_;
+
+  std::deque<Claim> near_;
+  bool ended_ = false;
+  std::vector<double> times_;        // of the claims read
+  std::vector<std::int64_t> lines_;  // theirs
+  std::optional<Event> claim_;       // being checked
+  std::int64_t line_ = 1;
+  std::int64_t processed_ = 0;
+
+  bool begun_ = false;
+  Moment frontier_;
+  long instant_ = 0;
+  std::vector<Life> lives_;
+  std::vector<Adjacency> pairs_;
+  std::vector<int> illegal_;
+  std::set<int> spokes_, rim_;
+  std::optional<std::pair<GenId, GenId>> colliding_;
+
+  std::vector<ExactVec2> claimed_v_;
+  std::vector<int> last_event_;  // of each generator: its last change of motion, numbered
+  int motion_events_ = 0;
+  std::size_t next_maneuver_ = 0;
+  std::set<std::size_t> done_maneuvers_;  // those past next_maneuver_
+  std::optional<Divergence> first_doubt_;
+  bool remarked_centers_ = false, remarked_paths_ = false;
+  double ulps_sum_ = 0;
+  std::int64_t ulps_count_ = 0;
+};
+
+}  // namespace
+
+Certificate certify(const Scene& scene, const MotionInput& input, HistorySource& history,
+                    const CertifyOptions& options) {
+  return Certifier(scene, input, history, options).run();
+}
+
+}  // namespace voroproof

@@ -1,0 +1,47 @@
+// The certifier: proves a claimed history, refutes it with evidence, or says what it cannot decide.
+//
+// It does not simulate. It replays the claimed flips on the claimed initial diagram, moves the
+// disks as the truth asked for says, and proves of every edge that it collapses where a flip is
+// claimed and nowhere else in its life, and of every adjacent pair that it touches where a
+// collision is claimed and nowhere else. docs/certificate.md proves that nothing can be missing
+// then. Of the engine it uses the exact numbers and predicates, not its queue or its search.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "certify/certificate.h"
+#include "filtered/motion.h"
+#include "history/history_source.h"
+#include "history/scene.h"
+
+namespace voroproof {
+
+enum class Truth {
+  exact,     // the true motion of the scene
+  recorded,  // the motion that the claimed collision times and velocities define
+};
+
+struct CertifyOptions {
+  Truth truth = Truth::exact;
+  Rational tolerance{1, 1000000};         // of times
+  Rational law_tolerance{1, 1000000000};  // of velocities, relative to the speeds involved
+  bool strict = false;                    // claims out of order are refuted, however near
+  MotionOptions motion;
+  // Where the history gives no initial diagram: one to be proved in its place. Nothing is
+  // believed of it.
+  std::function<std::vector<Quad>(Motion&)> propose_initial;
+  // Called now and then with the time and the number of claims checked; false interrupts.
+  std::function<bool(double t, std::int64_t events)> monitor;
+};
+
+// Thrown when `monitor` asks to stop.
+struct CertificationInterrupted {};
+
+// Certifies the history against the scene. `input` is the scene as Motion takes it. Throws
+// InputError where the history is not one of its format or not of this scene.
+Certificate certify(const Scene& scene, const MotionInput& input, HistorySource& history,
+                    const CertifyOptions& options);
+
+}  // namespace voroproof

@@ -1,0 +1,28 @@
+// Proofs about one V-edge over an interval of time, in doubles with error bounds.
+//
+// An edge [l,r,s,e] that exists just after a certainly collapses at no time of (a, b] if over each
+// part of a subdivision of [a, b] one of these holds:
+//   - its flip polynomial has no root in the part (its Bernstein coefficients have one sign);
+//   - one of its two in-circle functions is positive throughout the part: a collapse makes both
+//     negative just after it (paper, section 4.3);
+//   - one of its circles exists at no time of the part.
+// That is another argument than the engine's, which isolates roots one by one and reads a verdict
+// off each. Both answers below are proofs when true and say nothing when false.
+#pragma once
+
+#include "filtered/motion.h"
+
+namespace voroproof {
+
+// Whether q, legal just after a, provably does not collapse in (a, b], under the present motion of
+// its generators.
+bool proved_free(const Motion& motion, const Quad& q, double a, double b);
+
+// Whether q provably has exactly one root of its flip polynomial in [a, b], not at an end, and
+// collapses there.
+bool proved_collapse(const Motion& motion, const Quad& q, double a, double b);
+
+// Whether the four generators of q are provably not cotangent at any time of [a, b].
+bool proved_not_cotangent(const Motion& motion, const Quad& q, double a, double b);
+
+}  // namespace voroproof

@@ -1,0 +1,218 @@
+#include "certify/initial_proof.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "certify/edge_signs.h"
+#include "filtered/collapse.h"
+
+namespace voroproof {
+
+namespace {
+
+using HalfEdge = Diagram::HalfEdge;
+
+std::string name(const Triple& v) {
+  return "[" + std::to_string(v[0]) + "," + std::to_string(v[1]) + "," + std::to_string(v[2]) + "]";
+}
+std::string name(const Quad& q) {
+  return "[" + std::to_string(q.l) + "," + std::to_string(q.r) + "," + std::to_string(q.s) + "," +
+         std::to_string(q.e) + "]";
+}
+
+// The sites at one time in all tiers, and a predicate's way through them.
+class SitesAt {
+ public:
+  SitesAt(const Motion& motion, const Rational& t, TierCounts& counts)
+      : motion_(motion), t_(t), counts_(counts) {
+    const double near = round_nearest(t);
+    const double error = std::fabs(round_nearest(Rational(t - to_rational(near)))) * (1 + 0x1p-50);
+    rough_ = DoubleBall(near, error);
+    fine_ = DdBall(near, 0, error);
+  }
+
+  // predicate(sites, root) gives a Sign; unknown asks for the next tier.
+  template <class F>
+  Sign decide(F&& predicate) {
+    Sign s = Sign::unknown;
+    if (motion_.options().filters) {
+      s = predicate([this](GenId g) { return motion_.site(g, rough_); }, OwnRoot{});
+      if (s != Sign::unknown) return counted(s, Tier::filter);
+      s = predicate([this](GenId g) { return motion_.site(g, fine_); }, OwnRoot{});
+      if (s != Sign::unknown) return counted(s, Tier::dd);
+    }
+    const Ball t(t_, motion_.goal_bits() + 32);
+    s = predicate([&](GenId g) { return motion_.site(g, t); }, OwnRoot{});
+    if (s != Sign::unknown) return counted(s, Tier::ball);
+    try {
+      ExactMotion exact(motion_);
+      const Tower at(t_);
+      s = predicate([&](GenId g) { return exact.site(g, at); },
+                    [&](const Tower& x) { return exact.field().sqrt(x); });
+    } catch (const BudgetExceeded& e) {
+      throw Undecided(std::string("a predicate of the initial diagram: ") + e.what());
+    }
+    return counted(s, Tier::exact);
+  }
+
+ private:
+  Sign counted(Sign s, Tier tier) {
+    counts_.count(Predicate::incircle, tier);
+    return s;
+  }
+  const Motion& motion_;
+  Rational t_;
+  TierCounts& counts_;
+  DoubleBall rough_;
+  DdBall fine_;
+};
+
+// The side of the x axis a direction lies on: positive for angles in [0, pi), negative for [pi,
+// 2 pi).
+template <class T>
+Sign half_plane(const std::array<T, 2>& d) {
+  const Sign y = sign(d[1]);
+  return y == Sign::zero ? sign(d[0]) : y;
+}
+
+// The sign of angle(b) - angle(a), angles in [0, 2 pi) counterclockwise from the x axis.
+template <class T>
+Sign angle_order(const std::array<T, 2>& a, const std::array<T, 2>& b) {
+  const Sign ha = half_plane(a), hb = half_plane(b);
+  if (ha == Sign::unknown || hb == Sign::unknown) return Sign::unknown;
+  if (ha != hb) return ha;
+  return sign(T(a[0] * b[1] - a[1] * b[0]));
+}
+
+class InitialProof {
+ public:
+  InitialProof(const Diagram& diagram, Motion& motion, const Rational& t, TierCounts& counts)
+      : diagram_(diagram), motion_(motion), t_(t), counts_(counts), sites_(motion, t, counts) {}
+
+  std::optional<InitialFault> fault() {
+    for (HalfEdge h = 0; h < 2 * diagram_.edges(); ++h) {
+      // Each vertex once, at its smallest half-edge.
+      if (h > diagram_.next(h) || h > diagram_.previous(h)) continue;
+      if (auto f = vertex_fault(h)) return f;
+    }
+    for (HalfEdge h = 0; h < 2 * diagram_.edges(); h += 2) {
+      if (auto f = edge_fault(diagram_.quad(h))) return f;
+    }
+    for (GenId g = container_id; g < diagram_.disks(); ++g) {
+      if (auto f = cell_fault(g)) return f;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  template <class Sites>
+  static auto triple_at(Sites& at, GenId a, GenId b, GenId c) {
+    return tangent_triple(a, at(a), b, at(b), c, at(c));
+  }
+
+  std::optional<InitialFault> vertex_fault(HalfEdge h) {
+    const GenId a = diagram_.org(h), b = diagram_.dest(h), c = diagram_.apex(h);
+    const Sign s =
+        sites_.decide([&](auto at, auto) { return circle_exists(triple_at(at, a, b, c)); });
+    if (s == Sign::positive) return std::nullopt;
+    const Triple v = canonical(Triple{a, b, c});
+    return InitialFault{
+        "no circle touches the generators of vertex " + name(v) + " counterclockwise in this order",
+        {},
+        v,
+        {},
+        {}};
+  }
+
+  std::optional<InitialFault> edge_fault(const Quad& q) {
+    if (q.s == q.e) return std::nullopt;
+    const auto side = [&](bool at_start) {
+      return sites_.decide([&](auto at, auto) {
+        const auto l = at(q.l), r = at(q.r), s = at(q.s), e = at(q.e);
+        const EdgeSigns signs = edge_signs(q, l, r, s, e, sign(cotangency(l, r, s, e)));
+        return at_start ? signs.end_in_start : signs.start_in_end;
+      });
+    };
+    const Sign start = side(true), end = side(false);
+    if (start == Sign::negative || end == Sign::negative) {
+      const bool first = start == Sign::negative;
+      const Triple v = first ? start_vertex(q) : end_vertex(q);
+      const GenId inside = first ? q.e : q.s;
+      return InitialFault{"the circle of vertex " + name(v) + " contains a point of generator " +
+                              std::to_string(inside),
+                          q,
+                          v,
+                          inside,
+                          {}};
+    }
+    if (start == Sign::positive || end == Sign::positive) return std::nullopt;
+    // Cotangent at t: legal just after?
+    Instant now;
+    now.lo = round_down(t_);
+    now.hi = round_up(t_);
+    const double near = round_nearest(t_);
+    now.dd = DdBall(near, 0, std::fabs(round_nearest(Rational(t_ - to_rational(near)))) * 1.01);
+    const Rational t = t_;
+    now.exact = [t](ExactMotion&) { return ExactTime(t); };
+    CollapseSearch search(motion_, counts_);
+    if (search.from(q, now, now.hi).kind != Collapse::Kind::now) return std::nullopt;
+    return InitialFault{"the four generators of edge " + name(q) +
+                            " are cotangent and the edge is not legal just after",
+                        q,
+                        {},
+                        {},
+                        {}};
+  }
+
+  // The vertices around g must turn exactly once: among the steps from each to the next exactly
+  // one falls back in angle.
+  std::optional<InitialFault> cell_fault(GenId g) {
+    const HalfEdge first = diagram_.anchor(g);
+    int falls = 0;
+    HalfEdge h = first;
+    do {
+      const HalfEdge next = diagram_.rotate(h);
+      const GenId a = diagram_.dest(h), b = diagram_.apex(h), c = diagram_.apex(next);
+      const Sign step = sites_.decide([&](auto at, auto root) {
+        const auto base = at(g);
+        using T = std::decay_t<decltype(base.x)>;
+        const auto direction = [&](GenId i, GenId j) -> std::array<T, 2> {
+          const auto v = triple_at(at, g, i, j);
+          if (g != container_id) return circle_direction(v, root);
+          const auto z = tangent_circle(v, root);
+          return {z[0] - base.x, z[1] - base.y};
+        };
+        const auto d = direction(a, b), e = direction(b, c);
+        // Around the container the vertices run clockwise.
+        return g == container_id ? angle_order(e, d) : angle_order(d, e);
+      });
+      // Two coincident vertices do not move the angle; a full turn between them would need
+      // another fall elsewhere.
+      if (step == Sign::negative) ++falls;
+      h = next;
+    } while (h != first);
+    if (falls == 1) return std::nullopt;
+    return InitialFault{"the vertices around generator " + std::to_string(g) + " turn " +
+                            std::to_string(falls) + " times, not once",
+                        {},
+                        {},
+                        {},
+                        g};
+  }
+
+  const Diagram& diagram_;
+  Motion& motion_;
+  Rational t_;
+  TierCounts& counts_;
+  SitesAt sites_;
+};
+
+}  // namespace
+
+std::optional<InitialFault> initial_fault(const Diagram& diagram, Motion& motion, const Rational& t,
+                                          TierCounts& counts) {
+  return InitialProof(diagram, motion, t, counts).fault();
+}
+
+}  // namespace voroproof

@@ -1,0 +1,33 @@
+// The proof that a set of edges is the Voronoi diagram of the disks at one instant.
+//
+// docs/certificate.md (section "The initial diagram") proves that the following is enough:
+//   1. the incidences are those of a triangulation of the sphere by all generators;
+//   2. the tangent circle of every vertex exists;
+//   3. around every generator the vertices of its cell turn once, counterclockwise seen from a
+//      disk's centre, clockwise seen from the container's;
+//   4. every edge is locally legal; where its four generators are cotangent, legal just after.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "filtered/motion.h"
+#include "filtered/stats.h"
+#include "topology/diagram.h"
+
+namespace voroproof {
+
+struct InitialFault {
+  std::string truth;         // what is wrong, in words
+  std::optional<Quad> edge;  // the edge or, below, the vertex or the cell it is about
+  std::optional<Triple> vertex;
+  std::optional<GenId> conflict;  // the generator inside the vertex's circle
+  std::optional<GenId> cell;
+};
+
+// Checks 1 to 4 for the sites at time t of a diagram of motion.size() >= 2 disks, whose incidences
+// (point 1) are valid. Nothing found is a proof. `motion` is that just after t. Throws Undecided.
+std::optional<InitialFault> initial_fault(const Diagram& diagram, Motion& motion, const Rational& t,
+                                          TierCounts& counts);
+
+}  // namespace voroproof

@@ -1,0 +1,148 @@
+#include "certify/report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "history/json_text.h"
+
+namespace voroproof {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json(const Quad& q) { return Json::array({q.l, q.r, q.s, q.e}); }
+Json json(const Triple& v) { return Json::array({v[0], v[1], v[2]}); }
+Json json(const EvidenceNumber& n) {
+  if (!n.exact.empty()) return n.exact;
+  return Json::array({n.lower, n.upper});
+}
+
+Json json(const Event& event) {
+  Json j;
+  j["t"] = exact_time(event) == to_rational(time(event)) ? Json(time(event))
+                                                         : Json(exact_time(event).get_str());
+  const auto vectors = [](const std::array<std::optional<Vec2>, 2>& v) {
+    Json out = Json::array();
+    for (const auto& x : v) out.push_back(x ? Json::array({(*x)[0], (*x)[1]}) : Json());
+    return out;
+  };
+  if (const auto* f = std::get_if<FlipEvent>(&event)) {
+    j["flip"] = json(f->quad);
+  } else if (const auto* c = std::get_if<CollideEvent>(&event)) {
+    j["collide"] = Json::array({c->i, c->j});
+    if (c->v[1]) j["v"] = vectors(c->v);
+    if (c->p[1]) j["p"] = vectors(c->p);
+  } else {
+    const auto& m = std::get<ManeuverEvent>(event);
+    j["maneuver"] = m.disk;
+    if (m.v) j["v"] = Json::array({(*m.v)[0], (*m.v)[1]});
+    if (m.p) j["p"] = Json::array({(*m.p)[0], (*m.p)[1]});
+  }
+  return j;
+}
+
+Json json(const Witness& w) {
+  Json j = Json::object();
+  if (!w.generators.empty()) {
+    Json all = Json::array();
+    for (const EvidenceMotion& m : w.generators) {
+      all.push_back({{"id", m.id},
+                     {"t0", m.t0.get_str()},
+                     {"center", Json::array({json(m.x), json(m.y)})},
+                     {"velocity", Json::array({json(m.vx), json(m.vy)})},
+                     {"signed_radius", json(m.radius)}});
+    }
+    j["generators"] = std::move(all);
+  }
+  if (!w.polynomial.empty()) {
+    Json coefficients = Json::array();
+    for (const EvidenceNumber& n : w.polynomial) coefficients.push_back(json(n));
+    j["polynomial"] = {{"is", w.polynomial_is}, {"coefficients", std::move(coefficients)}};
+  }
+  if (w.root)
+    j["isolating_interval"] = Json::array({(*w.root)[0].get_str(), (*w.root)[1].get_str()});
+  if (w.t) j["t"] = w.t->get_str();
+  if (w.vertex) j["vertex"] = json(*w.vertex);
+  if (w.conflict) j["contains"] = *w.conflict;
+  return j;
+}
+
+Json json(const Divergence& d) {
+  Json j;
+  j["kind"] = fault_names[static_cast<int>(d.fault)];
+  j["line"] = d.line;
+  j["t"] = d.t;
+  j["claim"] = d.claim ? json(*d.claim) : Json();
+  j["truth"] = d.truth;
+  if (d.true_flip) j["true_flip"] = json(*d.true_flip);
+  if (d.true_contact)
+    j["true_contact"] = Json::array({d.true_contact->first, d.true_contact->second});
+  if (d.true_time) j["true_time"] = Json::array({(*d.true_time)[0], (*d.true_time)[1]});
+  j["witness"] = json(d.witness);
+  return j;
+}
+
+}  // namespace
+
+std::string_view verdict_line(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::certified:
+      return "s CERTIFIED";
+    case Verdict::refuted:
+      return "s REFUTED";
+    case Verdict::undecided:
+      break;
+  }
+  return "s UNDECIDED";
+}
+
+std::string reason_line(const Certificate& c) {
+  if (c.divergence) {
+    const Divergence& d = *c.divergence;
+    return "line " + std::to_string(d.line) + ": " +
+           std::string(fault_names[static_cast<int>(d.fault)]) + ": " + d.truth;
+  }
+  if (c.verdict == Verdict::certified) return {};
+  return "line " + std::to_string(c.reason_line) + ": " + c.reason;
+}
+
+std::string report_text(const CertificationRun& run, const CertifyOptions& options,
+                        const Certificate& c) {
+  Json j;
+  j["format"] = "voroproof-report";
+  j["version"] = 1;
+  j["producer"] = run.producer;
+  j["scene"] = run.scene_file;
+  j["history"] = run.history_file;
+  j["scene_sha256"] = run.scene_sha256;
+  j["history_producer"] = run.history_producer;
+  j["disks"] = run.disks;
+  j["horizon"] = run.horizon.get_str();
+  j["truth"] = options.truth == Truth::exact ? "exact" : "recorded";
+  j["tolerance"] = options.tolerance.get_str();
+  j["law_tolerance"] = options.law_tolerance.get_str();
+  j["strict"] = options.strict;
+  j["verdict"] = verdict_line(c.verdict).substr(2);
+  j["reason"] = reason_line(c);
+  j["certified_prefix"] = {{"events", c.prefix_events}, {"t", c.prefix_t}};
+  if (c.divergence) j["divergence"] = json(*c.divergence);
+  j["proved"] = {{"flips", c.flips},
+                 {"collisions", c.collisions},
+                 {"maneuvers", c.maneuvers},
+                 {"edge_lives", c.edge_lives},
+                 {"pair_lives", c.pair_lives},
+                 {"beyond_first_filter", c.beyond_filter},
+                 {"simultaneous", c.simultaneous}};
+  j["swaps"] = c.swaps;
+  j["resolved_quadruplets"] = c.resolved;
+  if (options.truth == Truth::exact) {
+    j["time_error_ulps"] = {
+        {"max", c.ulps_max}, {"max_line", c.ulps_max_line}, {"mean", c.ulps_mean}};
+  }
+  j["highest_bits"] = c.highest_bits;
+  j["remarks"] = c.remarks;
+  // File names need not be UTF-8.
+  return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace voroproof

@@ -1,0 +1,27 @@
+// The report of a certification, as JSON (docs/certificate.md lists its fields).
+#pragma once
+
+#include <string>
+
+#include "certify/certifier.h"
+
+namespace voroproof {
+
+// What a report says of the run besides the certificate.
+struct CertificationRun {
+  std::string producer, scene_file, history_file, scene_sha256, history_producer;
+  int disks = 0;
+  Rational horizon;
+};
+
+// One line: "s CERTIFIED" and so on.
+std::string_view verdict_line(Verdict verdict);
+
+// Why, in one line, for a person; empty for a certified history.
+std::string reason_line(const Certificate& certificate);
+
+// The text of the report file.
+std::string report_text(const CertificationRun& run, const CertifyOptions& options,
+                        const Certificate& certificate);
+
+}  // namespace voroproof

@@ -1,0 +1,147 @@
+#include "certify/witness.h"
+
+#include <array>
+
+#include "exact/polynomial.h"
+#include "filtered/bernstein.h"
+
+namespace voroproof {
+
+namespace {
+
+// Longer numbers are given as enclosures.
+constexpr std::size_t kMaxExactBits = 2048;
+
+EvidenceNumber number(const Rational& q) {
+  EvidenceNumber n;
+  n.exact = q.get_str();
+  return n;
+}
+
+std::string decimal(mpfr_srcptr x, mpfr_rnd_t direction) {
+  char* text = nullptr;
+  mpfr_asprintf(&text, direction == MPFR_RNDD ? "%.40RDe" : "%.40RUe", x);
+  std::string out(text);
+  mpfr_free_str(text);
+  return out;
+}
+
+EvidenceNumber number(const Ball& b) {
+  EvidenceNumber n;
+  mpfr_t lo, hi;
+  mpfr_init2(lo, 160);
+  mpfr_init2(hi, 160);
+  mpfr_t radius;
+  mpfr_init2(radius, 64);
+  // The radius is below 2^exponent.
+  mpfr_set_ui_2exp(radius, b.is_exact() ? 0 : 1, b.is_exact() ? 0 : b.radius().exponent() + 1,
+                   MPFR_RNDU);
+  mpfr_sub(lo, b.midpoint(), radius, MPFR_RNDD);
+  mpfr_add(hi, b.midpoint(), radius, MPFR_RNDU);
+  n.lower = decimal(lo, MPFR_RNDD);
+  n.upper = decimal(hi, MPFR_RNDU);
+  mpfr_clears(lo, hi, radius, nullptr);
+  return n;
+}
+
+// The exact states where they are rational and not too long.
+class Evidence {
+ public:
+  Evidence(const Motion& motion, const Rational& t0) : motion_(motion), t0_(t0), exact_(motion) {}
+
+  bool rational(GenId g, MovingSite<Rational>& out) {
+    try {
+      const MovingSite<Tower> s = exact_.moving_site(g, t0_);
+      for (const Tower* x : {&s.x, &s.y, &s.vx, &s.vy}) {
+        if (!x->is_rational() || bit_size(x->rational()) > kMaxExactBits) return false;
+      }
+      out = {s.x.rational(), s.y.rational(), s.vx.rational(), s.vy.rational(), s.r.rational()};
+      return true;
+    } catch (const BudgetExceeded&) {
+      return false;
+    }
+  }
+
+  EvidenceMotion motion(GenId g) {
+    MovingSite<Rational> q;
+    if (rational(g, q)) {
+      return {g, t0_, number(q.x), number(q.y), number(q.vx), number(q.vy), number(q.r)};
+    }
+    const MovingSite<Ball> b = motion_.moving_site(g, Ball(t0_, motion_.goal_bits() + 32));
+    return {g, t0_, number(b.x), number(b.y), number(b.vx), number(b.vy), number(b.r)};
+  }
+
+  Witness of(const std::vector<GenId>& generators) {
+    Witness w;
+    for (const GenId g : generators) w.generators.push_back(motion(g));
+    return w;
+  }
+
+  // The path of g as polynomials in t; false where it is not rational.
+  bool path(GenId g, Site<Polynomial<Rational>>& out) {
+    MovingSite<Rational> q;
+    if (!rational(g, q)) return false;
+    out = {Polynomial<Rational>{Rational(q.x - q.vx * t0_), q.vx},
+           Polynomial<Rational>{Rational(q.y - q.vy * t0_), q.vy}, Polynomial<Rational>{q.r}};
+    return true;
+  }
+
+ private:
+  const Motion& motion_;
+  Rational t0_;
+  ExactMotion exact_;
+};
+
+void add_polynomial(Witness& w, const std::string& is, const Polynomial<Rational>& f) {
+  w.polynomial_is = is;
+  for (const Rational& c : f.coefficients()) w.polynomial.push_back(number(c));
+}
+
+}  // namespace
+
+Witness collapse_witness(const Motion& motion, const Quad& q, const Rational& lo,
+                         const Rational& hi) {
+  Evidence evidence(motion, to_rational(round_nearest(lo)));
+  Witness w = evidence.of({q.l, q.r, q.s, q.e});
+  w.root = {lo, hi};
+  std::array<Site<Polynomial<Rational>>, 4> s;
+  if (evidence.path(q.l, s[0]) && evidence.path(q.r, s[1]) && evidence.path(q.s, s[2]) &&
+      evidence.path(q.e, s[3])) {
+    if (flip_polynomial_is_cocircularity(motion, q)) {
+      add_polynomial(w, "cocircularity", cocircularity(s[3], s[0], s[1], s[2]));
+    } else {
+      add_polynomial(w, "cotangency", cotangency(s[0], s[1], s[2], s[3]));
+    }
+  }
+  return w;
+}
+
+Witness contact_witness(const Motion& motion, GenId i, GenId j, const Rational& lo,
+                        const Rational& hi) {
+  Evidence evidence(motion, to_rational(round_nearest(lo)));
+  Witness w = evidence.of({i, j});
+  w.root = {lo, hi};
+  Site<Polynomial<Rational>> a, b;
+  if (evidence.path(i, a) && evidence.path(j, b)) {
+    const auto dx = b.x - a.x, dy = b.y - a.y, reach = a.r + b.r;
+    add_polynomial(w, "contact", dx * dx + dy * dy - reach * reach);
+  }
+  return w;
+}
+
+Witness motion_witness(const Motion& motion, const std::vector<GenId>& generators,
+                       const Rational& t) {
+  Evidence evidence(motion, to_rational(round_nearest(t)));
+  return evidence.of(generators);
+}
+
+Witness conflict_witness(const Motion& motion, const Triple& vertex, GenId conflict,
+                         const Rational& t) {
+  Witness w = motion_witness(motion, {vertex[0], vertex[1], vertex[2], conflict}, t);
+  w.t = t;
+  w.vertex = vertex;
+  w.conflict = conflict;
+  return w;
+}
+
+}  // namespace voroproof

@@ -1,0 +1,25 @@
+// Evidence: what a person can check by hand.
+#pragma once
+
+#include "certify/certificate.h"
+#include "filtered/motion.h"
+
+namespace voroproof {
+
+// The collapse of q at the one root of its flip polynomial in [lo, hi], under the present motion.
+Witness collapse_witness(const Motion& motion, const Quad& q, const Rational& lo,
+                         const Rational& hi);
+
+// The contact of i and j in [lo, hi], likewise.
+Witness contact_witness(const Motion& motion, GenId i, GenId j, const Rational& lo,
+                        const Rational& hi);
+
+// The generators of a claim alone, near time t.
+Witness motion_witness(const Motion& motion, const std::vector<GenId>& generators,
+                       const Rational& t);
+
+// At time t the circle of the vertex contains a point of the generator.
+Witness conflict_witness(const Motion& motion, const Triple& vertex, GenId conflict,
+                         const Rational& t);
+
+}  // namespace voroproof

@@ -1,0 +1,28 @@
+#include "history/history_source.h"
+
+namespace voroproof {
+
+namespace {
+
+class NativeHistory : public HistorySource {
+ public:
+  NativeHistory(const std::string& path, int disk_count) : reader_(path, disk_count) {}
+  const HistoryHeader& header() const override { return reader_.header(); }
+  std::optional<Event> next() override { return reader_.next(); }
+  std::int64_t line() const override { return reader_.line(); }
+  const std::variant<HistoryEnd, HistoryStop>& ending() const override { return reader_.ending(); }
+  const HistoryCounts& counts() const override { return reader_.counts(); }
+  bool counts_match() const override { return reader_.counts_match(); }
+  std::vector<std::string> remarks() const override { return {}; }
+
+ private:
+  HistoryReader reader_;
+};
+
+}  // namespace
+
+std::unique_ptr<HistorySource> open_history(const std::string& path, int disk_count) {
+  return std::make_unique<NativeHistory>(path, disk_count);
+}
+
+}  // namespace voroproof
