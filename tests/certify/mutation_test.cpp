@@ -1,0 +1,96 @@
+// Faults must never be certified; what means the same must never be refuted.
+#include "tests/certify/mutation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+#include "certify/report.h"
+#include "tests/support/lattice_scene.h"
+
+namespace voroproof::testing {
+namespace {
+
+CertifyOptions options_for(Truth truth, double tolerance = 1e-6) {
+  CertifyOptions o;
+  o.truth = truth;
+  o.tolerance = to_rational(tolerance);
+  return o;
+}
+
+// Scenes of all families, small enough for thousands of certificates.
+std::vector<Scene> some_scenes(Random& random, int rounds) {
+  std::vector<Scene> scenes;
+  for (int k = 0; k < rounds; ++k) {
+    scenes.push_back(random_scene({.n = 8, .horizon = 15, .maneuvers = 3}, random));
+    scenes.push_back(random_scene({.n = 7, .rmin = 5, .rmax = 5, .horizon = 15}, random));
+    scenes.push_back(random_scene({.n = 6, .rmin = 0, .rmax = 0, .horizon = 15}, random));
+    scenes.push_back(
+        random_scene({.n = 10, .rmin = 0.1, .rmax = 20, .horizon = 10, .density = 0.3}, random));
+    scenes.push_back(random_scene({.n = 5, .rmin = 3, .rmax = 3 + 1e-9, .horizon = 15}, random));
+    scenes.push_back(random_scene({.n = 2, .horizon = 30}, random));
+  }
+  for (Scene& s : scenes) {
+    if (random() % 3 == 0) s.restitution = Rational(4, 5);
+  }
+  return scenes;
+}
+
+TEST(Mutation, RightHistoriesAreCertified) {
+  Random random(1);
+  for (const Scene& scene : some_scenes(random, 10)) {
+    const RecordedRun r = run(scene);
+    if (!r.complete()) continue;
+    const ClaimedHistory h = claimed_history(scene, r);
+    for (const Truth truth : {Truth::exact, Truth::recorded}) {
+      const Certificate c = certify(scene, h, options_for(truth));
+      EXPECT_EQ(c.verdict, Verdict::certified)
+          << reason_line(c) << "\n" << text(h) << text(scene) << static_cast<int>(truth);
+    }
+  }
+}
+
+TEST(Mutation, NoFaultIsCertified) {
+  // VOROPROOF_MUTANTS asks for more.
+  const char* asked = std::getenv("VOROPROOF_MUTANTS");
+  const int wanted = asked != nullptr ? std::atoi(asked) : 4000;
+  Random random(asked != nullptr ? 77 : 2);
+  std::array<int, static_cast<int>(Mutation::count)> made{}, refuted{}, undecided{};
+  int total = 0;
+  while (total < wanted) {
+    for (const Scene& scene : some_scenes(random, 1)) {
+      const RecordedRun r = run(scene);
+      if (!r.complete()) continue;
+      const ClaimedHistory right = claimed_history(scene, r);
+      for (int kind = 0; kind < static_cast<int>(Mutation::count); ++kind) {
+        for (int attempt = 0; attempt < 3; ++attempt) {
+          const double tolerance = 1e-6;
+          const auto wrong =
+              mutate(scene, right, static_cast<Mutation>(kind), tolerance, random);
+          if (!wrong) continue;
+          const Truth truth = attempt == 0 ? Truth::exact : Truth::recorded;
+          const Certificate c = certify(scene, *wrong, options_for(truth, tolerance));
+          ++made[kind];
+          ++total;
+          refuted[kind] += c.verdict == Verdict::refuted;
+          undecided[kind] += c.verdict == Verdict::undecided;
+          EXPECT_NE(c.verdict, Verdict::certified)
+              << mutation_names[kind] << " truth " << static_cast<int>(truth) << "\nright:\n"
+              << text(right) << "wrong:\n" << text(*wrong) << text(scene);
+          if (c.verdict == Verdict::certified) return;
+        }
+      }
+    }
+  }
+  for (int kind = 0; kind < static_cast<int>(Mutation::count); ++kind) {
+    std::cout << mutation_names[kind] << ": " << made[kind] << " made, " << refuted[kind]
+              << " refuted, " << undecided[kind] << " undecided\n";
+    EXPECT_GT(made[kind], 0) << mutation_names[kind];
+  }
+}
+
+}  // namespace
+}  // namespace voroproof::testing
