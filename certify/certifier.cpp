@@ -70,6 +70,15 @@ struct Adjacency {
   long born = 0;
 };
 
+// The path of a disk under the recorded truth: rational, in fact dyadic.
+struct Path {
+  Rational t, x, y, vx, vy;
+  ExactVec2 at(const Rational& time) const {
+    const Rational dt = time - t;
+    return {x + vx * dt, y + vy * dt};
+  }
+};
+
 struct Refuted {
   Divergence divergence;
 };
@@ -118,6 +127,7 @@ class Certifier {
         last_event_(motion_.size() + 1, 0) {
     for (const DiskSpec& d : scene.disks) {
       claimed_v_.push_back({d.vx, d.vy});
+      if (options.truth == Truth::recorded) paths_.push_back({0, d.x, d.y, d.vx, d.vy});
       top_speed_ = std::max(top_speed_, length_bound({d.vx, d.vy}));
     }
   }
@@ -500,11 +510,12 @@ class Certifier {
 
   // |offset + w s|^2 - reach^2, s from the time `at`, in the recorded motion: all rational.
   Contact<Rational> exact_contact(GenId i, GenId j, const Rational& at) {
-    ExactMotion exact(motion_);
-    const auto site = [&](GenId g) {
-      const MovingSite<Tower> s = exact.moving_site(g, at);
-      return MovingSite<Rational>{s.x.rational(), s.y.rational(), s.vx.rational(), s.vy.rational(),
-                                  s.r.rational()};
+    const auto site = [&](GenId g) -> MovingSite<Rational> {
+      if (g == container_id) {
+        return {scene_.cx, scene_.cy, 0, 0, Rational(-scene_.container_radius)};
+      }
+      const ExactVec2 p = paths_[g].at(at);
+      return {p[0], p[1], paths_[g].vx, paths_[g].vy, scene_.disks[g].radius};
     };
     return {site(i), site(j)};
   }
@@ -1078,14 +1089,11 @@ class Certifier {
     end_around(m);
     end_pairs_around(m);
     std::array<ExactVec2, 2> path;
-    {
-      ExactMotion exact(motion_);
-      for (const int side : {0, 1}) {
-        const GenId g = side == 0 ? i : j;
-        const MovingSite<Tower> s = exact.moving_site(g, t);
-        path[side] = {s.x.rational(), s.y.rational()};
-        if (g != container_id) check_center(exact_center(claim, side), path[side]);
-      }
+    for (const int side : {0, 1}) {
+      const GenId g = side == 0 ? i : j;
+      if (g == container_id) continue;
+      path[side] = paths_[g].at(t);
+      check_center(exact_center(claim, side), path[side]);
     }
     std::array<ExactVec2, 2> centers = path;
     for (const int side : {0, 1}) {
@@ -1106,9 +1114,16 @@ class Certifier {
       const GenId g = side == 0 ? i : j;
       if (g == container_id) continue;
       top_speed_ = std::max(top_speed_, length_bound(claimed_v_[g]));
-      motion_.maneuver(g, t, claimed_v_[g][0], claimed_v_[g][1]);
+      turn(g, t, claimed_v_[g]);
     }
     begin_around(m);
+  }
+
+  // Recorded truth: the disk goes on with velocity v.
+  RoundedState turn(GenId g, const Rational& t, const ExactVec2& v) {
+    const ExactVec2 p = paths_[g].at(t);
+    paths_[g] = {t, p[0], p[1], v[0], v[1]};
+    return motion_.maneuver(g, t, v[0], v[1]);
   }
 
   void remark_velocities(bool centers) {
@@ -1201,8 +1216,8 @@ class Certifier {
     claimed_v_[g] = claimed.value_or(v);
     last_event_[g + 1] = ++motion_events_;
     top_speed_ = std::max(top_speed_, length_bound(claimed_v_[g]));
-    const ExactVec2 given = exact ? v : claimed_v_[g];
-    const RoundedState s = motion_.maneuver(g, m.t, given[0], given[1]);
+    const RoundedState s =
+        exact ? motion_.maneuver(g, m.t, v[0], v[1]) : turn(g, m.t, claimed_v_[g]);
     check_center(exact_center(claim), {to_rational(s.px), to_rational(s.py)});
     begin_around(m);
     ++certificate_.maneuvers;
@@ -1353,6 +1368,7 @@ class Certifier {
   std::optional<std::pair<GenId, GenId>> colliding_;
 
   std::vector<ExactVec2> claimed_v_;
+  std::vector<Path> paths_;      // of the recorded truth
   std::vector<int> last_event_;  // of each generator: its last change of motion, numbered
   int motion_events_ = 0;
   std::size_t next_maneuver_ = 0;

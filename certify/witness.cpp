@@ -50,16 +50,13 @@ class Evidence {
   Evidence(const Motion& motion, const Rational& t0) : motion_(motion), t0_(t0), exact_(motion) {}
 
   bool rational(GenId g, MovingSite<Rational>& out) {
-    try {
-      const MovingSite<Tower> s = exact_.moving_site(g, t0_);
-      for (const Tower* x : {&s.x, &s.y, &s.vx, &s.vy}) {
-        if (!x->is_rational() || bit_size(x->rational()) > kMaxExactBits) return false;
-      }
-      out = {s.x.rational(), s.y.rational(), s.vx.rational(), s.vy.rational(), s.r.rational()};
-      return true;
-    } catch (const BudgetExceeded&) {
-      return false;
+    if (!motion_.is_rational(g)) return false;
+    const MovingSite<Tower> s = exact_.moving_site(g, t0_);
+    for (const Tower* x : {&s.x, &s.y, &s.vx, &s.vy}) {
+      if (bit_size(x->rational()) > kMaxExactBits) return false;
     }
+    out = {s.x.rational(), s.y.rational(), s.vx.rational(), s.vy.rational(), s.r.rational()};
+    return true;
   }
 
   EvidenceMotion motion(GenId g) {

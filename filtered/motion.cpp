@@ -160,6 +160,16 @@ bool Motion::same_velocity(GenId a, GenId b) const {
   return same(m.vx, o.vx) && same(m.vy, o.vy);
 }
 
+bool Motion::is_rational(GenId g) const {
+  int id = state_[g + 1];
+  while (id > 0) {
+    const Record& r = log_[id - 1];
+    if (r.maneuver < 0) return false;
+    id = r.before_i;
+  }
+  return true;
+}
+
 const Motion::Response& Motion::respond(const Record& r) {
   const Ball::Precision bits = bits_at(r.t_ref);
   Workspace& m = workspace_;

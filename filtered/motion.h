@@ -128,6 +128,9 @@ class Motion {
   int highest_bits() const { return bits_at(0); }
   std::uint64_t replays() const { return replays_; }
 
+  // Whether the present motion of g is rational for certain: no collision is in its past.
+  bool is_rational(GenId g) const;
+
   // The state in force: -1 - g for the initial one, else an index into the log.
   int state_id(GenId g) const { return state_[g + 1]; }
 

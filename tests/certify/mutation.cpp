@@ -73,7 +73,8 @@ std::optional<Quad> some_edge(const Diagram& d, Random& random) {
 }
 
 bool near_enough(const Vec2& a, const Vec2& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]) <= 1e-3 * (std::hypot(a[0], a[1]) + std::hypot(b[0], b[1]));
+  return std::hypot(a[0] - b[0], a[1] - b[1]) <=
+         1e-3 * (std::hypot(a[0], a[1]) + std::hypot(b[0], b[1]));
 }
 
 }  // namespace
@@ -273,8 +274,9 @@ std::optional<ClaimedHistory> mutate(const Scene& scene, const ClaimedHistory& r
       CollideEvent& c = hit_at(*k);
       const double angle = uniform(random, 1e-6, 1) * (random() % 2 == 0 ? 1 : -1);
       for (auto& v : c.v) {
-        if (v) *v = {std::cos(angle) * (*v)[0] - std::sin(angle) * (*v)[1],
-                     std::sin(angle) * (*v)[0] + std::cos(angle) * (*v)[1]};
+        if (v)
+          *v = {std::cos(angle) * (*v)[0] - std::sin(angle) * (*v)[1],
+                std::sin(angle) * (*v)[0] + std::cos(angle) * (*v)[1]};
       }
       const Vec2& v = *c.v[1];
       if (std::hypot(v[0], v[1]) < 0.1) return std::nullopt;

@@ -47,8 +47,8 @@ TEST(Mutation, RightHistoriesAreCertified) {
     const ClaimedHistory h = claimed_history(scene, r);
     for (const Truth truth : {Truth::exact, Truth::recorded}) {
       const Certificate c = certify(scene, h, options_for(truth));
-      EXPECT_EQ(c.verdict, Verdict::certified)
-          << reason_line(c) << "\n" << text(h) << text(scene) << static_cast<int>(truth);
+      EXPECT_EQ(c.verdict, Verdict::certified) << reason_line(c) << "\n"
+                                               << text(h) << text(scene) << static_cast<int>(truth);
     }
   }
 }
@@ -68,8 +68,7 @@ TEST(Mutation, NoFaultIsCertified) {
       for (int kind = 0; kind < static_cast<int>(Mutation::count); ++kind) {
         for (int attempt = 0; attempt < 3; ++attempt) {
           const double tolerance = 1e-6;
-          const auto wrong =
-              mutate(scene, right, static_cast<Mutation>(kind), tolerance, random);
+          const auto wrong = mutate(scene, right, static_cast<Mutation>(kind), tolerance, random);
           if (!wrong) continue;
           const Truth truth = attempt == 0 ? Truth::exact : Truth::recorded;
           const Certificate c = certify(scene, *wrong, options_for(truth, tolerance));
@@ -79,7 +78,8 @@ TEST(Mutation, NoFaultIsCertified) {
           undecided[kind] += c.verdict == Verdict::undecided;
           EXPECT_NE(c.verdict, Verdict::certified)
               << mutation_names[kind] << " truth " << static_cast<int>(truth) << "\nright:\n"
-              << text(right) << "wrong:\n" << text(*wrong) << text(scene);
+              << text(right) << "wrong:\n"
+              << text(*wrong) << text(scene);
           if (c.verdict == Verdict::certified) return;
         }
       }
