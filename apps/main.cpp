@@ -31,7 +31,8 @@ void describe(CLI::App& app, Action& action) {
   add_validate(app, action);
   add_certify(app, action);
   app.footer(
-      "Exit codes: 0 done, 1 refuted, 2 bad input or usage, 3 undecided, 4 internal error, 5 out of\n"
+      "Exit codes: 0 done, 1 refuted, 2 bad input or usage, 3 undecided, 4 internal error, 5 out "
+      "of\n"
       "memory, 6 interrupted.\n"
       "Example:\n  voroproof simulate a.scene.json -o a.history.jsonl");
 }

@@ -24,8 +24,9 @@ namespace {
 using HalfEdge = Diagram::HalfEdge;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Half widths of the brackets that are tried around a claimed flip time, relative to max(1, t).
-constexpr std::array<double, 2> kBrackets{0x1p-38, 0x1p-31};
+// Half width of the bracket that is tried around a claimed flip time, relative to max(1, t): wide
+// beside the errors of doubles, narrow beside the gaps between events.
+constexpr double kBracket = 0x1p-31;
 
 // How many of the claims that are near each other in time are looked at together.
 constexpr std::size_t kMaxNear = 64;
@@ -41,9 +42,9 @@ struct Moment {
   Rational t;   // rational
   Quad quad{};  // flip: isolated in [lo, hi], or more narrowly:
   std::shared_ptr<const RootInterval> root;
-  GenId i = 0, j = 0;  // contact of i and j near lo
-  int state = 0;       // state: when generator j began this state,
-  DdBall dd;           // and that instant
+  GenId i = 0, j = 0;          // contact of i and j near lo
+  int state = 0;               // state: when generator j began this state
+  DdBall dd{0, 0, kInfinity};  // the instant, where it is known so well
 
   static Moment at(const Rational& t) {
     Moment m;
@@ -299,18 +300,37 @@ class Certifier {
   }
 
   DdBall narrow(const Moment& m) const {
-    DdBall dd(0, 0, kInfinity);
-    if (m.kind == Moment::Kind::flip) dd = collapses_.refine(m.quad, m.lo, m.hi);
-    if (m.kind == Moment::Kind::contact) dd = contacts_.refine(m.i, m.j, 0.5 * (m.lo + m.hi));
-    if (m.kind == Moment::Kind::state) dd = m.dd;
+    if (m.dd.rad < kInfinity) return m.dd;
     if (m.kind == Moment::Kind::rational) {
       const double near = round_nearest(m.t);
       const double error = std::fabs(round_nearest(Rational(m.t - to_rational(near))));
       return DdBall(near, 0, error * (1 + 0x1p-50));
     }
     const double middle = 0.5 * (m.lo + m.hi);
-    const DdBall hull(middle, 0, (m.hi - m.lo) * (1 + 0x1p-50));
-    return dd.rad < hull.rad ? dd : hull;
+    DdBall best(middle, 0, (m.hi - m.lo) * (1 + 0x1p-50));
+    if (m.kind == Moment::Kind::state) return best;
+    if (m.kind == Moment::Kind::contact) {
+      const DdBall dd = contacts_.refine(m.i, m.j, middle);
+      return dd.rad < best.rad ? dd : best;
+    }
+    // Each step squares the relative width, or does not help.
+    double lo = m.lo, hi = m.hi;
+    for (int step = 0; step < 3; ++step) {
+      const DdBall dd = collapses_.refine(m.quad, lo, hi);
+      if (!(dd.rad < 0.5 * best.rad)) break;
+      best = dd;
+      if (best.rad < 0x1p-60 * (1 + best.hi)) break;
+      lo = std::max(lo, below(best));
+      hi = std::min(hi, above(best));
+    }
+    return best;
+  }
+
+  static double below(const DdBall& t) {
+    return std::nextafter(t.hi + std::nextafter(t.lo - t.rad, -kInfinity), -kInfinity);
+  }
+  static double above(const DdBall& t) {
+    return std::nextafter(t.hi + std::nextafter(t.lo + t.rad, kInfinity), kInfinity);
   }
 
   Ball ball_of(const Moment& m) {
@@ -657,7 +677,7 @@ class Certifier {
       const double t = time(near_[k].event);
       // A flip is only looked for in its widest bracket.
       if (std::holds_alternative<FlipEvent>(near_[k].event) &&
-          t - kBrackets.back() * std::fmax(1, t) > first->hi) {
+          t - kBracket * std::fmax(1, t) > first->hi) {
         continue;
       }
       const std::optional<Moment> m = probe(near_[k].event);
@@ -711,16 +731,16 @@ class Certifier {
 
   // The flip of q within a narrow bracket around the claimed time, if that is easily proved.
   std::optional<Moment> bracket(const Quad& q, double from, double t) const {
-    for (const double relative : kBrackets) {
-      const double pad = std::fmin(relative * std::fmax(1, t), 0.99 * tolerance_up_);
-      const double lo = t - pad, hi = t + pad;
-      if (!(from <= lo)) continue;
-      if (!proved_collapse(motion_, q, lo, hi)) continue;
-      Moment m;
-      m.kind = Moment::Kind::flip;
-      m.quad = q;
-      m.lo = lo;
-      m.hi = hi;
+    const double pad = std::fmin(kBracket * std::fmax(1, t), 0.99 * tolerance_up_);
+    Moment m;
+    m.kind = Moment::Kind::flip;
+    m.quad = q;
+    m.lo = t - pad;
+    m.hi = t + pad;
+    if (!(from <= m.lo)) return std::nullopt;
+    if (proved_collapse(motion_, q, m.lo, m.hi)) return m;
+    if (const auto root = newton_collapse(motion_, collapses_, q, m.lo, m.hi)) {
+      m.dd = *root;
       return m;
     }
     return std::nullopt;
@@ -835,7 +855,12 @@ class Certifier {
   void count_ulps(const Moment& m, double claimed) {
     const DdBall d = narrow(m) - DdBall(claimed);
     const double ulp = std::nextafter(claimed, kInfinity) - claimed;
-    const double error = std::fabs(d.hi + d.lo) / ulp;
+    double error = std::fabs(d.hi + d.lo) / ulp;
+    if (d.rad > 0.01 * ulp) {
+      double lo = 0, hi = 0;
+      (ball_of(m) - Ball(exact_time(*claim_), motion_.goal_bits() + 32)).to_interval(lo, hi);
+      error = std::fmax(std::fabs(lo), std::fabs(hi)) / ulp;
+    }
     ulps_sum_ += error;
     ++ulps_count_;
     if (error > certificate_.ulps_max) {
@@ -864,8 +889,8 @@ class Certifier {
     if (c.kind != NextContact::Kind::at) return c;
     const DdBall dd = contacts_.refine(i, j, 0.5 * (c.lo + c.hi));
     if (dd.rad < kInfinity) {
-      c.lo = std::max(c.lo, std::nextafter(dd.hi + (dd.lo - dd.rad), -kInfinity));
-      c.hi = std::min(c.hi, std::nextafter(dd.hi + (dd.lo + dd.rad), kInfinity));
+      c.lo = std::max(c.lo, below(dd));
+      c.hi = std::min(c.hi, above(dd));
     }
     return c;
   }

@@ -33,6 +33,17 @@ bool free_in(const Motion& m, const Quad& q, double a, double b, int depth) {
   return free_in(m, q, a, middle, depth + 1) && free_in(m, q, middle, b, depth + 1);
 }
 
+// Whether the edge collapses at the one root in [a, b], `after` being the sign of the cotangency
+// just after it.
+bool collapses_at_root(const Motion& motion, const Quad& q, double a, double b, Sign after) {
+  EdgeSigns s = signs_over(motion, q, DoubleBall::hull(a, b), after);
+  if (s.start_exists != Sign::positive || s.end_exists != Sign::positive) return false;
+  if (s.end_in_start == Sign::unknown || s.start_in_end == Sign::unknown) {
+    s = signs_over(motion, q, DoubleBall(b), after);
+  }
+  return s.end_in_start == Sign::negative && s.start_in_end == Sign::negative;
+}
+
 }  // namespace
 
 bool proved_free(const Motion& motion, const Quad& q, double a, double b) {
@@ -63,12 +74,26 @@ bool proved_collapse(const Motion& motion, const Quad& q, double a, double b) {
   if (changes != 1) return false;
   // Of the cotangency just after the root: for four equal radii the form is C, and f = -C^2.
   const Sign after = form.degree == 4 ? Sign::negative : sign_of(last);
-  EdgeSigns s = signs_over(motion, q, DoubleBall::hull(a, b), after);
-  if (s.start_exists != Sign::positive || s.end_exists != Sign::positive) return false;
-  if (s.end_in_start == Sign::unknown || s.start_in_end == Sign::unknown) {
-    s = signs_over(motion, q, DoubleBall(b), after);
+  return collapses_at_root(motion, q, a, b, after);
+}
+
+std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch& search,
+                                      const Quad& q, double a, double b) {
+  if (q.s == q.e || !(a < b)) return std::nullopt;
+  const DdBall root = search.refine(q, a, b);
+  if (!(root.rad < 0.25 * (b - a)) || sign(root - DdBall(a)) != Sign::positive ||
+      sign(root - DdBall(b)) != Sign::negative) {
+    return std::nullopt;
   }
-  return s.end_in_start == Sign::negative && s.start_in_end == Sign::negative;
+  Sign after = Sign::negative;
+  if (!flip_polynomial_is_cocircularity(motion, q)) {
+    const DdBall t(b);
+    after = sign(cotangency(motion.site(q.l, t), motion.site(q.r, t), motion.site(q.s, t),
+                            motion.site(q.e, t)));
+    if (after != Sign::positive && after != Sign::negative) return std::nullopt;
+  }
+  if (!collapses_at_root(motion, q, a, b, after)) return std::nullopt;
+  return root;
 }
 
 bool proved_not_cotangent(const Motion& motion, const Quad& q, double a, double b) {

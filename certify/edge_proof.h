@@ -10,6 +10,9 @@
 // off each. Both answers below are proofs when true and say nothing when false.
 #pragma once
 
+#include <optional>
+
+#include "filtered/collapse.h"
 #include "filtered/motion.h"
 
 namespace voroproof {
@@ -21,6 +24,13 @@ bool proved_free(const Motion& motion, const Quad& q, double a, double b);
 // Whether q provably has exactly one root of its flip polynomial in [a, b], not at an end, and
 // collapses there.
 bool proved_collapse(const Motion& motion, const Quad& q, double a, double b);
+
+// The same by one step of the interval Newton method in double-doubles, where the error bound of
+// doubles is too wide: a step that maps [a, b] into its inside proves one simple root there
+// (R. Krawczyk, Computing 4, 1969; R. Moore, Methods and Applications of Interval Analysis, 1979).
+// Gives the root's enclosure.
+std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch& search,
+                                      const Quad& q, double a, double b);
 
 // Whether the four generators of q are provably not cotangent at any time of [a, b].
 bool proved_not_cotangent(const Motion& motion, const Quad& q, double a, double b);
