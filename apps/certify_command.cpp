@@ -9,6 +9,7 @@
 #include "apps/scene_motion.h"
 #include "certify/certifier.h"
 #include "certify/report.h"
+#include "history/claim.h"
 #include "history/error.h"
 #include "kinetic/static_diagram.h"
 
@@ -47,12 +48,9 @@ ExitCode certify_files(Request& request) {
   const CooperativeInterruption interruption;
   std::optional<AtomicFile> report_file;
   if (!request.report.empty()) report_file.emplace(request.report);
-  const Scene scene = read_scene(request.scene);
-  const auto history = open_history(request.history, static_cast<int>(scene.disks.size()));
-  const HistoryHeader& header = history->header();
-  if (!header.scene_sha256.empty() && header.scene_sha256 != scene.sha256) {
-    throw InputError(request.history, 1, "scene_sha256", "is not that of " + request.scene);
-  }
+  const Claim claim = open_claim(request.scene, request.history);
+  const Scene& scene = claim.scene;
+  const HistoryHeader& header = claim.history->header();
   CertifyOptions& options = request.options;
   options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
   options.tolerance = time_argument("--tolerance", request.tolerance);
@@ -66,7 +64,9 @@ ExitCode certify_files(Request& request) {
   };
   Certificate certificate;
   try {
-    certificate = certify(scene, motion_input(scene), *history, options);
+    certificate = certify(scene, motion_input(scene), *claim.history, options);
+    certificate.remarks.insert(certificate.remarks.begin(), claim.remarks.begin(),
+                               claim.remarks.end());
   } catch (const CertificationInterrupted&) {
     throw Interrupted();
   }

@@ -120,7 +120,8 @@ class Certifier {
         history_(history),
         options_(options),
         horizon_(history.header().horizon),
-        motion_(with_horizon(input, horizon_), options.motion),
+        search_end_(round_up(Rational(horizon_ + history.header().horizon_error))),
+        motion_(with_horizon(input, to_rational(search_end_)), options.motion),
         diagram_(motion_.size()),
         collapses_(motion_, certificate_.tiers),
         contacts_(motion_, certificate_.tiers),
@@ -211,6 +212,11 @@ class Certifier {
     d.t = root.lo;
     d.line = line_at(root.lo);
     d.truth = "edge " + text(canonical(q)) + " flips " + between(root.lo, root.hi);
+    const double far = kMistimed * tolerance_up_;
+    if (const auto line = history_.shadow_line(q, root.lo - far, root.hi + far)) {
+      d.line = *line;
+      d.truth += ", which the file takes for a shadow flip";
+    }
     d.true_flip = canonical(q);
     d.true_time = {root.lo, root.hi};
     d.witness = collapse_witness(motion_, q, lo, hi);
@@ -777,7 +783,7 @@ class Certifier {
       std::optional<Collapse> c =
           life.due ? std::optional(life.root) : first_collapse(q, life.from, end);
       if (!c) {
-        const double horizon = round_up(horizon_);
+        const double horizon = search_end_;
         c = first_collapse(q, std::max(life.from, end), horizon);
         if (c) mistimed(q, *c, t);
         refute(Fault::spurious_event,
@@ -885,7 +891,7 @@ class Certifier {
   NextContact next_contact(int edge, GenId i, GenId j) {
     if (partners(i, j)) return {};
     const Moment from = Moment::at(to_rational(begun_ ? pairs_[edge].from : 0));
-    NextContact c = contacts_.from(i, j, instant(from), round_up(horizon_));
+    NextContact c = contacts_.from(i, j, instant(from), search_end_);
     if (c.kind != NextContact::Kind::at) return c;
     const DdBall dd = contacts_.refine(i, j, 0.5 * (c.lo + c.hi));
     if (dd.rad < kInfinity) {
@@ -1042,6 +1048,7 @@ class Certifier {
     const ExactVec2 n = minus(p[1], p[0]), w = minus(v[1], v[0]);
     const Rational& mi = scene_.disks[i].mass;
     const Rational& mj = scene_.disks[j].mass;
+    if (mi + mj == 0) throw Undecided("two points without mass touch", i, j);
     const Rational q =
         (1 + scene_.restitution) * (w[0] * n[0] + w[1] * n[1]) / (norm2(n) * (mi + mj));
     for (int k = 0; k < 2; ++k) {
@@ -1269,7 +1276,8 @@ class Certifier {
     claim_.reset();
     line_ = history_.line();
     const auto* stop = std::get_if<HistoryStop>(&history_.ending());
-    Rational end = horizon_;
+    // What the file cannot say for certain is not held against it.
+    Rational end = horizon_ - history_.header().horizon_error;
     if (stop != nullptr) end = stop->exact_t ? *stop->exact_t : to_rational(stop->t);
     if (stop == nullptr || end > frontier_.t) {
       for (std::size_t k = next_maneuver_; k < scene_.maneuvers.size(); ++k) {
@@ -1284,15 +1292,12 @@ class Certifier {
         throw Refuted{d};
       }
     }
-    const Moment m = Moment::at(end);
     // The horizon of some files is rounded, and events may lie beyond it.
-    if (compare_moments(m, frontier_) >= 0) {
-      if (stop == nullptr) leave_instant();
-      for (int e = 0; e < diagram_.edges(); ++e) end_life(e, m, stop == nullptr);
-      for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) end_pair(e, m, stop == nullptr);
-    } else if (stop == nullptr) {
-      leave_instant();
-    }
+    Moment m = Moment::at(end);
+    if (compare_moments(m, frontier_) < 0) m = frontier_;
+    if (stop == nullptr) leave_instant();
+    for (int e = 0; e < diagram_.edges(); ++e) end_life(e, m, stop == nullptr);
+    for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) end_pair(e, m, stop == nullptr);
     if (stop == nullptr && !history_.counts_match()) {
       refute(Fault::bad_count, "the file has " + std::to_string(history_.counts().flips) +
                                    " flips, " + std::to_string(history_.counts().collisions) +
@@ -1336,7 +1341,7 @@ class Certifier {
         found.true_time && (*found.true_time)[0] < found.t ? (*found.true_time)[0] : found.t;
     const double margin =
         found.fault == Fault::missing_event || found.fault == Fault::overlap ? 0 : tolerance_up_;
-    limit = std::min(limit, round_up(horizon_));
+    limit = std::min(limit, search_end_);
     for (int e = 0; e < diagram_.edges(); ++e) {
       const Quad q = diagram_.quad(2 * e);
       Life& life = lives_[e];
@@ -1368,6 +1373,7 @@ class Certifier {
   const CertifyOptions& options_;
   Certificate certificate_;
   Rational horizon_;
+  double search_end_;  // no event lies beyond it
   Motion motion_;
   Diagram diagram_;
   CollapseSearch collapses_;

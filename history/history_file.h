@@ -21,6 +21,7 @@ struct HistoryHeader {
   Rational horizon;
   std::string producer;                      // "name version"
   std::optional<std::vector<Quad>> initial;  // the diagram at 0+: canonical, sorted
+  Rational horizon_error{};  // what the format's rounding may have done to the horizon
 };
 
 struct HistoryCounts {

@@ -14,6 +14,9 @@ class NativeHistory : public HistorySource {
   const HistoryCounts& counts() const override { return reader_.counts(); }
   bool counts_match() const override { return reader_.counts_match(); }
   std::vector<std::string> remarks() const override { return {}; }
+  std::optional<std::int64_t> shadow_line(const Quad&, double, double) const override {
+    return std::nullopt;
+  }
 
  private:
   HistoryReader reader_;

@@ -18,10 +18,14 @@ class HistorySource {
   virtual const std::variant<HistoryEnd, HistoryStop>& ending() const = 0;
   virtual const HistoryCounts& counts() const = 0;
   virtual bool counts_match() const = 0;
+  // What the file cannot tell.
   virtual std::vector<std::string> remarks() const = 0;
+  // The line on which the file says of a root of this edge in [lo, hi] that it is no flip; nothing
+  // in formats that do not mention such roots.
+  virtual std::optional<std::int64_t> shadow_line(const Quad& q, double lo, double hi) const = 0;
 };
 
-// Opens a history; ids must be below disk_count. Throws InputError.
+// Opens a history of this project's format; ids must be below disk_count. Throws InputError.
 std::unique_ptr<HistorySource> open_history(const std::string& path, int disk_count);
 
 }  // namespace voroproof

@@ -35,6 +35,9 @@ class MemoryHistory : public HistorySource {
   const HistoryCounts& counts() const override { return counts_; }
   bool counts_match() const override { return counts_ == history_.claimed_counts; }
   std::vector<std::string> remarks() const override { return {}; }
+  std::optional<std::int64_t> shadow_line(const Quad&, double, double) const override {
+    return std::nullopt;
+  }
 
  private:
   const ClaimedHistory& history_;

@@ -1,0 +1,69 @@
+#include "history/claim.h"
+
+#include <numeric>
+
+#include "history/disk_file.h"
+#include "history/error.h"
+#include "history/evtsq_file.h"
+#include "history/json_text.h"
+
+namespace voroproof {
+
+namespace {
+
+Claim open_event_sequence(const std::string& scene_path, const std::string& path) {
+  const EvtsqHeader header = read_evtsq_header(path);
+  Claim claim;
+  std::vector<std::int64_t> ids;
+  std::optional<Rational> horizon;
+  if (is_disk_file(scene_path)) {
+    DiskFile disks = read_disk_file(scene_path);
+    ids = std::move(disks.ids);
+    claim.scene = std::move(disks.scene);
+    // The nearest binary64, as the writing program had it.
+    claim.scene.restitution = to_rational(round_nearest(header.restitution));
+    claim.scene.container_restitution = claim.scene.restitution;
+    claim.scene.horizon = header.horizon;
+    claim.scene.maneuvers = read_evtsq_maneuvers(path, ids);
+    claim.remarks.push_back("horizon " + number_text(claim.scene.horizon) + " and restitution " +
+                            number_text(claim.scene.restitution) +
+                            " are from the event sequence, to two decimals; the container scales "
+                            "the whole reflected velocity");
+    if (!claim.scene.maneuvers.empty()) {
+      claim.remarks.push_back(
+          "the velocity changes are from the event sequence: no scene names them");
+    }
+    if (!ids.empty() && ids.back() != static_cast<std::int64_t>(ids.size()) - 1) {
+      claim.remarks.push_back("the disks are renumbered from 0 in the order of their ids");
+    }
+    if (claim.scene.restitution == 0) {
+      throw InputError(path, 0, "RESTITUTION_COEFFICIENT", "0 is not possible at the container");
+    }
+  } else {
+    claim.scene = read_scene(scene_path);
+    if (abs(Rational(claim.scene.restitution - header.restitution)) > kEvtsqRounding) {
+      throw InputError(path, 0, "RESTITUTION_COEFFICIENT", "is not that of " + scene_path);
+    }
+    horizon = claim.scene.horizon;
+    ids.resize(claim.scene.disks.size());
+    std::iota(ids.begin(), ids.end(), std::int64_t{0});
+  }
+  claim.history = open_evtsq(path, ids, horizon);
+  return claim;
+}
+
+}  // namespace
+
+Claim open_claim(const std::string& scene_path, const std::string& history_path) {
+  if (is_evtsq_file(history_path)) return open_event_sequence(scene_path, history_path);
+  Claim claim;
+  claim.scene =
+      is_disk_file(scene_path) ? read_disk_file(scene_path).scene : read_scene(scene_path);
+  claim.history = open_history(history_path, static_cast<int>(claim.scene.disks.size()));
+  if (claim.history->header().scene_sha256 != claim.scene.sha256) {
+    throw InputError(history_path, 1, "scene_sha256", "is not that of " + scene_path);
+  }
+  return claim;
+}
+
+}  // namespace voroproof

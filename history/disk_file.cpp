@@ -1,0 +1,147 @@
+#include "history/disk_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <ostream>
+
+#include "history/error.h"
+#include "history/file_bytes.h"
+#include "history/json_text.h"
+#include "history/placement.h"
+#include "history/sha256.h"
+#include "history/text_fields.h"
+
+namespace voroproof {
+
+namespace {
+
+constexpr std::int64_t kMaxId = std::int64_t{1} << 40;
+
+class DiskFileReader {
+ public:
+  explicit DiskFileReader(const std::string& path) : path_(path), lines_(path) {}
+
+  DiskFile read() {
+    while (lines_.next() && lines_.line().starts_with('#')) {
+    }
+    const std::int64_t circles = lines_.integer(0, "number of circles", 1, max_disks + 1);
+    for (std::int64_t k = 0; k < circles; ++k) {
+      if (!lines_.next()) {
+        lines_.fail("", "the file ends after " + std::to_string(k) + " of " +
+                            std::to_string(circles) + " circles");
+      }
+      read_circle();
+    }
+    if (lines_.next()) lines_.fail("", "text after the last circle");
+    if (!container_seen_) throw InputError(path_, 0, "", "no container: no circle with id < 0");
+    DiskFile file = sorted();
+    if (const auto fault = find_placement_fault(file.scene)) {
+      throw InputError(path_, lines_of_[fault->disk],
+                       "disk " + std::to_string(file.ids[fault->disk]), fault->reason);
+    }
+    return file;
+  }
+
+ private:
+  Rational value(std::size_t k, const char* name) {
+    const double x = lines_.number(k, name);
+    if (x != 0 && (std::fabs(x) > max_scene_value || std::fabs(x) < min_scene_value)) {
+      lines_.fail(name, "beyond the limits of a scene: 0 or 1e-100 to 1e100 in magnitude");
+    }
+    return to_rational(x);
+  }
+
+  void read_circle() {
+    const std::int64_t id = lines_.integer(0, "id", -kMaxId, kMaxId);
+    const Rational x = value(1, "x"), y = value(2, "y"), r = value(3, "r");
+    if (r < 0) lines_.fail("r", "negative");
+    const Rational vx = value(7, "vx"), vy = value(8, "vy");
+    if (id < 0) {
+      if (container_seen_) lines_.fail("id", "a second container, which is not supported");
+      if (r == 0) lines_.fail("r", "not positive");
+      if (vx != 0 || vy != 0) lines_.fail("vx", "a container that moves is not supported");
+      container_seen_ = true;
+      scene_.cx = x;
+      scene_.cy = y;
+      scene_.container_radius = r;
+      return;
+    }
+    DiskSpec disk;
+    disk.x = x;
+    disk.y = y;
+    disk.radius = r;
+    disk.vx = vx;
+    disk.vy = vy;
+    disk.mass = r * r;
+    scene_.disks.push_back(std::move(disk));
+    ids_.push_back(id);
+    lines_of_.push_back(lines_.number());
+  }
+
+  DiskFile sorted() {
+    std::vector<std::size_t> order(ids_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [this](std::size_t a, std::size_t b) { return ids_[a] < ids_[b]; });
+    DiskFile file;
+    file.scene = scene_;
+    file.scene.law = ContainerLaw::whole;
+    std::vector<std::int64_t> lines;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const std::size_t from = order[k];
+      if (k > 0 && ids_[from] == file.ids.back()) {
+        throw InputError(path_, lines_of_[from], "id", "given to two disks");
+      }
+      file.ids.push_back(ids_[from]);
+      file.scene.disks[k] = scene_.disks[from];
+      lines.push_back(lines_of_[from]);
+    }
+    lines_of_ = std::move(lines);
+    return file;
+  }
+
+  const std::string& path_;
+  FieldLines lines_;
+  Scene scene_;
+  bool container_seen_ = false;
+  std::vector<std::int64_t> ids_, lines_of_;
+};
+
+}  // namespace
+
+bool is_disk_file(const std::string& path) {
+  const std::string beginning = file_bytes(path, 4096, true);
+  const std::size_t first = beginning.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && beginning[first] != '{';
+}
+
+DiskFile read_disk_file(const std::string& path) {
+  DiskFile file = DiskFileReader(path).read();
+  file.scene.sha256 = sha256_hex(file_bytes(path, max_scene_bytes));
+  return file;
+}
+
+void write_disk_file(std::ostream& out, const Scene& scene) {
+  const auto text = [](const Rational& q, const std::string& what) {
+    const double x = round_nearest(q);
+    if (to_rational(x) != q) throw UnsuitableScene(what + " is no binary64");
+    return number_text(x);
+  };
+  out << "# BCF Ver 2.1\n" << scene.disks.size() + 1 << '\n';
+  out << "-1\t" << text(scene.cx, "container.center[0]") << '\t'
+      << text(scene.cy, "container.center[1]") << '\t'
+      << text(scene.container_radius, "container.radius") << "\t0.5\t0.5\t0.5\t0\t0\n";
+  for (std::size_t k = 0; k < scene.disks.size(); ++k) {
+    const DiskSpec& d = scene.disks[k];
+    const std::string name = "disks[" + std::to_string(k) + "]";
+    if (d.mass != d.radius * d.radius) {
+      throw UnsuitableScene(name + ".mass is not the radius squared");
+    }
+    out << k << '\t' << text(d.x, name + ".center[0]") << '\t' << text(d.y, name + ".center[1]")
+        << '\t' << text(d.radius, name + ".radius") << "\t0.5\t0.5\t0.5\t"
+        << text(d.vx, name + ".velocity[0]") << '\t' << text(d.vy, name + ".velocity[1]") << '\n';
+  }
+}
+
+}  // namespace voroproof

@@ -1,0 +1,36 @@
+// Disk files ("BCF"): disks in a container as the engine of the paper's authors reads them
+// (docs/formats.md). They have no masses, no restitution, no horizon and no maneuvers; the mass of
+// a disk is its radius squared, that of a point is 0.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "history/scene.h"
+
+namespace voroproof {
+
+struct DiskFile {
+  Scene scene;  // restitution 1, horizon 0; container_law "whole", as that engine has it
+  std::vector<std::int64_t> ids;  // ids[k]: what the file calls disk k; ascending
+};
+
+// Whether the file is no JSON text, judged by its first character that is not white space.
+bool is_disk_file(const std::string& path);
+
+// Reads and checks a disk file as read_scene does a scene. Throws InputError.
+DiskFile read_disk_file(const std::string& path);
+
+// Writes the disks under their own ids. Throws UnsuitableScene where the scene has what a disk file
+// cannot say: a value that is no binary64, a mass other than the radius squared.
+void write_disk_file(std::ostream& out, const Scene& scene);
+
+class UnsuitableScene : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace voroproof

@@ -1,0 +1,65 @@
+// Event sequences (`.evtsq`): histories as the engine of the paper's authors writes them
+// (docs/formats.md). The initial diagram and the velocities after collisions are not in them, and
+// the header is lossy: horizon and restitution have two decimals.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "history/atomic_file.h"
+#include "history/history_source.h"
+#include "history/scene.h"
+#include "history/text_fields.h"
+
+namespace voroproof {
+
+struct EvtsqHeader {
+  std::string source, generator;
+  bool has_centers = true;      // version 1.1
+  Rational horizon;             // rounded to two decimals
+  Rational restitution = 1;     // likewise
+  std::int64_t lines = 0;       // of events, as claimed
+  std::int64_t first_line = 0;  // the line of the first event
+};
+
+inline const Rational kEvtsqRounding{1, 200};  // of the horizon and the restitution
+
+// Whether the file begins as an event sequence does, with a header that names its version.
+bool is_evtsq_file(const std::string& path);
+
+EvtsqHeader read_evtsq_header(const std::string& path);
+
+// The velocity changes of the file, for scenes whose format has none. `ids` as in DiskFile.
+std::vector<Maneuver> read_evtsq_maneuvers(const std::string& path,
+                                           const std::vector<std::int64_t>& ids);
+
+// Opens an event sequence. The "shadow flips" of such a file, roots that are said to be no flips,
+// are no events. `ids`: ascending, what the file calls the disks 0, 1, ... `horizon`:
+// that of the scene if it has one; where it rounds to the header's, that is what the header means.
+// Throws InputError, now or as the events are read.
+std::unique_ptr<HistorySource> open_evtsq(const std::string& path,
+                                          const std::vector<std::int64_t>& ids,
+                                          const std::optional<Rational>& horizon);
+
+struct EvtsqFormat {
+  bool centers = true;      // version 1.1; else 1.0
+  bool hexadecimal = true;  // numbers without loss; else with 15 digits after the point
+};
+
+// Where the events come from, for the header and for messages.
+struct EvtsqSource {
+  std::string name;     // of the disk file
+  std::string history;  // the file that `history` reads
+  Rational restitution;
+  Vec2 container_center{};
+};
+
+// Writes the events of `history`, `totals` of them, reading it to its end. Throws InputError where
+// it is not right in form, or has what such a file cannot say: a stop.
+void write_evtsq(AtomicFile& file, HistorySource& history, const HistoryCounts& totals,
+                 const EvtsqSource& source, const EvtsqFormat& format);
+
+}  // namespace voroproof

@@ -1,0 +1,100 @@
+#include "history/error.h"
+#include "history/evtsq_file.h"
+
+namespace voroproof {
+
+namespace {
+
+// Rounded half up, as two decimals.
+std::string two_decimals(const Rational& q) {
+  const Rational scaled = q * 100 + Rational(1, 2);
+  const Integer hundredths = scaled.get_num() / scaled.get_den();
+  std::string digits = hundredths.get_str();
+  if (digits.size() < 3) digits.insert(0, 3 - digits.size(), '0');
+  return digits.insert(digits.size() - 2, ".");
+}
+
+class Lines {
+ public:
+  Lines(AtomicFile& file, const EvtsqFormat& format) : file_(file), format_(format) {}
+
+  void write(const FlipEvent& e) {
+    begin("E", e.t);
+    // Head and tail: the third generators of the end and of the start.
+    for (const GenId g : {e.quad.l, e.quad.r, e.quad.e, e.quad.s}) add(std::to_string(g));
+    end();
+  }
+
+  void write(const CollideEvent& e, const Vec2& container_center) {
+    begin("C", e.t);
+    add(std::to_string(e.i));
+    add(std::to_string(e.j));
+    if (format_.centers) {
+      add(e.p[0].value_or(container_center));
+      add(*e.p[1]);
+    }
+    end();
+  }
+
+  void write(const ManeuverEvent& e) {
+    begin("V", e.t);
+    add(std::to_string(e.disk));
+    add(*e.v);
+    if (format_.centers && e.p) add(*e.p);
+    end();
+  }
+
+ private:
+  void begin(const char* letter, double t) {
+    line_ = letter;
+    add(t);
+  }
+  void add(const std::string& text) { line_ += '\t' + text; }
+  void add(double x) { add(format_.hexadecimal ? hexadecimal_text(x) : fixed_text(x)); }
+  void add(const Vec2& v) {
+    add(v[0]);
+    add(v[1]);
+  }
+  void end() {
+    line_ += '\n';
+    file_.write(line_);
+  }
+
+  AtomicFile& file_;
+  const EvtsqFormat& format_;
+  std::string line_;
+};
+
+}  // namespace
+
+void write_evtsq(AtomicFile& file, HistorySource& history, const HistoryCounts& totals,
+                 const EvtsqSource& source, const EvtsqFormat& format) {
+  file.write("#SOURCE:\t" + source.name + "\n#DVD_GENERATOR:\t" + history.header().producer +
+             "\n#EVENT_SEQUENCE_FILE_FORMAT_VERSION:\t" + (format.centers ? "1.10" : "1.00") +
+             "\n#TIME:\t-\n#SIMULATION_TIME:\t" + two_decimals(history.header().horizon) +
+             "\n#RESTITUTION_COEFFICIENT:\t" + two_decimals(source.restitution) + "\n" +
+             std::to_string(totals.flips + totals.collisions + totals.maneuvers) + "\n");
+  Lines lines(file, format);
+  while (const auto event = history.next()) {
+    const auto refuse = [&](const std::string& reason) {
+      throw InputError(source.history, history.line(), "", reason);
+    };
+    if (const auto* f = std::get_if<FlipEvent>(&*event)) {
+      lines.write(*f);
+    } else if (const auto* c = std::get_if<CollideEvent>(&*event)) {
+      if (format.centers && !c->p[1])
+        refuse("a collision without centres: only version 1.0 can say it");
+      lines.write(*c, source.container_center);
+    } else {
+      const auto& m = std::get<ManeuverEvent>(*event);
+      if (!m.v) refuse("a maneuver without velocity");
+      lines.write(m);
+    }
+  }
+  if (std::holds_alternative<HistoryStop>(history.ending())) {
+    throw InputError(source.history, history.line(), "stopped",
+                     "an event sequence cannot say that it stops early");
+  }
+}
+
+}  // namespace voroproof
