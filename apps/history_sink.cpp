@@ -16,10 +16,13 @@ HistorySink::HistorySink(HistoryWriter& writer, HistoryHeader header, int disks)
 void HistorySink::begin(const std::vector<Quad>& initial) {
   // A run that stopped before the diagram at 0+ was known gives none.
   if (!initial.empty() || disks_ < 2) header_.initial = initial;
+  if (header_observer_) header_observer_(header_);
   writer_.header(header_);
 }
 
-void HistorySink::flip(double t, const Quad& edge) { put(FlipEvent{.t = t, .quad = edge}); }
+void HistorySink::flip(double t, const Quad& edge) {
+  show_and_put(FlipEvent{.t = t, .quad = edge});
+}
 
 void HistorySink::collide(double t, GenId i, GenId j, const RoundedState& first,
                           const RoundedState& second) {
@@ -30,11 +33,11 @@ void HistorySink::collide(double t, GenId i, GenId j, const RoundedState& first,
   }
   event.v[1] = velocity(second);
   event.p[1] = center(second);
-  put(std::move(event));
+  show_and_put(std::move(event));
 }
 
 void HistorySink::maneuver(double t, GenId disk, const RoundedState& state) {
-  put(ManeuverEvent{.t = t, .disk = disk, .v = velocity(state), .p = center(state)});
+  show_and_put(ManeuverEvent{.t = t, .disk = disk, .v = velocity(state), .p = center(state)});
 }
 
 BackgroundHistorySink::~BackgroundHistorySink() {

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <deque>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "history/history_file.h"
@@ -27,6 +29,13 @@ class HistorySink : public EventSink {
                const RoundedState& second) final;
   void maneuver(double t, GenId disk, const RoundedState& state) final;
 
+  // Each event is shown to `observer`, and before them the header, as they come.
+  void observe(std::function<void(const HistoryHeader&)> header,
+               std::function<void(const Event&)> event) {
+    header_observer_ = std::move(header);
+    event_observer_ = std::move(event);
+  }
+
   // After it all events have reached the writer, which is the caller's again.
   virtual void finish() {}
 
@@ -36,8 +45,15 @@ class HistorySink : public EventSink {
   HistoryWriter& writer_;
 
  private:
+  void show_and_put(Event&& event) {
+    if (event_observer_) event_observer_(event);
+    put(std::move(event));
+  }
+
   HistoryHeader header_;
   int disks_;
+  std::function<void(const HistoryHeader&)> header_observer_;
+  std::function<void(const Event&)> event_observer_;
 };
 
 // The same with a thread of its own for formatting and writing: the engine's thread hands on

@@ -1,17 +1,16 @@
 #include "apps/render.h"
 
-#include <cairo-svg.h>
 #include <cairo.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <new>
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
 
-#include "history/atomic_file.h"
+#include "apps/digit_pen.h"
+#include "apps/picture.h"
 
 namespace voroproof {
 namespace {
@@ -255,92 +254,6 @@ std::vector<std::size_t> colours(const DiagramFile& diagram) {
 
 // ---- Painting
 
-// Draws the decimal digits of an id as strokes, so that pictures do not depend on
-// the fonts of a system. A digit fills a box 0.6 wide and 1 high, y upwards.
-class DigitPen {
- public:
-  explicit DigitPen(cairo_t* cairo) : cairo_(cairo) {}
-
-  // Around the given place, `height` pixels high.
-  void write(const std::string& digits, const Vec2& place, double height) const {
-    constexpr double advance = 0.82;
-    const double width = advance * static_cast<double>(digits.size()) - (advance - 0.6);
-    cairo_new_path(cairo_);
-    cairo_save(cairo_);
-    cairo_translate(cairo_, place[0] - height * width / 2, place[1] + height / 2);
-    cairo_scale(cairo_, height, -height);
-    for (char digit : digits) {
-      add(digit);
-      cairo_translate(cairo_, advance, 0);
-    }
-    cairo_restore(cairo_);
-    cairo_set_line_width(cairo_, 0.13 * height);
-    cairo_stroke(cairo_);
-  }
-
- private:
-  void add(char digit) const {
-    switch (digit) {
-      case '0':
-        return oval(0.3, 0.5, 0.28, 0.5);
-      case '1':
-        return lines({{0.12, 0.78}, {0.36, 1}, {0.36, 0}});
-      case '2':
-        start(0.04, 0.74);
-        arc(0.3, 0.73, 0.26, 0.27, 178, -40);
-        return to({{0.03, 0}, {0.58, 0}});
-      case '3':
-        start(0.07, 0.88);
-        arc(0.28, 0.75, 0.24, 0.25, 148, -90);
-        return arc(0.28, 0.25, 0.29, 0.25, 90, -150);
-      case '4':
-        return lines({{0.46, 0}, {0.46, 1}, {0.02, 0.28}, {0.6, 0.28}});
-      case '5':
-        lines({{0.53, 1}, {0.13, 1}, {0.08, 0.53}});
-        return arc(0.28, 0.31, 0.29, 0.31, 125, -148);
-      case '6':
-        oval(0.3, 0.3, 0.27, 0.3);
-        return curve({0.03, 0.32}, {0.03, 0.7}, {0.18, 0.95}, {0.47, 1});
-      case '7':
-        return lines({{0.03, 1}, {0.57, 1}, {0.2, 0}});
-      case '8':
-        oval(0.3, 0.76, 0.23, 0.24);
-        return oval(0.3, 0.26, 0.28, 0.26);
-      case '9':
-        oval(0.3, 0.7, 0.27, 0.3);
-        return curve({0.57, 0.68}, {0.57, 0.3}, {0.42, 0.05}, {0.13, 0});
-    }
-  }
-
-  void start(double x, double y) const { cairo_move_to(cairo_, x, y); }
-  void to(std::initializer_list<Vec2> points) const {
-    for (const Vec2& p : points) cairo_line_to(cairo_, p[0], p[1]);
-  }
-  void lines(std::initializer_list<Vec2> points) const {
-    cairo_new_sub_path(cairo_);
-    to(points);
-  }
-  void curve(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) const {
-    start(a[0], a[1]);
-    cairo_curve_to(cairo_, b[0], b[1], c[0], c[1], d[0], d[1]);
-  }
-  // Clockwise, angles in degrees.
-  void arc(double x, double y, double rx, double ry, double from, double to) const {
-    cairo_save(cairo_);
-    cairo_translate(cairo_, x, y);
-    cairo_scale(cairo_, rx, ry);
-    cairo_arc_negative(cairo_, 0, 0, 1, from * pi / 180, to * pi / 180);
-    cairo_restore(cairo_);
-  }
-  void oval(double x, double y, double rx, double ry) const {
-    cairo_new_sub_path(cairo_);
-    arc(x, y, rx, ry, 360, 0);
-    cairo_close_path(cairo_);
-  }
-
-  cairo_t* cairo_;
-};
-
 class Painter {
  public:
   Painter(cairo_t* cairo, const DiagramFile& diagram, int size)
@@ -518,67 +431,6 @@ void check(const DiagramFile& diagram) {
   }
 }
 
-void check_cairo(cairo_status_t status) {
-  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw std::runtime_error(std::string("cairo: ") + cairo_status_to_string(status));
-}
-
-cairo_status_t collect(void* bytes, const unsigned char* data, unsigned int size) {
-  try {
-    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), size);
-    return CAIRO_STATUS_SUCCESS;
-  } catch (const std::bad_alloc&) {
-    return CAIRO_STATUS_NO_MEMORY;
-  }
-}
-
-struct SurfaceDeleter {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
-
-void paint_on(cairo_surface_t* surface, const DiagramFile& diagram, int size) {
-  check_cairo(cairo_surface_status(surface));
-  struct Deleter {
-    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
-  };
-  const std::unique_ptr<cairo_t, Deleter> cairo(cairo_create(surface));
-  Painter(cairo.get(), diagram, size).paint();
-  check_cairo(cairo_status(cairo.get()));
-}
-
-std::string png(const DiagramFile& diagram, int size) {
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size, size));
-  paint_on(surface.get(), diagram, size);
-  std::string bytes;
-  check_cairo(cairo_surface_write_to_png_stream(surface.get(), collect, &bytes));
-  return bytes;
-}
-
-// Cairo numbers the surfaces of a process and writes the number into the file:
-// id="surface7". Nothing refers to it.
-void remove_surface_number(std::string& svg) {
-  constexpr std::string_view start = "<g id=\"surface";
-  const std::size_t at = svg.find(start);
-  if (at == std::string::npos) return;
-  const std::size_t number = at + start.size();
-  svg.erase(number, svg.find('"', number) - number);
-}
-
-std::string svg(const DiagramFile& diagram, int size) {
-  std::string bytes;
-  {
-    const Surface surface(cairo_svg_surface_create_for_stream(collect, &bytes, size, size));
-    cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
-    paint_on(surface.get(), diagram, size);
-    cairo_surface_finish(surface.get());
-    check_cairo(cairo_surface_status(surface.get()));
-  }
-  remove_surface_number(bytes);
-  return bytes;
-}
-
 }  // namespace
 
 EdgeCurves::EdgeCurves(const DiagramFile& diagram, double tolerance)
@@ -622,16 +474,9 @@ std::vector<Cubic> EdgeCurves::only_cell() const {
 
 void render_diagram(const DiagramFile& diagram, const std::string& path,
                     const RenderOptions& options) {
-  const bool is_svg = std::string_view(path).ends_with(".svg");
-  if (!is_svg && !std::string_view(path).ends_with(".png"))
-    throw std::invalid_argument("picture: the name must end in .svg or .png");
-  if (options.size < 16 || options.size > 20000)
-    throw std::invalid_argument("picture: the size must lie between 16 and 20000 pixels");
   check(diagram);
-
-  AtomicFile file(path);
-  file.write(is_svg ? svg(diagram, options.size) : png(diagram, options.size));
-  file.commit();
+  write_picture(path, options.size,
+                [&](cairo_t* cairo) { Painter(cairo, diagram, options.size).paint(); });
 }
 
 }  // namespace voroproof

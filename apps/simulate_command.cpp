@@ -9,7 +9,9 @@
 #include "apps/interruption.h"
 #include "apps/progress.h"
 #include "apps/scene_motion.h"
+#include "apps/self_check.h"
 #include "apps/stats_file.h"
+#include "certify/report.h"
 #include "history/error.h"
 #include "history/json_text.h"
 
@@ -21,6 +23,7 @@ struct Request {
   int threads = 1;
   MotionOptions motion;
   std::string filters = "on";
+  bool self_check = false;
   bool quiet = false;
 };
 
@@ -80,6 +83,16 @@ ExitCode report(const Outcome& outcome) {
   return ExitCode::interrupted;
 }
 
+// What the certifier says of the engine's history: a complete one must be certified, one that
+// stopped must be right as far as it goes.
+void require_checked(const Certificate& certificate, bool complete) {
+  const Verdict good = complete ? Verdict::certified : Verdict::undecided;
+  if (certificate.verdict != good) {
+    throw std::logic_error("self-check: " + std::string(verdict_line(certificate.verdict)) + ": " +
+                           reason_line(certificate));
+  }
+}
+
 ExitCode simulate(const Request& request) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -103,19 +116,37 @@ ExitCode simulate(const Request& request) {
                                .initial = {}},
                               disks);
 
+  std::optional<SelfCheck> check;
+  if (request.self_check) {
+    CertifyOptions certify_options;
+    certify_options.strict = true;
+    certify_options.motion.max_bits = request.motion.max_bits;
+    check.emplace(scene, certify_options);
+    sink->observe([&](const HistoryHeader& header) { check->begin(header); },
+                  [&](const Event& event) { check->event(event); });
+  }
+
   EngineOptions options = engine_options(request);
   std::optional<Progress> progress;
   progress.emplace(round_nearest(scene.horizon), request.quiet);
   options.monitor = [&](double t, std::uint64_t events) {
     progress->report(t, events);
-    return !interruption.requested();
+    return !interruption.requested() && !(check && check->over());
   };
   Engine<true> engine(motion_input(scene), maneuver_input(scene), options);
   const Outcome outcome = engine.run(*sink);
   progress.reset();
   sink->finish();
 
-  if (outcome.kind == Outcome::Kind::complete) {
+  const bool complete = outcome.kind == Outcome::Kind::complete;
+  if (check) {
+    HistoryStop stop;
+    stop.t = outcome.t;
+    stop.reason = outcome.reason;
+    require_checked(complete ? check->finish(HistoryEnd{writer.counts()}) : check->finish(stop),
+                    complete);
+  }
+  if (complete) {
     writer.end();
   } else {
     writer.stopped(outcome.t, outcome.reason, events_of(outcome));
@@ -169,6 +200,9 @@ void add_simulate(CLI::App& app, Action& action) {
   add_choice(*verb, "--filters", {"on", "off"}, request->filters,
              "whether decisions are tried in doubles and double-doubles first; the history does\n"
              "not depend on it");
+  verb->add_flag("--self-check", request->self_check,
+                 "a second thread certifies every event (certify --strict); a history that is not\n"
+                 "proved right is not written (exit code 4)");
   verb->add_flag("--quiet", request->quiet, "no progress on the terminal and no summary");
   verb->footer(
       "Example:\n  voroproof simulate a.scene.json -o a.history.jsonl --stats a.stats.json");

@@ -680,12 +680,8 @@ class Certifier {
     std::optional<Moment> first = probe(near_[0].event);
     if (!first) return 0;
     for (std::size_t k = 1; k < near_.size(); ++k) {
-      const double t = time(near_[k].event);
-      // A flip is only looked for in its widest bracket.
-      if (std::holds_alternative<FlipEvent>(near_[k].event) &&
-          t - kBracket * std::fmax(1, t) > first->hi) {
-        continue;
-      }
+      // No truth within the tolerance of this claim comes first.
+      if (time(near_[k].event) - tolerance_up_ > first->hi) continue;
       const std::optional<Moment> m = probe(near_[k].event);
       if (m && m->hi < first->lo) {
         first = m;
@@ -700,12 +696,17 @@ class Certifier {
     return best;
   }
 
-  // The true time of a claim, where that is easily had.
+  // The true time of a claim whose edge or pair is there.
   std::optional<Moment> probe(const Event& event) {
     if (const auto* f = std::get_if<FlipEvent>(&event)) {
       const HalfEdge h = find(f->quad);
       if (h < 0 || lives_[h / 2].illegal || lives_[h / 2].due) return std::nullopt;
-      return bracket(diagram_.quad(h), lives_[h / 2].from, f->t);
+      const Quad q = diagram_.quad(h);
+      const double from = lives_[h / 2].from;
+      if (const auto m = bracket(q, from, f->t)) return m;
+      const auto c = first_collapse(q, from, f->t + tolerance_up_);
+      if (!c) return std::nullopt;
+      return moment_of(q, *c);
     }
     if (options_.truth == Truth::recorded) return Moment::at(exact_time(event));
     if (const auto* c = std::get_if<CollideEvent>(&event)) {
@@ -752,47 +753,70 @@ class Certifier {
     return std::nullopt;
   }
 
+  // When the edge of h flips for this claim, or a refutation.
+  struct Found {
+    Moment m;
+    bool own = true;  // the polynomial's one root in [m.lo, m.hi]
+  };
+  Found collapse_for(const FlipEvent& claim, HalfEdge h) {
+    const Quad q = diagram_.quad(h);
+    const Life& life = lives_[h / 2];
+    const Rational t = exact_time(Event(claim));
+    std::optional<Moment> easy;
+    if (!life.illegal && !life.due) easy = bracket(q, life.from, claim.t);
+    if (easy && proved_free(motion_, q, life.from, easy->lo)) return {*easy};
+    ++certificate_.beyond_filter;
+    if (life.illegal) {
+      if (life.born != instant_) {
+        refute(Fault::wrong_order, "the edge flips at an earlier instant");
+      }
+      const Moment& m = frontier_;
+      if (!within_tolerance(m, t)) mistimed(q, {Collapse::Kind::root, m.lo, m.hi, nullptr}, t);
+      return {m, false};
+    }
+    const double end = round_up(Rational(t + options_.tolerance));
+    std::optional<Collapse> c =
+        life.due ? std::optional(life.root) : first_collapse(q, life.from, end);
+    if (!c) {
+      c = first_collapse(q, std::max(life.from, end), search_end_);
+      if (c) mistimed(q, *c, t);
+      refute(Fault::spurious_event,
+             "edge " + text(canonical(q)) + " does not collapse under its present motion",
+             motion_witness(motion_, generators(q), t));
+    }
+    const Moment m = moment_of(q, *c);
+    if (!within_tolerance(m, t)) mistimed(q, *c, t);
+    return {m};
+  }
+
   void flip(const FlipEvent& claim) {
     HalfEdge h = find(claim.quad);
-    if (h < 0) h = find_unoriented(claim.quad);
-    if (h < 0) {
+    const HalfEdge mirrored = h < 0 ? find_mirrored(claim.quad) : -1;
+    if (h < 0 && mirrored < 0) {
       refute(Fault::edge_not_present,
              "no edge of the diagram has the quadruplet " + text(claim.quad));
+    }
+    Found found;
+    if (h >= 0) {
+      try {
+        found = collapse_for(claim, h);
+      } catch (const Refuted&) {
+        // Both edges of Configuration I may be there, and the other one be meant.
+        h = find_mirrored(claim.quad);
+        if (h < 0 || !bracket(diagram_.quad(h), lives_[h / 2].from, claim.t)) throw;
+        resolve(h);
+        found = collapse_for(claim, h);
+      }
+    } else {
+      h = mirrored;
+      resolve(h);
+      found = collapse_for(claim, h);
     }
     const int edge = h / 2;
     const Quad q = diagram_.quad(h);
     const Life life = lives_[edge];
-    const Rational t = exact_time(Event(claim));
-    Moment m;
-    bool own = true;  // the polynomial's one root in [m.lo, m.hi]
-    std::optional<Moment> easy;
-    if (!life.illegal && !life.due) easy = bracket(q, life.from, claim.t);
-    if (easy && proved_free(motion_, q, life.from, easy->lo)) {
-      m = *easy;
-    } else if (life.illegal) {
-      ++certificate_.beyond_filter;
-      if (life.born != instant_) {
-        refute(Fault::wrong_order, "the edge flips at an earlier instant");
-      }
-      m = frontier_;
-      own = false;
-      if (!within_tolerance(m, t)) mistimed(q, {Collapse::Kind::root, m.lo, m.hi, nullptr}, t);
-    } else {
-      ++certificate_.beyond_filter;
-      const double end = round_up(Rational(t + options_.tolerance));
-      std::optional<Collapse> c =
-          life.due ? std::optional(life.root) : first_collapse(q, life.from, end);
-      if (!c) {
-        const double horizon = search_end_;
-        c = first_collapse(q, std::max(life.from, end), horizon);
-        if (c) mistimed(q, *c, t);
-        refute(Fault::spurious_event,
-               "edge " + text(canonical(q)) + " does not collapse under its present motion",
-               motion_witness(motion_, generators(q), t));
-      }
-      m = moment_of(q, *c);
-      if (!within_tolerance(m, t)) mistimed(q, *c, t);
-    }
+    const Moment& m = found.m;
+    const bool own = found.own;
     if (!life.illegal) advance(m);
     if (life.illegal) ++certificate_.simultaneous;
     if (options_.truth == Truth::exact && own) count_ulps(m, claim.t);
@@ -839,23 +863,25 @@ class Certifier {
   // A quadruplet whose two third generators are exchanged is that of an edge whose producer does
   // not orient its quadruplets, or a fault. One alone is a fault: the doubt is kept until enough
   // others show that orientation has no meaning in this file.
-  HalfEdge find_unoriented(const Quad& q) {
-    const HalfEdge h = find(canonical(Quad{q.l, q.r, q.e, q.s}));
-    const HalfEdge g = h >= 0 ? h : find(reversed(canonical(Quad{q.l, q.r, q.e, q.s})));
-    if (g < 0) return -1;
-    if (certificate_.resolved++ == 0) {
-      certificate_.first_resolved_line = line_;
-      Divergence d;
-      d.fault = Fault::wrong_quadruple;
-      d.line = line_;
-      d.t = time(*claim_);
-      d.claim = claim_;
-      d.truth = "the edge with these generators is " + text(canonical(diagram_.quad(g)));
-      d.true_flip = canonical(diagram_.quad(g));
-      d.witness = motion_witness(motion_, generators(q), to_rational(d.t));
-      first_doubt_ = d;
-    }
-    return g;
+  HalfEdge find_mirrored(const Quad& q) const {
+    const Quad swapped = canonical(Quad{q.l, q.r, q.e, q.s});
+    const HalfEdge h = find(swapped);
+    return h >= 0 ? h : find(reversed(swapped));
+  }
+
+  // Takes the claim for one of the edge of h.
+  void resolve(HalfEdge h) {
+    if (certificate_.resolved++ > 0) return;
+    certificate_.first_resolved_line = line_;
+    Divergence d;
+    d.fault = Fault::wrong_quadruple;
+    d.line = line_;
+    d.t = time(*claim_);
+    d.claim = claim_;
+    d.truth = "the edge with these generators is " + text(canonical(diagram_.quad(h)));
+    d.true_flip = canonical(diagram_.quad(h));
+    d.witness = motion_witness(motion_, generators(diagram_.quad(h)), to_rational(d.t));
+    first_doubt_ = d;
   }
 
   void count_ulps(const Moment& m, double claimed) {

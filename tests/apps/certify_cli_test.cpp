@@ -87,6 +87,36 @@ TEST_F(CertifyCli, FaultsAreRefutedWithTheirLine) {
   }
 }
 
+TEST_F(CertifyCli, ReportsAreExplainedAndDrawn) {
+  const std::string scene = reference(30, "40"), path = history(scene);
+  const std::string bad = edited(path, [](auto& lines) {
+    lines.erase(lines.begin() + 1);
+    lines.erase(lines.begin() + 1);
+  });
+  EXPECT_EQ(verdict({scene, bad, "--report", file("r.json")}), "s REFUTED");
+  const std::string words = must({"explain", file("r.json")}).out;
+  EXPECT_NE(words.find("REFUTED"), std::string::npos);
+  EXPECT_NE(words.find("Exactly one root lies between"), std::string::npos);
+  EXPECT_EQ(directory_.read("r.svg").substr(0, 5), "<?xml");
+  must({"explain", file("r.json"), "-o", file("r.png")});
+  EXPECT_EQ(directory_.read("r.png").substr(1, 3), "PNG");
+  EXPECT_EQ(verdict({scene, path, "--report", file("good.json")}), "s CERTIFIED");
+  must({"explain", file("good.json")});
+  EXPECT_FALSE(std::filesystem::exists(file("good.svg")));
+  refused({"explain", scene}, "not a report");
+  refused({"explain", path}, "not a report");
+  refused({"explain", file("r.json"), "-o", file("r.gif")}, ".svg or .png");
+}
+
+TEST_F(CertifyCli, TheSelfCheckChangesNoByte) {
+  const std::string scene = reference(30, "40"), path = history(scene);
+  const std::string plain = read_file(path);
+  must({"simulate", scene, "-o", path, "--self-check"});
+  EXPECT_EQ(read_file(path), plain);
+  must({"simulate", scene, "-o", path, "--self-check", "--threads", "2"});
+  EXPECT_EQ(read_file(path), plain);
+}
+
 TEST_F(CertifyCli, WhatIsNotAHistoryOfTheSceneIsInvalid) {
   const std::string scene = reference(30, "40"), path = history(scene);
   EXPECT_EQ(verdict({scene, edited(path, [](auto& lines) { lines.pop_back(); })}), "s INVALID");

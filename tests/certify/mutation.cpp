@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/predicates.h"
 #include "topology/diagram.h"
 
 namespace voroproof::testing {
@@ -72,6 +73,39 @@ std::optional<Quad> some_edge(const Diagram& d, Random& random) {
   return std::nullopt;
 }
 
+// Where generator g was last known before event k, and how it moves since.
+struct Path {
+  double t = 0;
+  Vec2 p{}, v{};
+};
+Path path(const Scene& scene, const Claims& events, std::size_t k, GenId g) {
+  const DiskSpec& d = scene.disks[g];
+  Path out{0, {d.x.get_d(), d.y.get_d()}, {d.vx.get_d(), d.vy.get_d()}};
+  for (std::size_t i = 0; i < k; ++i) {
+    if (const auto* c = std::get_if<CollideEvent>(&events[i])) {
+      if (c->i == g) out = {c->t, *c->p[0], *c->v[0]};
+      if (c->j == g) out = {c->t, *c->p[1], *c->v[1]};
+    } else if (const auto* m = std::get_if<ManeuverEvent>(&events[i]); m && m->disk == g) {
+      out = {m->t, *m->p, *m->v};
+    }
+  }
+  return out;
+}
+
+// The cotangency of the four generators of q at time t, before event k.
+double cotangency_at(const Scene& scene, const Claims& events, std::size_t k, const Quad& q,
+                     double t) {
+  const auto site = [&](GenId g) -> Site<double> {
+    if (g == container_id) {
+      return {scene.cx.get_d(), scene.cy.get_d(), -scene.container_radius.get_d()};
+    }
+    const Path at = path(scene, events, k, g);
+    return {at.p[0] + at.v[0] * (t - at.t), at.p[1] + at.v[1] * (t - at.t),
+            scene.disks[g].radius.get_d()};
+  };
+  return cotangency(site(q.l), site(q.r), site(q.s), site(q.e));
+}
+
 bool near_enough(const Vec2& a, const Vec2& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]) <=
          1e-3 * (std::hypot(a[0], a[1]) + std::hypot(b[0], b[1]));
@@ -80,7 +114,7 @@ bool near_enough(const Vec2& a, const Vec2& b) {
 }  // namespace
 
 std::optional<ClaimedHistory> mutate(const Scene& scene, const ClaimedHistory& right, Mutation kind,
-                                     double tolerance, Random& random) {
+                                     double tolerance, double slack, Random& random) {
   ClaimedHistory h = right;
   Claims& events = h.events;
   const auto flip_at = [&](std::size_t k) -> FlipEvent& { return std::get<FlipEvent>(events[k]); };
@@ -102,9 +136,9 @@ std::optional<ClaimedHistory> mutate(const Scene& scene, const ClaimedHistory& r
       if (events.empty()) return std::nullopt;
       const std::size_t k = random() % events.size();
       double& t = time_of(events[k]);
-      // The claim is within half a unit of the truth: two units beyond are certainly beyond.
+      // Beyond the rounding of this sum too.
       const bool later = random() % 2 == 0;
-      double moved = later ? t + tolerance : t - tolerance;
+      double moved = later ? t + (tolerance + slack) : t - (tolerance + slack);
       for (int u = 0; u < 2; ++u) moved = std::nextafter(moved, later ? kInfinity : -kInfinity);
       if (moved < 0 || moved > scene.horizon.get_d()) return std::nullopt;
       t = moved;
@@ -142,6 +176,32 @@ std::optional<ClaimedHistory> mutate(const Scene& scene, const ClaimedHistory& r
       }
       insert(place->first, FlipEvent{place->second, canonical(*q), {}});
       break;
+    }
+    case Mutation::shadow_flip_as_real: {
+      // A root of the cotangency between two events, where the edge does not flip.
+      if (n < 2 || events.empty()) return std::nullopt;
+      for (int attempt = 0; attempt < 30; ++attempt) {
+        const std::size_t k = random() % (events.size() + 1);
+        double a = k == 0 ? 0 : time(events[k - 1]);
+        double b = k == events.size() ? scene.horizon.get_d() : time(events[k]);
+        const double margin = 10 * tolerance;
+        a += margin;
+        b -= margin;
+        const auto q = some_edge(replayed(scene, h, k), random);
+        if (!(a < b) || !q) continue;
+        const auto value = [&](double t) { return cotangency_at(scene, events, k, *q, t); };
+        const bool sign = value(a) > 0;
+        if (sign == (value(b) > 0)) continue;
+        while (true) {
+          const double middle = 0.5 * (a + b);
+          if (!(a < middle && middle < b)) break;
+          (value(middle) > 0) == sign ? a = middle : b = middle;
+        }
+        insert(k, FlipEvent{b, canonical(*q), {}});
+        h.count();
+        return h;
+      }
+      return std::nullopt;
     }
     case Mutation::wrong_quadruple: {
       const auto k = any(flips, random);
@@ -233,18 +293,7 @@ std::optional<ClaimedHistory> mutate(const Scene& scene, const ClaimedHistory& r
       const auto q = some_edge(replayed(scene, h, place->first), random);
       if (!q) return std::nullopt;
       CollideEvent c{.t = place->second, .i = std::min(q->l, q->r), .j = std::max(q->l, q->r)};
-      const auto velocity = [&](GenId g) {
-        Vec2 v{scene.disks[g].vx.get_d(), scene.disks[g].vy.get_d()};
-        for (std::size_t i = 0; i < place->first; ++i) {
-          if (const auto* o = std::get_if<CollideEvent>(&events[i])) {
-            if (o->i == g) v = *o->v[0];
-            if (o->j == g) v = *o->v[1];
-          } else if (const auto* m = std::get_if<ManeuverEvent>(&events[i]); m && m->disk == g) {
-            v = *m->v;
-          }
-        }
-        return v;
-      };
+      const auto velocity = [&](GenId g) { return path(scene, events, place->first, g).v; };
       if (c.i != container_id) c.v[0] = velocity(c.i);
       c.v[1] = velocity(c.j);
       insert(place->first, c);

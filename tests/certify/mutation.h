@@ -16,6 +16,7 @@ enum class Mutation {
   dropped_flip,
   duplicated_flip,
   inserted_flip,
+  shadow_flip_as_real,
   flip_and_its_reversal,
   wrong_quadruple,
   rotated_quadruple,
@@ -43,6 +44,7 @@ inline constexpr std::array<std::string_view, static_cast<int>(Mutation::count)>
     "dropped flip",
     "duplicated flip",
     "inserted flip",
+    "shadow flip as real",
     "inserted flip and its reversal",
     "wrong quadruple",
     "rotated quadruple",
@@ -63,8 +65,9 @@ inline constexpr std::array<std::string_view, static_cast<int>(Mutation::count)>
     "dropped maneuver",
     "changed maneuver"};
 
-// One such fault at a random place, or nothing where the history has no place for it.
+// One such fault at a random place, or nothing where the history has no place for it. `slack`: how
+// far the true times may lie from those of `right`.
 std::optional<ClaimedHistory> mutate(const Scene& scene, const ClaimedHistory& right, Mutation kind,
-                                     double tolerance, Random& random);
+                                     double tolerance, double slack, Random& random);
 
 }  // namespace voroproof::testing
