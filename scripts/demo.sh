@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # From nothing to checked pictures: installs what is missing, builds the program, simulates the
-# paper's kind of data (30 disks), checks the result and draws it. Leaves everything in demo/.
+# paper's kind of data (30 disks), certifies the result and draws it. Leaves everything in demo/.
 #
 # usage: scripts/demo.sh [N [SEED [HORIZON]]]   (a whole number each)
 set -euo pipefail
@@ -65,7 +65,21 @@ say "Its history: every flip of an edge and every collision"
 run "$program" simulate "$scene" -o "$history" --stats "$out/stats.json"
 tail -n 1 "$history"
 
-say "A check: the diagram replayed from the history, and constructed from the disks alone"
+say "Its certificate: every event proved, and that none is missing"
+for truth in exact recorded; do
+  run "$program" certify "$scene" "$history" --truth "$truth" --report "$out/$truth.report.json"
+done
+
+say "A wrong history: one flip is missing"
+flip=$(grep -n -m 1 '"flip"' "$history" | cut -d : -f 1)
+if [ -n "$flip" ]; then
+  sed "${flip}d" "$history" >"$out/wrong.history.jsonl"
+  "$program" certify "$scene" "$out/wrong.history.jsonl" --report "$out/wrong.report.json" ||
+    echo "(exit code $?)"
+  "$program" explain "$out/wrong.report.json" -o "$out/wrong.svg" | sed -n 1,6p
+fi
+
+say "A second check: the diagram replayed from the history, and constructed from the disks alone"
 times=()
 for percent in 0 10 25 50 75 90 100; do times+=("$(fraction "$percent" 100)"); done
 check_history "$scene" "$history" "${times[@]}"
@@ -78,5 +92,5 @@ for k in 0 1 2 3; do
   run "$program" render "$picture.diagram.json" -o "$picture.png"
 done
 
-say "Done: a scene, its history, statistics and four diagrams with pictures"
+say "Done: a scene, its history and certificates, statistics and four diagrams with pictures"
 ls "$out"

@@ -63,7 +63,7 @@ TEST(Mutation, RightHistoriesAreCertified) {
 TEST(Mutation, NoFaultIsCertified) {
   // VOROPROOF_MUTANTS asks for more.
   const char* asked = std::getenv("VOROPROOF_MUTANTS");
-  const int wanted = asked != nullptr ? std::atoi(asked) : 4000;
+  const int wanted = asked != nullptr ? std::atoi(asked) : 2000;
   Random random(asked != nullptr ? 77 : 2);
   std::array<int, static_cast<int>(Mutation::count)> made{}, refuted{}, undecided{};
   int total = 0;
