@@ -54,6 +54,7 @@ Motion::Motion(MotionInput input, MotionOptions options)
   const std::size_t n = input_.disks.size();
   state_.resize(n + 1);
   t_ref_.assign(n + 1, 0.0);
+  start_.assign(n, 0.0);
   doubles_.resize(n + 1);
   dds_.resize(n + 1);
   balls_.resize(n + 1);
@@ -76,25 +77,27 @@ int Motion::bits_at(double t) const {
 
 void Motion::load_initial_states() {
   const Ball::Precision bits = bits_at(0);
-  for (GenId g = -1; g < size(); ++g) {
-    BallState& s = balls_[g + 1];
-    t_ref_[g + 1] = 0;
-    if (g == container_id) {
-      s = {dyadic_or_rounded(input_.container_x, bits), dyadic_or_rounded(input_.container_y, bits),
-           Ball(2), Ball(2)};
-      radius_[0] = dyadic_or_rounded(Rational(-input_.container_radius), bits);
-    } else {
-      const DiskInput& d = input_.disks[g];
-      s = {dyadic_or_rounded(d.x, bits), dyadic_or_rounded(d.y, bits),
-           dyadic_or_rounded(d.vx, bits), dyadic_or_rounded(d.vy, bits)};
-      radius_[g + 1] = dyadic_or_rounded(d.radius, bits);
-      mass_[g + 1] = dyadic_or_rounded(d.mass, bits);
-    }
-    dds_[g + 1].r = dd_of(radius_[g + 1]);
-  }
+  for (GenId g = container_id; g < size(); ++g) load_initial_state(g, bits);
 }
 
-// Brings the double and double-double states of g in line with its balls.
+void Motion::load_initial_state(GenId g, Ball::Precision bits) {
+  BallState& s = balls_[g + 1];
+  if (g == container_id) {
+    t_ref_[0] = 0;
+    s = {dyadic_or_rounded(input_.container_x, bits), dyadic_or_rounded(input_.container_y, bits),
+         Ball(2), Ball(2)};
+    radius_[0] = dyadic_or_rounded(Rational(-input_.container_radius), bits);
+  } else {
+    const DiskInput& d = input_.disks[g];
+    t_ref_[g + 1] = start_[g];
+    s = {dyadic_or_rounded(d.x, bits), dyadic_or_rounded(d.y, bits), dyadic_or_rounded(d.vx, bits),
+         dyadic_or_rounded(d.vy, bits)};
+    radius_[g + 1] = dyadic_or_rounded(d.radius, bits);
+    mass_[g + 1] = dyadic_or_rounded(d.mass, bits);
+  }
+  dds_[g + 1].r = dd_of(radius_[g + 1]);
+}
+
 void Motion::refresh(GenId g) {
   const BallState& s = balls_[g + 1];
   DdMotion& dd = dds_[g + 1];
@@ -475,6 +478,22 @@ RoundedState Motion::maneuver(GenId g, const Rational& t, const Rational& vx, co
   return out;
 }
 
+void Motion::restart(GenId g, const Rational& t, const Rational& x, const Rational& y,
+                     const Rational& vx, const Rational& vy) {
+  if (state_[g + 1] > 0) throw std::logic_error("restart after a computed motion");
+  DiskInput& d = input_.disks[g];
+  start_[g] = round_nearest(t);
+  const Rational ahead = to_rational(start_[g]) - t;
+  const bool at_once = sgn(ahead) == 0;
+  d.x = at_once ? x : Rational(x + vx * ahead);
+  d.y = at_once ? y : Rational(y + vy * ahead);
+  d.vx = vx;
+  d.vy = vy;
+  v_scale_ = std::max({v_scale_, exponent_of(vx), exponent_of(vy)});
+  load_initial_state(g, bits_at(start_[g]));
+  refresh(g);
+}
+
 Impact Motion::collide_in_doubles(GenId i, GenId j, double t) {
   DoubleMotion& a = doubles_[i + 1];
   DoubleMotion& b = doubles_[j + 1];
@@ -547,7 +566,9 @@ const ExactMotion::Entry& ExactMotion::entry(int id, GenId g) {
       e.state = {0, Tower(in.container_x), Tower(in.container_y), 0, 0};
     } else {
       const DiskInput& d = in.disks[g];
-      e.state = {0, Tower(d.x), Tower(d.y), Tower(d.vx), Tower(d.vy)};
+      const Rational start = to_rational(motion_.start_[g]);
+      e.state = {start, Tower(d.x), Tower(d.y), Tower(d.vx), Tower(d.vy)};
+      e.start = Tower(start);
     }
     return memo_[key] = e;
   }

@@ -115,6 +115,11 @@ class Motion {
   // Gives disk g a new velocity at an exact time; returns its rounded state.
   RoundedState maneuver(GenId g, const Rational& t, const Rational& vx, const Rational& vy);
 
+  // From now on disk g moves as if it had been at (x, y) at time t, with that velocity: motion that
+  // is given and not computed. Precondition: no collide() or maneuver() of the disk so far.
+  void restart(GenId g, const Rational& t, const Rational& x, const Rational& y, const Rational& vx,
+               const Rational& vy);
+
   // The same in plain doubles, without certificates: for comparison only.
   Impact collide_in_doubles(GenId i, GenId j, double t);
   RoundedState maneuver_in_doubles(GenId g, double t, double vx, double vy);
@@ -163,6 +168,7 @@ class Motion {
 
   int bits_at(double t) const;
   void load_initial_states();
+  void load_initial_state(GenId g, Ball::Precision bits);
   void refresh(GenId g);
   const Response& respond(const Record& r);
   void apply_maneuver(const Record& r);
@@ -182,6 +188,7 @@ class Motion {
   std::vector<ManeuverRecord> maneuvers_;
   std::vector<int> state_;     // per generator
   std::vector<double> t_ref_;  // per generator
+  std::vector<double> start_;  // per disk: when its initial state holds
   std::vector<DoubleMotion> doubles_;
   std::vector<DdMotion> dds_;
   std::vector<BallState> balls_;
