@@ -19,7 +19,6 @@ namespace {
 struct Request {
   std::string scene, history, report, truth = "exact", tolerance = "1e-6", law_tolerance = "1e-9";
   CertifyOptions options;
-  int threads = 1;
   bool quiet = false;
 };
 
@@ -114,7 +113,8 @@ void add_certify(CLI::App& app, Action& action) {
       ->capture_default_str();
   verb->add_flag("--strict", request->options.strict,
                  "refute claims that are out of order, however near they are");
-  verb->add_option("--threads", request->threads, "threads to use")
+  verb->add_option("--threads", request->options.threads,
+                   "threads to use, for the recorded truth; the certificate is the same")
       ->check(whole_number())
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

@@ -92,7 +92,9 @@ struct Certificate {
   std::int64_t simultaneous = 0;                // events proved simultaneous with the one before
   std::int64_t swaps = 0;     // claims out of order within the tolerance, whose events commute
   std::int64_t resolved = 0;  // quadruplets without orientation that were resolved
-  std::int64_t first_resolved_line = 0;
+  // What the first of them amounts to where that is not the producer's way, and the prefix then.
+  std::optional<Divergence> first_resolved;
+  std::int64_t first_resolved_prefix = 0;
   // Of the claimed times against the exact ones, in units in the last place of the claim.
   double ulps_max = 0, ulps_mean = 0;
   std::int64_t ulps_max_line = 0;

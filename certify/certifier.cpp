@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cfloat>
 #include <cmath>
 #include <deque>
+#include <future>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <set>
 
 #include "certify/contact_proof.h"
@@ -15,6 +18,7 @@
 #include "certify/witness.h"
 #include "filtered/collapse.h"
 #include "filtered/contact.h"
+#include "history/error.h"
 #include "history/json_text.h"
 #include "topology/diagram.h"
 
@@ -94,6 +98,19 @@ struct Refuted {
   Divergence divergence;
 };
 
+// What the claims before a time amount to, under the recorded truth.
+struct Checkpoint {
+  double t = 0;
+  Diagram diagram{0};
+  std::vector<Path> paths;
+  std::vector<ExactVec2> claimed_v;
+  std::vector<int> last_event;
+  int motion_events = 0;
+  std::size_t next_maneuver = 0;
+  std::set<std::size_t> done_maneuvers;
+  double top_speed = 0;
+};
+
 std::string text(const Quad& q) {
   return "[" + std::to_string(q.l) + "," + std::to_string(q.r) + "," + std::to_string(q.s) + "," +
          std::to_string(q.e) + "]";
@@ -161,19 +178,28 @@ class Certifier {
     }
   }
 
-  Certificate run() {
-    certificate_.remarks = history_.remarks();
+  // The whole history, or that part of it which begins at the checkpoint and ends at `until`: the
+  // verdict of a part that is not the last is `certified` where all is right up to `until`.
+  Certificate run(const Checkpoint* checkpoint = nullptr, std::optional<double> until = {}) {
     try {
       try {
-        start();
+        if (checkpoint != nullptr) {
+          resume(*checkpoint);
+        } else {
+          start();
+        }
         while (!near_.empty() || refill()) process_next();
-        finish();
+        if (until) {
+          finish_part(*until);
+        } else {
+          finish();
+        }
       } catch (const Refuted& r) {
         throw Refuted{first_divergence(r.divergence)};
       }
     } catch (const Refuted& r) {
       certificate_.verdict = Verdict::refuted;
-      certificate_.divergence = first_doubt_ && !unoriented() ? *first_doubt_ : r.divergence;
+      certificate_.divergence = r.divergence;
       prefix_until(certificate_.divergence->t);
     } catch (const Undecided& u) {
       certificate_.verdict = Verdict::undecided;
@@ -239,11 +265,6 @@ class Certifier {
     d.t = root.lo;
     d.line = line_at(root.lo);
     d.truth = "edge " + text(canonical(q)) + " flips " + between(root.lo, root.hi);
-    const double far = kMistimed * tolerance_up_;
-    if (const auto line = history_.shadow_line(q, root.lo - far, root.hi + far)) {
-      d.line = *line;
-      d.truth += ", which the file takes for a shadow flip";
-    }
     d.true_flip = canonical(q);
     d.true_time = {root.lo, root.hi};
     d.witness = collapse_witness(motion_, q, lo, hi);
@@ -678,6 +699,43 @@ class Certifier {
     begun_ = true;
   }
 
+  // ---- Parts. ----
+  // Goes on from what the part before has proved to be right up to the checkpoint.
+  void resume(const Checkpoint& c) {
+    diagram_ = c.diagram;
+    paths_ = c.paths;
+    claimed_v_ = c.claimed_v;
+    last_event_ = c.last_event;
+    motion_events_ = c.motion_events;
+    next_maneuver_ = c.next_maneuver;
+    done_maneuvers_ = c.done_maneuvers;
+    top_speed_ = c.top_speed;
+    restart_all();
+    frontier_ = Moment::at(c.t);
+    ++instant_;
+    Life life;
+    life.from = c.t;
+    lives_.assign(diagram_.edges(), life);
+    collected_.assign(diagram_.edges(), 0);
+    pairs_.resize(motion_.size() == 1 ? 1 : diagram_.edges());
+    begun_ = true;
+    for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
+      // From their last change of motion, so that an overlap is measured whole.
+      const auto [i, j] = pair_of(e);
+      double from = round_up(paths_[j].t);
+      if (i != container_id) from = std::max(from, round_up(paths_[i].t));
+      pairs_[e].from = from;
+    }
+  }
+
+  void restart_all() {
+    for (GenId g = 0; g < motion_.size(); ++g) {
+      if (last_event_[g + 1] == 0) continue;
+      const Path& p = paths_[g];
+      motion_.restart(g, p.t, p.x, p.y, p.vx, p.vy);
+    }
+  }
+
   // ---- One claim. ----
   void take(std::size_t k) {
     claim_ = std::move(near_[k].event);
@@ -918,7 +976,6 @@ class Certifier {
   // Takes the claim for one of the edge of h.
   void resolve(HalfEdge h) {
     if (certificate_.resolved++ > 0) return;
-    certificate_.first_resolved_line = line_;
     Divergence d;
     d.fault = Fault::wrong_quadruple;
     d.line = line_;
@@ -927,7 +984,8 @@ class Certifier {
     d.truth = "the edge with these generators is " + text(canonical(diagram_.quad(h)));
     d.true_flip = canonical(diagram_.quad(h));
     d.witness = motion_witness(motion_, generators(diagram_.quad(h)), to_rational(d.t));
-    first_doubt_ = d;
+    certificate_.first_resolved = d;
+    certificate_.first_resolved_prefix = processed_;
   }
 
   void count_ulps(const Moment& m, double claimed) {
@@ -1229,6 +1287,24 @@ class Certifier {
     }
   }
 
+  // Where the file gives none: by the law from the centres that it gives, else from the path.
+  std::array<ExactVec2, 2> computed_velocities(const CollideEvent& claim,
+                                               const std::array<ExactVec2, 2>& path) const {
+    std::array<ExactVec2, 2> v = law(claim.i, claim.j, recorded_centers(claim, path));
+    for (ExactVec2& w : v) {
+      for (Rational& x : w) x = to_rational(round_nearest(x));
+    }
+    return v;
+  }
+
+  static std::array<ExactVec2, 2> recorded_centers(const CollideEvent& claim,
+                                                   std::array<ExactVec2, 2> path) {
+    for (const int side : {0, 1}) {
+      if (const auto p = exact_center(claim, side)) path[side] = *p;
+    }
+    return path;
+  }
+
   void collide_as_recorded(const CollideEvent& claim, const Rational& t) {
     const GenId i = claim.i, j = claim.j;
     std::array<ExactVec2, 2> path;
@@ -1248,14 +1324,7 @@ class Certifier {
     if (claim.v[1]) {
       check_recorded_law(claim, path);
     } else {
-      std::array<ExactVec2, 2> centers = path;
-      for (const int side : {0, 1}) {
-        if (const auto p = exact_center(claim, side)) centers[side] = *p;
-      }
-      after = law(i, j, centers);
-      for (ExactVec2& v : after) {
-        for (Rational& x : v) x = to_rational(round_nearest(x));
-      }
+      after = computed_velocities(claim, path);
       remark_velocities(claim.p[1].has_value());
     }
     note_motion(i, j, claim, after);
@@ -1270,12 +1339,9 @@ class Certifier {
 
   // The law with the centres of the path, or with those that the file gives.
   void check_recorded_law(const CollideEvent& claim, const std::array<ExactVec2, 2>& path) {
-    if (obeys_law(claim, path)) return;
-    std::array<ExactVec2, 2> centers = path;
-    for (const int side : {0, 1}) {
-      if (const auto p = exact_center(claim, side)) centers[side] = *p;
+    if (!obeys_law(claim, path) && !obeys_law(claim, recorded_centers(claim, path))) {
+      refute_response(claim, path);
     }
-    if (!obeys_law(claim, centers)) refute_response(claim, path);
   }
 
   // Recorded truth: the disk goes on with velocity v.
@@ -1356,27 +1422,33 @@ class Certifier {
            motion_witness(motion_, {i, j}, t));
   }
 
-  void maneuver(const ManeuverEvent& claim) {
-    const Rational t = exact_time(Event(claim));
-    // Any order among those of one instant.
-    std::size_t k = next_maneuver_;
+  // Which maneuver of the scene is claimed: in any order among those of one instant.
+  std::optional<std::size_t> scheduled(const ManeuverEvent& claim, const Rational& t) const {
     const auto& all = scene_.maneuvers;
-    while (k < all.size() && (all[k].disk != claim.disk || done_maneuvers_.contains(k)) &&
-           all[k].t <= t + options_.tolerance) {
-      ++k;
+    for (std::size_t k = next_maneuver_; k < all.size(); ++k) {
+      if (all[k].disk == claim.disk && !done_maneuvers_.contains(k)) return k;
+      if (all[k].t > t + options_.tolerance) break;
     }
-    if (k == all.size() || all[k].disk != claim.disk) {
-      refute(Fault::spurious_event, "the scene schedules no such maneuver");
-    }
-    const Maneuver& scheduled = all[k];
-    const Rational off = t - scheduled.t;
-    if (abs(off) > options_.tolerance) {
-      refute(Fault::wrong_time, "the maneuver is scheduled at t = " + scheduled.t.get_str());
-    }
-    require_maneuvers_before(round_down(scheduled.t));
+    return std::nullopt;
+  }
+
+  void note_maneuver(std::size_t k, const ManeuverEvent& claim, const ExactVec2& v) {
     done_maneuvers_.insert(k);
     while (done_maneuvers_.erase(next_maneuver_) > 0) ++next_maneuver_;
-    const ExactVec2 v{scheduled.vx, scheduled.vy};
+    claimed_v_[claim.disk] = exact_velocity(claim).value_or(v);
+    last_event_[claim.disk + 1] = ++motion_events_;
+  }
+
+  void maneuver(const ManeuverEvent& claim) {
+    const Rational t = exact_time(Event(claim));
+    const auto k = scheduled(claim, t);
+    if (!k) refute(Fault::spurious_event, "the scene schedules no such maneuver");
+    const Maneuver& due = scene_.maneuvers[*k];
+    if (abs(Rational(t - due.t)) > options_.tolerance) {
+      refute(Fault::wrong_time, "the maneuver is scheduled at t = " + due.t.get_str());
+    }
+    require_maneuvers_before(round_down(due.t));
+    const ExactVec2 v{due.vx, due.vy};
     const auto claimed = exact_velocity(claim);
     const Rational speed = length_bound(v);
     if (claimed && norm2(minus(*claimed, v)) > square(options_.law_tolerance * speed)) {
@@ -1384,14 +1456,13 @@ class Certifier {
                                         ", " + number_text(v[1].get_d()) + ")");
     }
     const bool exact = options_.truth == Truth::exact;
-    const Moment m = Moment::at(exact ? scheduled.t : t);
+    const Moment m = Moment::at(exact ? due.t : t);
     advance(m);
     const GenId g = claim.disk;
     collect_around(container_id, g);
     end_around(m);
     end_pairs_around(m);
-    claimed_v_[g] = claimed.value_or(v);
-    last_event_[g + 1] = ++motion_events_;
+    note_maneuver(*k, claim, v);
     note_speed(claimed_v_[g]);
     if (exact) {
       const RoundedState s = motion_.maneuver(g, m.t, v[0], v[1]);
@@ -1421,7 +1492,85 @@ class Certifier {
     throw Refuted{d};
   }
 
+  // ---- Skimming: what the claims say, unproved. ----
+ public:
+  // Before the first claim that is skimmed. Gives the initial diagram of the file, or the one
+  // proposed for it. Throws std::invalid_argument where it is none.
+  std::vector<Quad> skim_start() {
+    std::vector<Quad> initial;
+    if (history_.header().initial) {
+      initial = *history_.header().initial;
+    } else if (motion_.size() >= 2 && options_.propose_initial) {
+      restart_all();  // collisions at t = 0
+      initial = options_.propose_initial(motion_);
+    }
+    if (motion_.size() >= 2) diagram_ = diagram_of(motion_.size(), initial);
+    collected_.assign(diagram_.edges(), 0);
+    begun_ = true;
+    return initial;
+  }
+
+  // Takes the claim for true. False where it makes no sense on what is known.
+  bool skim(const Event& event) {
+    claim_ = event;
+    if (const auto* f = std::get_if<FlipEvent>(&event)) {
+      HalfEdge h = find(f->quad);
+      if (h < 0) h = find_mirrored(f->quad);
+      if (h < 0 || diagram_.quad(h).s == diagram_.quad(h).e) return false;
+      diagram_.flip(h);
+      return true;
+    }
+    const Rational t = exact_time(event);
+    if (const auto* c = std::get_if<CollideEvent>(&event)) {
+      std::array<ExactVec2, 2> path;
+      path[1] = paths_[c->j].at(t);
+      if (c->i != container_id) path[0] = paths_[c->i].at(t);
+      std::array<ExactVec2, 2> after;
+      if (!c->v[1]) after = computed_velocities(*c, path);
+      note_motion(c->i, c->j, *c, after);
+      for (const int side : {0, 1}) {
+        const GenId g = side == 0 ? c->i : c->j;
+        if (g != container_id) skim_turn(g, t, path[side]);
+      }
+      return true;
+    }
+    const auto& m = std::get<ManeuverEvent>(event);
+    const auto k = scheduled(m, t);
+    if (!k) return false;
+    const Maneuver& maneuver = scene_.maneuvers[*k];
+    note_maneuver(*k, m, {maneuver.vx, maneuver.vy});
+    skim_turn(m.disk, t, paths_[m.disk].at(t));
+    return true;
+  }
+
+  Checkpoint checkpoint(double t) const {
+    return {t,           diagram_,       paths_,         claimed_v_,
+            last_event_, motion_events_, next_maneuver_, done_maneuvers_,
+            top_speed_};
+  }
+
+ private:
+  void skim_turn(GenId g, const Rational& t, const ExactVec2& p) {
+    const ExactVec2& v = claimed_v_[g];
+    note_speed(v);
+    paths_[g] = {t, p[0], p[1], v[0], v[1]};
+  }
+
   // ---- The end. ----
+  // The end of a part: nothing may be left that has to happen up to that time.
+  void finish_part(double until) {
+    claim_.reset();
+    line_ = history_.line();
+    require_maneuvers_before(until);
+    leave_instant();
+    const Moment m = Moment::at(until);
+    for (int e = 0; e < diagram_.edges(); ++e) end_life(e, m, true);
+    for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) end_pair(e, m, true);
+    certificate_.prefix_events = processed_;
+    certificate_.prefix_t = until;
+    certificate_.verdict = Verdict::certified;
+  }
+
   void finish() {
     claim_.reset();
     line_ = history_.line();
@@ -1454,7 +1603,6 @@ class Certifier {
                                    " collisions and " +
                                    std::to_string(history_.counts().maneuvers) + " maneuvers");
     }
-    settle_orientation();
     certificate_.prefix_events = processed_;
     certificate_.prefix_t = round_down(end);
     if (stop != nullptr) {
@@ -1465,21 +1613,6 @@ class Certifier {
     } else {
       certificate_.verdict = Verdict::certified;
     }
-  }
-
-  bool unoriented() const {
-    return !options_.strict && certificate_.resolved >= 2 &&
-           5 * certificate_.resolved >= certificate_.flips;
-  }
-
-  // Quadruplets that had to be resolved are the producer's way only where there are many.
-  void settle_orientation() {
-    if (certificate_.resolved == 0) return;
-    if (!unoriented()) throw Refuted{*first_doubt_};
-    certificate_.remarks.push_back(
-        "the quadruplets are not oriented: " + std::to_string(certificate_.resolved) +
-        " were resolved by the diagram, the first on line " +
-        std::to_string(certificate_.first_resolved_line));
   }
 
   // What was refuted may be the consequence of something missed before: the earliest event that
@@ -1556,17 +1689,275 @@ class Certifier {
   int motion_events_ = 0;
   std::size_t next_maneuver_ = 0;
   std::set<std::size_t> done_maneuvers_;  // those past next_maneuver_
-  std::optional<Divergence> first_doubt_;
   bool remarked_centers_ = false, remarked_paths_ = false;
   double ulps_sum_ = 0;
   std::int64_t ulps_count_ = 0;
 };
 
+// ---- The recorded truth, in parts. ----
+// Under the recorded truth the motion before a time is known from the claims alone, so that the
+// parts of a history are proved independently: each that its claims are right and that nothing is
+// missing between its two ends, given that the diagram at its beginning is right. The parts depend
+// on the file only, not on the number of threads.
+
+struct ReadClaim {
+  Event event;
+  std::int64_t line;
+};
+
+// A part of a history as a history.
+class Section : public HistorySource {
+ public:
+  // `rest`: what follows the claims, where the part is the last.
+  Section(HistoryHeader header, std::vector<ReadClaim> claims, HistorySource* rest)
+      : header_(std::move(header)), claims_(std::move(claims)), rest_(rest) {}
+
+  void set_next_line(std::int64_t line) { next_line_ = line; }
+
+  const HistoryHeader& header() const override { return header_; }
+  std::optional<Event> next() override {
+    if (taken_ < claims_.size()) return claims_[taken_++].event;
+    taken_ = claims_.size() + 1;
+    return rest_ != nullptr ? rest_->next() : std::nullopt;
+  }
+  std::int64_t line() const override {
+    if (taken_ > claims_.size()) return rest_ != nullptr ? rest_->line() : next_line_;
+    return taken_ == 0 ? 1 : claims_[taken_ - 1].line;
+  }
+  // Of the last part only.
+  const std::variant<HistoryEnd, HistoryStop>& ending() const override { return rest_->ending(); }
+  const HistoryCounts& counts() const override { return rest_->counts(); }
+  bool counts_match() const override { return rest_->counts_match(); }
+  std::vector<std::string> remarks() const override { return {}; }
+  std::optional<std::int64_t> shadow_line(const Quad&, double, double) const override {
+    return std::nullopt;
+  }
+
+ private:
+  HistoryHeader header_;
+  std::vector<ReadClaim> claims_;
+  std::size_t taken_ = 0;
+  HistorySource* rest_;
+  std::int64_t next_line_ = 0;  // of the claim after the part
+};
+
+void add(Certificate& total, Certificate&& part) {
+  if (part.first_resolved && !total.first_resolved) {
+    total.first_resolved = std::move(part.first_resolved);
+    total.first_resolved_prefix = total.prefix_events + part.first_resolved_prefix;
+  }
+  total.verdict = part.verdict;
+  total.divergence = std::move(part.divergence);
+  total.reason = std::move(part.reason);
+  total.reason_line = part.reason_line;
+  total.prefix_events += part.prefix_events;
+  total.prefix_t = part.prefix_t;
+  total.flips += part.flips;
+  total.collisions += part.collisions;
+  total.maneuvers += part.maneuvers;
+  total.edge_lives += part.edge_lives;
+  total.pair_lives += part.pair_lives;
+  total.beyond_filter += part.beyond_filter;
+  total.simultaneous += part.simultaneous;
+  total.swaps += part.swaps;
+  total.resolved += part.resolved;
+  total.highest_bits = std::max(total.highest_bits, part.highest_bits);
+  total.tiers += part.tiers;
+  for (std::string& remark : part.remarks) {
+    if (std::find(total.remarks.begin(), total.remarks.end(), remark) == total.remarks.end()) {
+      total.remarks.push_back(std::move(remark));
+    }
+  }
+}
+
+class PartwiseCertifier {
+ public:
+  PartwiseCertifier(const Scene& scene, const MotionInput& input, HistorySource& history,
+                    const CertifyOptions& options)
+      : scene_(scene),
+        input_(input),
+        history_(history),
+        options_(options),
+        header_(history.header()),
+        skimmer_(scene, input, history, options),
+        gap_(8 * round_up(options.tolerance)),
+        size_(std::max(options.least_part, options.least_part / 1024 * scene.disks.size())) {}
+
+  ~PartwiseCertifier() { cancelled_ = true; }  // the futures wait
+
+  Certificate run() {
+    std::exception_ptr unreadable;
+    try {
+      read_parts();
+    } catch (const InputError&) {
+      // What comes before it may be refuted.
+      unreadable = std::current_exception();
+    }
+    while (!running_.empty() && good_) collect();
+    if (good_ && unreadable) std::rethrow_exception(unreadable);
+    if (interrupted_) throw CertificationInterrupted{};
+    return std::move(total_);
+  }
+
+ private:
+  std::optional<ReadClaim> read() {
+    auto event = history_.next();
+    if (!event) return std::nullopt;
+    return ReadClaim{std::move(*event), history_.line()};
+  }
+
+  void read_parts() {
+    std::vector<ReadClaim> claims;
+    std::optional<ReadClaim> next = read();
+    std::shared_ptr<Checkpoint> begin;  // of the present part
+    // Collisions and maneuvers at t = 0 come before the initial diagram.
+    bool clear = true;
+    const auto take = [&] {
+      clear = clear && skimmer_.skim(next->event);
+      claims.push_back(std::move(*next));
+      next = read();
+    };
+    while (next && clear && time(next->event) == 0 &&
+           !std::holds_alternative<FlipEvent>(next->event)) {
+      take();
+    }
+    try {
+      const bool proposed = !header_.initial && !scene_.disks.empty();
+      const std::vector<Quad> initial = skimmer_.skim_start();
+      if (proposed && scene_.disks.size() >= 2 && !initial.empty()) {
+        header_.initial = initial;
+        total_.remarks.push_back(
+            "the history gives no initial diagram: that of the scene was constructed and proved");
+      }
+    } catch (const std::invalid_argument&) {
+      clear = false;  // for the first part to say why
+    }
+    while (good_ && next && clear) {
+      const double last = claims.empty() ? 0 : time(claims.back().event);
+      if (claims.size() >= size_ && time(next->event) - last > gap_) {
+        const double until = last + 0.5 * (time(next->event) - last);
+        auto section = std::make_shared<Section>(header_, std::move(claims), nullptr);
+        section->set_next_line(next->line);
+        claims.clear();
+        start(section, begin, until);
+        begin = std::make_shared<Checkpoint>(skimmer_.checkpoint(until));
+      }
+      take();
+    }
+    if (!good_) return;
+    if (next) claims.push_back(std::move(*next));
+    start(std::make_shared<Section>(header_, std::move(claims), &history_), begin, std::nullopt);
+  }
+
+  void start(std::shared_ptr<Section> section, std::shared_ptr<const Checkpoint> begin,
+             std::optional<double> until) {
+    const std::int64_t part = started_++;
+    auto work = [this, part, section = std::move(section), begin = std::move(begin), until] {
+      CertifyOptions options = options_;
+      options.monitor = [this, part](double t, std::int64_t events) {
+        return report(part, t, events);
+      };
+      return Certifier(scene_, input_, *section, options).run(begin.get(), until);
+    };
+    if (options_.threads == 1) {
+      running_.push_back(std::async(std::launch::deferred, std::move(work)));
+      collect();
+      return;
+    }
+    while (good_ && running_.size() >= static_cast<std::size_t>(options_.threads)) collect();
+    if (good_) running_.push_back(std::async(std::launch::async, std::move(work)));
+  }
+
+  // Takes over the result of the earliest part that runs.
+  void collect() {
+    std::future<Certificate> first = std::move(running_.front());
+    running_.pop_front();
+    try {
+      add(total_, first.get());
+      good_ = total_.verdict == Verdict::certified;
+    } catch (const CertificationInterrupted&) {
+      interrupted_ = true;
+      good_ = false;
+    } catch (...) {
+      cancelled_ = true;
+      throw;
+    }
+    if (!good_) cancelled_ = true;
+    const std::lock_guard lock(mutex_);
+    ++collected_;
+    collected_events_ = total_.prefix_events;
+  }
+
+  // The progress of the earliest part is that of the whole.
+  bool report(std::int64_t part, double t, std::int64_t events) {
+    if (cancelled_) return false;
+    const std::lock_guard lock(mutex_);
+    if (part != collected_ || !options_.monitor) return true;
+    if (!options_.monitor(t, collected_events_ + events)) cancelled_ = true;
+    return !cancelled_;
+  }
+
+  const Scene& scene_;
+  const MotionInput& input_;
+  HistorySource& history_;
+  const CertifyOptions& options_;
+  HistoryHeader header_;
+  Certifier skimmer_;
+  double gap_;        // between the claims on both sides of an end, so that no two swap across it
+  std::size_t size_;  // claims of a part, at least
+  Certificate total_;
+  bool good_ = true, interrupted_ = false;
+  std::int64_t started_ = 0;
+  std::atomic<bool> cancelled_ = false;
+  std::mutex mutex_;
+  std::int64_t collected_ = 0, collected_events_ = 0;  // guarded by mutex_
+  std::deque<std::future<Certificate>> running_;       // last: they use the others
+};
+
+// ---- What the whole file says. ----
+
+// Quadruplets that had to be resolved are the producer's way only where there are many.
+void settle_orientation(Certificate& c, bool strict) {
+  if (!c.first_resolved) return;
+  if (!strict && c.resolved >= 2 && 5 * c.resolved >= c.flips) {
+    c.remarks.push_back("the quadruplets are not oriented: " + std::to_string(c.resolved) +
+                        " were resolved by the diagram, the first on line " +
+                        std::to_string(c.first_resolved->line));
+    return;
+  }
+  if (c.verdict == Verdict::undecided) return;
+  c.verdict = Verdict::refuted;
+  c.divergence = c.first_resolved;
+  c.prefix_events = c.first_resolved_prefix;
+  c.prefix_t = std::min(c.prefix_t, c.first_resolved->t);
+}
+
+// A missing flip may be claimed, as one that is none.
+void name_shadow(Certificate& c, const HistorySource& history, double tolerance) {
+  if (!c.divergence || c.divergence->fault != Fault::missing_event || !c.divergence->true_flip) {
+    return;
+  }
+  Divergence& d = *c.divergence;
+  const double far = kMistimed * tolerance;
+  const auto line =
+      history.shadow_line(*d.true_flip, (*d.true_time)[0] - far, (*d.true_time)[1] + far);
+  if (!line) return;
+  d.line = *line;
+  d.truth += ", which the file takes for a shadow flip";
+}
+
 }  // namespace
 
 Certificate certify(const Scene& scene, const MotionInput& input, HistorySource& history,
                     const CertifyOptions& options) {
-  return Certifier(scene, input, history, options).run();
+  Certificate c = options.truth == Truth::recorded
+                      ? PartwiseCertifier(scene, input, history, options).run()
+                      : Certifier(scene, input, history, options).run();
+  const auto told = history.remarks();
+  c.remarks.insert(c.remarks.begin(), told.begin(), told.end());
+  settle_orientation(c, options.strict);
+  name_shadow(c, history, round_up(options.tolerance));
+  return c;
 }
 
 }  // namespace voroproof
