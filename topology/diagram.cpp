@@ -101,6 +101,25 @@ bool Diagram::is_valid(std::string* why) const {
       return fail("the edges of generator " + std::to_string(g) + " do not form one ring");
     }
   }
+  // A sphere and a torus apart have as many edges as one sphere.
+  std::vector<bool> reached(disks_ + 1, false);
+  std::vector<GenId> pending{container_id};
+  reached[0] = true;
+  int count = 0;
+  while (!pending.empty()) {
+    const HalfEdge first = anchor_[pending.back() + 1];
+    pending.pop_back();
+    ++count;
+    HalfEdge h = first;
+    do {
+      if (!reached[dest(h) + 1]) {
+        reached[dest(h) + 1] = true;
+        pending.push_back(dest(h));
+      }
+      h = rotate(h);
+    } while (h != first);
+  }
+  if (count != disks_ + 1) return fail("the edges do not hang together");
   return true;
 }
 

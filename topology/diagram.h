@@ -55,8 +55,8 @@ class Diagram {
   // Canonical quads of all edges, sorted.
   std::vector<Quad> quads() const;
   // Whether the incidences are those of a triangulation of the sphere by all
-  // generators: cycles of three, consistent ends, Euler's count, every generator
-  // reached. On failure `why` (if given) says what is wrong.
+  // generators: cycles of three, consistent ends, one ring of edges around each
+  // generator, connected, Euler's count. On failure `why` (if given) says what is wrong.
   bool is_valid(std::string* why = nullptr) const;
 
  private:
