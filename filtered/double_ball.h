@@ -61,8 +61,11 @@ inline DoubleBall operator/(const DoubleBall& a, const DoubleBall& b) {
   const double low = (std::fabs(b.mid) - b.rad) * (1 - 0x1p-50);
   if (!(low > 0)) return {0, std::numeric_limits<double>::infinity()};
   const double m = a.mid / b.mid;
-  // |a/b - m0| <= (rad_a + |m0| rad_b) / low for the exact quotient m0 of midpoints.
-  return {m, ((a.rad + std::fabs(m) * (1 + 4 * u) * b.rad) / low + std::fabs(m) * u + kTiny) * kUp};
+  // |a/b - m0| <= (rad_a + |m0| rad_b) / low for the exact quotient m0 of midpoints. The
+  // product |m0| rad_b may underflow, and so may m: kTiny before the division for that.
+  return {m,
+          ((a.rad + std::fabs(m) * (1 + 4 * u) * b.rad + kTiny) / low + std::fabs(m) * u + kTiny) *
+              kUp};
 }
 // Of the nonnegative part of the ball.
 inline DoubleBall sqrt(const DoubleBall& a) {

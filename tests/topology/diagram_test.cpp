@@ -87,7 +87,6 @@ TEST(Diagram, TwoDisksHaveOneDiagram) {
   other.start(1, 0);
   EXPECT_EQ(other.quads(), d.quads());
   for (Diagram::HalfEdge h = 0; h < 6; ++h) EXPECT_FALSE(can_flip(d, h));
-  // The third generator may be inserted last in either role.
   EXPECT_EQ(diagram_of(2, d.quads()).quads(), d.quads());
 }
 
@@ -108,10 +107,9 @@ TEST(Diagram, InsertionIsWhatItsCommentSays) {
   }
 }
 
-// With four generators there are eight diagrams: two in which all pairs of cells are
-// neighbours, mirror images of each other (where three disks are separated from the fourth
-// generator by three vertices), and six in which two generators have two edges in common and
-// the other two have cells of two edges. A flip leads from either kind to the other.
+// With four generators there are eight diagrams: two in which all pairs of cells are neighbours,
+// mirror images of each other, and six in which two cells have two edges in common and the
+// other two cells have two edges each. Every flip leads from one kind to the other.
 TEST(Diagram, ThreeDisksHaveEightDiagrams) {
   Diagram d(3);
   d.start(0, 1);
