@@ -169,11 +169,14 @@ inline double cocircularity_form(const Ends& e, double* f) {
 
 bool flip_polynomial_is_cocircularity(const Motion& motion, const Quad& q) {
   const DoubleMotion& l = motion.doubles(q.l);
+  bool rounded = l.er != 0;
   for (const GenId g : {q.r, q.s, q.e}) {
-    if (motion.doubles(g).r != l.r) return false;
+    const DoubleMotion& m = motion.doubles(g);
+    if (m.r != l.r) return false;
+    rounded = rounded || m.er != 0;
   }
-  // Equal doubles are equal radii unless they are rounded: then ask for the values.
-  if (l.er == 0) return true;
+  // Equal doubles are equal radii unless one is rounded: then ask for the values.
+  if (!rounded) return true;
   const auto& disks = motion.input().disks;
   return q.l != container_id && disks[q.l].radius == disks[q.r].radius &&
          disks[q.l].radius == disks[q.s].radius && disks[q.l].radius == disks[q.e].radius;

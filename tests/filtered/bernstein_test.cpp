@@ -1,0 +1,240 @@
+// The flip polynomial in doubles against the one formed over the rationals.
+#include "filtered/bernstein.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "exact/polynomial.h"
+#include "tests/support/random_scenes.h"
+
+namespace voroproof::testing {
+namespace {
+
+using RationalPolynomial = Polynomial<Rational>;
+
+// How the four (and more) disks of a motion are made; they may overlap, which means nothing to
+// the polynomial.
+struct Family {
+  double extent = 100;       // of the centres
+  double speed = 3;          // one common speed, or the largest
+  bool common_speed = true;  // the velocities lie on a circle: the degree falls
+  bool equal_radii = false;
+  Rational unit = 1;  // everything is divided by it: 3 makes numbers that no double holds
+};
+
+MotionInput random_input(const Family& family, Random& random) {
+  MotionInput in;
+  in.container_x = 1 / family.unit;
+  in.container_y = -2 / family.unit;
+  in.container_radius = Rational(2 * family.extent) / family.unit;
+  in.horizon = 100;
+  for (int k = 0; k < 5; ++k) {
+    const double angle = uniform(random, 0, 2 * std::numbers::pi);
+    const double speed = family.common_speed ? family.speed : uniform(random, 0, family.speed);
+    const double extent = family.extent;
+    in.disks.push_back({Rational(uniform(random, -extent, extent)) / family.unit,
+                        Rational(uniform(random, -extent, extent)) / family.unit,
+                        Rational(family.equal_radii ? 5 : uniform(random, 0, 10)) / family.unit,
+                        Rational(speed * std::cos(angle)) / family.unit,
+                        Rational(speed * std::sin(angle)) / family.unit, 1});
+  }
+  return in;
+}
+
+Quad random_quad(Random& random, bool with_container) {
+  std::array<GenId, 5> ids{0, 1, 2, 3, 4};
+  std::shuffle(ids.begin(), ids.end(), random);
+  if (with_container) ids[random() % 4] = container_id;
+  return {ids[0], ids[1], ids[2], ids[3]};
+}
+
+// The generator over the window [a, b], a polynomial in the window's parameter.
+Site<RationalPolynomial> path(const MotionInput& in, GenId g, const Rational& a,
+                              const Rational& b) {
+  if (g == container_id) {
+    return {{in.container_x}, {in.container_y}, {Rational(-in.container_radius)}};
+  }
+  const DiskInput& d = in.disks[g];
+  const Rational width = b - a;
+  return {RationalPolynomial{d.x + a * d.vx, width * d.vx},
+          RationalPolynomial{d.y + a * d.vy, width * d.vy}, RationalPolynomial{d.radius}};
+}
+
+// The Bernstein coefficients of the given degree.
+std::vector<Rational> bernstein(const RationalPolynomial& f, int degree) {
+  const auto binomial = [](int n, int k) {
+    Integer result;
+    mpz_bin_uiui(result.get_mpz_t(), static_cast<unsigned long>(n), static_cast<unsigned long>(k));
+    return Rational(result);
+  };
+  EXPECT_LE(f.degree(), degree);
+  std::vector<Rational> c;
+  for (int k = 0; k <= degree; ++k) {
+    Rational sum = 0;
+    for (int i = 0; i <= std::min(k, f.degree()); ++i) {
+      sum += binomial(k, i) / binomial(degree, i) * f[i];
+    }
+    c.push_back(sum);
+  }
+  return c;
+}
+
+std::vector<Rational> true_coefficients(const MotionInput& in, const Quad& q, const Rational& a,
+                                        const Rational& b, bool equal_radii) {
+  const auto s = [&](GenId g) { return path(in, g, a, b); };
+  // The base of the cocircularity is the last site, as everywhere in filtered/.
+  return equal_radii ? bernstein(cocircularity(s(q.e), s(q.l), s(q.r), s(q.s)), 4)
+                     : bernstein(cotangency(s(q.l), s(q.r), s(q.s), s(q.e)), 8);
+}
+
+struct Tally {
+  int one_sign = 0, formed = 0;
+  int sharp = 0;  // the bound is less than 1e-9 of the largest coefficient
+};
+
+void expect_enclosed(const MotionInput& in, const Quad& q, double a, double b, Tally& tally) {
+  const Motion motion(in, {});
+  bool equal =
+      q.l != container_id && q.r != container_id && q.s != container_id && q.e != container_id;
+  for (const GenId g : {q.r, q.s, q.e}) {
+    equal = equal && in.disks[g].radius == in.disks[q.l].radius;
+  }
+  ASSERT_EQ(flip_polynomial_is_cocircularity(motion, q), equal);
+  const auto truth = true_coefficients(in, q, to_rational(a), to_rational(b), equal);
+  BernsteinForm form{};
+  if (form_flip_polynomial<true>(motion, q, a, b, form)) {
+    ++tally.one_sign;
+    for (const Rational& c : truth) {
+      ASSERT_NE(sgn(c), 0);
+      ASSERT_EQ(sgn(c), sgn(truth[0])) << "a root is lost in [" << a << ", " << b << "]";
+    }
+    return;
+  }
+  ++tally.formed;
+  ASSERT_EQ(form.degree, equal ? 4 : 8);
+  double largest = 0;
+  for (int k = 0; k <= form.degree; ++k) {
+    ASSERT_LE(abs(to_rational(form.c[k]) - truth[k]), to_rational(form.err))
+        << "coefficient " << k << " over [" << a << ", " << b << "]";
+    largest = std::fmax(largest, std::fabs(form.c[k]));
+  }
+  tally.sharp += form.err < 1e-9 * largest;
+}
+
+// Windows at any distance from the states' reference time 0, down to neighbouring doubles.
+Tally expect_enclosed(const Family& family, bool with_container, int tries, std::uint64_t seed) {
+  Random random(seed);
+  Tally tally;
+  for (int k = 0; k < tries && !::testing::Test::HasFatalFailure(); ++k) {
+    const MotionInput in = random_input(family, random);
+    const Quad q = random_quad(random, with_container);
+    const double a = uniform(random, 0, k % 3 == 0 ? 500 : 30);
+    const double width = std::ldexp(40.0, k % 2 == 0 ? 0 : -static_cast<int>(random() % 45));
+    const double b = std::fmax(a + width, std::nextafter(a, 1000));
+    expect_enclosed(in, q, a, b, tally);
+  }
+  return tally;
+}
+
+TEST(Bernstein, ContainsTheTrueCoefficients) {
+  for (const bool with_container : {false, true}) {
+    for (const Rational& unit : {Rational(1), Rational(3)}) {
+      Family family;
+      family.unit = unit;
+      const Tally t = expect_enclosed(family, with_container, 300, 1);
+      // Both answers occur.
+      EXPECT_GT(t.one_sign, 50);
+      EXPECT_GT(t.formed, 20);
+    }
+  }
+}
+
+TEST(Bernstein, DegreeFourForEqualRadii) {
+  for (const Rational& unit : {Rational(1), Rational(3)}) {
+    Family family;
+    family.equal_radii = true;
+    family.unit = unit;
+    Tally t = expect_enclosed(family, false, 300, 2);
+    EXPECT_GT(t.one_sign, 50);
+    EXPECT_GT(t.formed, 20);
+    // With the container the radii are not equal.
+    t = expect_enclosed(family, true, 100, 3);
+    EXPECT_GT(t.formed, 5);
+  }
+}
+
+TEST(Bernstein, ManyMagnitudes) {
+  for (const auto& [extent, speed] :
+       {std::pair(1e-6, 1e-3), std::pair(1e6, 1e-6), std::pair(1e3, 1e5), std::pair(100.0, 0.0)}) {
+    for (const bool equal : {false, true}) {
+      Family family;
+      family.extent = extent;
+      family.speed = speed;
+      family.common_speed = false;
+      family.equal_radii = equal;
+      expect_enclosed(family, false, 100, 4);
+    }
+  }
+}
+
+// The bound must be small, not only right: over an ordinary window, at an ordinary time.
+TEST(Bernstein, TheBoundIsSmall) {
+  Random random(5);
+  for (const bool equal : {false, true}) {
+    Family family;
+    family.equal_radii = equal;
+    Tally tally;
+    for (int k = 0; k < 200; ++k) {
+      expect_enclosed(random_input(family, random), random_quad(random, false), 10, 40, tally);
+    }
+    EXPECT_GT(tally.formed, 50);
+    EXPECT_GT(tally.sharp, 0.9 * tally.formed);
+  }
+}
+
+// Without certificates the same coefficients and no bound.
+TEST(Bernstein, UncertifiedForm) {
+  Random random(6);
+  int formed = 0;
+  for (int k = 0; k < 100; ++k) {
+    const Motion motion(random_input({}, random), {});
+    const Quad q = random_quad(random, k % 2 == 0);
+    BernsteinForm certified{}, plain{};
+    if (form_flip_polynomial<true>(motion, q, 5, 25, certified)) continue;
+    if (form_flip_polynomial<false>(motion, q, 5, 25, plain)) continue;
+    ++formed;
+    EXPECT_EQ(plain.err, 0);
+    EXPECT_EQ(plain.c, certified.c);
+  }
+  EXPECT_GT(formed, 20);
+}
+
+// Radii that no double tells apart are equal only if their values are, whichever of the four
+// the odd one is and whether or not it is the one that a double holds.
+TEST(Bernstein, RadiiOfOneDoubleAreNotEqualForThat) {
+  Random random(7);
+  const Rational hair(Integer(1), Integer(1) << 100);
+  for (const Rational& common : {Rational(1), Rational(1, 3)}) {
+    Family family;
+    family.equal_radii = true;
+    MotionInput in = random_input(family, random);
+    const Quad q{0, 1, 2, 3};
+    for (DiskInput& d : in.disks) d.radius = common;
+    EXPECT_TRUE(flip_polynomial_is_cocircularity(Motion(in, {}), q));
+    for (int odd = 0; odd < 4; ++odd) {
+      in.disks[odd].radius = common + hair;
+      EXPECT_FALSE(flip_polynomial_is_cocircularity(Motion(in, {}), q)) << odd;
+      in.disks[odd].radius = common;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace voroproof::testing
