@@ -1,4 +1,5 @@
 // voroproof convert: between this project's formats and those of the paper's authors.
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -110,7 +111,7 @@ void history_to_sequence(const Request& request) {
     std::cout << "the scene's law at the container is not that of an event sequence\n";
   }
   AtomicFile file(request.output);
-  const EvtsqSource source{.name = request.scene,
+  const EvtsqSource source{.name = std::filesystem::path(request.scene).filename().string(),
                            .history = request.input,
                            .restitution = scene.restitution,
                            .container_center = {round_nearest(scene.cx), round_nearest(scene.cy)}};

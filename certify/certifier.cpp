@@ -1708,9 +1708,9 @@ struct ReadClaim {
 // A part of a history as a history.
 class Section : public HistorySource {
  public:
-  // `rest`: what follows the claims, where the part is the last.
-  Section(HistoryHeader header, std::vector<ReadClaim> claims, HistorySource* rest)
-      : header_(std::move(header)), claims_(std::move(claims)), rest_(rest) {}
+  // `rest`: the history, where the part is the last; `ended` where it has given all its claims.
+  Section(HistoryHeader header, std::vector<ReadClaim> claims, HistorySource* rest, bool ended)
+      : header_(std::move(header)), claims_(std::move(claims)), rest_(rest), ended_(ended) {}
 
   void set_next_line(std::int64_t line) { next_line_ = line; }
 
@@ -1718,7 +1718,7 @@ class Section : public HistorySource {
   std::optional<Event> next() override {
     if (taken_ < claims_.size()) return claims_[taken_++].event;
     taken_ = claims_.size() + 1;
-    return rest_ != nullptr ? rest_->next() : std::nullopt;
+    return ended_ ? std::nullopt : rest_->next();
   }
   std::int64_t line() const override {
     if (taken_ > claims_.size()) return rest_ != nullptr ? rest_->line() : next_line_;
@@ -1738,6 +1738,7 @@ class Section : public HistorySource {
   std::vector<ReadClaim> claims_;
   std::size_t taken_ = 0;
   HistorySource* rest_;
+  bool ended_;
   std::int64_t next_line_ = 0;  // of the claim after the part
 };
 
@@ -1836,7 +1837,7 @@ class PartwiseCertifier {
       const double last = claims.empty() ? 0 : time(claims.back().event);
       if (claims.size() >= size_ && time(next->event) - last > gap_) {
         const double until = last + 0.5 * (time(next->event) - last);
-        auto section = std::make_shared<Section>(header_, std::move(claims), nullptr);
+        auto section = std::make_shared<Section>(header_, std::move(claims), nullptr, true);
         section->set_next_line(next->line);
         claims.clear();
         start(section, begin, until);
@@ -1845,8 +1846,9 @@ class PartwiseCertifier {
       take();
     }
     if (!good_) return;
+    const bool ended = !next;
     if (next) claims.push_back(std::move(*next));
-    start(std::make_shared<Section>(header_, std::move(claims), &history_), begin, std::nullopt);
+    start(std::make_shared<Section>(header_, std::move(claims), &history_, ended), begin, {});
   }
 
   void start(std::shared_ptr<Section> section, std::shared_ptr<const Checkpoint> begin,
