@@ -31,6 +31,11 @@ whole_run dense --n 1000 --horizon 100 --density 0.3 --repeats 5
 whole_run equal --n 1000 --horizon 200 --rmin 5 --rmax 5 --repeats 5
 whole_run nearly_equal --n 1000 --horizon 200 --rmin 5 --rmax 5.000000005 --repeats 3
 
+cmake --build "$build" --target voroproof
+"$root/bench/certify.sh" "$build/voroproof" 1000 1000 3 | tee "$results/certify_1000.txt"
+"$root/bench/certify.sh" "$build/voroproof" 10000 200 3 | tee "$results/certify_10000.txt"
+echo
+
 "$build/voroproof_bench_growth" --json "$results/growth.json"
 echo
 

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# What certifying costs beside simulating: both in turns, in one run, medians of user and wall time.
+#
+# usage: bench/certify.sh PROGRAM [N [HORIZON [REPEATS]]]
+set -euo pipefail
+program=$(realpath "$1")
+n=${2:-1000}
+horizon=${3:-1000}
+repeats=${4:-3}
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+scene=$scratch/a.scene.json
+history=$scratch/a.history.jsonl
+"$program" generate reference --n "$n" --seed 1 --horizon "$horizon" -o "$scene"
+
+# measure NAME COMMAND...: appends "user wall kilobytes" to the file of that name.
+measure() {
+  local name=$1
+  shift
+  command time -a -o "$scratch/$name" -f '%U %e %M' "$@" >/dev/null
+}
+for ((k = 0; k < repeats; k++)); do
+  measure simulate "$program" simulate "$scene" -o "$history" --quiet
+  measure recorded-1 "$program" certify "$scene" "$history" --truth recorded --threads 1 --quiet
+  measure recorded-2 "$program" certify "$scene" "$history" --truth recorded --threads 2 --quiet
+  measure exact "$program" certify "$scene" "$history" --truth exact --quiet
+done
+
+# median NAME COLUMN
+median() { sort -n -k "$2" "$scratch/$1" | awk -v c="$2" '{ v[NR] = $c } END { print v[int((NR + 1) / 2)] }'; }
+events=$(($(wc -l <"$history") - 2))
+echo "n = $n, T = $horizon: $events events; medians of $repeats"
+printf '%-12s %8s %8s %10s %22s\n' what 'user s' 'wall s' 'peak MB' 'wall / simulate wall'
+base=$(median simulate 2)
+for name in simulate recorded-1 recorded-2 exact; do
+  printf '%-12s %8s %8s %10s %22s\n' "$name" "$(median $name 1)" "$(median $name 2)" \
+    "$(median $name 3 | awk '{ printf "%.1f", $1 / 1024 }')" \
+    "$(median $name 2 | awk -v b="$base" '{ printf "%.2f", $1 / b }')"
+done
