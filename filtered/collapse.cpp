@@ -60,6 +60,21 @@ struct EdgeTriples {
   }
 };
 
+// Whether no tangency of a pair vanishes, sites given over an interval. Where one does
+// the generators overlap (points: where they touch), Gamma changes its sign, and an
+// in-circle function may change its own without a root of f. A search looks beyond the
+// contacts of its generators, so that it has to know.
+template <class T>
+bool keeps_tangencies(const std::array<Site<T>, 4>& at) {
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < i; ++j) {
+      const Sign s = sign(tangency(at[i], at[j]));
+      if (s == Sign::unknown || s == Sign::zero) return false;
+    }
+  }
+  return true;
+}
+
 // Reads the verdict off the signs just after the root. Both circles must exist from
 // the root to that time: `exist` is evaluated over the whole interval.
 template <class T, class SitesAfter>
@@ -81,6 +96,7 @@ Verdict judge(const Quad& q, const std::array<Site<T>, 4>& at_hull, SitesAfter&&
   Sign a = in_start(hull, at_hull);
   Sign b = in_end(hull, at_hull);
   if (a == Sign::unknown || b == Sign::unknown) {
+    if (!keeps_tangencies(at_hull)) return Verdict::unknown;
     const std::array<Site<T>, 4> at_after = sites_after();
     const EdgeTriples<T> after = EdgeTriples<T>::of(q, at_after);
     a = in_start(after, at_after);
@@ -791,13 +807,25 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
     const auto order = instant ? compare(roots[k], *instant) : compare(roots[k], start);
     if (order < 0) continue;
     if (order == 0 && !instant) continue;  // the search starts at a root: beyond it
-    // A rational time after this root and before the next.
+    // A rational time after this root and before the next; near the root: later on the
+    // generators may overlap.
+    const Rational hair(Integer(1), Integer(1) << 64);
     const auto after_root = [&]() -> Rational {
       if (!roots[k].is_point()) return roots[k].interval().hi;
       const Rational next = k + 1 < roots.size() ? roots[k + 1].interval().lo : beyond;
-      return (roots[k].interval().lo + next) / 2;
+      return std::min<Rational>((roots[k].interval().lo + next) / 2, roots[k].interval().lo + hair);
+    };
+    // The same before it, after the root before and after the start and the instant.
+    const auto before_root = [&]() -> Rational {
+      const Rational at = roots[k].interval().lo;
+      if (!roots[k].is_point()) return at;
+      const Rational last = k > 0 ? roots[k - 1].interval().hi : start;
+      Rational t = std::max<Rational>((at + last) / 2, at - hair);
+      while (instant && compare(*instant, t) >= 0) t = (t + at) / 2;
+      return t;
     };
     if (order == 0) {
+      roots[k].refine(hair);
       const Rational t = after_root();
       const auto s = exact_incircles(q, t, exact);
       if (s[0] == Sign::negative && s[1] == Sign::negative) return answer;
@@ -833,8 +861,8 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
       }
     }
     if (verdict == Verdict::collapses) {
-      const Rational lo = roots[k].interval().lo;
-      return make_root(lo, after_root());
+      // A root that is a point needs an interval all the same: it may not be an end.
+      return make_root(before_root(), after_root());
     }
   }
   return none_until(voroproof::round_down(finish));
