@@ -19,7 +19,7 @@ struct Delay {
 };
 
 template <class T>
-std::optional<Delay<T>> delay(const Contact<T>& k, bool wall, const T& zero) {
+std::optional<Delay<T>> delay(const Contact<T>& k, bool wall, bool points, const T& zero) {
   const Sign b = sign(k.b);
   if (wall) {
     // c <= 0: the disk is inside, and leaves wherever it moves at all.
@@ -34,9 +34,15 @@ std::optional<Delay<T>> delay(const Contact<T>& k, bool wall, const T& zero) {
   if (b != Sign::negative) return std::nullopt;
   const T disc = k.b * k.b - k.a * k.c;
   const Sign s = sign(disc);
+  if (s == Sign::zero && points) return std::nullopt;  // they meet: see exactly()
   if (s == Sign::negative || s == Sign::zero) return Delay<T>{true, zero};
   if (s != Sign::positive) return std::nullopt;
   return Delay<T>{false, k.c / (sqrt(disc) - k.b)};
+}
+
+// Two generators of radius zero, as far as doubles tell: the container is none.
+bool are_points(const Motion& motion, GenId i, GenId j) {
+  return motion.doubles(i).r == 0 && motion.doubles(j).r == 0;
 }
 
 }  // namespace
@@ -49,7 +55,7 @@ NextContact ContactSearch::from(GenId i, GenId j, const Instant& now, double end
   if (!motion_.options().filters) return slow(i, j, now, end);
   const DoubleBall t(now.lo);
   const Contact<DoubleBall> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
-  const auto d = delay(k, wall, DoubleBall());
+  const auto d = delay(k, wall, are_points(motion_, i, j), DoubleBall());
   if (d) {
     if (d->none) {
       counts_.count(Predicate::contact_search, Tier::filter);
@@ -76,7 +82,7 @@ NextContact ContactSearch::slow(GenId i, GenId j, const Instant& now, double end
   if (motion_.options().filters) {
     const DdBall t(now.lo);
     const Contact<DdBall> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
-    const auto d = delay(k, wall, DdBall());
+    const auto d = delay(k, wall, are_points(motion_, i, j), DdBall());
     if (d) {
       const DdBall at = t + d->s;
       const double lo = std::nextafter(at.hi + at.lo - at.rad, -kInfinity);
@@ -93,7 +99,7 @@ NextContact ContactSearch::slow(GenId i, GenId j, const Instant& now, double end
     const int bits = motion_.goal_bits() + 32;
     const Ball t(now.lo, bits);
     const Contact<Ball> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
-    const auto d = delay(k, wall, Ball(bits));
+    const auto d = delay(k, wall, are_points(motion_, i, j), Ball(bits));
     if (d) {
       double lo = 0, hi = 0;
       if (!d->none) (t + d->s).to_interval(lo, hi);
@@ -155,7 +161,7 @@ NextContact ContactSearch::exactly(GenId i, GenId j, const Instant& now, double 
 DdBall ContactSearch::refine(GenId i, GenId j, double t) const {
   const DdBall at(t);
   const Contact<DdBall> k(motion_.moving_site(i, at), motion_.moving_site(j, at));
-  const auto d = delay(k, i == container_id, DdBall());
+  const auto d = delay(k, i == container_id, are_points(motion_, i, j), DdBall());
   if (!d || d->none) return {t, 0, kInfinity};
   return at + d->s;
 }
@@ -163,7 +169,7 @@ DdBall ContactSearch::refine(GenId i, GenId j, double t) const {
 Ball ContactSearch::refine(GenId i, GenId j, const Rational& t, int bits) const {
   const Ball at(t, bits);
   const Contact<Ball> k(motion_.moving_site(i, at), motion_.moving_site(j, at));
-  const auto d = delay(k, i == container_id, Ball(bits));
+  const auto d = delay(k, i == container_id, are_points(motion_, i, j), Ball(bits));
   if (!d || d->none) {
     Ball all(bits);
     all.widen(Magnitude::power_of_two(1 << 20));
