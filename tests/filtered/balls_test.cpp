@@ -173,6 +173,17 @@ TEST(DdBall, SignsAtTheRim) {
   EXPECT_EQ(sign(DdBall(1) / DdBall(1, 0, 1)), Sign::unknown);
 }
 
+// Where the leading parts cancel the others are all that is left, with all their bits.
+TEST(DdBall, CancellationOfTheLeadingParts) {
+  for (std::uint64_t code = 1; code < 2000; ++code) {
+    const double hi = std::fabs(number(code, kOrdinary)), unit = hi * 0x1p-54;
+    const double x = unit * number(code + 3000, {-20, -1});
+    const double y = unit * number(code + 6000, {-20, -1});
+    const DdBall difference = DdBall(hi, x) - DdBall(hi, y);
+    ASSERT_EQ(fault(difference, Reference(hi, x) - Reference(hi, y)), "") << x << " " << y;
+  }
+}
+
 TEST(DoubleBall, HullContainsBothEnds) {
   for (std::uint64_t code = 1; code < 5000; ++code) {
     for (const Range range : {kOrdinary, kAnything}) {

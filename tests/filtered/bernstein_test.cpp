@@ -216,6 +216,28 @@ TEST(Bernstein, UncertifiedForm) {
   EXPECT_GT(formed, 20);
 }
 
+// Cotangent at the start of the window: the first true coefficient is zero, its rounded value
+// hardly ever. Without an error bound the other coefficients' sign would often be that of all.
+TEST(Bernstein, ARootAtTheEndIsNotLost) {
+  Random random(8);
+  for (const bool equal : {false, true}) {
+    Tally tally;
+    for (int k = 0; k < 400 && !HasFatalFailure(); ++k) {
+      Family family;
+      family.equal_radii = equal;
+      MotionInput in = random_input(family, random);
+      for (DiskInput& d : in.disks) {
+        // At a rational point of the circle that touches all from inside.
+        const Rational m = uniform(random, -2, 2), n = 1 + m * m, reach = 50 + d.radius;
+        d.x = reach * (1 - m * m) / n;
+        d.y = reach * 2 * m / n;
+      }
+      expect_enclosed(in, {0, 1, 2, 3}, 0, 1e-3, tally);
+    }
+    EXPECT_EQ(tally.one_sign, 0);
+  }
+}
+
 // Radii that no double tells apart are equal only if their values are, whichever of the four
 // the odd one is and whether or not it is the one that a double holds.
 TEST(Bernstein, RadiiOfOneDoubleAreNotEqualForThat) {
