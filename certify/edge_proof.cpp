@@ -39,6 +39,10 @@ bool collapses_at_root(const Motion& motion, const Quad& q, double a, double b, 
   EdgeSigns s = signs_over(motion, q, DoubleBall::hull(a, b), after);
   if (s.start_exists != Sign::positive || s.end_exists != Sign::positive) return false;
   if (s.end_in_start == Sign::unknown || s.start_in_end == Sign::unknown) {
+    const DoubleBall t = DoubleBall::hull(a, b);
+    const std::array<Site<DoubleBall>, 4> sites{motion.site(q.l, t), motion.site(q.r, t),
+                                                motion.site(q.s, t), motion.site(q.e, t)};
+    if (!keeps_tangencies(sites)) return false;
     s = signs_over(motion, q, DoubleBall(b), after);
   }
   return s.end_in_start == Sign::negative && s.start_in_end == Sign::negative;

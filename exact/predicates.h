@@ -47,6 +47,21 @@ T tangency(const Site<T>& a, const Site<T>& b) {
   return dx * dx + dy * dy - dr * dr;
 }
 
+// Whether no tangency of a pair vanishes, sites given over an interval. Where one does
+// the generators overlap (points: where they touch), Gamma changes its sign, and an
+// in-circle function may change its own without a root of f. A search looks beyond the
+// contacts of its generators, so that it has to know. False says nothing.
+template <class T>
+bool keeps_tangencies(const std::array<Site<T>, 4>& at) {
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < i; ++j) {
+      const Sign s = sign(tangency(at[i], at[j]));
+      if (s == Sign::unknown || s == Sign::zero) return false;
+    }
+  }
+  return true;
+}
+
 // 4 f of the paper's Eq. (1), f = A^2 + B^2 - C^2, through Casey's theorem:
 // zero iff the four sites touch one common circle (inner or outer, or a line).
 // Symmetric in the four sites; the container may be any of them.

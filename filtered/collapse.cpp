@@ -60,21 +60,6 @@ struct EdgeTriples {
   }
 };
 
-// Whether no tangency of a pair vanishes, sites given over an interval. Where one does
-// the generators overlap (points: where they touch), Gamma changes its sign, and an
-// in-circle function may change its own without a root of f. A search looks beyond the
-// contacts of its generators, so that it has to know.
-template <class T>
-bool keeps_tangencies(const std::array<Site<T>, 4>& at) {
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < i; ++j) {
-      const Sign s = sign(tangency(at[i], at[j]));
-      if (s == Sign::unknown || s == Sign::zero) return false;
-    }
-  }
-  return true;
-}
-
 // Reads the verdict off the signs just after the root. Both circles must exist from
 // the root to that time: `exist` is evaluated over the whole interval.
 template <class T, class SitesAfter>
