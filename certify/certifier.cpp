@@ -29,9 +29,9 @@ namespace {
 using HalfEdge = Diagram::HalfEdge;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Half width of the bracket that is tried around a claimed flip time, relative to max(1, t): wide
-// beside the errors of doubles, narrow beside the gaps between events.
-constexpr double kBracket = 0x1p-31;
+// Half width of the bracket that is tried around a claimed flip time, relative to max(1, t) and
+// within the tolerance: wide beside the errors of doubles, narrow beside the gaps between events.
+constexpr double kBracket = 0x1p-20;
 
 // The same where double-doubles look: what is proved free of roots then begins further away.
 constexpr double kWideBracket = 0x1p-21;

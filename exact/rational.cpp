@@ -61,9 +61,19 @@ double round_magnitude(const Rational& q, Magnitude mode) {
   return std::ldexp(integer.get_d(), static_cast<int>(unit));
 }
 
+// Whether q is a binary64 for certain: a short numerator over a power of two within the range of
+// normal numbers. Most numbers are, and need no rounding.
+bool is_plain_double(const Rational& q) {
+  const mpz_srcptr numerator = q.get_num_mpz_t(), denominator = q.get_den_mpz_t();
+  const std::size_t bits = mpz_sizeinbase(numerator, 2);
+  const std::size_t below = mpz_sizeinbase(denominator, 2) - 1;
+  return bits <= 53 && below <= 1000 && mpz_scan1(denominator, 0) == below;
+}
+
 double round_with(const Rational& q, Magnitude if_positive, Magnitude if_negative) {
-  if (q == 0) return 0;
-  if (q > 0) return round_magnitude(q, if_positive);
+  if (sgn(q) == 0) return 0;
+  if (is_plain_double(q)) return q.get_d();
+  if (sgn(q) > 0) return round_magnitude(q, if_positive);
   const double magnitude = round_magnitude(Rational(-q), if_negative);
   return magnitude == 0 ? 0 : -magnitude;
 }

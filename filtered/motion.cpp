@@ -20,6 +20,18 @@ std::int64_t exponent_of(const Rational& q) {
   return d == 0 ? -1000 : std::ilogb(d) + 1;
 }
 
+// The nearest double below in magnitude, and what is left of it.
+DdBall dd_of(const Rational& q) {
+  const double first = q.get_d();
+  const Rational rest = q - to_rational(first);
+  if (sgn(rest) == 0) return {first};
+  const double second = rest.get_d();
+  DdBall b;
+  dd_detail::fast_two_sum(first, second, b.hi, b.lo);
+  b.rad = std::fabs(second) * 0x1p-52 + DBL_MIN;  // get_d() rounds towards zero
+  return b;
+}
+
 DdBall dd_of(const Ball& b) {
   DdBall r;
   b.to_double_double(r.hi, r.lo, r.rad);
@@ -58,6 +70,7 @@ Motion::Motion(MotionInput input, MotionOptions options)
   doubles_.resize(n + 1);
   dds_.resize(n + 1);
   balls_.resize(n + 1);
+  stale_.assign(n + 1, 0);
   radius_.resize(n + 1);
   mass_.resize(n + 1);
   for (std::size_t g = 0; g <= n; ++g) state_[g] = -static_cast<int>(g);
@@ -82,6 +95,7 @@ void Motion::load_initial_states() {
 
 void Motion::load_initial_state(GenId g, Ball::Precision bits) {
   BallState& s = balls_[g + 1];
+  stale_[g + 1] = 0;
   if (g == container_id) {
     t_ref_[0] = 0;
     s = {dyadic_or_rounded(input_.container_x, bits), dyadic_or_rounded(input_.container_y, bits),
@@ -98,10 +112,26 @@ void Motion::load_initial_state(GenId g, Ball::Precision bits) {
   dds_[g + 1].r = dd_of(radius_[g + 1]);
 }
 
+const Motion::BallState& Motion::ball_state(GenId g) const {
+  if (stale_[g + 1] != 0) {
+    const Ball::Precision bits = bits_at(start_[g]);
+    const DiskInput& d = input_.disks[g];
+    balls_[g + 1] = {dyadic_or_rounded(d.x, bits), dyadic_or_rounded(d.y, bits),
+                     dyadic_or_rounded(d.vx, bits), dyadic_or_rounded(d.vy, bits)};
+    stale_[g + 1] = 0;
+  }
+  return balls_[g + 1];
+}
+
 void Motion::refresh(GenId g) {
   const BallState& s = balls_[g + 1];
   DdMotion& dd = dds_[g + 1];
   dd = {dd_of(s.x), dd_of(s.y), dd_of(s.vx), dd_of(s.vy), dd.r};
+  refresh_doubles(g);
+}
+
+void Motion::refresh_doubles(GenId g) {
+  const DdMotion& dd = dds_[g + 1];
   DoubleMotion& m = doubles_[g + 1];
   m.t = t_ref_[g + 1];
   m.x = dd.x.hi;
@@ -146,7 +176,7 @@ MovingSite<DdBall> Motion::moving_site(GenId g, const DdBall& t) const {
 }
 
 MovingSite<Ball> Motion::moving_site(GenId g, const Ball& t) const {
-  const BallState& m = balls_[g + 1];
+  const BallState& m = ball_state(g);
   // Short exact numbers are held in few bits: everything at the precision of the time.
   const auto bits = t.precision();
   const Ball dt = t - Ball(t_ref_[g + 1], bits);
@@ -490,8 +520,11 @@ void Motion::restart(GenId g, const Rational& t, const Rational& x, const Ration
   d.vx = vx;
   d.vy = vy;
   v_scale_ = std::max({v_scale_, exponent_of(vx), exponent_of(vy)});
-  load_initial_state(g, bits_at(start_[g]));
-  refresh(g);
+  t_ref_[g + 1] = start_[g];
+  DdMotion& dd = dds_[g + 1];
+  dd = {dd_of(d.x), dd_of(d.y), dd_of(d.vx), dd_of(d.vy), dd.r};
+  stale_[g + 1] = 1;
+  refresh_doubles(g);
 }
 
 Impact Motion::collide_in_doubles(GenId i, GenId j, double t) {

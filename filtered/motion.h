@@ -169,7 +169,9 @@ class Motion {
   int bits_at(double t) const;
   void load_initial_states();
   void load_initial_state(GenId g, Ball::Precision bits);
+  const BallState& ball_state(GenId g) const;
   void refresh(GenId g);
+  void refresh_doubles(GenId g);
   const Response& respond(const Record& r);
   void apply_maneuver(const Record& r);
   bool accurate_enough(GenId g) const;
@@ -191,7 +193,9 @@ class Motion {
   std::vector<double> start_;  // per disk: when its initial state holds
   std::vector<DoubleMotion> doubles_;
   std::vector<DdMotion> dds_;
-  std::vector<BallState> balls_;
+  // Of a disk that was restarted only when asked for.
+  mutable std::vector<BallState> balls_;
+  mutable std::vector<char> stale_;
   std::vector<Ball> radius_, mass_;
   Workspace workspace_;
   // Of the uncertified instance.
