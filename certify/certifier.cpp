@@ -553,9 +553,13 @@ class Certifier {
   // The pair's adjacency, or its motion, ends at m without a collision of the two.
   void end_pair(int edge, const Moment& m, bool closed = false) {
     const auto [i, j] = pair_of(edge);
-    if (partners(i, j)) return;
-    ++certificate_.pair_lives;
     const double from = pairs_[edge].from;
+    if (partners(i, j)) {
+      // Recorded velocities need not part them.
+      if (options_.truth == Truth::recorded) check_parting(i, j, from, m);
+      return;
+    }
+    ++certificate_.pair_lives;
     if (proved_apart(motion_, i, j, from, m.hi)) return;
     ++certificate_.beyond_filter;
     if (options_.truth == Truth::recorded) {
@@ -599,6 +603,23 @@ class Certifier {
       return {p[0], p[1], paths_[g].vx, paths_[g].vy, scene_.disks[g].radius};
     };
     return {site(i), site(j)};
+  }
+
+  // Recorded truth: two disks that have collided may creep into each other, by velocities within
+  // the tolerance of the law, no further than they come in the tolerance of time.
+  void check_parting(GenId i, GenId j, double from, const Moment& m) {
+    const auto site = [&](GenId g) { return motion_.moving_site(g, DoubleBall(from)); };
+    if (sign(Contact<DoubleBall>{site(i), site(j)}.b) == Sign::positive) return;
+    const Rational start = to_rational(from);
+    const Contact<Rational> k = exact_contact(i, j, start);
+    if (sgn(k.b) >= 0) return;
+    const Rational nearest = -k.b / k.a, left = to_rational(m.hi) - start;
+    const Rational s = std::min(nearest, left);
+    const Rational reach = scene_reach(i, j);
+    const Rational distance2 = (k.a * s + 2 * k.b) * s + k.c + square(reach);
+    const Rational least = reach - options_.tolerance * to_rational(top_speed_);
+    if (sgn(least) <= 0 || distance2 >= square(least)) return;
+    throw Refuted{missing_contact(i, j, from, m.hi)};
   }
 
   // Recorded truth: two disks may overlap, or a disk leave the container, for no longer than the
@@ -1782,7 +1803,7 @@ class PartwiseCertifier {
         header_(history.header()),
         skimmer_(scene, input, history, options),
         gap_(8 * round_up(options.tolerance)),
-        size_(std::max(options.least_part, options.least_part / 1024 * scene.disks.size())) {}
+        size_(std::max(options.least_part, options.least_part / 4096 * scene.disks.size())) {}
 
   ~PartwiseCertifier() { cancelled_ = true; }  // the futures wait
 

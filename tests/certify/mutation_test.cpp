@@ -85,7 +85,7 @@ TEST(Mutation, NoFaultIsCertified) {
           if (!wrong) continue;
           CertifyOptions options = options_for(truth, tolerance);
           // In parts as small as can be, in the last attempt.
-          options.least_part = attempt == 2 ? 1 : 4096;
+          options.least_part = attempt == 2 ? 1 : 16384;
           const Certificate c = certify(scene, *wrong, options);
           ++made[kind];
           ++total;
