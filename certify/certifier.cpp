@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <set>
+#include <utility>
 
 #include "certify/contact_proof.h"
 #include "certify/edge_proof.h"
@@ -79,10 +80,12 @@ struct Life {
   Collapse root;
 };
 
-// The pair of a V-edge likewise: apart or parting, no contact until `from`.
+// The pair of a V-edge likewise: apart or parting, no contact until `from`. Under the recorded
+// truth it may overlap then: since `overlap` before.
 struct Adjacency {
   double from = 0;
   long born = 0;
+  double overlap = 0;
 };
 
 // The path of a disk under the recorded truth: rational, in fact dyadic.
@@ -164,7 +167,8 @@ class Certifier {
         history_(history),
         options_(options),
         horizon_(history.header().horizon),
-        search_end_(round_up(Rational(horizon_ + history.header().horizon_error))),
+        search_end_(round_up(last_instant())),
+        horizon_down_(round_down(last_instant())),
         motion_(with_horizon(input, to_rational(search_end_)), options.motion),
         diagram_(motion_.size()),
         collapses_(motion_, certificate_.tiers),
@@ -296,6 +300,9 @@ class Certifier {
   }
 
   // ---- Time. ----
+  // No event that the file may claim lies beyond it.
+  Rational last_instant() const { return horizon_ + history_.header().horizon_error; }
+
   Instant instant(const Moment& m) {
     Instant now;
     now.lo = m.lo;
@@ -545,6 +552,12 @@ class Certifier {
 
   void begin_pair(int edge, const Moment& m) { pairs_[edge] = {m.lo, instant_}; }
 
+  // As only the motion of the pair changes: an overlap goes on.
+  void go_on_with_pair(int edge, const Moment& m) {
+    const bool collided = colliding_ && pair_of(edge) == *colliding_;
+    pairs_[edge] = {m.lo, instant_, collided ? 0 : pairs_[edge].overlap};
+  }
+
   // Whether the last thing that happened to both was their own collision.
   bool partners(GenId i, GenId j) const {
     return i != container_id && last_event_[i + 1] != 0 && last_event_[i + 1] == last_event_[j + 1];
@@ -553,17 +566,24 @@ class Certifier {
   // The pair's adjacency, or its motion, ends at m without a collision of the two.
   void end_pair(int edge, const Moment& m, bool closed = false) {
     const auto [i, j] = pair_of(edge);
-    const double from = pairs_[edge].from;
     if (partners(i, j)) {
-      // Recorded velocities need not part them.
-      if (options_.truth == Truth::recorded) check_parting(i, j, from, m);
+      pairs_[edge].overlap = 0;
+      if (options_.truth == Truth::recorded) check_parting(i, j, pairs_[edge].from, m);
       return;
     }
     ++certificate_.pair_lives;
-    if (proved_apart(motion_, i, j, from, m.hi)) return;
+    const double from = pairs_[edge].from;
+    if (options_.truth == Truth::recorded && motion_.same_velocity(i, j)) {
+      check_at_rest(edge, m);
+      return;
+    }
+    if (proved_apart(motion_, i, j, from, m.hi)) {
+      pairs_[edge].overlap = 0;
+      return;
+    }
     ++certificate_.beyond_filter;
     if (options_.truth == Truth::recorded) {
-      check_overlap(i, j, from, m);
+      check_overlap(edge, m);
       return;
     }
     const Moment begin = Moment::at(to_rational(from));
@@ -605,33 +625,58 @@ class Certifier {
     return {site(i), site(j)};
   }
 
-  // Recorded truth: two disks that have collided may creep into each other, by velocities within
-  // the tolerance of the law, no further than they come in the tolerance of time.
+  // Recorded truth: after its own collision a pair parts. The law holds within a tolerance, so that
+  // one that should stay in contact may come nearer again, but not far.
   void check_parting(GenId i, GenId j, double from, const Moment& m) {
-    const auto site = [&](GenId g) { return motion_.moving_site(g, DoubleBall(from)); };
-    if (sign(Contact<DoubleBall>{site(i), site(j)}.b) == Sign::positive) return;
-    const Rational start = to_rational(from);
-    const Contact<Rational> k = exact_contact(i, j, start);
+    const DoubleBall start(from);
+    const Contact<DoubleBall> near(motion_.moving_site(i, start), motion_.moving_site(j, start));
+    const Sign parting = sign(near.b);
+    if (parting == Sign::positive || parting == Sign::zero) return;
+    const Contact<Rational> k = exact_contact(i, j, to_rational(from));
     if (sgn(k.b) >= 0) return;
-    const Rational nearest = -k.b / k.a, left = to_rational(m.hi) - start;
-    const Rational s = std::min(nearest, left);
-    const Rational reach = scene_reach(i, j);
-    const Rational distance2 = (k.a * s + 2 * k.b) * s + k.c + square(reach);
-    const Rational least = reach - options_.tolerance * to_rational(top_speed_);
-    if (sgn(least) <= 0 || distance2 >= square(least)) return;
+    // At the nearest point of the life.
+    const Rational end = to_rational(m.hi) - to_rational(from);
+    Rational s = -k.b / k.a;
+    if (s > end) s = end;
+    const Rational lost = -s * (k.a * s + 2 * k.b);  // of the squared distance
+    const Rational depth = options_.tolerance * to_rational(top_speed_);
+    if (lost <= 2 * scene_reach(i, j) * depth) return;
     throw Refuted{missing_contact(i, j, from, m.hi)};
+  }
+
+  // Recorded truth: two with the same velocity, or a disk at rest and the container, may overlap no
+  // longer than others, but for a rounding error.
+  void check_at_rest(int edge, const Moment& m) {
+    const auto [i, j] = pair_of(edge);
+    const bool wall = i == container_id;
+    Adjacency& pair = pairs_[edge];
+    const double before = std::exchange(pair.overlap, 0);
+    const DoubleBall start(pair.from);
+    const Contact<DoubleBall> near(motion_.moving_site(i, start), motion_.moving_site(j, start));
+    if (sign(near.c) == (wall ? Sign::negative : Sign::positive)) return;
+    const Rational from = to_rational(pair.from), reach = scene_reach(i, j);
+    const Rational over = exact_contact(i, j, from).c * (wall ? 1 : -1);
+    if (over <= 2 * options_.law_tolerance * reach * reach) return;
+    pair.overlap = before + (m.hi - pair.from);
+    if (pair.overlap <= tolerance_up_) return;
+    throw Refuted{missing_contact(i, j, pair.from, m.hi)};
   }
 
   // Recorded truth: two disks may overlap, or a disk leave the container, for no longer than the
   // tolerance.
-  void check_overlap(GenId i, GenId j, double from, const Moment& m) {
+  void check_overlap(int edge, const Moment& m) {
+    const auto [i, j] = pair_of(edge);
+    const bool wall = i == container_id;
+    Adjacency& pair = pairs_[edge];
+    const double from = pair.from, before = std::exchange(pair.overlap, 0);
     const Contact<Rational> k = exact_contact(i, j, to_rational(from));
-    if (sgn(k.a) == 0) {
-      if (sgn(k.c) >= 0 || i == container_id) return;
-      throw Refuted{missing_contact(i, j, from, m.hi)};
-    }
     const Rational discriminant = k.b * k.b - k.a * k.c;
-    if (i != container_id && sgn(discriminant) <= 0) return;
+    if (sgn(k.a) == 0) {
+      pair.overlap = before;
+      check_at_rest(edge, m);
+      return;
+    }
+    if (!wall && sgn(discriminant) <= 0) return;
     constexpr int bits = 512;
     const Ball a(k.a, bits), b(k.b, bits), root = sqrt(Ball(discriminant, bits));
     const Ball enter = (-b - root) / a, leave = (root - b) / a;
@@ -643,27 +688,47 @@ class Certifier {
     const auto last = [&](const Ball& x, const Ball& y) {
       return sign(x - y) == Sign::positive ? x : y;
     };
+    // An overlap from lo to hi of this life. Ends that cannot be told apart differ by nothing that
+    // counts.
     const auto allowed = [&](const Ball& lo, const Ball& hi) {
-      return sign(hi - lo - tolerance) == Sign::negative;
+      Ball length = hi - lo;
+      if (sign(length) != Sign::positive) return true;
+      if (sign(lo) != Sign::positive) length = length + Ball(to_rational(before), bits);
+      if (sign(end - hi) != Sign::positive) {
+        double low = 0;
+        length.to_interval(low, pair.overlap);
+      }
+      return sign(length - tolerance) == Sign::negative;
     };
-    // Ends that cannot be told apart differ by nothing that counts.
-    const bool fine = i == container_id
-                          ? allowed(zero, first(enter, end)) && allowed(last(leave, zero), end)
-                          : allowed(last(enter, zero), first(leave, end));
+    const bool fine = wall ? allowed(zero, first(enter, end)) && allowed(last(leave, zero), end)
+                           : allowed(last(enter, zero), first(leave, end));
     if (fine) return;
     double lo = 0, hi = 0;
-    (Ball(to_rational(from), bits) + (i == container_id ? leave : last(enter, zero)))
-        .to_interval(lo, hi);
+    (Ball(to_rational(from), bits) + (wall ? leave : last(enter, zero))).to_interval(lo, hi);
     throw Refuted{missing_contact(i, j, lo, hi)};
   }
 
   // ---- The start. ----
+  // Whether a claim at t = 0 is of a change of the motion, and not one that in truth comes later.
+  bool turns_at_start(const Event& event) {
+    if (std::holds_alternative<FlipEvent>(event)) return false;
+    if (options_.truth == Truth::recorded) return true;
+    if (const auto* m = std::get_if<ManeuverEvent>(&event)) {
+      const auto k = scheduled(*m, 0);
+      return !k || scene_.maneuvers[*k].t == 0;
+    }
+    const auto& claim = std::get<CollideEvent>(event);
+    const NextContact c = next_contact(0, claim.i, claim.j);
+    return c.kind == NextContact::Kind::none ||
+           compare_moments(contact_moment(claim.i, claim.j, c), frontier_) <= 0;
+  }
+
   void start() {
     frontier_ = Moment::at(Rational(0));
     refill();
     // What happens to the motion at t = 0 comes before the diagram at 0+.
     while (!near_.empty() && sgn(exact_time(near_.front().event)) == 0 &&
-           !std::holds_alternative<FlipEvent>(near_.front().event)) {
+           turns_at_start(near_.front().event)) {
       take(0);
       if (const auto* c = std::get_if<CollideEvent>(&*claim_)) {
         collide(*c);
@@ -940,7 +1005,14 @@ class Certifier {
     const Life life = lives_[edge];
     const Moment& m = found.root.m;
     const bool own = found.own;
-    if (!life.illegal) advance(m);
+    if (!life.illegal) {
+      if (options_.truth == Truth::exact && m.hi >= horizon_down_ &&
+          compare_moments(m, Moment::at(last_instant())) > 0) {
+        refute(Fault::spurious_event,
+               "the edge flips " + between(m.lo, m.hi) + ", after the horizon");
+      }
+      advance(m);
+    }
     if (life.illegal) ++certificate_.simultaneous;
     if (options_.truth == Truth::exact && own) count_ulps(m, claim.t);
     ++certificate_.flips;
@@ -1088,7 +1160,7 @@ class Certifier {
     for (const int e : rim_) end_life(e, m);
   }
   void begin_around(const Moment& m) {
-    for (const int e : spokes_) begin_pair(e, m);
+    for (const int e : spokes_) go_on_with_pair(e, m);
     if (diagram_.edges() == 0) return;
     for (const int e : spokes_) begin_life(e, m);
     for (const int e : rim_) begin_life(e, m);
@@ -1198,6 +1270,10 @@ class Certifier {
     top_speed_ = std::max(top_speed_, std::nextafter(speed.mid + speed.rad, kInfinity));
   }
 
+  ExactVec2 normal(GenId i, const std::array<ExactVec2, 2>& p) const {
+    return i == container_id ? minus(p[1], ExactVec2{scene_.cx, scene_.cy}) : minus(p[1], p[0]);
+  }
+
   // Velocities after a collision with centres p and the claimed velocities before it: the law of
   // docs/formats.md, for the container with n = c - O.
   // In rationals or in enclosures: `of` converts.
@@ -1230,6 +1306,9 @@ class Certifier {
     return v;
   }
   std::array<ExactVec2, 2> law(GenId i, GenId j, const std::array<ExactVec2, 2>& p) const {
+    if (norm2(normal(i, p)) == 0) {
+      throw Undecided("the centres of two that touch coincide: there is no normal", i, j);
+    }
     return law<Rational>(i, j, p, [](const Rational& q) { return q; });
   }
 
@@ -1257,9 +1336,7 @@ class Certifier {
   bool obeys_law(const CollideEvent& claim, const std::array<ExactVec2, 2>& p) const {
     if (certainly_obeys_law(claim, p)) return true;
     const GenId i = claim.i, j = claim.j;
-    const ExactVec2 n =
-        i == container_id ? minus(p[1], ExactVec2{scene_.cx, scene_.cy}) : minus(p[1], p[0]);
-    if (norm2(n) == 0) return false;
+    if (norm2(normal(i, p)) == 0) return false;
     const auto v = law(i, j, p);
     Rational speed = length_bound(claimed_v_[j]);
     if (i != container_id) speed += length_bound(claimed_v_[i]);
@@ -1285,6 +1362,10 @@ class Certifier {
   }
 
   [[noreturn]] void refute_response(const CollideEvent& claim, const std::array<ExactVec2, 2>& p) {
+    if (norm2(normal(claim.i, p)) == 0) {
+      refute(Fault::wrong_response, "the centres coincide and give no normal",
+             motion_witness(motion_, {claim.i, claim.j}, exact_time(*claim_)));
+    }
     const auto v = law(claim.i, claim.j, p);
     std::string truth = "by the law of collision the velocities are ";
     for (const int side : {0, 1}) {
@@ -1468,6 +1549,10 @@ class Certifier {
     if (abs(Rational(t - due.t)) > options_.tolerance) {
       refute(Fault::wrong_time, "the maneuver is scheduled at t = " + due.t.get_str());
     }
+    if (due.t > last_instant()) {
+      refute(Fault::spurious_event,
+             "the maneuver is scheduled at t = " + due.t.get_str() + ", after the horizon");
+    }
     require_maneuvers_before(round_down(due.t));
     const ExactVec2 v{due.vx, due.vy};
     const auto claimed = exact_velocity(claim);
@@ -1547,7 +1632,13 @@ class Certifier {
       path[1] = paths_[c->j].at(t);
       if (c->i != container_id) path[0] = paths_[c->i].at(t);
       std::array<ExactVec2, 2> after;
-      if (!c->v[1]) after = computed_velocities(*c, path);
+      if (!c->v[1]) {
+        try {
+          after = computed_velocities(*c, path);
+        } catch (const Undecided&) {
+          return false;
+        }
+      }
       note_motion(c->i, c->j, *c, after);
       for (const int side : {0, 1}) {
         const GenId g = side == 0 ? c->i : c->j;
@@ -1677,7 +1768,8 @@ class Certifier {
   const CertifyOptions& options_;
   Certificate certificate_;
   Rational horizon_;
-  double search_end_;  // no event lies beyond it
+  double search_end_;    // no event lies beyond it
+  double horizon_down_;  // nor at or before it beyond the last instant
   Motion motion_;
   Diagram diagram_;
   CollapseSearch collapses_;
@@ -1853,6 +1945,8 @@ class PartwiseCertifier {
       }
     } catch (const std::invalid_argument&) {
       clear = false;  // for the first part to say why
+    } catch (const Undecided&) {
+      clear = false;
     }
     while (good_ && next && clear) {
       const double last = claims.empty() ? 0 : time(claims.back().event);

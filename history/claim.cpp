@@ -11,6 +11,14 @@ namespace voroproof {
 
 namespace {
 
+// A run may be shorter or longer than its scene asks for: it is judged up to its own horizon.
+void note_horizon(Claim& claim) {
+  const Rational& horizon = claim.history->header().horizon;
+  if (round_nearest(horizon) == round_nearest(claim.scene.horizon)) return;
+  claim.remarks.push_back("the horizon of the history is " + number_text(horizon) +
+                          ", that of the scene " + number_text(claim.scene.horizon));
+}
+
 Claim open_event_sequence(const std::string& scene_path, const std::string& path) {
   const EvtsqHeader header = read_evtsq_header(path);
   Claim claim;
@@ -49,6 +57,7 @@ Claim open_event_sequence(const std::string& scene_path, const std::string& path
     std::iota(ids.begin(), ids.end(), std::int64_t{0});
   }
   claim.history = open_evtsq(path, ids, horizon);
+  if (horizon) note_horizon(claim);
   return claim;
 }
 
@@ -63,6 +72,7 @@ Claim open_claim(const std::string& scene_path, const std::string& history_path)
   if (claim.history->header().scene_sha256 != claim.scene.sha256) {
     throw InputError(history_path, 1, "scene_sha256", "is not that of " + scene_path);
   }
+  note_horizon(claim);
   return claim;
 }
 

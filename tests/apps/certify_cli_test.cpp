@@ -44,6 +44,26 @@ class CertifyCli : public Cli {
     return to;
   }
 
+  std::string written(const std::string& name, const std::string& text) const {
+    const std::string path = file(name);
+    std::ofstream(path, std::ios::binary) << text;
+    return path;
+  }
+
+  // A scene of disks of mass 1 in a container of radius 100.
+  std::string scene(const std::string& horizon, const std::string& disks,
+                    const std::string& maneuvers = "") const {
+    return written("small.scene.json",
+                   R"({"format":"voroproof-scene","version":1,"horizon":)" + horizon +
+                       R"(,"container":{"center":[0,0],"radius":100},"disks":[)" + disks +
+                       R"(],"maneuvers":[)" + maneuvers + "]}");
+  }
+  static std::string disk(const std::string& center, const std::string& radius,
+                          const std::string& velocity) {
+    return R"({"center":[)" + center + R"(],"radius":)" + radius + R"(,"velocity":[)" + velocity +
+           R"(],"mass":1})";
+  }
+
   static std::string read_file(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -128,6 +148,116 @@ TEST_F(CertifyCli, WhatIsNotAHistoryOfTheSceneIsInvalid) {
             "s INVALID");
   EXPECT_EQ(verdict({scene, file("absent")}), "s INVALID");
   EXPECT_EQ(verdict({path, path}), "s INVALID");
+}
+
+// The run may be shorter than its scene asks for; what it is right about is said.
+TEST_F(CertifyCli, AHistoryIsJudgedUpToItsOwnHorizon) {
+  const std::string scene = reference(10, "40"), path = file("a.history.jsonl");
+  must({"simulate", scene, "-o", path, "--horizon", "20"});
+  for (const char* truth : {"exact", "recorded"}) {
+    EXPECT_EQ(verdict({scene, path, "--truth", truth, "--report", file("r.json")}), "s CERTIFIED");
+    const Json report = json("r.json");
+    EXPECT_EQ(report["certified_prefix"]["t"], 20);
+    EXPECT_EQ(report["remarks"].at(0), "the horizon of the history is 20, that of the scene 40");
+  }
+  // Nothing is right beyond its end.
+  const std::string longer = edited(path, [](auto& lines) {
+    const auto at = lines[0].find("\"horizon\":20");
+    lines[0].replace(at, 12, "\"horizon\":40");
+    lines.back().replace(lines.back().find("\"t\":20"), 6, "\"t\":40");
+  });
+  EXPECT_EQ(verdict({scene, longer}), "s REFUTED");
+}
+
+TEST_F(CertifyCli, NothingAfterTheHorizonIsAnEvent) {
+  const std::string turn = R"({"t":2.0000005,"disk":0,"velocity":[0,1]})";
+  const std::string scene = this->scene("2", disk("0,0", "1", "1,0"), turn);
+  const std::string bad = edited(history(scene), [](auto& lines) {
+    lines.back() = R"({"t":2,"maneuver":0})";
+    lines.push_back(R"({"end":{"t":2,"flips":0,"collisions":0,"maneuvers":1}})");
+  });
+  for (const char* truth : {"exact", "recorded"}) {
+    EXPECT_EQ(verdict({scene, bad, "--truth", truth}), "s REFUTED");
+  }
+}
+
+// Disk 3 enters the circle of the others at t = 2.5e-7 and leaves it again. Told at t = 0, its turn
+// would make the diagram between another one from the start.
+TEST_F(CertifyCli, AManeuverToldTooEarlyDoesNotChangeTheStart) {
+  const std::string others =
+      disk("5,0", "0", "0,0") + ',' + disk("0,5", "0", "0,0") + ',' + disk("-5,0", "0", "0,0");
+  const std::string scene = this->scene("1", others + ',' + disk("0,-5.00000025", "0", "0,1"),
+                                        R"({"t":5e-7,"disk":3,"velocity":[0,-1]})");
+  const std::string path = history(scene);
+  EXPECT_EQ(verdict({scene, path}), "s CERTIFIED");
+  ASSERT_EQ(lines_of(read_file(path)).size(), 5U);
+  const std::string bad = edited(path, [](auto& lines) {
+    lines[0].resize(lines[0].find(",\"initial"));
+    lines[0] +=
+        ",\"initial\":[[-1,0,1,3],[-1,1,2,0],[-1,2,3,1],[-1,3,0,2],[0,1,-1,3],[0,3,1,-1],"
+        "[1,2,-1,3],[1,3,2,0],[2,3,-1,1]]}";
+    lines[1] = R"({"t":0,"maneuver":3})";
+    lines.erase(lines.begin() + 2);
+    lines.back() = R"({"end":{"t":1,"flips":1,"collisions":0,"maneuvers":1}})";
+  });
+  EXPECT_EQ(verdict({scene, bad}), "s REFUTED");
+}
+
+TEST_F(CertifyCli, CentresThatCoincideGiveNoNormal) {
+  const std::string scene =
+      this->scene("3", disk("-2,0", "1", "1,0") + ',' + disk("2,0", "1", "-1,0"));
+  const std::string path = history(scene);
+  for (const char* truth : {"exact", "recorded"}) {
+    for (const char* velocities : {"", R"(,"v":[[-1,0],[1,0]])"}) {
+      const std::string bad = edited(path, [&](auto& lines) {
+        lines[1] = R"({"t":1,"collide":[0,1],"p":[[0,0],[0,0]])" + std::string(velocities) + '}';
+      });
+      EXPECT_EQ(verdict({scene, bad, "--truth", truth}), "s REFUTED");
+    }
+  }
+  // Two points that meet.
+  const std::string points =
+      this->scene("3", disk("-2,0", "0", "1,0") + ',' + disk("2,0", "0", "-1,0"));
+  run({"simulate", points, "-o", path});  // stops, as the truth does
+  const std::string meeting = edited(path, [&](auto& lines) {
+    lines.resize(1);
+    lines.push_back(R"({"t":2,"collide":[0,1]})");
+    lines.push_back(R"({"end":{"t":3,"flips":0,"collisions":1,"maneuvers":0}})");
+  });
+  for (const char* truth : {"exact", "recorded"}) {
+    EXPECT_EQ(verdict({points, meeting, "--truth", truth}), "s UNDECIDED");
+  }
+}
+
+// Under the recorded truth an overlap shorter than the tolerance is none, but it does not become
+// shorter by changes of the motion, and does not stay for ever.
+TEST_F(CertifyCli, OverlapsAreMeasuredWhole) {
+  const std::string disks = disk("-3,0", "1", "1,0") + ',' + disk("1,0", "1", "0,0");
+  std::string turns, claims;
+  for (int k = 1; k <= 9; ++k) {
+    const std::string t = "2.00000" + std::to_string(100 + 5 * k).substr(1);
+    turns += (k > 1 ? "," : "") + (R"({"t":)" + t) + R"(,"disk":0,"velocity":[1,0]})";
+    claims += R"({"t":)" + t + R"(,"maneuver":0})" + '\n';
+  }
+  const auto without_contact = [&](const std::string& scene, const std::string& events, int count) {
+    return edited(history(scene), [&](auto& lines) {
+      lines.resize(1);
+      lines.push_back(events + R"({"end":{"t":3,"flips":0,"collisions":0,"maneuvers":)" +
+                      std::to_string(count) + "}}");
+    });
+  };
+  std::string scene = this->scene("3", disks, turns);
+  EXPECT_EQ(verdict({scene, history(scene), "--truth", "recorded"}), "s CERTIFIED");
+  EXPECT_EQ(verdict({scene, without_contact(scene, claims, 9), "--truth", "recorded"}),
+            "s REFUTED");
+  // At rest in the other, and parting at once.
+  for (const bool parting : {false, true}) {
+    const std::string v = parting ? "[-1,0]" : "[0,0]";
+    scene = this->scene("3", disks, R"({"t":2.0000002,"disk":0,"velocity":)" + v + '}');
+    const std::string claim = "{\"t\":2.0000002,\"maneuver\":0}\n";
+    EXPECT_EQ(verdict({scene, without_contact(scene, claim, 1), "--truth", "recorded"}),
+              parting ? "s CERTIFIED" : "s REFUTED");
+  }
 }
 
 TEST_F(CertifyCli, AHistoryThatStopsIsUndecided) {
