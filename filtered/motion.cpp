@@ -32,6 +32,9 @@ DdBall dd_of(const Rational& q) {
   return b;
 }
 
+// Of exact arithmetic, which is slow far sooner than balls are.
+constexpr std::size_t kMaxCoefficientBits = 1 << 16;
+
 DdBall dd_of(const Ball& b) {
   DdBall r;
   b.to_double_double(r.hi, r.lo, r.rad);
@@ -575,8 +578,10 @@ RoundedState Motion::maneuver_in_doubles(GenId g, double t, double vx, double vy
 
 ExactMotion::ExactMotion(const Motion& motion)
     : motion_(motion),
-      field_(RadicalField::Budget{motion.options().max_radicals,
-                                  static_cast<std::size_t>(motion.options().max_bits) * 4}) {}
+      field_(RadicalField::Budget{
+          motion.options().max_radicals,
+          std::min(kMaxCoefficientBits, static_cast<std::size_t>(motion.options().max_bits) * 4)}) {
+}
 
 const ExactMotion::State& ExactMotion::state(GenId g) {
   return entry(motion_.state_id(g), g).state;

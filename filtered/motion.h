@@ -81,7 +81,7 @@ struct Impact {
 struct MotionOptions {
   bool filters = true;  // false: no decision is taken in doubles or double-doubles
   int start_bits = 192;
-  int max_bits = 65536;
+  int max_bits = 32768;
   std::size_t max_radicals = 4;
 };
 
