@@ -222,7 +222,7 @@ bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleR
     x = next > xl && next < xr ? next : 0.5 * (xl + xr);
   }
   const double width = p.u1 - p.u0;
-  double delta = 4 * err / std::fabs(slope) + 0x1p-42;
+  double delta = 32 * err / std::fabs(slope) + 0x1p-42;
   for (int attempt = 0; attempt < 4; ++attempt, delta *= 64) {
     const double a = std::fmax(x - delta, xl), b = std::fmin(x + delta, xr);
     double unused = 0;
@@ -628,6 +628,148 @@ T flip_value(const Motion& m, const Quad& q, const T& t, bool cocircular) {
   return cocircular ? cocircularity(s[3], s[0], s[1], s[2]) : cotangency(s[0], s[1], s[2], s[3]);
 }
 
+// ---- A Newton step for f with one bound for all. ----
+
+// Double-doubles without radii, normalized: |lo| <= u |hi|, u = 2^-53. While nothing
+// overflows or underflows
+//   a + b  errs by at most 4 u^2 (|a.hi| + |b.hi|): the leading sum is split exactly, the
+//          sum of the low parts errs by u (|a.lo| + |b.lo|), adding it to the error of the
+//          leading one by u times at most 2 (1 + u) u (|a.hi| + |b.hi|);
+//   a * b  errs by at most 9 u^2 |a.hi b.hi|: the leading product is split exactly, a.lo b.lo
+//          is left out (u^2), the two mixed products are rounded (u^2 each), so is their sum
+//          (2 u^2), and its sum with the error of the leading one (3 u^2).
+// Both results are normalized by an exact sum. Underflow adds less than 2^-1000.
+struct Dd {
+  double hi, lo;
+};
+
+inline Dd operator+(const Dd& a, const Dd& b) {
+  double s, e;
+  dd_detail::two_sum(a.hi, b.hi, s, e);
+  Dd r;
+  dd_detail::two_sum(s, e + (a.lo + b.lo), r.hi, r.lo);
+  return r;
+}
+inline Dd operator-(const Dd& a, const Dd& b) { return a + Dd{-b.hi, -b.lo}; }
+inline Dd operator*(const Dd& a, const Dd& b) {
+  double p, e;
+  dd_detail::two_prod(a.hi, b.hi, p, e);
+  Dd r;
+  dd_detail::fast_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi), r.hi, r.lo);
+  return r;
+}
+
+// The root of f in [lo, hi] is c - f(c) / f'(x) for an x in [lo, hi], c its middle. f(c) is
+// computed in double-doubles, f'(c) in doubles, and |f'(x) - f'(c)| is bounded by the width
+// times a bound of |f''|. Infinite radius: f' may vanish.
+//
+// Bounds, u = 2^-53 and w = u^2; the factor `up` at the end pays for the roundings of the
+// bounds themselves, which are sums and products of nonnegative numbers.
+//   An offset of two centres errs by eta in both coordinates together: the radii of the centres
+//   and 4 w times their sizes for the difference.
+//   p = dx^2 + dy^2 - dr^2 with D = |dx| + |dy|, R = |dr|, size P = D^2 + R^2, errs by
+//   2 (D + eta) eta + 2 (R + rho) rho + 32 w P, rho the error of dr.
+//   A product of two errs by A = P P', e = P e' + P' e + e e' + 16 w A. With S = A + B + C,
+//   e_S the sum of the e plus 16 w S (for g = a - b - c), f = g^2 - 4 b c errs by
+//   2 S e_S + e_S^2 + 4 (B e_c + C e_b + e_b e_c) + 64 w (S^2 + 4 B C).
+//   Slopes: p' = 2 (dx wx + dy wy), at most Q = 2 D W for W = |wx| + |wy|, in doubles: the
+//   leading parts of dx and dy err by eta + u D, so p' by 2 (D + eta) omega + 2 W eta + 16 u Q,
+//   omega the error of (wx, wy); p itself by 2u P once e_p <= u P. Then a' = p p'' + p' p'' errs by
+//   (error of p') P' + P (error of p'') + 16 u A', A' = Q P' + P Q', and f' = 2 g g' - 4 (b' c + b
+//   c') by 2 S e_S' + 4 (e_b' C + e_c' B) + 64 u (2 S S' + 4 (B' C + C' B)). Curvature over a
+//   distance h of c: D grows to D + W h, and p'' = 2 |w|^2 <= Z = 2 W^2: A'' = Z P' + 2 Q Q' + P
+//   Z', |f''| <= 2 S'^2 + 2 S S'' + 4 (B'' C + 2 B' C' + B C'').
+DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi) {
+  constexpr double u = 0x1p-53, w = 0x1p-106, up = 1 + 0x1p-30, tiny = 0x1p-900;
+  const GenId ids[4] = {q.l, q.r, q.s, q.e};
+  const double c = 0.5 * (lo + hi);
+  const double h = std::fmax(hi - c, c - lo) * up;
+  Dd x[4], y[4], r[4];
+  double vx[4], vy[4], err[4], rerr[4], size[4], verr[4];
+  for (int i = 0; i < 4; ++i) {
+    const MovingSite<DdBall> m = motion.moving_site(ids[i], DdBall(c));
+    x[i] = {m.x.hi, m.x.lo};
+    y[i] = {m.y.hi, m.y.lo};
+    r[i] = {m.r.hi, m.r.lo};
+    vx[i] = m.vx.hi;
+    vy[i] = m.vy.hi;
+    size[i] = std::fabs(m.x.hi) + std::fabs(m.y.hi) + std::fabs(m.r.hi);
+    err[i] = m.x.rad + m.y.rad + tiny;
+    rerr[i] = m.r.rad;
+    verr[i] = std::fabs(m.vx.lo) + std::fabs(m.vy.lo) + m.vx.rad + m.vy.rad;
+  }
+  constexpr int I[6] = {0, 2, 0, 1, 0, 1};
+  constexpr int J[6] = {1, 3, 2, 3, 3, 2};
+  Dd p[6];
+  double slope[6], P[6], e[6], Q[6], eq[6], Ph[6], Qh[6], Z[6];
+  bool narrow_enough = true;
+  for (int k = 0; k < 6; ++k) {
+    const int i = I[k], j = J[k];
+    const Dd dx = x[i] - x[j], dy = y[i] - y[j], dr = r[i] - r[j];
+    p[k] = dx * dx + dy * dy - dr * dr;
+    const double wx = vx[i] - vx[j], wy = vy[i] - vy[j];
+    slope[k] = 2 * (dx.hi * wx + dy.hi * wy);
+    const double D = std::fabs(dx.hi) + std::fabs(dy.hi), R = std::fabs(dr.hi);
+    const double W = std::fabs(wx) + std::fabs(wy);
+    const double both = 4 * w * (size[i] + size[j]);
+    const double eta = err[i] + err[j] + both, rho = rerr[i] + rerr[j] + both;
+    const double omega = verr[i] + verr[j] + u * W;
+    P[k] = D * D + R * R;
+    e[k] = 2 * (D + eta) * eta + 2 * (R + rho) * rho + 32 * w * P[k] + tiny;
+    narrow_enough &= e[k] <= u * P[k];
+    Q[k] = 2 * D * W;
+    eq[k] = 2 * (D + eta) * omega + 2 * W * eta + 16 * u * Q[k] + tiny;
+    // Over the distance h, and with what the offsets and the velocities are off.
+    const double Wh = W + omega, Dh = D + eta + Wh * h, Rh = R + rho;
+    Ph[k] = Dh * Dh + Rh * Rh;
+    Qh[k] = 2 * Dh * Wh;
+    Z[k] = 2 * Wh * Wh;
+  }
+  const DdBall unknown(c, 0, kInfinity);
+  if (!narrow_enough) return unknown;
+  Dd a[3];
+  double da[3], A[3], ea[3], dA[3], eda[3], Ah[3], dAh[3], ddAh[3];
+  for (int k = 0; k < 3; ++k) {
+    const int m = 2 * k, n = m + 1;
+    a[k] = p[m] * p[n];
+    da[k] = p[m].hi * slope[n] + slope[m] * p[n].hi;
+    A[k] = P[m] * P[n];
+    ea[k] = P[m] * e[n] + P[n] * e[m] + e[m] * e[n] + 16 * w * A[k] + tiny;
+    dA[k] = P[m] * Q[n] + Q[m] * P[n];
+    eda[k] = eq[m] * P[n] + P[m] * eq[n] + 16 * u * dA[k] + tiny;
+    Ah[k] = Ph[m] * Ph[n];
+    dAh[k] = Ph[m] * Qh[n] + Qh[m] * Ph[n];
+    ddAh[k] = Z[m] * Ph[n] + 2 * Qh[m] * Qh[n] + Ph[m] * Z[n];
+  }
+  const Dd g = a[0] - a[1] - a[2], bc = a[1] * a[2];
+  const Dd f = g * g - Dd{4 * bc.hi, 4 * bc.lo};
+  const double S = A[0] + A[1] + A[2], eS = ea[0] + ea[1] + ea[2] + 16 * w * S;
+  const double ef = 2 * S * eS + eS * eS + 4 * (A[1] * ea[2] + A[2] * ea[1] + ea[1] * ea[2]) +
+                    64 * w * (S * S + 4 * A[1] * A[2]) + tiny;
+  const double dg = da[0] - da[1] - da[2];
+  const double df = 2 * g.hi * dg - 4 * (da[1] * a[2].hi + a[1].hi * da[2]);
+  const double dS = dA[0] + dA[1] + dA[2], edS = eda[0] + eda[1] + eda[2];
+  const double edf = 2 * S * edS + 4 * (eda[1] * A[2] + eda[2] * A[1]) +
+                     64 * u * (2 * S * dS + 4 * (dA[1] * A[2] + dA[2] * A[1])) + tiny;
+  const double Sh = Ah[0] + Ah[1] + Ah[2], dSh = dAh[0] + dAh[1] + dAh[2],
+               ddSh = ddAh[0] + ddAh[1] + ddAh[2];
+  const double curve =
+      2 * dSh * dSh + 2 * Sh * ddSh + 4 * (ddAh[1] * Ah[2] + 2 * dAh[1] * dAh[2] + Ah[1] * ddAh[2]);
+  const double sigma = (edf + curve * h) * up;
+  const double least = (std::fabs(df) - sigma) * (1 - 0x1p-50);
+  if (!(least > 0)) return unknown;
+  // |f / s - f.hi / df| for a slope s within sigma of df: f is within ef + u |f.hi| of
+  // f.hi, and 1/s within sigma / (|df| least) of 1/df; then the quotient is rounded.
+  const double step = f.hi / df;
+  const double off =
+      ((ef + u * std::fabs(f.hi) + std::fabs(step) * sigma) / least + 2 * u * std::fabs(step)) *
+          up +
+      tiny;
+  DdBall root(0, 0, off);
+  dd_detail::two_sum(c, -step, root.hi, root.lo);
+  return root.rad < kInfinity ? root : unknown;
+}
+
 }  // namespace
 
 // The first tier, of a form whose coefficients are not all of one sign. Undecided where
@@ -857,6 +999,10 @@ DdBall CollapseSearch::refine(const Quad& q, double lo, double hi) const {
   // One step of the interval Newton method: the root lies in c - f(c) / f'([lo, hi]).
   const bool cocircular = flip_polynomial_is_cocircularity(motion_, q);
   const double c = 0.5 * (lo + hi);
+  if (!cocircular) {
+    const DdBall root = newton_step(motion_, q, lo, hi);
+    if (root.rad < kInfinity) return root;
+  }
   const DoubleBall slope =
       flip_value_and_slope(motion_, q, DoubleBall::hull(lo, hi), cocircular).slope;
   const DdBall f = flip_value(motion_, q, DdBall(c), cocircular);

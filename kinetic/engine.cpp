@@ -30,6 +30,7 @@ constexpr double kCollapseSpan = 1e-10;
 constexpr double kFine = 1e-20;
 
 bool same_generators(const Quad& a, const Quad& b) {
+  if (a.l + a.r + a.s + a.e != b.l + b.r + b.s + b.e) return false;
   std::array<GenId, 4> x{a.l, a.r, a.s, a.e}, y{b.l, b.r, b.s, b.e};
   std::sort(x.begin(), x.end());
   std::sort(y.begin(), y.end());
@@ -270,7 +271,11 @@ class Engine<certified>::Implementation {
     } else if (is_flip(item)) {
       const Quad q = quad_of(item / 2);
       dd = collapses_.refine(q, f.lo, f.hi);
-      if (dd.rad > kFine * (1 + dd.hi) && dd.rad < kInfinity) {
+      // Each step from the interval that the one before has left, while that pays.
+      double width = f.hi - f.lo;
+      for (int step = 1; step < 6; ++step) {
+        if (dd.rad <= kFine * (1 + dd.hi) || rounds(dd) || !(dd.rad < 0.25 * width)) break;
+        width = dd.rad;
         double lo = 0, hi = 0;
         enclose(dd, lo, hi);
         dd = collapses_.refine(q, std::fmax(lo, f.lo), std::fmin(hi, f.hi));
@@ -279,13 +284,18 @@ class Engine<certified>::Implementation {
       const auto [i, j] = pair_of(item);
       dd = contacts_.refine(i, j, 0.5 * (f.lo + f.hi));
     }
-    if (!(dd.rad <= kFine * (1 + dd.hi))) dd = ball_refined(item);
+    if (!(dd.rad <= kFine * (1 + dd.hi)) && !rounds(dd)) dd = ball_refined(item);
     Candidate c{item, 0, 0, dd, true};
     enclose(dd, c.lo, c.hi);
     // The isolating interval may be the tighter one.
     c.lo = std::fmax(c.lo, f.lo);
     c.hi = std::fmin(c.hi, f.hi);
     return c;
+  }
+
+  // Whether hi is the nearest double of all of the ball: hi + lo stays within half a gap.
+  static bool rounds(const DdBall& t) {
+    return std::fabs(t.lo) + t.rad < half_gap_below(t.hi) * (1 - 0x1p-50);
   }
 
   // Binary64 numbers around a double-double: neighbours, or as near as its radius lets.
@@ -395,8 +405,7 @@ class Engine<certified>::Implementation {
   // The candidate's time rounded to binary64.
   double rounded_time(const Candidate& c) {
     if constexpr (!certified) return c.lo;
-    // hi is the nearest double of hi + lo unless the ball reaches half a gap.
-    if (options_.motion.filters && std::fabs(c.dd.lo) + c.dd.rad < half_gap_below(c.dd.hi)) {
+    if (options_.motion.filters && rounds(c.dd)) {
       stats_.tiers.count(Predicate::round_time, Tier::dd);
       return c.dd.hi;
     }
@@ -470,7 +479,8 @@ class Engine<certified>::Implementation {
 
   // ---- One instant. ----
   bool step() {
-    std::vector<Candidate> ties;
+    std::vector<Candidate>& ties = ties_;
+    ties.clear();
     if (!next_instant(ties)) return false;
     set_now(ties.front());
     if (!ties.front().tight) {
@@ -617,20 +627,30 @@ class Engine<certified>::Implementation {
     now_.dd = c.dd;
     if constexpr (certified) {
       if (is_flip(c.item)) {
-        const Quad q = quad_of(c.item / 2);
+        // Kept apart from the function: nothing is allocated, and no rational is made,
+        // for an instant that nobody asks for exactly.
         const Found& f = found_[c.item];
-        const RootInterval root =
-            f.fine ? *fine_.at(c.item / 2) : RootInterval{to_rational(f.lo), to_rational(f.hi)};
-        now_.exact = [q, root](ExactMotion& exact) {
-          return CollapseSearch::exact_root(q, root.lo, root.hi, exact);
+        now_root_.q = quad_of(c.item / 2);
+        now_root_.lo = f.lo;
+        now_root_.hi = f.hi;
+        if (f.fine) {
+          now_root_.fine = fine_.at(c.item / 2);
+        } else {
+          now_root_.fine.reset();
+        }
+        now_.exact = [this](ExactMotion& exact) {
+          const auto& [q, lo, hi, fine] = now_root_;
+          if (fine) return CollapseSearch::exact_root(q, fine->lo, fine->hi, exact);
+          return CollapseSearch::exact_root(q, to_rational(lo), to_rational(hi), exact);
         };
       } else if (is_contact(c.item)) {
         // Until the states change this is the pair's next contact; process_contact
         // replaces it by the start of the new state.
         const auto [i, j] = pair_of(c.item);
-        const Rational near = to_rational(found_[c.item].lo);
-        now_.exact = [i = i, j = j, near](ExactMotion& exact) {
-          return ContactSearch::exact_time(i, j, near, exact);
+        now_contact_ = {i, j, found_[c.item].lo};
+        now_.exact = [this](ExactMotion& exact) {
+          const auto& [i, j, near] = now_contact_;
+          return ContactSearch::exact_time(i, j, to_rational(near), exact);
         };
       } else {
         now_ = instant_at(c.item == horizon_item() ? horizon_ : next_maneuver().t);
@@ -835,12 +855,22 @@ class Engine<certified>::Implementation {
   std::size_t next_maneuver_ = 0;
   double window_ = 0;
   Instant now_;
+  // What the exact time of the present instant is made of, where a flip or a contact began it.
+  struct {
+    Quad q;
+    double lo = 0, hi = 0;
+    std::shared_ptr<const RootInterval> fine;
+  } now_root_;
+  struct {
+    GenId i = 0, j = 0;
+    double near = 0;
+  } now_contact_;
   double now_t_ = 0, written_t_ = 0;
   double frontier_ = 0;  // every event before this time is in the history
   std::set<std::pair<Quad, int>> due_flips_;
   std::set<std::pair<GenId, GenId>> due_contacts_;
   bool due_maneuvers_ = false;
-  std::vector<Candidate> near_;
+  std::vector<Candidate> near_, ties_;
   std::vector<Pending> pending_;
   std::vector<std::vector<double>> recent_;
   std::uint64_t steps_ = 0, events_ = 0;
