@@ -222,7 +222,7 @@ bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleR
     x = next > xl && next < xr ? next : 0.5 * (xl + xr);
   }
   const double width = p.u1 - p.u0;
-  double delta = 32 * err / std::fabs(slope) + 0x1p-42;
+  double delta = 8 * err / std::fabs(slope) + 0x1p-42;
   for (int attempt = 0; attempt < 4; ++attempt, delta *= 64) {
     const double a = std::fmax(x - delta, xl), b = std::fmin(x + delta, xr);
     double unused = 0;
@@ -755,16 +755,21 @@ DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi) {
                ddSh = ddAh[0] + ddAh[1] + ddAh[2];
   const double curve =
       2 * dSh * dSh + 2 * Sh * ddSh + 4 * (ddAh[1] * Ah[2] + 2 * dAh[1] * dAh[2] + Ah[1] * ddAh[2]);
-  const double sigma = (edf + curve * h) * up;
-  const double least = (std::fabs(df) - sigma) * (1 - 0x1p-50);
-  if (!(least > 0)) return unknown;
   // |f / s - f.hi / df| for a slope s within sigma of df: f is within ef + u |f.hi| of
   // f.hi, and 1/s within sigma / (|df| least) of 1/df; then the quotient is rounded.
+  // The root is no further from c than |f| / least, so that the slopes to be bounded are
+  // those within that distance: once more, with the same bound of |f''|.
   const double step = f.hi / df;
-  const double off =
-      ((ef + u * std::fabs(f.hi) + std::fabs(step) * sigma) / least + 2 * u * std::fabs(step)) *
-          up +
-      tiny;
+  double off = kInfinity, reach = h;
+  for (int pass = 0; pass < 2; ++pass) {
+    const double sigma = (edf + curve * reach) * up;
+    const double least = (std::fabs(df) - sigma) * (1 - 0x1p-50);
+    if (!(least > 0)) return unknown;
+    off = ((ef + u * std::fabs(f.hi) + std::fabs(step) * sigma) / least + 2 * u * std::fabs(step)) *
+              up +
+          tiny;
+    reach = std::fmin(h, ((std::fabs(f.hi) * (1 + 2 * u) + ef) / least) * up + tiny);
+  }
   DdBall root(0, 0, off);
   dd_detail::two_sum(c, -step, root.hi, root.lo);
   return root.rad < kInfinity ? root : unknown;
@@ -806,6 +811,12 @@ Collapse CollapseSearch::after(const Quad& q, double start, double end, const Ro
     answer = none_until(end);
   } else {
     answer = filter(q, form, start, end);
+  }
+  if (!answer) {
+    const double near = start + 0x1p-5 * (end - start);
+    if (start < near && form_flip_polynomial<true>(motion_, q, start, near, form)) {
+      answer = none_until(near);
+    }
   }
   if (!answer) return slow(q, to_rational(start), nullptr, end);
   counts_.count(Predicate::flip_search, Tier::filter);
