@@ -32,24 +32,37 @@ struct Ends {
 template <bool certified>
 inline void place(const Motion& motion, const Quad& q, double a, double b, Ends& e) {
   const GenId ids[4] = {q.l, q.r, q.s, q.e};
+  // Side by side first: the compiler then computes with all four at once.
+  double t[4], x[4], y[4], vx[4], vy[4], ex[4], ev[4];
   for (int i = 0; i < 4; ++i) {
     const DoubleMotion& m = motion.doubles(ids[i]);
-    const double ta = a - m.t;
-    const double tb = b - m.t;
-    e.x0[i] = m.x + m.vx * ta;
-    e.y0[i] = m.y + m.vy * ta;
-    e.x1[i] = m.x + m.vx * tb;
-    e.y1[i] = m.y + m.vy * tb;
+    t[i] = m.t;
+    x[i] = m.x;
+    y[i] = m.y;
+    vx[i] = m.vx;
+    vy[i] = m.vy;
     e.r[i] = m.r;
+    if constexpr (certified) {
+      ex[i] = m.ex;
+      ev[i] = m.ev;
+      e.rerr[i] = m.er;
+    }
+  }
+  for (int i = 0; i < 4; ++i) {
+    const double ta = a - t[i];
+    const double tb = b - t[i];
+    e.x0[i] = x[i] + vx[i] * ta;
+    e.y0[i] = y[i] + vy[i] * ta;
+    e.x1[i] = x[i] + vx[i] * tb;
+    e.y1[i] = y[i] + vy[i] * tb;
     if constexpr (certified) {
       // x + v dt: dt, the product and the sum are rounded once each, so the error is
       // below u |x + v dt| + 2u(1+u) |v dt|, with |v dt| <= |x0| + |x| and likewise
       // for the other end: 4u times (all magnitudes together) covers it. The state's
       // own error adds ex + ev |dt|.
-      const double size = std::fabs(m.x) + std::fabs(m.y) + std::fabs(e.x0[i]) +
+      const double size = std::fabs(x[i]) + std::fabs(y[i]) + std::fabs(e.x0[i]) +
                           std::fabs(e.y0[i]) + std::fabs(e.x1[i]) + std::fabs(e.y1[i]);
-      e.err[i] = 4 * u * size + m.ex + m.ev * (std::fabs(ta) + std::fabs(tb));
-      e.rerr[i] = m.er;
+      e.err[i] = 4 * u * size + ex[i] + ev[i] * (std::fabs(ta) + std::fabs(tb));
     }
   }
 }
@@ -75,26 +88,51 @@ template <bool certified>
 inline double cotangency_form(const Ends& e, double* f) {
   constexpr int I[6] = {0, 2, 0, 1, 0, 1};
   constexpr int J[6] = {1, 3, 2, 3, 3, 2};
-  double p[6][3], size[6], err[6];
+  // Offsets of the pairs side by side, as in place().
+  double dax[6], day[6], dbx[6], dby[6], ddr[6], both[6], rboth[6];
   for (int k = 0; k < 6; ++k) {
     const int i = I[k], j = J[k];
-    const double ax = e.x0[i] - e.x0[j], ay = e.y0[i] - e.y0[j];
-    const double bx = e.x1[i] - e.x1[j], by = e.y1[i] - e.y1[j];
-    const double dr = e.r[i] - e.r[j];
+    dax[k] = e.x0[i] - e.x0[j];
+    day[k] = e.y0[i] - e.y0[j];
+    dbx[k] = e.x1[i] - e.x1[j];
+    dby[k] = e.y1[i] - e.y1[j];
+    ddr[k] = e.r[i] - e.r[j];
+    if constexpr (certified) {
+      both[k] = e.err[i] + e.err[j];
+      rboth[k] = e.rerr[i] + e.rerr[j];
+    }
+  }
+  double p0[6], p1[6], p2[6], size[6], err[6], squares[6], dr2s[6];
+  for (int k = 0; k < 6; ++k) {
+    const double ax = dax[k], ay = day[k], bx = dbx[k], by = dby[k], dr = ddr[k];
     const double dr2 = dr * dr;
     const double q0 = ax * ax + ay * ay;
     const double q2 = bx * bx + by * by;
-    p[k][0] = q0 - dr2;
-    p[k][1] = 2 * ((ax * bx + ay * by) - dr2);
-    p[k][2] = q2 - dr2;
+    p0[k] = q0 - dr2;
+    p1[k] = 2 * ((ax * bx + ay * by) - dr2);
+    p2[k] = q2 - dr2;
     if constexpr (certified) {
-      const double s = q0 + q2;
-      const double root = std::sqrt(s);
-      const double eta = e.err[i] + e.err[j] + u * root;
-      const double rho = e.rerr[i] + e.rerr[j] + u * std::fabs(dr);
+      squares[k] = q0 + q2;
+      dr2s[k] = dr2;
+    }
+  }
+  if constexpr (certified) {
+    // Apart, because a root may set errno and so is taken one by one.
+    double roots[6];
+    for (int k = 0; k < 6; ++k) roots[k] = std::sqrt(squares[k]);
+    for (int k = 0; k < 6; ++k) {
+      const double s = squares[k], root = roots[k], dr = ddr[k], dr2 = dr2s[k];
+      const double eta = both[k] + u * root;
+      const double rho = rboth[k] + u * std::fabs(dr);
       size[k] = s + dr2;
       err[k] = (3 * root + 2 * eta) * eta + (2 * std::fabs(dr) + rho) * rho + 4 * u * size[k];
     }
+  }
+  double p[6][3];
+  for (int k = 0; k < 6; ++k) {
+    p[k][0] = p0[k];
+    p[k][1] = p1[k];
+    p[k][2] = p2[k];
   }
   double a[5], b[5], c[5], g[5];
   multiply2(p[0], p[1], a);
