@@ -38,9 +38,10 @@ std::optional<std::string_view> LineSource::next(std::size_t limit) {
     searched = available;
     if (!fill()) {
       if (available == 0) return std::nullopt;
+      const char* const rest = buffer_.data() + begin_;  // fill() may have moved it
       begin_ = end_;
       ++number_;
-      return std::string_view(begin, available);
+      return std::string_view(rest, available);
     }
   }
 }

@@ -63,6 +63,19 @@ TEST_F(DiskFileTest, IdsInAnyOrderBecomeDisksInTheirOrder) {
   EXPECT_EQ(s.disks[2].mass, 0);
 }
 
+TEST_F(DiskFileTest, TheEndOfTheLastLineMayBeMissing) {
+  // The last line longer than all before it.
+  const std::string container = "-1\t0.125\t0\t123.11962644730795\t0.5\t0.5\t0.5\t0\t0";
+  const DiskFile file = read("1\n" + container);
+  EXPECT_TRUE(file.ids.empty());
+  EXPECT_EQ(file.scene.cx, Rational(1, 8));
+  EXPECT_EQ(read("2\n" + container + "\n0 1 2 3 0 0 0 4 5" + std::string(500, ' ') + "a").ids,
+            std::vector<std::int64_t>{0});
+  // As long as the reader's buffer.
+  refused("1" + std::string((1 << 18) - 1, ' '), "the file ends");
+  refused(std::string((1 << 18) - 1, ' ') + "1", "the file ends");
+}
+
 TEST_F(DiskFileTest, FaultsAreNamed) {
   refused(edited("4\n", "5\n"), "the file ends after 4 of 5 circles");
   refused(edited("4\n", "3\n"), "text after the last circle");
