@@ -1028,8 +1028,8 @@ class Certifier {
       }
       others[count++] = e;
     }
-    for (int k = 0; k < count; ++k) end_life(others[k], m);
     end_pair(edge, m);
+    for (int k = 0; k < count; ++k) end_life(others[k], m);
     diagram_.flip(h);
     const Isolated* const root = own ? &found.root : nullptr;
     begin_life(edge, m, root);
@@ -1214,8 +1214,8 @@ class Certifier {
     }
     advance(m);
     collect_around(i, j);
-    end_around(m);
     end_pairs_around(m);
+    end_around(m);
     // The law between the claimed values first, while the state before is at hand.
     if (claim.p[1])
       check_law(claim, {*exact_center(claim, 0 + (i == container_id)), *exact_center(claim, 1)});
@@ -1416,8 +1416,8 @@ class Certifier {
     const Moment m = claim.exact ? Moment::at(t) : Moment::at(claim.t);
     advance(m);
     collect_around(i, j);
-    end_around(m);
     end_pairs_around(m);
+    end_around(m);
     for (const int side : {0, 1}) {
       if (side == 0 && i == container_id) continue;
       check_center(exact_center(claim, side), path[side]);
@@ -1566,8 +1566,8 @@ class Certifier {
     advance(m);
     const GenId g = claim.disk;
     collect_around(container_id, g);
-    end_around(m);
     end_pairs_around(m);
+    end_around(m);
     note_maneuver(*k, claim, v);
     note_speed(claimed_v_[g]);
     if (exact) {
@@ -1676,8 +1676,8 @@ class Certifier {
     require_maneuvers_before(until);
     leave_instant();
     const Moment m = Moment::at(until);
-    for (int e = 0; e < diagram_.edges(); ++e) end_life(e, m, true);
     for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) end_pair(e, m, true);
+    for (int e = 0; e < diagram_.edges(); ++e) end_life(e, m, true);
     certificate_.prefix_events = processed_;
     certificate_.prefix_t = until;
     certificate_.verdict = Verdict::certified;
@@ -1707,8 +1707,8 @@ class Certifier {
     Moment m = Moment::at(end);
     if (compare_moments(m, frontier_) < 0) m = frontier_;
     if (stop == nullptr) leave_instant();
-    for (int e = 0; e < diagram_.edges(); ++e) end_life(e, m, stop == nullptr);
     for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) end_pair(e, m, stop == nullptr);
+    for (int e = 0; e < diagram_.edges(); ++e) end_life(e, m, stop == nullptr);
     if (stop == nullptr && !history_.counts_match()) {
       refute(Fault::bad_count, "the file has " + std::to_string(history_.counts().flips) +
                                    " flips, " + std::to_string(history_.counts().collisions) +
@@ -1728,7 +1728,8 @@ class Certifier {
   }
 
   // What was refuted may be the consequence of something missed before: the earliest event that
-  // every open life should have had, up to the refuted claim.
+  // every open life should have had, up to the refuted claim. Contacts come first everywhere: disks
+  // that move through each other lead the edges into degeneracies that are costly to decide.
   Divergence first_divergence(const Divergence& found) {
     Divergence first = found;
     if (!begun_) return first;
@@ -1737,6 +1738,15 @@ class Certifier {
     const double margin =
         found.fault == Fault::missing_event || found.fault == Fault::overlap ? 0 : tolerance_up_;
     limit = std::min(limit, search_end_);
+    for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
+      const auto [i, j] = pair_of(e);
+      if (partners(i, j) || proved_apart(motion_, i, j, pairs_[e].from, limit)) continue;
+      const Moment begin = Moment::at(to_rational(pairs_[e].from));
+      const NextContact c = contacts_.from(i, j, instant(begin), limit);
+      if (c.kind == NextContact::Kind::none || c.hi >= limit - margin - tolerance_up_) continue;
+      limit = c.lo;
+      first = missing_contact(i, j, c.lo, c.hi);
+    }
     for (int e = 0; e < diagram_.edges(); ++e) {
       const Quad q = diagram_.quad(2 * e);
       Life& life = lives_[e];
@@ -1750,15 +1760,6 @@ class Certifier {
       if (!c || c->hi >= limit - margin) continue;
       limit = c->lo;
       first = missing_flip(q, *c);
-    }
-    for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
-      const auto [i, j] = pair_of(e);
-      if (partners(i, j) || proved_apart(motion_, i, j, pairs_[e].from, limit)) continue;
-      const Moment begin = Moment::at(to_rational(pairs_[e].from));
-      const NextContact c = contacts_.from(i, j, instant(begin), limit);
-      if (c.kind == NextContact::Kind::none || c.hi >= limit - margin - tolerance_up_) continue;
-      limit = c.lo;
-      first = missing_contact(i, j, c.lo, c.hi);
     }
     return first;
   }

@@ -170,6 +170,7 @@ class InitialProof {
   std::optional<InitialFault> cell_fault(GenId g) {
     const HalfEdge first = diagram_.anchor(g);
     int falls = 0;
+    bool turns = false;
     HalfEdge h = first;
     do {
       const HalfEdge next = diagram_.rotate(h);
@@ -190,9 +191,15 @@ class InitialProof {
       // Two coincident vertices do not move the angle; a full turn between them would need
       // another fall elsewhere.
       if (step == Sign::negative) ++falls;
+      turns = turns || step != Sign::zero;
       h = next;
     } while (h != first);
     if (falls == 1) return std::nullopt;
+    if (!turns) {
+      // A point that touches another generator: its cell has no area, and the vertices coincide.
+      throw Undecided("the vertices around generator " + std::to_string(g) +
+                      " of the initial diagram coincide");
+    }
     return InitialFault{"the vertices around generator " + std::to_string(g) + " turn " +
                             std::to_string(falls) + " times, not once",
                         {},

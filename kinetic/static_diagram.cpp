@@ -210,6 +210,12 @@ class Construction {
       if (here) return h;
       h = diagram_.rotate(h);
     } while (h != first);
+    for (GenId g = 0; g < diagram_.disks(); ++g) {
+      // Touched by another generator, a point has a cell without area.
+      if (predicates_.rough(g).r.mid == 0) {
+        throw Undecided("a point touches another generator: the diagram is not decided");
+      }
+    }
     throw std::logic_error("static diagram: a ray leaves a cell through none of its edges");
   }
 

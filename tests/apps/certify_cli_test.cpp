@@ -229,6 +229,15 @@ TEST_F(CertifyCli, CentresThatCoincideGiveNoNormal) {
   }
 }
 
+// At the start: right, and the cell has no area.
+TEST_F(CertifyCli, APointThatTouchesIsUndecidedAtMost) {
+  const std::string point = disk("0,1", "0", "0,1"), unit = disk("0,0", "1", "0,0");
+  const std::string two = scene("3", point + ',' + unit);
+  EXPECT_EQ(verdict({two, history(two)}), "s UNDECIDED");
+  const std::string three = scene("3", point + ',' + unit + ',' + disk("-3,0", "0", "1,0"));
+  EXPECT_EQ(run({"simulate", three, "-o", file("b.history.jsonl")}).code, 3);
+}
+
 // Under the recorded truth an overlap shorter than the tolerance is none, but it does not become
 // shorter by changes of the motion, and does not stay for ever.
 TEST_F(CertifyCli, OverlapsAreMeasuredWhole) {
