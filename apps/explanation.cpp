@@ -102,15 +102,17 @@ class Explainer {
       const Json& c = g.at("center");
       const Json& v = g.at("velocity");
       out_ << "  " << name_of(id) << ", signed radius " << text_of(g.at("signed_radius"))
-           << ", is at t0 = " << g.at("t0").get<std::string>() << " at\n    x = " << text_of(c[0])
-           << "\n    y = " << text_of(c[1]) << "\n  and moves with\n    vx = " << text_of(v[0])
-           << "\n    vy = " << text_of(v[1]) << '\n';
+           << ", is at t0 = " << g.at("t0").get<std::string>()
+           << " at\n    x = " << text_of(c.at(0)) << "\n    y = " << text_of(c.at(1))
+           << "\n  and moves with\n    vx = " << text_of(v.at(0))
+           << "\n    vy = " << text_of(v.at(1)) << '\n';
       const double dt = t - value_of(g.at("t0"));
-      const Vec2 velocity{value_of(v[0]), value_of(v[1])};
-      generators_.push_back({id,
-                             {value_of(c[0]) + dt * velocity[0], value_of(c[1]) + dt * velocity[1]},
-                             velocity,
-                             value_of(g.at("signed_radius"))});
+      const Vec2 velocity{value_of(v.at(0)), value_of(v.at(1))};
+      generators_.push_back(
+          {id,
+           {value_of(c.at(0)) + dt * velocity[0], value_of(c.at(1)) + dt * velocity[1]},
+           velocity,
+           value_of(g.at("signed_radius"))});
     }
     if (w.contains("polynomial")) {
       const Json& p = w.at("polynomial");
