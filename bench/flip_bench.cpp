@@ -104,9 +104,9 @@ void count_faults(benchmark::State& state, const DataSet& set,
   state.counters["collapses"] = static_cast<double>(collapses);
   state.counters["plain_missed"] = static_cast<double>(missed);
   state.counters["plain_invented"] = static_cast<double>(invented);
-  state.counters["beyond_double"] = static_cast<double>(by_tier[static_cast<int>(Tier::dd)] +
-                                                        by_tier[static_cast<int>(Tier::ball)] +
-                                                        by_tier[static_cast<int>(Tier::exact)]);
+  state.counters["beyond_double"] = static_cast<double>(
+      by_tier[static_cast<int>(Tier::dd)] + by_tier[static_cast<int>(Tier::ball)] +
+      by_tier[static_cast<int>(Tier::symmetry)] + by_tier[static_cast<int>(Tier::exact)]);
   state.counters["exact"] = static_cast<double>(by_tier[static_cast<int>(Tier::exact)]);
 }
 

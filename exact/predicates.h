@@ -137,6 +137,27 @@ inline Sign sign_with_root(Sign u, Sign v, Sign discriminant) {
   return Sign::unknown;
 }
 
+// G and C of the in-circle function below.
+template <class T>
+struct InCircleParts {
+  InCircleParts(const TangentTriple<T>& triple, const Site<T>& e)
+      : t(triple),
+        x(e.x - t.base.x),
+        y(e.y - t.base.y),
+        s(e.r - t.base.r),
+        p(x * x + y * y - s * s) {}
+  T g() const {
+    const T a = x * t.sp - s * t.xp + p * t.xs;
+    const T b = y * t.sp - s * t.yp + p * t.ys;
+    return t.xp * a + t.yp * b;
+  }
+  T c() const { return x * t.yp - y * t.xp + p * t.xy; }
+
+ private:
+  const TangentTriple<T>& t;
+  T x, y, s, p;
+};
+
 // Where site e lies to the counterclockwise tangent circle of the triple: positive
 // outside (the vertex is legal as far as e is concerned), zero touching, negative in
 // conflict. `f` is the sign of the cotangency of the four. Precondition: the circle
@@ -145,23 +166,27 @@ inline Sign sign_with_root(Sign u, Sign v, Sign discriminant) {
 // (D_xp^2 + D_yp^2) f: so no root is taken.
 template <class T>
 Sign incircle(const TangentTriple<T>& t, const Site<T>& e, bool e_is_container, Sign f) {
-  const T x = e.x - t.base.x;
-  const T y = e.y - t.base.y;
-  const T s = e.r - t.base.r;
-  const T p = x * x + y * y - s * s;
+  const InCircleParts<T> parts(t, e);
   Sign g = Sign::unknown;
   Sign c = Sign::unknown;
-  if (f != Sign::negative) {
-    const T a = x * t.sp - s * t.xp + p * t.xs;
-    const T b = y * t.sp - s * t.yp + p * t.ys;
-    g = sign(T(t.xp * a + t.yp * b));
-  }
+  if (f != Sign::negative) g = sign(parts.g());
   if (f != Sign::positive) {
-    c = sign(T(x * t.yp - y * t.xp + p * t.xy));
+    c = sign(parts.c());
     if (t.with_container) c = -c;
   }
   const Sign q = sign_with_root(g, c, f);
   return e_is_container ? -q : q;
+}
+
+// The same quantity itself, up to a positive factor; takes one root.
+template <class T>
+T incircle_value(const TangentTriple<T>& t, const Site<T>& e, bool e_is_container) {
+  const InCircleParts<T> parts(t, e);
+  // Gamma = N - D_sp^2.
+  const T root = sqrt(T(t.xp * t.xp + t.yp * t.yp - t.sp * t.sp));
+  const T term = root * parts.c();
+  const T q = t.with_container ? T(parts.g() - term) : T(parts.g() + term);
+  return e_is_container ? T(-q) : q;
 }
 
 // positive iff the counterclockwise tangent circle of the triple exists:

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "exact/dual.h"
 #include "filtered/bernstein.h"
 
 namespace voroproof {
@@ -452,6 +453,17 @@ Collapse none_until(double t) {
   return c;
 }
 
+// Of four generators that stay cotangent, perhaps only with the circle of the other kind:
+// both in-circle signs tell.
+Collapse while_cotangent(const Quad& q, const std::array<Sign, 2>& s) {
+  const bool cotangent = s[0] == Sign::zero && s[1] == Sign::zero;
+  const bool in_conflict = s[0] == Sign::negative && s[1] == Sign::negative;
+  if (!in_conflict && (!cotangent || legal_while_cotangent(q))) return none_until(kInfinity);
+  Collapse illegal;
+  illegal.kind = Collapse::Kind::now;
+  return illegal;
+}
+
 // Searches [start, end]; a root that is not certainly later than `now` is left to the
 // exact tier. `max_halvings` bounds the depth.
 template <class T, class Make>
@@ -893,6 +905,7 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
       return attempt.answer;
     }
   }
+  if (const auto answer = by_symmetry(q, now, end)) return *answer;
   std::string budget;
   for (bool tried_exact = false;;) {
     const int bits = motion_.goal_bits() + 32;
@@ -920,23 +933,86 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
   }
 }
 
+namespace {
+
+// What becomes of an edge whose four generators touch one circle at an instant of the hull, in the
+// rest of the hull: the slopes of its in-circle functions tell, if both circles exist and are the
+// one that is touched. (The flip polynomial itself may have a double root, where two circles that
+// touch three of them touch the fourth.)
+Verdict departs(const Motion& motion, const Quad& q, const Ball& hull, bool every_circle) {
+  const std::array<Site<Ball>, 4> at = sites(motion, q, hull);
+  const EdgeTriples<Ball> circles = EdgeTriples<Ball>::of(q, at);
+  const Sign start_exists = circle_exists(circles.start), end_exists = circle_exists(circles.end);
+  if (start_exists == Sign::negative || end_exists == Sign::negative) return Verdict::stays;
+  if (start_exists != Sign::positive || end_exists != Sign::positive || !keeps_tangencies(at)) {
+    return Verdict::unknown;
+  }
+  if (!every_circle) {
+    const Sign a = incircle(circles.start, at[3], q.e == container_id, Sign::zero);
+    const Sign b = incircle(circles.end, at[2], q.s == container_id, Sign::zero);
+    if (a == Sign::positive || b == Sign::positive) return Verdict::stays;
+    if (a != Sign::zero || b != Sign::zero) return Verdict::unknown;
+  }
+  std::array<Site<Dual<Ball>>, 4> moving;
+  const GenId ids[4] = {q.l, q.r, q.s, q.e};
+  for (int k = 0; k < 4; ++k) {
+    const MovingSite<Ball> m = motion.moving_site(ids[k], hull);
+    moving[k] = {{m.x, m.vx}, {m.y, m.vy}, {m.r, Ball()}};
+  }
+  const EdgeTriples<Dual<Ball>> triples = EdgeTriples<Dual<Ball>>::of(q, moving);
+  const Sign a = sign(incircle_value(triples.start, moving[3], q.e == container_id).slope);
+  const Sign b = sign(incircle_value(triples.end, moving[2], q.s == container_id).slope);
+  if (a == Sign::positive || b == Sign::positive) return Verdict::stays;
+  return a == Sign::negative && b == Sign::negative ? Verdict::collapses : Verdict::unknown;
+}
+
+}  // namespace
+
+// Where the four are cotangent for good, or at the present instant, and symmetry proves it.
+std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Instant* now, double end) {
+  if (motion_.is_rational(q.l) && motion_.is_rational(q.r) && motion_.is_rational(q.s) &&
+      motion_.is_rational(q.e)) {
+    return std::nullopt;  // exact arithmetic is cheap
+  }
+  const Symmetry symmetry(motion_);
+  if (symmetry.always_cotangent(symmetry.states(q))) {
+    counts_.count(Predicate::flip_search, Tier::symmetry);
+    return while_cotangent(q, {Sign::zero, Sign::zero});
+  }
+  if (now == nullptr || !now->known) return std::nullopt;
+  const auto proved = symmetry.cotangency(symmetry.states(q), now->known(), now->lo, now->hi);
+  if (proved == Symmetry::Cotangency::unknown) return std::nullopt;
+  const bool every_circle =
+      proved == Symmetry::Cotangency::every_circle || flip_polynomial_is_cocircularity(motion_, q);
+  const MakeBall make{motion_.goal_bits() + 32};
+  // As far beyond the instant as the signs are certain: a search is dear next to a root.
+  const Rational last =
+      std::max<Rational>(to_rational(end) - to_rational(now->hi), Rational(1, 1L << 40));
+  for (int k = 4; k <= 60; k += 4) {
+    const Rational beyond = to_rational(now->hi) + last / (Integer(1) << k);
+    const Verdict verdict =
+        departs(motion_, q, make.hull(to_rational(now->lo), beyond), every_circle);
+    if (verdict == Verdict::unknown) continue;
+    counts_.count(Predicate::flip_search, Tier::symmetry);
+    if (verdict == Verdict::stays) return slow(q, beyond, nullptr, end);
+    Collapse answer;
+    answer.kind = Collapse::Kind::now;
+    return answer;
+  }
+  return std::nullopt;
+}
+
 Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Instant* now,
                                  double end) {
   ExactMotion exact(motion_);
   const Polynomial<Tower> phi = flip_polynomial(q, exact);
   const Rational finish = std::max<Rational>(to_rational(end), start);
+  if (phi.is_zero()) {
+    const Rational t = now != nullptr ? Rational(to_rational(now->hi)) : start;
+    return while_cotangent(q, exact_incircles(q, t, exact));
+  }
   Collapse answer;
   answer.kind = Collapse::Kind::now;
-  if (phi.is_zero()) {
-    // Cotangent for good, or only with the circle of the other kind.
-    const Rational t = now != nullptr ? Rational(to_rational(now->hi)) : start;
-    const auto s = exact_incircles(q, t, exact);
-    if (s[0] == Sign::negative && s[1] == Sign::negative) return answer;
-    if (s[0] != Sign::zero || s[1] != Sign::zero || legal_while_cotangent(q)) {
-      return none_until(kInfinity);
-    }
-    return answer;
-  }
   const Rational beyond = finish + 1;
   std::vector<ExactTime> roots = real_roots(phi, start, beyond);
   std::optional<ExactTime> instant;

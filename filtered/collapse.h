@@ -17,6 +17,7 @@
 #include "filtered/bernstein.h"
 #include "filtered/motion.h"
 #include "filtered/stats.h"
+#include "filtered/symmetry.h"
 
 namespace voroproof {
 
@@ -31,6 +32,8 @@ struct Instant {
   DdBall dd;
   // The instant as an algebraic number over the field of an ExactMotion.
   std::function<ExactTime(ExactMotion&)> exact;
+  // What is known to happen then; may be empty.
+  std::function<Coincidence()> known;
 };
 
 struct Collapse {
@@ -76,6 +79,7 @@ class CollapseSearch {
                                  double end) const;
   bool at_relative_rest(const Quad& q) const;
   Collapse at_rest(const Quad& q, const Instant& now);
+  std::optional<Collapse> by_symmetry(const Quad& q, const Instant* now, double end);
   Collapse slow(const Quad& q, const Rational& start, const Instant* now, double end);
   Collapse exactly(const Quad& q, const Rational& start, const Instant* now, double end);
 

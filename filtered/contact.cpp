@@ -45,6 +45,12 @@ bool are_points(const Motion& motion, GenId i, GenId j) {
   return motion.doubles(i).r == 0 && motion.doubles(j).r == 0;
 }
 
+Ball hull_of(double lo, double hi, int bits) {
+  Ball t(Rational((to_rational(lo) + to_rational(hi)) / 2), bits);
+  if (lo < hi) t.widen(Magnitude::of(hi - lo));
+  return t;
+}
+
 }  // namespace
 
 NextContact ContactSearch::from(GenId i, GenId j, const Instant& now, double end) {
@@ -111,6 +117,7 @@ NextContact ContactSearch::slow(GenId i, GenId j, const Instant& now, double end
     }
     if (!tried_exact) {
       tried_exact = true;
+      if (const auto c = by_symmetry(i, j, now)) return *c;
       try {
         const NextContact c = exactly(i, j, now, end);
         counts_.count(Predicate::contact_search, Tier::exact);
@@ -125,6 +132,22 @@ NextContact ContactSearch::slow(GenId i, GenId j, const Instant& now, double end
                       i, j);
     }
   }
+}
+
+// Where symmetry proves that the pair touches now, and the signs say that it approaches, or that
+// two disks part.
+std::optional<NextContact> ContactSearch::by_symmetry(GenId i, GenId j, const Instant& now) {
+  const bool wall = i == container_id;
+  if (!now.known || (motion_.is_rational(i) && motion_.is_rational(j))) return std::nullopt;
+  const Symmetry symmetry(motion_);
+  if (!symmetry.touch(symmetry.states(i, j), now.known())) return std::nullopt;
+  const Ball t = hull_of(now.lo, now.hi, motion_.goal_bits() + 32);
+  const Sign b = sign(Contact<Ball>(motion_.moving_site(i, t), motion_.moving_site(j, t)).b);
+  const Sign approach = wall ? Sign::positive : Sign::negative;
+  if (b != approach && (wall || b != -approach)) return std::nullopt;
+  counts_.count(Predicate::contact_search, Tier::symmetry);
+  if (b != approach) return NextContact{};
+  return NextContact{NextContact::Kind::now, now.lo, now.hi};
 }
 
 NextContact ContactSearch::exactly(GenId i, GenId j, const Instant& now, double end) {

@@ -1,6 +1,8 @@
 // When do two generators touch? The next contact of a pair under its present motion.
 #pragma once
 
+#include <optional>
+
 #include "filtered/collapse.h"
 #include "filtered/motion.h"
 #include "filtered/stats.h"
@@ -38,6 +40,7 @@ class ContactSearch {
 
  private:
   NextContact slow(GenId i, GenId j, const Instant& now, double end);
+  std::optional<NextContact> by_symmetry(GenId i, GenId j, const Instant& now);
   NextContact exactly(GenId i, GenId j, const Instant& now, double end);
 
   Motion& motion_;

@@ -206,6 +206,13 @@ bool Motion::is_rational(GenId g) const {
   return true;
 }
 
+Motion::Origin Motion::origin(GenId g, int id) const {
+  const Record& r = log_[id - 1];
+  if (r.maneuver >= 0) return {r.before_i, &maneuvers_[r.maneuver], g, 0};
+  if (g == r.i) return {r.before_i, nullptr, r.j, r.before_j};
+  return {r.before_j, nullptr, r.i, r.before_i};
+}
+
 const Motion::Response& Motion::respond(const Record& r) {
   const Ball::Precision bits = bits_at(r.t_ref);
   Workspace& m = workspace_;

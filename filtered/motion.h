@@ -136,8 +136,26 @@ class Motion {
   // Whether the present motion of g is rational for certain: no collision is in its past.
   bool is_rational(GenId g) const;
 
-  // The state in force: -1 - g for the initial one, else an index into the log.
+  // The state in force: -1 - g for the initial one, else one more than its record's index in
+  // the log.
   int state_id(GenId g) const { return state_[g + 1]; }
+  // The collisions and maneuvers so far.
+  int records() const { return static_cast<int>(log_.size()); }
+
+  struct ManeuverRecord {
+    Rational t, vx, vy;
+  };
+  // How the state of disk g with an id > 0 came about: from its state `before`, by a maneuver or
+  // by a collision with the partner, whose state before that is given.
+  struct Origin {
+    int before;
+    const ManeuverRecord* maneuver;  // or null; valid until the Motion changes
+    GenId partner;
+    int partner_before;
+  };
+  Origin origin(GenId g, int id) const;
+  // When the initial state of a disk holds: 0 unless it was restarted.
+  double initial_time(GenId g) const { return start_[g]; }
 
  private:
   friend class ExactMotion;
@@ -150,9 +168,6 @@ class Motion {
     int before_i, before_j;
     double t_ref;  // reference time of the states after it
     int maneuver;  // index into maneuvers_, or -1
-  };
-  struct ManeuverRecord {
-    Rational t, vx, vy;
   };
   struct Response {
     Ball time;

@@ -360,6 +360,46 @@ class Engine<certified>::Implementation {
     throw Undecided(reason);
   }
 
+  bool is_rational(int item) const {
+    if (is_flip(item)) {
+      const Quad q = quad_of(item / 2);
+      return motion_.is_rational(q.l) && motion_.is_rational(q.r) && motion_.is_rational(q.s) &&
+             motion_.is_rational(q.e);
+    }
+    if (!is_contact(item)) return true;
+    const auto [i, j] = pair_of(item);
+    return motion_.is_rational(i) && motion_.is_rational(j);
+  }
+
+  // Whether the two are proved simultaneous by symmetry: tried where arithmetic is dear.
+  bool same_by_symmetry(int a, int b) {
+    if (is_rational(a) && is_rational(b)) return false;
+    const Symmetry symmetry(motion_);
+    const auto pair = [&](int item) {
+      const auto [i, j] = pair_of(item);
+      return symmetry.states(i, j);
+    };
+    if (is_contact(a) && is_contact(b)) return symmetry.same_contact(pair(a), pair(b));
+    return is_flip(a) && is_flip(b) && (vanishes_at(symmetry, b, a) || vanishes_at(symmetry, a, b));
+  }
+
+  // Whether the flip polynomial of `item` certainly has its isolated root at the time of `other`.
+  bool vanishes_at(const Symmetry& symmetry, int item, int other) {
+    const Ball t = ball_of(other, motion_.goal_bits() + 32);
+    const Found& f = found_[item];
+    const RootInterval isolated =
+        f.fine ? *fine_.at(item / 2) : RootInterval{to_rational(f.lo), to_rational(f.hi)};
+    if (sign(t - Ball(isolated.lo, t.precision())) != Sign::positive ||
+        sign(Ball(isolated.hi, t.precision()) - t) != Sign::positive) {
+      return false;
+    }
+    const Coincidence known{{symmetry.states(quad_of(other / 2))}, {}, motion_.records()};
+    double lo = 0, hi = 0;
+    t.to_interval(lo, hi);
+    return symmetry.cotangency(symmetry.states(quad_of(item / 2)), known, lo, hi) !=
+           Symmetry::Cotangency::unknown;
+  }
+
   // The order of two events: negative, zero or positive.
   int order(const Candidate& a, const Candidate& b) {
     if constexpr (!certified) {
@@ -378,6 +418,11 @@ class Engine<certified>::Implementation {
         s == Sign::negative || s == Sign::positive) {
       stats_.tiers.count(Predicate::compare, Tier::ball);
       return static_cast<int>(s);
+    }
+    if (same_by_symmetry(a.item, b.item)) {
+      stats_.tiers.count(Predicate::compare, Tier::symmetry);
+      ++stats_.ties;
+      return 0;
     }
     std::string budget;
     try {
@@ -441,7 +486,7 @@ class Engine<certified>::Implementation {
   // ---- The start: t = 0. ----
   void start() {
     const Stopwatch watch(clock(stats_.initial_seconds));
-    now_ = instant_at(0);
+    set_now(0);
     now_t_ = 0;
     diagram_ = static_diagram(motion_, 0, stats_.tiers);
     const int edges = diagram_.edges();
@@ -483,6 +528,12 @@ class Engine<certified>::Implementation {
     ties.clear();
     if (!next_instant(ties)) return false;
     set_now(ties.front());
+    if constexpr (certified) {
+      coincidence_.flips.clear();
+      coincidence_.contacts.clear();
+      coincidence_.records = motion_.records();
+      for (const Candidate& c : ties) note(c);
+    }
     if (!ties.front().tight) {
       // A lone contact: now_t_ becomes known with its collision.
       const auto [i, j] = pair_of(ties.front().item);
@@ -621,6 +672,22 @@ class Engine<certified>::Implementation {
     search_flip_after(item / 2, start, nullptr);
   }
 
+  void set_now(const Rational& t) {
+    now_ = instant_at(t);
+    now_.known = [this] { return coincidence_; };
+  }
+
+  // States change within an instant: what happens at it is noted as they are before.
+  void note(const Candidate& c) {
+    const Symmetry symmetry(motion_);
+    if (is_flip(c.item)) {
+      coincidence_.flips.push_back(symmetry.states(quad_of(c.item / 2)));
+    } else if (is_contact(c.item)) {
+      const auto [i, j] = pair_of(c.item);
+      coincidence_.contacts.push_back(symmetry.states(i, j));
+    }
+  }
+
   void set_now(const Candidate& c) {
     now_.lo = c.lo;
     now_.hi = c.hi;
@@ -653,7 +720,7 @@ class Engine<certified>::Implementation {
           return ContactSearch::exact_time(i, j, to_rational(near), exact);
         };
       } else {
-        now_ = instant_at(c.item == horizon_item() ? horizon_ : next_maneuver().t);
+        set_now(c.item == horizon_item() ? horizon_ : next_maneuver().t);
       }
     }
   }
@@ -695,6 +762,7 @@ class Engine<certified>::Implementation {
     const HalfEdge h = 2 * edge;
     const Quad q = diagram_.quad(h);
     const Found found = found_[flip_item(edge)];
+    if (certified && !found.event) coincidence_.flips.push_back(Symmetry(motion_).states(q));
     std::shared_ptr<const RootInterval> fine;
     if (found.fine) fine = fine_.at(edge);
     found_[flip_item(edge)].pending = false;
@@ -865,6 +933,7 @@ class Engine<certified>::Implementation {
     GenId i = 0, j = 0;
     double near = 0;
   } now_contact_;
+  Coincidence coincidence_;  // of the present instant
   double now_t_ = 0, written_t_ = 0;
   double frontier_ = 0;  // every event before this time is in the history
   std::set<std::pair<Quad, int>> due_flips_;
