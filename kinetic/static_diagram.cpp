@@ -5,6 +5,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -86,6 +87,7 @@ class Predicates {
     }
   }
 
+  const Motion& motion() const { return motion_; }
   const Site<DoubleBall>& rough(GenId g) const { return doubles_[g + 1]; }
 
   // Runs a predicate, given as a template over (site of a generator, square root),
@@ -140,13 +142,62 @@ auto vertex_direction(Sites& at, Root& root, GenId base, GenId b, GenId c) {
       TangentTriple(at(base), at(b), at(c), b == container_id || c == container_id), root);
 }
 
+// The smallest pair of a point (radius 0) and another generator that touch. Tangencies vanish there
+// and nowhere else: the point's cell has no area, the vertices around it coincide, and neither walk
+// of the construction needs to end. Each disk is tried with the points between its extreme
+// abscissas, the container with all.
+std::optional<std::pair<GenId, GenId>> touching_point(Predicates& predicates) {
+  const Motion& motion = predicates.motion();
+  struct Point {
+    double x;
+    GenId g;
+  };
+  std::vector<Point> points;
+  double error = 0;
+  for (GenId g = 0; g < motion.size(); ++g) {
+    if (motion.input().disks[g].radius != 0) continue;
+    const DoubleBall& x = predicates.rough(g).x;
+    points.push_back({x.mid, g});
+    error = std::fmax(error, x.rad);
+  }
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+  std::optional<std::pair<GenId, GenId>> smallest;
+  const auto examine = [&](GenId g, GenId point) {
+    const std::pair<GenId, GenId> pair = std::minmax(g, point);
+    if (smallest && *smallest <= pair) return;
+    const bool touch = predicates.decide([&](auto at, auto) -> std::optional<bool> {
+      const Sign s = sign(tangency(at(g), at(point)));
+      if (s == Sign::unknown) return std::nullopt;
+      return s == Sign::zero;
+    });
+    if (touch) smallest = pair;
+  };
+  for (const Point& p : points) examine(container_id, p.g);
+  for (GenId g = 0; g < motion.size(); ++g) {
+    if (motion.input().disks[g].radius == 0) continue;  // points do not coincide
+    const Site<DoubleBall>& disk = predicates.rough(g);
+    // The last term is above the roundings of both ends.
+    const double reach = (disk.r.mid + disk.r.rad + disk.x.rad + error) * (1 + 0x1p-50) +
+                         std::fabs(disk.x.mid) * 0x1p-51;
+    const auto first = std::lower_bound(points.begin(), points.end(), disk.x.mid - reach,
+                                        [](const Point& p, double x) { return p.x < x; });
+    for (auto p = first; p != points.end() && p->x <= disk.x.mid + reach; ++p) examine(g, p->g);
+  }
+  return smallest;
+}
+
 class Construction {
  public:
   Construction(const Motion& motion, const Rational& t, TierCounts& counts)
       : predicates_(motion, t, counts), diagram_(motion.size()) {}
 
   Diagram build(const std::vector<GenId>& order) {
-    if (order.size() >= 2) diagram_.start(order[0], order[1]);
+    if (order.size() < 2) return std::move(diagram_);
+    if (const auto touch = touching_point(predicates_)) {
+      throw Undecided("a point touches another generator: the diagram is not defined", touch->first,
+                      touch->second);
+    }
+    diagram_.start(order[0], order[1]);
     for (std::size_t k = 2; k < order.size(); ++k) insert(order[k], order[k - 1]);
     return std::move(diagram_);
   }
@@ -210,12 +261,6 @@ class Construction {
       if (here) return h;
       h = diagram_.rotate(h);
     } while (h != first);
-    for (GenId g = 0; g < diagram_.disks(); ++g) {
-      // Touched by another generator, a point has a cell without area.
-      if (predicates_.rough(g).r.mid == 0) {
-        throw Undecided("a point touches another generator: the diagram is not decided");
-      }
-    }
     throw std::logic_error("static diagram: a ray leaves a cell through none of its edges");
   }
 

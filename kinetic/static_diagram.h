@@ -19,6 +19,8 @@ namespace voroproof {
 
 // The diagram at the exact time t. Where more than three generators touch one empty
 // circle it is one of the possible diagrams: see settle().
+// Throws Undecided, with the pair, where a point (radius 0) touches another generator: its cell
+// has no area, and there is no diagram (of two or more disks).
 // Precondition: the states of `motion` are in force at t, the disks do not overlap.
 Diagram static_diagram(const Motion& motion, const Rational& t, TierCounts& counts);
 

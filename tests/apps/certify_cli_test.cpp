@@ -232,11 +232,35 @@ TEST_F(CertifyCli, CentresThatCoincideGiveNoNormal) {
   }
 }
 
-// At the start: right, and the cell has no area.
-TEST_F(CertifyCli, APointThatTouchesIsUndecidedAtMost) {
+// Its cell has no area at the start: simulate stops there and names the pair, and certify does not
+// decide what others claim.
+TEST_F(CertifyCli, APointThatTouchesAtTheStartIsUndecided) {
   const std::string point = disk("0,1", "0", "0,1"), unit = disk("0,0", "1", "0,0");
-  const std::string two = scene("3", point + ',' + unit);
-  EXPECT_EQ(verdict({two, history(two)}), "s UNDECIDED");
+  const std::string far = disk("-3,0", "1", "1,0"), at_wall = disk("100,0", "0", "-1,0");
+  const auto expect_stop = [&](const std::string& disks, const Json& pair) {
+    const std::string path = file("a.history.jsonl");
+    const std::string scene = this->scene("3", disks);
+    EXPECT_EQ(run({"simulate", scene, "-o", path}).code, 3) << disks;
+    const Json last = Json::parse(lines_of(read_file(path)).back());
+    EXPECT_EQ(last["stopped"]["t"], 0) << disks;
+    EXPECT_EQ(last["stopped"]["events"], Json::array({{{"collide", pair}}})) << disks;
+    EXPECT_EQ(verdict({scene, path}), "s UNDECIDED") << disks;
+  };
+  expect_stop(point + ',' + unit, {0, 1});
+  expect_stop(unit + ',' + far + ',' + point, {0, 2});
+  expect_stop(far + ',' + at_wall, {-1, 1});
+  // A history of two disks as another program may write it.
+  const std::string two = scene("3", point + ',' + unit), path = file("a.history.jsonl");
+  run({"simulate", two, "-o", path});
+  const std::string claimed = edited(path, [&](auto& lines) {
+    Json header = Json::parse(lines.front());
+    header["initial"] = {{-1, 0, 1, 1}, {-1, 1, 0, 0}, {0, 1, -1, -1}};
+    lines = {header.dump(), R"({"end":{"t":3,"flips":0,"collisions":0,"maneuvers":0}})"};
+  });
+  EXPECT_EQ(verdict({two, claimed}), "s UNDECIDED");
+  // Alone there is no diagram to be missed: it collides with the wall at once.
+  const std::string alone = scene("3", disk("100,0", "0", "1,0"));
+  EXPECT_EQ(verdict({alone, history(alone)}), "s CERTIFIED");
 }
 
 // Under the recorded truth an overlap shorter than the tolerance is none, but it does not become
