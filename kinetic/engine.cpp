@@ -10,6 +10,7 @@
 
 #include "filtered/collapse.h"
 #include "filtered/contact.h"
+#include "kinetic/inelastic_collapse.h"
 #include "kinetic/queue.h"
 #include "kinetic/static_diagram.h"
 
@@ -19,11 +20,6 @@ namespace {
 
 using HalfEdge = Diagram::HalfEdge;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// A disk of an inelastic scene that collides this often within this part of the
-// horizon is taken to collide for ever: an inelastic collapse.
-constexpr int kCollapseCollisions = 48;
-constexpr double kCollapseSpan = 1e-10;
 
 // Relative width below which a time needs no further refinement before it is compared
 // and rounded: both nearly always succeed then.
@@ -79,7 +75,7 @@ class Engine<certified>::Implementation {
         queue_(1),
         horizon_(input.horizon),
         horizon_up_(round_up(input.horizon)),
-        inelastic_(input.restitution < 1 || input.container_restitution < 1) {}
+        collapse_watch_(motion_) {}
 
   Outcome run(EventSink& sink) {
     sink_ = &sink;
@@ -480,7 +476,8 @@ class Engine<certified>::Implementation {
   void queue_maneuver() {
     const bool more = next_maneuver_ < maneuvers_.size() && next_maneuver().t <= horizon_;
     found_[maneuver_item()].event = more;
-    set_key(maneuver_item(), more ? round_down(next_maneuver().t) : kInfinity);
+    quiet_until_ = more ? round_down(next_maneuver().t) : kInfinity;
+    set_key(maneuver_item(), quiet_until_);
   }
 
   // ---- The start: t = 0. ----
@@ -506,7 +503,6 @@ class Engine<certified>::Implementation {
     found_[horizon_item()].event = true;
     set_key(horizon_item(), round_down(horizon_));
     queue_maneuver();
-    if (inelastic_) recent_.resize(motion_.size());
     for (int e = 0; e < slots_; ++e) search_contact(e);
     process_motion_events(0);
     if constexpr (certified) {
@@ -840,7 +836,7 @@ class Engine<certified>::Implementation {
     }
     pending_.emplace_back(PendingEvent{t.value_or(now_t_), i, j, impact.first, impact.second});
     ++(i == container_id ? stats_.wall_collisions : stats_.disk_collisions);
-    if (inelastic_) watch_for_collapse(i, j);
+    collapse_watch_.after_collision(i, j, now_, quiet_until_);
     ++stamp_now_;
     forget_contacts_of(i);
     forget_contacts_of(j);
@@ -872,22 +868,6 @@ class Engine<certified>::Implementation {
                   [g](const auto& pair) { return pair.first == g || pair.second == g; });
   }
 
-  void watch_for_collapse(GenId i, GenId j) {
-    for (const GenId g : {i, j}) {
-      if (g == container_id) continue;
-      auto& times = recent_[g];
-      times.push_back(now_.lo);
-      if (times.size() <= kCollapseCollisions) continue;
-      times.erase(times.begin());
-      if (times.back() - times.front() < kCollapseSpan * horizon_up_) {
-        throw Undecided("inelastic collapse: disk " + std::to_string(g) + " collides " +
-                            std::to_string(kCollapseCollisions) + " times within " +
-                            std::to_string(times.back() - times.front()) + " time units",
-                        i, j);
-      }
-    }
-  }
-
   void flush() {
     for (const Pending& p : pending_) {
       ++events_;
@@ -911,7 +891,7 @@ class Engine<certified>::Implementation {
   EventQueue queue_;
   Rational horizon_;
   double horizon_up_;
-  bool inelastic_;
+  InelasticCollapse collapse_watch_;
   EventSink* sink_ = nullptr;
   bool begun_ = false;
   int slots_ = 0;  // V-edges, or 1 for a lone disk
@@ -921,6 +901,7 @@ class Engine<certified>::Implementation {
   std::vector<std::uint64_t> stamp_;
   std::uint64_t stamp_now_ = 0;
   std::size_t next_maneuver_ = 0;
+  double quiet_until_ = 0;  // no maneuver to come is due before
   double window_ = 0;
   Instant now_;
   // What the exact time of the present instant is made of, where a flip or a contact began it.
@@ -941,7 +922,6 @@ class Engine<certified>::Implementation {
   bool due_maneuvers_ = false;
   std::vector<Candidate> near_, ties_;
   std::vector<Pending> pending_;
-  std::vector<std::vector<double>> recent_;
   std::uint64_t steps_ = 0, events_ = 0;
 };
 
