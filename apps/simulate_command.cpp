@@ -187,8 +187,10 @@ void add_simulate(CLI::App& app, Action& action) {
       ->check(whole_number())
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  verb->add_option("--start-bits", request->motion.start_bits,
-                   "precision of the states to begin with; the history does not depend on it")
+  verb->add_option(
+          "--start-bits", request->motion.start_bits,
+          "precision of the states to begin with; a history that reaches its horizon does\n"
+          "not depend on it")
       ->check(whole_number())
       ->check(CLI::Range(least_bits, most_bits))
       ->capture_default_str();
@@ -198,8 +200,8 @@ void add_simulate(CLI::App& app, Action& action) {
       ->check(CLI::Range(least_bits, most_bits))
       ->capture_default_str();
   add_choice(*verb, "--filters", {"on", "off"}, request->filters,
-             "whether decisions are tried in doubles and double-doubles first; the history does\n"
-             "not depend on it");
+             "whether decisions are tried in doubles and double-doubles first; a history\n"
+             "that reaches its horizon does not depend on it, where a run stops may");
   verb->add_flag("--self-check", request->self_check,
                  "a second thread certifies every event (certify --strict); a history that is not\n"
                  "proved right is not written (exit code 4)");

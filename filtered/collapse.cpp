@@ -556,6 +556,14 @@ std::array<Site<Tower>, 4> exact_sites(const Quad& q, const Rational& t, ExactMo
   return {exact.site(q.l, at), exact.site(q.r, at), exact.site(q.s, at), exact.site(q.e, at)};
 }
 
+// Narrowing an isolated root did not show whether the circles of its edge exist there.
+class CirclesUnknown : public std::runtime_error {
+ public:
+  explicit CirclesUnknown(int bits)
+      : std::runtime_error("a circle through three generators may become a line at the flip: " +
+                           std::to_string(bits) + " bits of its time do not tell") {}
+};
+
 // Both in-circle signs at an exact time at which the circles exist.
 std::array<Sign, 2> exact_incircles(const Quad& q, const Rational& t, ExactMotion& exact) {
   const auto at = exact_sites(q, t, exact);
@@ -923,6 +931,8 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
         return c;
       } catch (const BudgetExceeded& e) {
         budget = e.what();
+      } catch (const CirclesUnknown& e) {
+        budget = e.what();
       }
     }
     if (!motion_.raise_precision()) {
@@ -1013,6 +1023,8 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
   }
   Collapse answer;
   answer.kind = Collapse::Kind::now;
+  // To which a root is narrowed so that its circles show whether they exist.
+  const int most = std::max(64, motion_.options().max_bits / 8);
   const Rational beyond = finish + 1;
   std::vector<ExactTime> roots = real_roots(phi, start, beyond);
   std::optional<ExactTime> instant;
@@ -1048,9 +1060,15 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
     // Later: does the edge collapse here? Narrow until both circles certainly
     // exist, or one certainly does not, all the way from the root.
     if (compare(roots[k], finish) > 0) break;
+    // Where that takes many bits it can wait: an event may come before the root.
+    const double from = now != nullptr ? now->hi : voroproof::round_up(start);
     Verdict verdict = Verdict::unknown;
     for (int bits = 64; verdict == Verdict::unknown; bits *= 2) {
-      if (bits > 4096) throw BudgetExceeded(4096, 0);
+      if (bits > 256 || bits > most) {
+        const double reached = voroproof::round_down(roots[k].interval().lo);
+        if (reached > from) return none_until(reached);
+        if (bits > most) throw CirclesUnknown(most);
+      }
       roots[k].refine(Rational(Integer(1), Integer(1) << bits));
       const Rational t = after_root();
       std::array<Sign, 2> exists;
