@@ -97,35 +97,37 @@ void Motion::load_initial_states() {
 }
 
 void Motion::load_initial_state(GenId g, Ball::Precision bits) {
-  BallState& s = balls_[g + 1];
+  balls_[g + 1] = initial_state(g, bits);
   stale_[g + 1] = 0;
   if (g == container_id) {
     t_ref_[0] = 0;
-    s = {dyadic_or_rounded(input_.container_x, bits), dyadic_or_rounded(input_.container_y, bits),
-         Ball(2), Ball(2)};
     radius_[0] = dyadic_or_rounded(Rational(-input_.container_radius), bits);
   } else {
     const DiskInput& d = input_.disks[g];
     t_ref_[g + 1] = start_[g];
-    s = {dyadic_or_rounded(d.x, bits), dyadic_or_rounded(d.y, bits), dyadic_or_rounded(d.vx, bits),
-         dyadic_or_rounded(d.vy, bits)};
     radius_[g + 1] = dyadic_or_rounded(d.radius, bits);
     mass_[g + 1] = dyadic_or_rounded(d.mass, bits);
   }
   dds_[g + 1].r = dd_of(radius_[g + 1]);
 }
 
+Motion::BallState Motion::initial_state(GenId g, Ball::Precision bits) const {
+  const auto ball = [bits](const Rational& q) { return dyadic_or_rounded(q, bits); };
+  if (g == container_id)
+    return {ball(input_.container_x), ball(input_.container_y), Ball(2), Ball(2)};
+  const DiskInput& d = input_.disks[g];
+  return {ball(d.x), ball(d.y), ball(d.vx), ball(d.vy)};
+}
+
 const Motion::BallState& Motion::ball_state(GenId g) const {
   if (stale_[g + 1] != 0) {
-    const Ball::Precision bits = bits_at(start_[g]);
-    const DiskInput& d = input_.disks[g];
-    balls_[g + 1] = {dyadic_or_rounded(d.x, bits), dyadic_or_rounded(d.y, bits),
-                     dyadic_or_rounded(d.vx, bits), dyadic_or_rounded(d.vy, bits)};
+    balls_[g + 1] = initial_state(g, bits_at(start_[g]));
     stale_[g + 1] = 0;
   }
   return balls_[g + 1];
 }
 
+// Makes double-doubles and doubles, with their error bounds, from the balls.
 void Motion::refresh(GenId g) {
   const BallState& s = balls_[g + 1];
   DdMotion& dd = dds_[g + 1];

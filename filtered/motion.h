@@ -184,6 +184,7 @@ class Motion {
   int bits_at(double t) const;
   void load_initial_states();
   void load_initial_state(GenId g, Ball::Precision bits);
+  BallState initial_state(GenId g, Ball::Precision bits) const;
   const BallState& ball_state(GenId g) const;
   void refresh(GenId g);
   void refresh_doubles(GenId g);
