@@ -11,6 +11,13 @@ namespace {
 // factor turns the rounded result into an upper bound.
 constexpr double kUp = 1.0 + 0x1p-51;
 constexpr std::int64_t kInfiniteExponent = std::int64_t{1} << 40;
+
+// The significand of a regular number: least limb first, the highest bit of the last one set, below
+// the precision zeros (MPFR, "Custom Interface" and "Internals").
+const mp_limb_t* limbs_of(mpfr_srcptr x) {
+  static_assert(GMP_NUMB_BITS == 64);
+  return static_cast<const mp_limb_t*>(mpfr_custom_get_significand(x));
+}
 }  // namespace
 
 Magnitude Magnitude::normalized(double m, std::int64_t e) {
@@ -83,8 +90,7 @@ Magnitude Ball::magnitude_of(mpfr_srcptr x) {
   if (!mpfr_number_p(x)) return Magnitude::power_of_two(kInfiniteExponent);
   // |x| = m 2^exp with m in [1/2, 1); its leading 53 bits, rounded up.
   const mp_size_t top = (mpfr_get_prec(x) - 1) / GMP_NUMB_BITS;
-  static_assert(GMP_NUMB_BITS == 64);
-  const auto leading = static_cast<double>((x->_mpfr_d[top] >> 11) + 1);
+  const auto leading = static_cast<double>((limbs_of(x)[top] >> 11) + 1);
   return Magnitude::of(leading * 0x1p-53).scaled(mpfr_get_exp(x));
 }
 
@@ -168,7 +174,7 @@ bool leading_double_double(mpfr_srcptr mid, double radius, double& hi, double& l
   if (limbs < 3 || !mpfr_regular_p(mid)) return false;
   const long e = mpfr_get_exp(mid);
   if (e < -800 || e > 900) return false;
-  const mp_limb_t* d = mid->_mpfr_d;
+  const mp_limb_t* d = limbs_of(mid);
   mp_size_t below = limbs - 2;
   while (below > 0 && d[below - 1] == 0) --below;
   if (below == 0) return false;

@@ -1,0 +1,197 @@
+// The root is c - f(c) / f'(x) for c the middle of [lo, hi] and some x between c and the root (mean
+// value theorem). f(c) is computed in double-doubles, f'(c) in doubles, and |f'(x) - f'(c)| is
+// bounded by |x - c| times a bound of |f''|.
+//
+// Notation. u = 2^-53, w = u^2. Small letters are computed values, e_x bounds the distance of a
+// value x to the truth, and the capital X bounds |x|. Bounds are sums and products of nonnegative
+// numbers, so that all that is relatively small in them (their own roundings, x against its leading
+// part, factors 1 + O(u), products of two relative errors) is paid for by the factor `up` at the
+// end: some hundred operations of relative error 4 u each at most stay far below its 2^-30. `tiny`
+// is above what underflow can add to one operation.
+#include "filtered/newton_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace voroproof {
+
+namespace {
+
+constexpr double u = 0x1p-53, w = 0x1p-106, up = 1 + 0x1p-30, tiny = 0x1p-900;
+
+// Double-doubles without radii, normalized: |lo| <= u |hi|. While nothing overflows,
+//   a + b  errs by at most 4 w (|a.hi| + |b.hi|) =: 4 w M. The leading sum is split exactly into s
+//          and e, |e| <= u M. Rounding a.lo + b.lo costs u (u M); adding that to e, 2 u M in all,
+//          costs 2 u (u M). The last sum is exact. Together 3 w M.
+//   a * b  errs by at most 9 w |a.hi b.hi| =: 9 w M. The leading product is split exactly into p
+//   and
+//          e, |e| <= u M. Left out: |a.lo b.lo| <= w M. Roundings: the two mixed products, w M
+//          each; their sum, of 2 u M, 2 w M; its sum with e, of 3 u M, 3 w M. The last sum is
+//          exact, as |p| is the larger. Together 8 w M.
+struct Dd {
+  double hi, lo;
+};
+
+inline Dd operator+(const Dd& a, const Dd& b) {
+  double s, e;
+  dd_detail::two_sum(a.hi, b.hi, s, e);
+  Dd r;
+  dd_detail::two_sum(s, e + (a.lo + b.lo), r.hi, r.lo);
+  return r;
+}
+inline Dd operator-(const Dd& a, const Dd& b) { return a + Dd{-b.hi, -b.lo}; }
+inline Dd operator*(const Dd& a, const Dd& b) {
+  double p, e;
+  dd_detail::two_prod(a.hi, b.hi, p, e);
+  Dd r;
+  dd_detail::fast_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi), r.hi, r.lo);
+  return r;
+}
+
+// A generator at c.
+struct Place {
+  Dd x, y, r;
+  double vx, vy;
+  double size;                    // above |x| + |y| and |r|
+  double e_centre, e_r, e_speed;  // in both coordinates together
+
+  Place(const MovingSite<DdBall>& m)
+      : x{m.x.hi, m.x.lo},
+        y{m.y.hi, m.y.lo},
+        r{m.r.hi, m.r.lo},
+        vx(m.vx.hi),
+        vy(m.vy.hi),
+        size(std::fabs(m.x.hi) + std::fabs(m.y.hi) + std::fabs(m.r.hi)),
+        e_centre(m.x.rad + m.y.rad + tiny),
+        e_r(m.r.rad),
+        e_speed(std::fabs(m.vx.lo) + std::fabs(m.vy.lo) + m.vx.rad + m.vy.rad) {}
+};
+
+// A quantity at c with its derivative in time; bounds at c, and of the true values within h of c.
+struct Jet {
+  Dd v;
+  double d;         // of the derivative
+  double V, D;      // V >= |v|, D >= |d|
+  double e_v, e_d;  // e_v <= 3 u V
+  double Vh, Dh, D2h;
+};
+
+// The tangency p = x^2 + y^2 - r^2 of the offsets x, y, r of two generators, and p' = 2 (x wx + y
+// wy), (wx, wy) their relative velocity. With s = |x| + |y|, e_s the error of (x, y) in both
+// coordinates together, W = |wx| + |wy|, e_W likewise:
+//   e_s   the errors of the centres, and 4 w (sizes) for the difference; e_r likewise.
+//   e_v   from the offsets (s + e_s)^2 - s^2 <= 2 (s + e_s) e_s, the same for r. Squares 9 w each
+//         and two sums 4 w each of at most V = s^2 + r^2: below 32 w V.
+//   e_W   errors of the velocities, and u W for the difference.
+//   e_d   the offsets' leading parts err by e_s + u s: 2 (s + e_s) e_W + 2 W e_s + u D, D = 2 s W.
+//   Two
+//         products and a sum, each rounded: 2 u D. Below 16 u D.
+//   Within h the offset grows by at most (W + e_W) h, the velocity is the same: p'' = 2 |w|^2.
+// False where p is not known to u V: then the bounds of what follows do not hold.
+bool tangency_jet(const Place& a, const Place& b, double h, Jet& p) {
+  const Dd x = a.x - b.x, y = a.y - b.y, r = a.r - b.r;
+  const double wx = a.vx - b.vx, wy = a.vy - b.vy;
+  p.v = x * x + y * y - r * r;
+  p.d = 2 * (x.hi * wx + y.hi * wy);
+  const double s = std::fabs(x.hi) + std::fabs(y.hi), R = std::fabs(r.hi);
+  const double W = std::fabs(wx) + std::fabs(wy);
+  const double difference = 4 * w * (a.size + b.size);
+  const double e_s = a.e_centre + b.e_centre + difference, e_r = a.e_r + b.e_r + difference;
+  const double e_W = a.e_speed + b.e_speed + u * W;
+  p.V = s * s + R * R;
+  p.e_v = 2 * (s + e_s) * e_s + 2 * (R + e_r) * e_r + 32 * w * p.V + tiny;
+  p.D = 2 * s * W;
+  p.e_d = 2 * (s + e_s) * e_W + 2 * W * e_s + 16 * u * p.D + tiny;
+  const double Wh = W + e_W, sh = s + e_s + Wh * h, Rh = R + e_r;
+  p.Vh = sh * sh + Rh * Rh;
+  p.Dh = 2 * sh * Wh;
+  p.D2h = 2 * Wh * Wh;
+  return p.e_v <= u * p.V;
+}
+
+// The product of two tangencies.
+//   e_v   from the factors P e_q + Q e_p + e_p e_q, 9 w V for the product: below 16 w V.
+//         As e_p <= u P and e_q <= u Q this is at most 3 u V.
+//   e_d   of p q' + p' q: from the slopes P e_q' + Q e_p'; leading parts of p and q, each off by u
+//   for
+//         e and by u for the part below, 2 u D; two products and a sum, 2 u D. Below 16 u D.
+Jet product(const Jet& p, const Jet& q) {
+  Jet a;
+  a.v = p.v * q.v;
+  a.d = p.v.hi * q.d + p.d * q.v.hi;
+  a.V = p.V * q.V;
+  a.D = p.V * q.D + p.D * q.V;
+  a.e_v = p.V * q.e_v + q.V * p.e_v + p.e_v * q.e_v + 16 * w * a.V + tiny;
+  a.e_d = p.V * q.e_d + q.V * p.e_d + 16 * u * a.D + tiny;
+  a.Vh = p.Vh * q.Vh;
+  a.Dh = p.Vh * q.Dh + p.Dh * q.Vh;
+  a.D2h = p.D2h * q.Vh + 2 * p.Dh * q.Dh + p.Vh * q.D2h;
+  return a;
+}
+
+}  // namespace
+
+DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi) {
+  const double c = 0.5 * (lo + hi);
+  const double h = std::fmax(hi - c, c - lo) * up;
+  const DdBall unknown(c, 0, std::numeric_limits<double>::infinity());
+  const auto place = [&](GenId g) { return Place(motion.moving_site(g, DdBall(c))); };
+  const Place l = place(q.l), r = place(q.r), s = place(q.s), e = place(q.e);
+  Jet lr, se, ls, re, le, rs;
+  bool known = tangency_jet(l, r, h, lr);
+  known &= tangency_jet(s, e, h, se);
+  known &= tangency_jet(l, s, h, ls);
+  known &= tangency_jet(r, e, h, re);
+  known &= tangency_jet(l, e, h, le);
+  known &= tangency_jet(r, s, h, rs);
+  if (!known) return unknown;
+  const Jet A = product(lr, se), B = product(ls, re), C = product(le, rs);
+
+  // f = g^2 - 4 b c for g = a - b - c, G = A + B + C.
+  //   e_g   the three errors; two sums, 4 w G each: below 16 w G.
+  //   e_f   from g 2 G e_g + e_g^2, from b c 4 (B e_c + C e_b + e_b e_c). Two products, 9 w G^2 and
+  //         9 w 4 B C, and a sum, 4 w (G^2 + 4 B C): below 64 w (G^2 + 4 B C).
+  const Dd g = A.v - B.v - C.v, bc = B.v * C.v;
+  const Dd f = g * g - Dd{4 * bc.hi, 4 * bc.lo};
+  const double G = A.V + B.V + C.V, e_g = A.e_v + B.e_v + C.e_v + 16 * w * G;
+  const double e_f = 2 * G * e_g + e_g * e_g + 4 * (B.V * C.e_v + C.V * B.e_v + B.e_v * C.e_v) +
+                     64 * w * (G * G + 4 * B.V * C.V) + tiny;
+
+  // f' = 2 g g' - 4 (b' c + b c'), at most F1 = 2 G G' + 4 (B' C + B C').
+  //   From the slopes 2 G e_g' + 4 (e_b' C + e_c' B), where g' = a' - b' - c' is rounded twice, 2 u
+  //   G'. Leading parts of values: off by 3 u G + u G (g; b and c likewise), 4 u F1 in all.
+  //   Products and sums: at most four roundings on every way, 4 u F1. Below 64 u F1.
+  const double g_d = A.d - B.d - C.d;
+  const double slope = 2 * g.hi * g_d - 4 * (B.d * C.v.hi + B.v.hi * C.d);
+  const double G_d = A.D + B.D + C.D, e_gd = A.e_d + B.e_d + C.e_d;
+  const double e_slope = 2 * G * e_gd + 4 * (B.e_d * C.V + C.e_d * B.V) +
+                         64 * u * (2 * G * G_d + 4 * (B.D * C.V + C.D * B.V)) + tiny;
+
+  // |f''| <= 2 g'^2 + 2 g g'' + 4 (b'' c + 2 b' c' + b c'') within h of c.
+  const double Gh = A.Vh + B.Vh + C.Vh, Gh_d = A.Dh + B.Dh + C.Dh, Gh_dd = A.D2h + B.D2h + C.D2h;
+  const double curve =
+      2 * Gh_d * Gh_d + 2 * Gh * Gh_dd + 4 * (B.D2h * C.Vh + 2 * B.Dh * C.Dh + B.Vh * C.D2h);
+
+  // The slope t at x is within sigma of the computed one, so at least `least` in magnitude. f is
+  // within e_f + u |f.hi| of f.hi, 1/t within sigma / (|slope| least) of 1/slope, and the quotient
+  // is rounded, once here and once in the bound. The root is no further from c than |f| / least, so
+  // that the slopes to be bounded are those within that distance: once more, with the same curve.
+  const double step = f.hi / slope;
+  double off = std::numeric_limits<double>::infinity(), reach = h;
+  for (int pass = 0; pass < 2; ++pass) {
+    const double sigma = (e_slope + curve * reach) * up;
+    const double least = (std::fabs(slope) - sigma) * (1 - 0x1p-50);
+    if (!(least > 0)) return unknown;
+    off =
+        ((e_f + u * std::fabs(f.hi) + std::fabs(step) * sigma) / least + 2 * u * std::fabs(step)) *
+            up +
+        tiny;
+    reach = std::fmin(h, ((std::fabs(f.hi) * (1 + 2 * u) + e_f) / least) * up + tiny);
+  }
+  DdBall root(0, 0, off);
+  dd_detail::two_sum(c, -step, root.hi, root.lo);
+  return root.rad < std::numeric_limits<double>::infinity() ? root : unknown;
+}
+
+}  // namespace voroproof

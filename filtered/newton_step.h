@@ -1,0 +1,16 @@
+// One Newton step for the root of a flip polynomial, with a bound derived beforehand: cheaper than
+// balls, which bound every operation.
+#pragma once
+
+#include "exact/generators.h"
+#include "filtered/motion.h"
+
+namespace voroproof {
+
+// The one root in [lo, hi] of the cotangency f of q's generators (exact/predicates.h) as a
+// double-double with a bound of its error. The radius is infinite where the step cannot say:
+// where f' may vanish in [lo, hi], or numbers leave the range of binary64.
+// Precondition: f has a root there; lo and hi are finite.
+DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi);
+
+}  // namespace voroproof
