@@ -45,16 +45,13 @@ ExitCode generate(const Request<Options>& request, Scene (*make)(const Options&)
 template <class Options>
 struct Family {
   Family(CLI::App& generate_verb, Action& action, const std::string& name,
-         const std::string& description, Scene (*make)(const Options&))
+         const std::string& description, Scene (*make)(const Options&), int most = max_disks)
       : verb(*generate_verb.add_subcommand(name, description)),
         request(std::make_shared<Request<Options>>()),
         options(request->options) {
     verb.add_option("--n", options.n, "number of disks")
         ->check(whole_number())
-        ->check(CLI::Range(0, max_disks))
-        ->capture_default_str();
-    verb.add_option("--seed", options.seed, "of the random numbers")
-        ->check(whole_number())
+        ->check(CLI::Range(0, most))
         ->capture_default_str();
     add_real(verb, "--horizon", options.horizon, "of the scene");
     add_output(verb, request->output, "the scene to write");
@@ -68,6 +65,13 @@ struct Family {
   std::shared_ptr<Request<Options>> request;
   Options& options;
 };
+
+template <class Options>
+void add_seed(const Family<Options>& family) {
+  family.verb.add_option("--seed", family.options.seed, "of the random numbers")
+      ->check(whole_number())
+      ->capture_default_str();
+}
 
 // An option whose value is an enumerator, chosen by its name.
 template <class Enum>
@@ -92,6 +96,7 @@ void add_reference(CLI::App& generate_verb, Action& action) {
       generate_verb, action, "reference",
       "Disjoint disks of random radii at random places with random directions and one speed",
       &generate_reference);
+  add_seed(family);
   CLI::App& verb = family.verb;
   ReferenceOptions& options = family.options;
   add_enum(verb, "--radii", names, options.radii,
@@ -112,6 +117,7 @@ void add_grid(CLI::App& generate_verb, Action& action) {
                                                    {"shear", Motion::shear}};
   const Family<GridOptions> family(generate_verb, action, "grid",
                                    "Equal disks on a square lattice: many ties", &generate_grid);
+  add_seed(family);
   CLI::App& verb = family.verb;
   GridOptions& options = family.options;
   add_enum(verb, "--motion", names, options.motion,
@@ -126,6 +132,7 @@ void add_swarm(CLI::App& generate_verb, Action& action) {
   const Family<SwarmOptions> family(
       generate_verb, action, "swarm",
       "Equal disks fly from a square lattice to a circle and stop there", &generate_swarm);
+  add_seed(family);
   CLI::App& verb = family.verb;
   SwarmOptions& options = family.options;
   add_real(verb, "--spacing", options.spacing, "of the lattice, more than 2 radii");
@@ -133,14 +140,49 @@ void add_swarm(CLI::App& generate_verb, Action& action) {
   verb.footer("Example:\n  voroproof generate swarm --n 40 -o a.scene.json");
 }
 
+void add_formation(CLI::App& generate_verb, Action& action) {
+  const Family<FormationOptions> family(
+      generate_verb, action, "formation",
+      "Equal disks fly from formation to formation without collisions", &generate_formation,
+      max_formation_disks);
+  CLI::App& verb = family.verb;
+  FormationOptions& options = family.options;
+  CLI::Option* flight =
+      verb.add_option("--flight", options.flight,
+                      "a formation, then formations (square, staggered, frame, circle, rings, h, "
+                      "y) and moves (east, north, west, south, turn, shear, spread, rest)")
+          ->delimiter(',')
+          ->type_name("NAME,...")
+          ->capture_default_str();
+  add_real(verb, "--spacing", options.spacing, "of every formation, more than 2 radii");
+  add_real(verb, "--radius", options.radius, "of every disk");
+  verb.add_option_function<std::string>(
+          "--preset",
+          [&options](const std::string& name) {
+            const FormationOptions preset = formation_preset(name);
+            options.n = preset.n;
+            options.flight = preset.flight;
+            options.horizon = preset.horizon;
+          },
+          "number, flight and horizon of a swarm of the paper's")
+      ->check(CLI::IsMember({"figure24", "h-to-y", "segments58", "drones1218", "drones2018"}))
+      ->excludes(verb.get_option("--n"), verb.get_option("--horizon"), flight)
+      ->type_name("NAME");
+  verb.footer(
+      "Examples:\n"
+      "  voroproof generate formation --n 24 --flight square,turn,circle -o a.scene.json\n"
+      "  voroproof generate formation --preset drones2018 -o a.scene.json");
+}
+
 }  // namespace
 
 void add_generate(CLI::App& app, Action& action) {
-  CLI::App* verb = app.add_subcommand("generate", "Write a scene of one of three families");
+  CLI::App* verb = app.add_subcommand("generate", "Write a scene of one of four families");
   verb->require_subcommand(1);
   add_reference(*verb, action);
   add_grid(*verb, action);
   add_swarm(*verb, action);
+  add_formation(*verb, action);
   verb->footer("Example:\n  voroproof generate reference --n 1000 -o a.scene.json");
 }
 

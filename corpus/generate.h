@@ -1,15 +1,18 @@
-// Generators of scenes: the paper's data, lattices and a formation flight.
+// Generators of scenes: the paper's data, lattices and formation flights.
 //
 // A scene depends on its options alone, on every platform: random numbers come
 // from std::mt19937_64 through a mapping of our own, cosines, sines and powers
 // from MPFR with correct rounding, everything else from single binary64
-// operations. Every number of a scene is a binary64 number.
+// operations and rationals. Every number of a scene is a binary64 number, but
+// for formation flights, where it may be any rational.
 //
 // All generators throw std::invalid_argument for options without meaning. Their
 // lengths, times and speeds are in one consistent set of units of the caller's.
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "history/scene.h"
 
@@ -78,5 +81,42 @@ struct SwarmOptions {
   double horizon = 100;
 };
 Scene generate_swarm(const SwarmOptions& options);
+
+// n equal disks fly from one formation to others, all in straight lines, all starting and arriving
+// at the same instants (maneuvers), and none colliding. A flight is a list of names: first a
+// formation (corpus/formations.h), then formations and moves of the whole swarm:
+//
+//   east, north, west, south  by four spacings
+//   turn                      about its centre, each straight to its place turned by atan(4/3)
+//   shear                     x += y / 2 about its centre
+//   spread                    to 3/2 of the distances
+//   rest                      nobody moves
+//
+// Each takes one and the same part of the horizon, and the last part finds all at rest. Between
+// formations every disk goes to the place where no exchange of two makes the sum of the squares of
+// all ways shorter. Every value is exact, a binary64 or not: disks arrive where their formation is.
+//
+// Throws std::invalid_argument besides where disks would collide. From formation to formation and
+// in moves other than `shear` they never do while spacing > 2 sqrt(2) radius.
+struct FormationOptions {
+  int n = 20;  // at most max_formation_disks
+  std::vector<std::string> flight = {"frame", "circle"};
+  double spacing = 5;  // > 2 radius
+  double radius = 1;   // > 0
+  double horizon = 32;
+};
+inline constexpr int max_formation_disks = 5000;
+Scene generate_formation(const FormationOptions& options);
+
+// Flights after those of the paper (section 8 and Fig. 1), each step 16 units of time:
+//
+//   figure24    20 vehicles from the outline of a square to a circle (Fig. 24)
+//   h-to-y      19 drones from one letter to the other (Fig. 1d)
+//   segments58  58 drones, eight steps
+//   drones1218  square lattice, sheared and turned, to a staggered one
+//   drones2018  square lattice, flown and turned, to rings
+//
+// Throws std::invalid_argument for another name.
+FormationOptions formation_preset(const std::string& name);
 
 }  // namespace voroproof
