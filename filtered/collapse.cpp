@@ -929,6 +929,7 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
       if (roots[k].is_point()) {
         exists = exact_existence(q, roots[k].interval().lo, exact);
         if (exists[0] == Sign::zero || exists[1] == Sign::zero) {
+          if (can_wait) return none_until(reached);
           throw Undecided("a circle through three generators becomes a line at a flip", q);
         }
       } else {

@@ -275,5 +275,30 @@ TEST(CollapseSearch, CotangentForGood) {
   }
 }
 
+// At t = 128/57 the four would be on one line, long after others have come between: a root, but
+// no circles. What is known up to there is the answer, not that nothing can be decided.
+TEST(CollapseSearch, FourOnALineLater) {
+  const auto speed = [](long thirtyseconds) -> Rational { return Rational(thirtyseconds) / 32; };
+  const Scene scene = scene_of(100, 20,
+                               {disk(32, Rational(65, 2), 1, speed(-40), 0),
+                                disk(11, Rational(57, 2), 1, speed(37), speed(57)),
+                                disk(8, Rational(65, 2), 1, speed(-40), 0),
+                                disk(29, Rational(57, 2), 1, speed(-27), speed(57))});
+  const Quad q{0, 1, 2, 3};
+  for (const MotionOptions& options : {MotionOptions{}, without_filters()}) {
+    Motion motion(motion_input(scene), options);
+    TierCounts tiers;
+    CollapseSearch search(motion, tiers);
+    for (const Quad& edge : {q, flipped(q)}) {
+      const Collapse c = search.from(edge, instant_at(0), 4);
+      if (c.kind == Collapse::Kind::now) continue;  // one of the two is illegal from 0 on
+      EXPECT_EQ(c.kind, Collapse::Kind::none);
+      EXPECT_GT(c.lo, 1);
+      EXPECT_LT(c.lo, 2.25);
+    }
+    EXPECT_GT(searches(tiers, Tier::exact), 0u);
+  }
+}
+
 }  // namespace
 }  // namespace voroproof::testing
