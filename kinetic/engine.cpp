@@ -590,6 +590,8 @@ class Engine<certified>::Implementation {
       } else if (due_maneuvers_) {
         due_maneuvers_ = false;
         const Rational instant = next_maneuver().t;
+        // A flip's root is no longer that of its generators once their motion changes.
+        if constexpr (certified) now_ = instant_at(instant);
         std::vector<ManeuverInput> together;
         while (next_maneuver_ < maneuvers_.size() && next_maneuver().t == instant) {
           together.push_back(maneuvers_[next_maneuver_++]);
