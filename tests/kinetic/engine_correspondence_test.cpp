@@ -1,0 +1,206 @@
+// Histories of scenes full of ties correspond to those of their images and of their parts:
+// formation flights, small lattices, and these made symmetric. RC_PARAMS="max_success=1000" looks
+// further.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/support/correspondence.h"
+#include "tests/support/formation_scene.h"
+#include "tests/support/history_check.h"
+#include "tests/support/lattice_scene.h"
+
+namespace voroproof::testing {
+namespace {
+
+// As in engine_lattice_test.cpp: where collisions come before ties, a run may stop.
+RecordedRun run_with_small_budget(const Scene& scene) {
+  MotionOptions small_budget;
+  small_budget.max_bits = 1024;
+  return run(scene, small_budget);
+}
+
+bool compared(const RecordedRun& a, const RecordedRun& b) {
+  const bool both = a.complete() && b.complete();
+  RC_CLASSIFY(!both, "undecided");
+  RC_CLASSIFY(both && a.count(Event::Kind::collision) > 0, "collisions");
+  RC_CLASSIFY(both && a.stats.ties > 0, "ties");
+  return both;
+}
+
+void expect_image(const Scene& scene, const Image& image) {
+  const RecordedRun original = run_with_small_budget(scene);
+  const RecordedRun other = run_with_small_budget(image_of(scene, image));
+  if (!compared(original, other)) return;
+  if (!image.ids.empty() && shares_a_disk_at_an_instant(original)) {
+    RC_TAG("the order of ids matters");
+    return;
+  }
+  RC_ASSERT(difference_from_image(scene, original, image, other) == std::string());
+}
+
+void expect_parts(const Scene& scene, const Rational& t) {
+  const RecordedRun whole = run_with_small_budget(scene);
+  if (!whole.complete()) return;
+  Scene first = scene;
+  first.horizon = t;
+  const RecordedRun beginning = run_with_small_budget(first);
+  const auto rest = rest_of(scene, whole, t);
+  RC_CLASSIFY(!rest, "irrational");
+  std::vector<std::string> expected = names(whole), parts = names(beginning);
+  RC_ASSERT(beginning.complete());
+  RC_ASSERT(beginning.final_diagram == diagram_after(scene, whole, t.get_d()));
+  RC_ASSERT(parts.size() <= expected.size());
+  RC_ASSERT(std::equal(parts.begin(), parts.end(), expected.begin()));
+  if (!rest) return;
+  const RecordedRun end = run_with_small_budget(*rest);
+  if (!compared(whole, end)) return;
+  RC_ASSERT(end.initial == beginning.final_diagram);
+  const std::vector<std::string> later = names(end);
+  parts.insert(parts.end(), later.begin(), later.end());
+  RC_ASSERT(parts == expected);
+  for (std::size_t k = 0; k < later.size(); ++k) {
+    const double expected_t = whole.events[expected.size() - later.size() + k].t;
+    RC_ASSERT(std::fabs(end.events[k].t + t.get_d() - expected_t) <= 1e-14 * (1 + expected_t));
+  }
+}
+
+// (x, y) -> ((3, -4), (4, 3)) (x, y) / 5, and larger, elsewhere and in another tempo.
+Image turned() {
+  Image image;
+  image.xx = image.yy = Rational(3, 5);
+  image.xy = Rational(-4, 5);
+  image.yx = Rational(4, 5);
+  return image;
+}
+Image scaled() {
+  Image image;
+  image.xx = image.yy = image.length = Rational(7, 3);
+  image.dx = Rational(1000, 7);
+  image.dy = -17;
+  image.time = Rational(5, 4);
+  return image;
+}
+Image mirrored() {
+  Image image;
+  image.xx = -1;
+  return image;
+}
+Image permuted(const Scene& scene) {
+  Image image;
+  image.ids.resize(scene.disks.size());
+  std::iota(image.ids.begin(), image.ids.end(), 0);
+  // A random order: sorted by random keys, which shrink to those that keep it.
+  const auto keys =
+      *rc::gen::container<std::vector<int>>(scene.disks.size(), rc::gen::arbitrary<int>());
+  std::stable_sort(image.ids.begin(), image.ids.end(), [&](int i, int j) {
+    return keys[static_cast<std::size_t>(i)] < keys[static_cast<std::size_t>(j)];
+  });
+  return image;
+}
+// A binary64, and often an instant of maneuvers.
+Rational instant_of(const Scene& scene) {
+  Rational part(*rc::gen::inRange(0, 65), 64);
+  part.canonicalize();
+  return scene.horizon * part;
+}
+
+// ---- The families. ----
+
+Scene formation() { return scene_of(*formation_scenes(9)); }
+
+Scene lattice() {
+  LatticeFamily family;
+  family.max_radius = 2;
+  const Scene scene = scene_of(*lattice_scenes(family));
+  RC_PRE(scene.disks.size() >= 2u);
+  return scene;
+}
+
+// Each disk of a small lattice with its images under a half or quarter turns, or the reflections
+// in both axes.
+Scene symmetric() {
+  LatticeFamily family;
+  family.max_radius = 2;
+  LatticeScene lattice = *lattice_scenes(family);
+  if (lattice.disks.size() > 2) lattice.disks.resize(2);
+  const int kind = *rc::gen::inRange(0, 3);
+  LatticeScene all = lattice;
+  all.disks.clear();
+  for (LatticeDisk d : lattice.disks) {
+    const int images = kind == 0 ? 2 : 4;
+    for (int k = 0; k < images; ++k) {
+      all.disks.push_back(d);
+      if (kind == 0) {
+        d = {-d.x, -d.y, d.radius, -d.vx, -d.vy};
+      } else if (kind == 1) {
+        d = {-d.y, d.x, d.radius, -d.vy, d.vx};
+      } else if (k % 2 == 0) {
+        d = {-d.x, d.y, d.radius, -d.vx, d.vy};
+      } else {
+        d = {d.x, -d.y, d.radius, d.vx, -d.vy};
+      }
+    }
+  }
+  Scene scene = scene_of(all);
+  RC_PRE(scene.disks.size() >= 2u);
+  scene.horizon = 3;
+  return scene;
+}
+
+RC_GTEST_PROP(Formation, IsRight, ()) {
+  const Scene scene = formation();
+  const RecordedRun history = run(scene);
+  RC_ASSERT(check_history(scene, history) == std::string());
+  RC_ASSERT(history.count(Event::Kind::collision) == 0u);
+  RC_CLASSIFY(history.stats.ties > 0, "ties");
+}
+// The instant began with a flip, and was then sought as a root of what the flip's generators no
+// longer did.
+TEST(Formation, FlipsAtTheInstantOfManeuvers) {
+  const Scene scene = scene_of(FormationScene{9, {"staggered", "y"}});
+  EXPECT_EQ(check_history(scene, run(scene)), "");
+}
+RC_GTEST_PROP(Formation, Turned, ()) { expect_image(formation(), turned()); }
+RC_GTEST_PROP(Formation, Scaled, ()) { expect_image(formation(), scaled()); }
+RC_GTEST_PROP(Formation, Mirrored, ()) { expect_image(formation(), mirrored()); }
+RC_GTEST_PROP(Formation, Permuted, ()) {
+  const Scene scene = formation();
+  expect_image(scene, permuted(scene));
+}
+RC_GTEST_PROP(Formation, InTwoParts, ()) {
+  const Scene scene = formation();
+  expect_parts(scene, instant_of(scene));
+}
+
+RC_GTEST_PROP(Lattice, Turned, ()) { expect_image(lattice(), turned()); }
+RC_GTEST_PROP(Lattice, Scaled, ()) { expect_image(lattice(), scaled()); }
+RC_GTEST_PROP(Lattice, Mirrored, ()) { expect_image(lattice(), mirrored()); }
+RC_GTEST_PROP(Lattice, Permuted, ()) {
+  const Scene scene = lattice();
+  expect_image(scene, permuted(scene));
+}
+RC_GTEST_PROP(Lattice, InTwoParts, ()) {
+  const Scene scene = lattice();
+  expect_parts(scene, instant_of(scene));
+}
+
+RC_GTEST_PROP(Symmetric, Turned, ()) { expect_image(symmetric(), turned()); }
+RC_GTEST_PROP(Symmetric, Mirrored, ()) { expect_image(symmetric(), mirrored()); }
+RC_GTEST_PROP(Symmetric, Permuted, ()) {
+  const Scene scene = symmetric();
+  expect_image(scene, permuted(scene));
+}
+RC_GTEST_PROP(Symmetric, InTwoParts, ()) {
+  const Scene scene = symmetric();
+  expect_parts(scene, instant_of(scene));
+}
+
+}  // namespace
+}  // namespace voroproof::testing
