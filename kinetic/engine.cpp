@@ -598,7 +598,7 @@ class Engine<certified>::Implementation {
         }
         std::sort(together.begin(), together.end(),
                   [](const auto& a, const auto& b) { return a.disk < b.disk; });
-        for (const ManeuverInput& m : together) process_maneuver(m, t);
+        process_maneuvers(together, t);
         queue_maneuver();
       } else {
         return;
@@ -846,21 +846,23 @@ class Engine<certified>::Implementation {
     recompute_around(j);
   }
 
-  void process_maneuver(const ManeuverInput& m, double t) {
-    RoundedState state{};
-    {
+  // All velocities change before anything is searched for: with some of them only, most searches
+  // would be for nothing, and harder than those that count.
+  void process_maneuvers(const std::vector<ManeuverInput>& together, double t) {
+    for (const ManeuverInput& m : together) {
       const Stopwatch watch(clock(stats_.move_seconds));
+      RoundedState state{};
       if constexpr (certified) {
         state = motion_.maneuver(m.disk, m.t, m.vx, m.vy);
       } else {
         state = motion_.maneuver_in_doubles(m.disk, t, m.vx.get_d(), m.vy.get_d());
       }
+      pending_.emplace_back(PendingEvent{t, m.disk, m.disk, state, {}});
+      ++stats_.maneuvers;
+      forget_contacts_of(m.disk);
     }
-    pending_.emplace_back(PendingEvent{t, m.disk, m.disk, state, {}});
-    ++stats_.maneuvers;
     ++stamp_now_;
-    forget_contacts_of(m.disk);
-    recompute_around(m.disk);
+    for (const ManeuverInput& m : together) recompute_around(m.disk);
   }
 
   // Contacts due now are looked for anew after every change of a velocity.
