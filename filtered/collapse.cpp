@@ -722,6 +722,11 @@ bool CollapseSearch::at_relative_rest(const Quad& q) const {
          motion_.same_velocity(q.l, q.e);
 }
 
+bool CollapseSearch::has_rational_motion(const Quad& q) const {
+  return motion_.is_rational(q.l) && motion_.is_rational(q.r) && motion_.is_rational(q.s) &&
+         motion_.is_rational(q.e);
+}
+
 // Four generators at rest relative to each other: the edge is legal for good unless
 // they are cotangent now and the rule of the largest id is against it.
 Collapse CollapseSearch::at_rest(const Quad& q, const Instant& now) {
@@ -753,7 +758,11 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
                               double end) {
   const Rational finish = std::max<Rational>(to_rational(end), start + Rational(1, 1L << 40));
   Attempt attempt;
-  if (motion_.options().filters) {
+  // Generators that look cotangent at the instant mostly are. Nothing but the exact tier can say
+  // so, and while their motion is rational it is quick.
+  const bool exact_first = motion_.options().filters && now != nullptr && has_rational_motion(q) &&
+                           sign(flip_value(motion_, q, now->dd, false)) == Sign::unknown;
+  if (motion_.options().filters && !exact_first) {
     attempt = search_in<DdBall>(motion_, q, start, finish, now, 48, MakeDd{});
     if (!attempt.decided) {
       // What is hard later in the window can wait: an event may come first.
@@ -770,12 +779,14 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
   if (const auto answer = by_symmetry(q, now, end)) return *answer;
   std::string budget;
   for (bool tried_exact = false;;) {
-    const int bits = motion_.goal_bits() + 32;
-    attempt =
-        search_in<Ball>(motion_, q, start, finish, now, std::min(bits / 2, 512), MakeBall{bits});
-    if (attempt.decided) {
-      counts_.count(Predicate::flip_search, Tier::ball);
-      return attempt.answer;
+    if (tried_exact || !exact_first) {
+      const int bits = motion_.goal_bits() + 32;
+      attempt =
+          search_in<Ball>(motion_, q, start, finish, now, std::min(bits / 2, 512), MakeBall{bits});
+      if (attempt.decided) {
+        counts_.count(Predicate::flip_search, Tier::ball);
+        return attempt.answer;
+      }
     }
     if (!tried_exact) {
       tried_exact = true;
