@@ -88,7 +88,7 @@ Scene generate_swarm(const SwarmOptions& options);
 //
 //   east, north, west, south  by four spacings
 //   turn                      about its centre, each straight to its place turned by atan(4/3)
-//   shear                     x += y / 2 about its centre
+//   shear                     x += 3 y / 4 about its centre
 //   spread                    to 3/2 of the distances
 //   rest                      nobody moves
 //
@@ -113,8 +113,8 @@ Scene generate_formation(const FormationOptions& options);
 //   figure24    20 vehicles from the outline of a square to a circle (Fig. 24)
 //   h-to-y      19 drones from one letter to the other (Fig. 1d)
 //   segments58  58 drones, eight steps
-//   drones1218  square lattice, sheared and turned, to a staggered one
-//   drones2018  square lattice, flown and turned, to rings
+//   drones1218  square lattice, turned and sheared, to a staggered one
+//   drones2018  square lattice, flown, sheared through another square lattice, to rings
 //
 // Throws std::invalid_argument for another name.
 FormationOptions formation_preset(const std::string& name);

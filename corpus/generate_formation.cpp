@@ -32,7 +32,7 @@ constexpr std::array<Move, 8> moves{{{"east", 1, 0, 0, 1, 1, 4, 0},
                                      {"west", 1, 0, 0, 1, 1, -4, 0},
                                      {"south", 1, 0, 0, 1, 1, 0, -4},
                                      {"turn", 3, -4, 4, 3, 5, 0, 0},
-                                     {"shear", 2, 1, 0, 2, 2, 0, 0},
+                                     {"shear", 4, 3, 0, 4, 4, 0, 0},
                                      {"spread", 3, 0, 0, 3, 2, 0, 0},
                                      {"rest", 1, 0, 0, 1, 1, 0, 0}}};
 
@@ -216,9 +216,9 @@ FormationOptions formation_preset(const std::string& name) {
   } else if (name == "segments58") {
     set(58, {"square", "turn", "rings", "east", "h", "y", "west", "circle", "staggered"});
   } else if (name == "drones1218") {
-    set(1218, {"square", "shear", "turn", "staggered"});
+    set(1218, {"square", "turn", "shear", "staggered"});
   } else if (name == "drones2018") {
-    set(2018, {"square", "east", "turn", "rings"});
+    set(2018, {"square", "east", "shear", "shear", "rings"});
   } else {
     throw std::invalid_argument("generate: no preset is called '" + name + "'");
   }
