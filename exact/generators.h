@@ -1,6 +1,7 @@
 // The ids of generators, and how V-edges are named by them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <compare>
 
@@ -35,6 +36,15 @@ constexpr Quad flipped(const Quad& q) { return {q.s, q.e, q.r, q.l}; }
 // possible (a cell of two edges).
 constexpr bool names_an_edge(const Quad& q) {
   return q.l != q.r && q.s != q.l && q.s != q.r && q.e != q.l && q.e != q.r;
+}
+
+// Whether the two edges have the same four generators, in whatever roles.
+constexpr bool same_generators(const Quad& a, const Quad& b) {
+  if (a.l + a.r + a.s + a.e != b.l + b.r + b.s + b.e) return false;
+  std::array<GenId, 4> x{a.l, a.r, a.s, a.e}, y{b.l, b.r, b.s, b.e};
+  std::sort(x.begin(), x.end());
+  std::sort(y.begin(), y.end());
+  return x == y;
 }
 
 // A V-vertex: its generators in counterclockwise order of their contact points, written

@@ -118,4 +118,19 @@ inline Sign sign(const DdBall& a) {
   return Sign::unknown;
 }
 
+// Binary64 numbers around the ball: neighbours of hi, or as near as the radius lets. The sums of lo
+// and the radius err by 2^-53 of themselves.
+inline void enclose(const DdBall& a, double& lo, double& hi) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double below = (a.lo - a.rad) * (1 + 0x1p-50), above = (a.lo + a.rad) * (1 + 0x1p-50);
+  const double next_below = std::nextafter(a.hi, -infinity);
+  const double next_above = std::nextafter(a.hi, infinity);
+  lo = a.lo - a.rad >= 0           ? a.hi
+       : below > next_below - a.hi ? next_below
+                                   : std::nextafter(a.hi + below, -infinity);
+  hi = a.lo + a.rad <= 0           ? a.hi
+       : above < next_above - a.hi ? next_above
+                                   : std::nextafter(a.hi + above, infinity);
+}
+
 }  // namespace voroproof

@@ -25,14 +25,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // and rounded: both nearly always succeed then.
 constexpr double kFine = 1e-20;
 
-bool same_generators(const Quad& a, const Quad& b) {
-  if (a.l + a.r + a.s + a.e != b.l + b.r + b.s + b.e) return false;
-  std::array<GenId, 4> x{a.l, a.r, a.s, a.e}, y{b.l, b.r, b.s, b.e};
-  std::sort(x.begin(), x.end());
-  std::sort(y.begin(), y.end());
-  return x == y;
-}
-
 // Adds the time spent in a scope to a sum, if there is one.
 class Stopwatch {
  public:
@@ -294,17 +286,6 @@ class Engine<certified>::Implementation {
     return std::fabs(t.lo) + t.rad < half_gap_below(t.hi) * (1 - 0x1p-50);
   }
 
-  // Binary64 numbers around a double-double: neighbours, or as near as its radius lets.
-  static void enclose(const DdBall& t, double& lo, double& hi) {
-    const double below = (t.lo - t.rad) * (1 + 0x1p-50), above = (t.lo + t.rad) * (1 + 0x1p-50);
-    lo = t.lo - t.rad >= 0                   ? t.hi
-         : below > -2 * half_gap_below(t.hi) ? std::nextafter(t.hi, -kInfinity)
-                                             : std::nextafter(t.hi + below, -kInfinity);
-    hi = t.lo + t.rad <= 0                  ? t.hi
-         : above < 2 * half_gap_above(t.hi) ? std::nextafter(t.hi, kInfinity)
-                                            : std::nextafter(t.hi + above, kInfinity);
-  }
-  static double half_gap_above(double x) { return 0.5 * (std::nextafter(x, kInfinity) - x); }
   static double half_gap_below(double x) { return 0.5 * (x - std::nextafter(x, -kInfinity)); }
 
   Ball ball_of(int item, int bits) {

@@ -1,0 +1,317 @@
+#include "certify/checker.h"
+
+#include <algorithm>
+
+#include "certify/contact_proof.h"
+#include "certify/edge_proof.h"
+#include "certify/witness.h"
+#include "certify/wording.h"
+
+namespace voroproof {
+
+namespace {
+
+// How many of the claims that are near each other in time are looked at together.
+constexpr std::size_t kMaxNear = 64;
+
+MotionInput with_horizon(MotionInput input, const Rational& horizon) {
+  input.horizon = horizon;
+  return input;
+}
+
+}  // namespace
+
+Checker::Checker(const Scene& scene, const MotionInput& input, HistorySource& history,
+                 const CertifyOptions& options)
+    : scene_(scene),
+      history_(history),
+      options_(options),
+      search_end_(round_up(last_instant())),
+      horizon_down_(round_down(last_instant())),
+      motion_(with_horizon(input, to_rational(search_end_)), options.motion),
+      replay_(scene, options),
+      diagram_(replay_.diagram()),
+      collapses_(motion_, certificate_.tiers),
+      contacts_(motion_, certificate_.tiers),
+      chronology_(motion_, collapses_, contacts_, certificate_.beyond_filter),
+      law_(scene, options.law_tolerance),
+      tolerance_up_(round_up(options.tolerance)) {}
+
+Certificate Checker::run(const Checkpoint* checkpoint, std::optional<double> until) {
+  try {
+    try {
+      if (checkpoint != nullptr) {
+        resume(*checkpoint);
+      } else {
+        start();
+      }
+      while (!near_.empty() || refill()) process_next();
+      if (until) {
+        finish_part(*until);
+      } else {
+        finish();
+      }
+    } catch (const Refuted& r) {
+      throw Refuted{first_divergence(r.divergence)};
+    }
+  } catch (const Refuted& r) {
+    certificate_.verdict = Verdict::refuted;
+    certificate_.divergence = r.divergence;
+    prefix_until(certificate_.divergence->t);
+  } catch (const Undecided& u) {
+    certificate_.verdict = Verdict::undecided;
+    certificate_.reason = u.what();
+    certificate_.reason_line = line_;
+    prefix_until(frontier_.lo);
+  }
+  certificate_.highest_bits = motion_.highest_bits();
+  if (ulps_count_ > 0) certificate_.ulps_mean = ulps_sum_ / static_cast<double>(ulps_count_);
+  return std::move(certificate_);
+}
+
+// No event that the file may claim lies beyond it.
+Rational Checker::last_instant() const {
+  return history_.header().horizon + history_.header().horizon_error;
+}
+
+// ---- Claims. ----
+
+// Reads the claims that follow within twice the tolerance of the next one: their true order may
+// differ from that of the file. False at the end.
+bool Checker::refill() {
+  while (!ended_ && (near_.empty() ||
+                     (near_.size() < kMaxNear &&
+                      time(near_.back().event) <= time(near_.front().event) + 2 * tolerance_up_))) {
+    std::optional<Event> event = history_.next();
+    if (!event) {
+      ended_ = true;
+      break;
+    }
+    near_.push_back({std::move(*event), history_.line()});
+    times_.push_back(time(near_.back().event));
+    lines_.push_back(history_.line());
+  }
+  return !near_.empty();
+}
+
+// Makes the k-th of the near claims the one being checked.
+void Checker::take(std::size_t k) {
+  claim_ = std::move(near_[k].event);
+  line_ = near_[k].line;
+  near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
+}
+
+void Checker::done() {
+  ++processed_;
+  if (options_.monitor && (processed_ & 0xff) == 0 && !options_.monitor(frontier_.lo, processed_)) {
+    throw CertificationInterrupted{};
+  }
+}
+
+void Checker::process_next() {
+  refill();
+  const bool alone =
+      near_.size() == 1 || time(near_[1].event) > time(near_[0].event) + 2 * tolerance_up_;
+  const std::size_t k = alone ? 0 : earliest();
+  take(k);
+  if (const auto* f = std::get_if<FlipEvent>(&*claim_)) {
+    flip(*f);
+  } else if (const auto* c = std::get_if<CollideEvent>(&*claim_)) {
+    collide(*c);
+  } else {
+    maneuver(std::get<ManeuverEvent>(*claim_));
+  }
+  if (k > 0) ++certificate_.swaps;
+  done();
+}
+
+// Which of the near claims is the first in truth. Only a claim that is certainly earlier than
+// those before it, and whose own edge or pair is there already, goes before them.
+std::size_t Checker::earliest() {
+  std::size_t best = 0;
+  std::optional<Moment> first = probe(near_[0].event);
+  if (!first) return 0;
+  for (std::size_t k = 1; k < near_.size(); ++k) {
+    // No truth within the tolerance of this claim comes first.
+    if (time(near_[k].event) - tolerance_up_ > first->hi) continue;
+    const std::optional<Moment> m = probe(near_[k].event);
+    if (m && m->hi < first->lo) {
+      first = m;
+      best = k;
+    }
+  }
+  if (best > 0 && options_.strict) {
+    take(0);
+    refute(Fault::wrong_order,
+           "an event claimed after it happens before it, " + between(first->lo, first->hi));
+  }
+  return best;
+}
+
+// The true time of a claim whose edge or pair is there.
+std::optional<Moment> Checker::probe(const Event& event) {
+  if (const auto* f = std::get_if<FlipEvent>(&event)) {
+    const HalfEdge h = replay_.find(f->quad);
+    if (h < 0 || lives_[h / 2].illegal || lives_[h / 2].due) return std::nullopt;
+    const Quad q = diagram_.quad(h);
+    const double from = lives_[h / 2].from;
+    if (const auto root = bracket(q, from, f->t)) return root->m;
+    const auto c = first_collapse(q, from, f->t + tolerance_up_);
+    if (!c) return std::nullopt;
+    return Moment::of(q, *c);
+  }
+  if (options_.truth == Truth::recorded) return Moment::at(exact_time(event));
+  if (const auto* c = std::get_if<CollideEvent>(&event)) {
+    const int e = replay_.adjacency(c->i, c->j);
+    if (e < 0) return std::nullopt;
+    const NextContact next = next_contact(e, c->i, c->j);
+    if (next.kind == NextContact::Kind::none) return std::nullopt;
+    return Moment::of(c->i, c->j, next);
+  }
+  return std::nullopt;
+}
+
+// ---- Time. ----
+
+// Where the truth has come to. A later moment makes it move on, and then nothing may be left
+// that had to happen before.
+void Checker::advance(const Moment& m) {
+  const int order = chronology_.compare(m, frontier_);
+  if (order < 0) {
+    refute(Fault::wrong_order, "the event lies " + between(m.lo, m.hi) +
+                                   ", before the event claimed before it, and cannot be swapped "
+                                   "with it");
+  }
+  if (order > 0) {
+    leave_instant();
+    frontier_ = m;
+    ++instant_;
+    return;
+  }
+  if (processed_ > 0) ++certificate_.simultaneous;
+  if (m.kind != Moment::Kind::flip) frontier_ = m;
+}
+
+// Every edge illegal at the present instant must have flipped.
+void Checker::leave_instant() {
+  for (const int e : illegal_) {
+    const Life& life = lives_[e];
+    if (life.illegal && life.born == instant_) {
+      Collapse c;
+      c.lo = frontier_.lo;
+      c.hi = frontier_.hi;
+      Divergence d = missing_flip(diagram_.quad(2 * e), c);
+      d.witness = motion_witness(motion_, generators(diagram_.quad(2 * e)), to_rational(c.lo));
+      throw Refuted{d};
+    }
+  }
+  illegal_.clear();
+}
+
+// ---- Refutations. ----
+
+// The line of the first claim later than t, or the last line read.
+std::int64_t Checker::line_at(double t) const {
+  const auto it = std::upper_bound(times_.begin(), times_.end(), t);
+  return it == times_.end() ? history_.line() : lines_[it - times_.begin()];
+}
+
+// The certified prefix ends at t, or with the last event proved.
+void Checker::prefix_until(double t) {
+  certificate_.prefix_t = std::min(t, frontier_.lo);
+  const auto it = std::lower_bound(times_.begin(), times_.end(), certificate_.prefix_t);
+  certificate_.prefix_events = std::min<std::int64_t>(it - times_.begin(), processed_);
+}
+
+// The claim being checked is false; without one, the history is where it has come to.
+Divergence Checker::divergence_at_claim(Fault fault, std::string truth) const {
+  Divergence d;
+  d.fault = fault;
+  d.line = line_;
+  d.t = claim_ ? time(*claim_) : frontier_.lo;
+  d.claim = claim_;
+  d.truth = std::move(truth);
+  return d;
+}
+
+void Checker::refute(Fault fault, const std::string& truth, Witness witness) {
+  Divergence d = divergence_at_claim(fault, truth);
+  d.witness = std::move(witness);
+  throw Refuted{std::move(d)};
+}
+
+Divergence Checker::missing_flip(const Quad& q, const Collapse& root) {
+  Divergence d;
+  d.fault = Fault::missing_event;
+  d.t = root.lo;
+  d.line = line_at(root.lo);
+  d.truth = "edge " + text(canonical(q)) + " flips " + between(root.lo, root.hi);
+  d.true_flip = canonical(q);
+  d.true_time = {root.lo, root.hi};
+  const auto [lo, hi] = interval_of(root);
+  d.witness = collapse_witness(motion_, q, lo, hi);
+  return d;
+}
+
+Divergence Checker::missing_contact(GenId i, GenId j, double lo, double hi) {
+  Divergence d;
+  d.fault = options_.truth == Truth::recorded ? Fault::overlap : Fault::missing_event;
+  d.t = lo;
+  d.line = line_at(lo);
+  d.truth = "generators " + text(i, j) + " touch and approach " + between(lo, hi);
+  d.true_contact = {i, j};
+  d.true_time = {lo, hi};
+  d.witness = contact_witness(motion_, i, j, to_rational(lo), to_rational(hi));
+  return d;
+}
+
+// The k-th maneuver of the scene.
+Divergence Checker::missing_maneuver(std::size_t k) const {
+  const Maneuver& m = scene_.maneuvers[k];
+  Divergence d;
+  d.fault = Fault::missing_event;
+  d.line = line_;
+  d.t = round_nearest(m.t);
+  d.truth =
+      "disk " + std::to_string(m.disk) + " is scheduled for a maneuver at t = " + m.t.get_str();
+  return d;
+}
+
+// What was refuted may be the consequence of something missed before: the earliest event that
+// every open life should have had, up to the refuted claim. Contacts come first everywhere: disks
+// that move through each other lead the edges into degeneracies that are costly to decide.
+Divergence Checker::first_divergence(const Divergence& found) {
+  Divergence first = found;
+  if (!begun_) return first;
+  double limit =
+      found.true_time && (*found.true_time)[0] < found.t ? (*found.true_time)[0] : found.t;
+  const double margin =
+      found.fault == Fault::missing_event || found.fault == Fault::overlap ? 0 : tolerance_up_;
+  limit = std::min(limit, search_end_);
+  for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
+    const auto [i, j] = replay_.pair_of(e);
+    if (replay_.partners(i, j) || proved_apart(motion_, i, j, pairs_[e].from, limit)) continue;
+    const Moment begin = Moment::at(pairs_[e].from);
+    const NextContact c = contacts_.from(i, j, chronology_.instant(begin), limit);
+    if (c.kind == NextContact::Kind::none || c.hi >= limit - margin - tolerance_up_) continue;
+    limit = c.lo;
+    first = missing_contact(i, j, c.lo, c.hi);
+  }
+  for (int e = 0; e < diagram_.edges(); ++e) {
+    const Quad q = diagram_.quad(2 * e);
+    const Life& life = lives_[e];
+    if (life.illegal) continue;
+    std::optional<Collapse> c;
+    if (life.due) {
+      c = life.root;
+    } else if (!proved_free(motion_, q, life.from, limit)) {
+      c = first_collapse(q, life.from, limit);
+    }
+    if (!c || c->hi >= limit - margin) continue;
+    limit = c->lo;
+    first = missing_flip(q, *c);
+  }
+  return first;
+}
+
+}  // namespace voroproof

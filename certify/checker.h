@@ -1,0 +1,201 @@
+// The checker of one history, or of one part of it: proves the claims one by one.
+//
+// It carries, for every V-edge and for every pair of neighbours, the life that is open (docs/
+// certificate.md, section 2). Each claim ends some lives and begins others; ending a life is where
+// the proofs are. One class, in files by subject:
+//   checker.cpp      reading, the order of claims, refutations
+//   checker_ends.cpp the start and the end of the history or of a part
+//   edge_lives.cpp   lives of edges, flips
+//   pair_lives.cpp   lives of pairs: contacts and overlaps
+//   collisions.cpp   collisions and maneuvers
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certify/certifier.h"
+#include "certify/collision_law.h"
+#include "certify/moment.h"
+#include "certify/replay.h"
+
+namespace voroproof {
+
+// A false claim is called mistimed where the event comes within so many tolerances of it.
+inline constexpr int kMistimed = 1000;
+
+inline constexpr const char* constructed_initial_remark =
+    "the history gives no initial diagram: that of the scene was constructed and proved";
+
+// What the claims before a time amount to, under the recorded truth.
+struct Checkpoint {
+  double t = 0;
+  Replay replay;
+};
+
+class Checker {
+ public:
+  // `input` is the scene as Motion takes it. The arguments outlive the checker, but for `input`.
+  Checker(const Scene& scene, const MotionInput& input, HistorySource& history,
+          const CertifyOptions& options);
+
+  // The whole history, or that part of it which begins at the checkpoint and ends at `until`: the
+  // verdict of a part that is not the last is `certified` where all is right up to `until`. Once
+  // only. Throws InputError and CertificationInterrupted.
+  Certificate run(const Checkpoint* checkpoint = nullptr, std::optional<double> until = {});
+
+ private:
+  using HalfEdge = Diagram::HalfEdge;
+
+  // Thrown where the history is false.
+  struct Refuted {
+    Divergence divergence;
+  };
+
+  struct Claim {
+    Event event;
+    std::int64_t line;
+  };
+
+  // What is known of a V-edge since its quadruplet or the motion of its generators last changed: it
+  // is legal and does not collapse until `from`.
+  struct Life {
+    double from = 0;
+    long born = 0;         // the instant at which it began
+    bool illegal = false;  // it has to flip at that instant
+    bool due = false;      // it collapses at `root`, next
+    Collapse root;
+  };
+
+  // The pair of a V-edge likewise: apart or parting, no contact until `from`. Under the recorded
+  // truth it may overlap then: since `overlap` before.
+  struct Adjacency {
+    double from = 0;
+    long born = 0;
+    double overlap = 0;
+  };
+
+  // A root of a flip polynomial, the only one in [lo, hi].
+  struct Isolated {
+    Moment m;
+    double lo = 0, hi = 0;
+  };
+
+  // When an edge flips for a claim.
+  struct Found {
+    Isolated root;
+    bool own = true;  // root is one of the edge's own polynomial; else it flips with others
+  };
+
+  // ---- checker.cpp ----
+  bool refill();
+  void process_next();
+  std::size_t earliest();
+  std::optional<Moment> probe(const Event& event);
+  void take(std::size_t k);
+  void done();
+  void advance(const Moment& m);
+  void leave_instant();
+  Rational last_instant() const;
+  void prefix_until(double t);
+  std::int64_t line_at(double t) const;
+  Divergence divergence_at_claim(Fault fault, std::string truth) const;
+  [[noreturn]] void refute(Fault fault, const std::string& truth, Witness witness = {});
+  Divergence missing_flip(const Quad& q, const Collapse& root);
+  Divergence missing_contact(GenId i, GenId j, double lo, double hi);
+  Divergence missing_maneuver(std::size_t k) const;
+  Divergence first_divergence(const Divergence& found);
+
+  // ---- checker_ends.cpp ----
+  void start();
+  void take_initial_diagram();
+  bool turns_at_start(const Event& event);
+  void resume(const Checkpoint& checkpoint);
+  void finish_part(double until);
+  void finish();
+  void end_all_lives(const Moment& m, bool closed);
+
+  // ---- edge_lives.cpp ----
+  void begin_life(int edge, const Moment& m, const Isolated* own = nullptr);
+  void end_life(int edge, const Moment& m, bool closed = false);
+  std::optional<Collapse> first_collapse(const Quad& q, double from, double end);
+  std::optional<Isolated> bracket(const Quad& q, double from, double t) const;
+  Found collapse_for(const FlipEvent& claim, HalfEdge h);
+  void flip(const FlipEvent& claim);
+  void resolve(HalfEdge h);
+  void count_ulps(const Moment& m, double claimed);
+  [[noreturn]] void mistimed(const Quad& q, const Collapse& c, const Rational& claimed);
+
+  // ---- pair_lives.cpp ----
+  void begin_pair(int edge, const Moment& m);
+  void go_on_with_pair(int edge, const Moment& m);
+  void end_pair(int edge, const Moment& m, bool closed = false);
+  NextContact next_contact(int edge, GenId i, GenId j);
+  Contact<Rational> recorded_contact(GenId i, GenId j, const Rational& at) const;
+  void check_parting(GenId i, GenId j, double from, const Moment& m);
+  void check_at_rest(int edge, const Moment& m);
+  void check_overlap(int edge, const Moment& m);
+  bool certainly_in_contact(GenId i, GenId j, const ExactPair& at) const;
+  void check_recorded_contact(GenId i, GenId j, const Rational& t, const ExactPair& at);
+
+  // ---- collisions.cpp ----
+  void collide(const CollideEvent& claim);
+  void collide_exactly(const CollideEvent& claim, int edge, const Rational& t);
+  void collide_as_recorded(const CollideEvent& claim, const Rational& t);
+  void maneuver(const ManeuverEvent& claim);
+  void require_maneuvers_before(double t);
+  void collect_around(GenId i, GenId j);
+  void end_around(const Moment& m);
+  void begin_around(const Moment& m);
+  void check_state(const CollideEvent& claim, int side, const RoundedState& truth);
+  void check_center(const std::optional<ExactVec2>& p, const ExactVec2& true_p);
+  [[noreturn]] void refute_response(const CollideEvent& claim, const ExactPair& p);
+  void turn(GenId g, const Rational& t, const ExactVec2& p);
+  void remark_velocities(bool centers);
+
+  const Scene& scene_;
+  HistorySource& history_;
+  const CertifyOptions& options_;
+  Certificate certificate_;
+  double search_end_;    // no event lies beyond it
+  double horizon_down_;  // nor at or before it beyond the last instant
+  Motion motion_;
+  Replay replay_;
+  Diagram& diagram_;
+  CollapseSearch collapses_;
+  ContactSearch contacts_;
+  Chronology chronology_;
+  CollisionLaw law_;
+  double tolerance_up_;
+
+  // Of the claims.
+  std::deque<Claim> near_;           // read and not yet checked
+  bool ended_ = false;               // no more to read
+  std::vector<double> times_;        // of the claims read
+  std::vector<std::int64_t> lines_;  // theirs
+  std::optional<Event> claim_;       // being checked
+  std::int64_t line_ = 1;
+  std::int64_t processed_ = 0;
+
+  // Of the lives.
+  bool begun_ = false;
+  Moment frontier_;   // the last event proved
+  long instant_ = 0;  // numbers the instants at which events were proved
+  std::vector<Life> lives_;
+  std::vector<Adjacency> pairs_;
+  std::vector<int> illegal_;                          // edges that have to flip at this instant
+  std::optional<std::pair<GenId, GenId>> colliding_;  // by the claim being checked
+  std::vector<int> spokes_, rim_;                     // of the last collection
+  std::vector<long> collected_;                       // by edge: the last collection it is in
+  long collection_ = 0;
+
+  bool remarked_centers_ = false, remarked_paths_ = false;
+  double ulps_sum_ = 0;
+  std::int64_t ulps_count_ = 0;
+};
+
+inline std::vector<GenId> generators(const Quad& q) { return {q.l, q.r, q.s, q.e}; }
+
+}  // namespace voroproof

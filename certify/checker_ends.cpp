@@ -1,0 +1,165 @@
+// The start and the end of a history, and of a part of one.
+#include <stdexcept>
+
+#include "certify/checker.h"
+#include "certify/initial_proof.h"
+#include "certify/witness.h"
+#include "history/json_text.h"
+
+namespace voroproof {
+
+// Whether a claim at t = 0 is of a change of the motion, and not one that in truth comes later.
+bool Checker::turns_at_start(const Event& event) {
+  if (std::holds_alternative<FlipEvent>(event)) return false;
+  if (options_.truth == Truth::recorded) return true;
+  if (const auto* m = std::get_if<ManeuverEvent>(&event)) {
+    const auto k = replay_.scheduled(*m, 0);
+    return !k || scene_.maneuvers[*k].t == 0;
+  }
+  const auto& claim = std::get<CollideEvent>(event);
+  const NextContact c = next_contact(0, claim.i, claim.j);
+  return c.kind == NextContact::Kind::none ||
+         chronology_.compare(Moment::of(claim.i, claim.j, c), frontier_) <= 0;
+}
+
+void Checker::start() {
+  frontier_ = Moment::at(Rational(0));
+  refill();
+  // What happens to the motion at t = 0 comes before the diagram at 0+.
+  while (!near_.empty() && sgn(exact_time(near_.front().event)) == 0 &&
+         turns_at_start(near_.front().event)) {
+    take(0);
+    if (const auto* c = std::get_if<CollideEvent>(&*claim_)) {
+      collide(*c);
+    } else {
+      maneuver(std::get<ManeuverEvent>(*claim_));
+    }
+    done();
+    refill();
+  }
+  claim_.reset();
+  line_ = 1;
+  take_initial_diagram();
+  const int edges = diagram_.edges();
+  lives_.assign(edges, {});
+  collected_.assign(edges, 0);
+  pairs_.assign(motion_.size() == 1 ? 1 : edges, {});
+  const Moment now = Moment::at(Rational(0));
+  for (int e = 0; e < edges; ++e) begin_life(e, now);
+  for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) begin_pair(e, now);
+  begun_ = true;
+}
+
+// Takes over the diagram at 0+ and proves it.
+void Checker::take_initial_diagram() {
+  std::vector<Quad> initial;
+  if (history_.header().initial) {
+    initial = *history_.header().initial;
+  } else if (motion_.size() >= 2) {
+    if (!options_.propose_initial) {
+      throw Undecided("the history gives no initial diagram, and none is at hand");
+    }
+    initial = options_.propose_initial(motion_);
+    certificate_.remarks.push_back(constructed_initial_remark);
+  }
+  if (motion_.size() < 2) {
+    if (!initial.empty()) {
+      refute(Fault::wrong_initial_diagram, "a diagram of fewer than two disks has no edge");
+    }
+    return;
+  }
+  try {
+    diagram_ = diagram_of(motion_.size(), initial);
+  } catch (const std::invalid_argument& e) {
+    refute(Fault::wrong_initial_diagram, e.what());
+  }
+  if (const auto f = initial_fault(diagram_, motion_, 0, certificate_.tiers)) {
+    Witness w;
+    if (f->vertex && f->conflict) {
+      w = conflict_witness(motion_, *f->vertex, *f->conflict, 0);
+    } else if (f->edge) {
+      w = motion_witness(motion_, generators(*f->edge), 0);
+    } else if (f->vertex) {
+      w = motion_witness(motion_, {f->vertex->begin(), f->vertex->end()}, 0);
+    }
+    refute(Fault::wrong_initial_diagram, f->truth, w);
+  }
+}
+
+// Goes on from what the part before has proved to be right up to the checkpoint.
+void Checker::resume(const Checkpoint& c) {
+  replay_ = c.replay;
+  replay_.move(motion_);
+  frontier_ = Moment::at(c.t);
+  ++instant_;
+  Life life;
+  life.from = c.t;
+  lives_.assign(diagram_.edges(), life);
+  collected_.assign(diagram_.edges(), 0);
+  pairs_.resize(motion_.size() == 1 ? 1 : diagram_.edges());
+  begun_ = true;
+  for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
+    // From their last change of motion, so that an overlap is measured whole.
+    const auto [i, j] = replay_.pair_of(e);
+    double from = round_up(replay_.path(j).t);
+    if (i != container_id) from = std::max(from, round_up(replay_.path(i).t));
+    pairs_[e].from = from;
+  }
+}
+
+// `closed`: nothing may be left that has to happen at m itself either.
+void Checker::end_all_lives(const Moment& m, bool closed) {
+  for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) end_pair(e, m, closed);
+  for (int e = 0; e < diagram_.edges(); ++e) end_life(e, m, closed);
+}
+
+// The end of a part: nothing may be left that has to happen up to that time.
+void Checker::finish_part(double until) {
+  claim_.reset();
+  line_ = history_.line();
+  require_maneuvers_before(until);
+  leave_instant();
+  end_all_lives(Moment::at(until), true);
+  certificate_.prefix_events = processed_;
+  certificate_.prefix_t = until;
+  certificate_.verdict = Verdict::certified;
+}
+
+void Checker::finish() {
+  claim_.reset();
+  line_ = history_.line();
+  const auto* stop = std::get_if<HistoryStop>(&history_.ending());
+  // What the file cannot say for certain is not held against it.
+  Rational end = history_.header().horizon - history_.header().horizon_error;
+  if (stop != nullptr) end = stop->exact_t ? *stop->exact_t : to_rational(stop->t);
+  if (stop == nullptr || end > frontier_.t) {
+    for (std::size_t k = replay_.next_maneuver(); k < scene_.maneuvers.size(); ++k) {
+      const Rational& t = scene_.maneuvers[k].t;
+      if (t > end || replay_.maneuver_done(k) || (stop != nullptr && t == end)) continue;
+      throw Refuted{missing_maneuver(k)};
+    }
+  }
+  // The horizon of some files is rounded, and events may lie beyond it.
+  Moment m = Moment::at(end);
+  if (chronology_.compare(m, frontier_) < 0) m = frontier_;
+  if (stop == nullptr) leave_instant();
+  end_all_lives(m, stop == nullptr);
+  if (stop == nullptr && !history_.counts_match()) {
+    refute(Fault::bad_count, "the file has " + std::to_string(history_.counts().flips) +
+                                 " flips, " + std::to_string(history_.counts().collisions) +
+                                 " collisions and " + std::to_string(history_.counts().maneuvers) +
+                                 " maneuvers");
+  }
+  certificate_.prefix_events = processed_;
+  certificate_.prefix_t = round_down(end);
+  if (stop != nullptr) {
+    certificate_.verdict = Verdict::undecided;
+    certificate_.reason = "the history stops at t = " + number_text(stop->t) +
+                          " and is right up to there: " + stop->reason;
+    certificate_.reason_line = line_;
+  } else {
+    certificate_.verdict = Verdict::certified;
+  }
+}
+
+}  // namespace voroproof

@@ -1,0 +1,246 @@
+// Collisions and maneuvers: the claimed changes of the motion, and what they change.
+#include "certify/checker.h"
+#include "certify/witness.h"
+#include "certify/wording.h"
+
+namespace voroproof {
+
+// ---- The lives around disks that turn. ----
+
+// Collects the edges that have one of the two disks among their generators: spokes of the cells,
+// and the rims around them. i may be the container, for one disk.
+void Checker::collect_around(GenId i, GenId j) {
+  spokes_.clear();
+  rim_.clear();
+  if (!begun_) return;
+  if (motion_.size() == 1) {
+    spokes_.push_back(0);
+    return;
+  }
+  const long spoke = ++collection_, any = ++collection_;
+  const auto add = [this](std::vector<int>& to, int edge, long stamp, long known) {
+    if (collected_[edge] >= known) return;
+    collected_[edge] = stamp;
+    to.push_back(edge);
+  };
+  const auto each = [this, i, j](auto&& visit) {
+    for (const GenId g : {i, j}) {
+      if (g == container_id) continue;
+      const HalfEdge first = diagram_.anchor(g);
+      HalfEdge h = first;
+      do {
+        visit(h);
+        h = diagram_.rotate(h);
+      } while (h != first);
+    }
+  };
+  each([&](HalfEdge h) { add(spokes_, h / 2, spoke, spoke); });
+  each([&](HalfEdge h) { add(rim_, diagram_.next(h) / 2, any, spoke); });
+}
+
+// All lives around the disks end at m, but that of the pair that collides.
+void Checker::end_around(const Moment& m) {
+  for (const int e : spokes_) {
+    if (!colliding_ || replay_.pair_of(e) != *colliding_) end_pair(e, m);
+  }
+  if (diagram_.edges() == 0) return;
+  for (const int e : spokes_) end_life(e, m);
+  for (const int e : rim_) end_life(e, m);
+}
+
+void Checker::begin_around(const Moment& m) {
+  for (const int e : spokes_) go_on_with_pair(e, m);
+  if (diagram_.edges() == 0) return;
+  for (const int e : spokes_) begin_life(e, m);
+  for (const int e : rim_) begin_life(e, m);
+}
+
+// ---- Collisions. ----
+
+void Checker::collide(const CollideEvent& claim) {
+  require_maneuvers_before(time(*claim_));
+  colliding_ = {claim.i, claim.j};
+  const int edge = begun_ ? replay_.adjacency(claim.i, claim.j) : 0;
+  if (edge < 0) {
+    refute(Fault::wrong_pair, "generators " + text(claim.i, claim.j) +
+                                  " are not adjacent in the diagram, so they do not touch");
+  }
+  const Rational t = exact_time(Event(claim));
+  if (options_.truth == Truth::exact) {
+    collide_exactly(claim, edge, t);
+  } else {
+    collide_as_recorded(claim, t);
+  }
+  colliding_.reset();
+  ++certificate_.collisions;
+}
+
+void Checker::collide_exactly(const CollideEvent& claim, int edge, const Rational& t) {
+  const GenId i = claim.i, j = claim.j;
+  const NextContact c = next_contact(edge, i, j);
+  if (c.kind == NextContact::Kind::none) {
+    refute(Fault::spurious_event,
+           "generators " + text(i, j) + " do not touch under their present motion",
+           motion_witness(motion_, {i, j}, t));
+  }
+  Moment m = Moment::of(i, j, c);
+  if (!chronology_.within(options_.tolerance, m, t)) {
+    const bool near = to_rational(c.lo) - t <= kMistimed * options_.tolerance;
+    Divergence d =
+        divergence_at_claim(near ? Fault::wrong_time : Fault::spurious_event,
+                            "generators " + text(i, j) + " touch " + between(c.lo, c.hi));
+    d.true_contact = {i, j};
+    d.true_time = {c.lo, c.hi};
+    d.witness = contact_witness(motion_, i, j, to_rational(c.lo), to_rational(c.hi));
+    throw Refuted{d};
+  }
+  advance(m);
+  collect_around(i, j);
+  end_around(m);
+  // The law between the claimed values first, while the state before is at hand.
+  if (claim.v[1] && claim.p[1]) {
+    const ExactPair p = Replay::recorded_centers(claim, {});
+    if (!law_.obeyed(claim, p, replay_.velocities(i, j))) refute_response(claim, p);
+  }
+  const Impact impact = motion_.collide(i, j, 0.5 * (m.lo + m.hi));
+  m.kind = Moment::Kind::state;
+  m.state = motion_.state_id(j);
+  m.dd = impact.time_dd;
+  frontier_ = m;
+  check_state(claim, 1, impact.second);
+  if (i != container_id) check_state(claim, 0, impact.first);
+  replay_.note_collision(claim, {{{to_rational(impact.first.vx), to_rational(impact.first.vy)},
+                                  {to_rational(impact.second.vx), to_rational(impact.second.vy)}}});
+  begin_around(m);
+}
+
+void Checker::collide_as_recorded(const CollideEvent& claim, const Rational& t) {
+  const GenId i = claim.i, j = claim.j;
+  const ExactPair at = replay_.positions(i, j, t);
+  check_recorded_contact(i, j, t, at);
+  const Moment m = claim.exact ? Moment::at(t) : Moment::at(claim.t);
+  advance(m);
+  collect_around(i, j);
+  end_around(m);
+  if (i != container_id) check_center(exact_center(claim, 0), at[0]);
+  check_center(exact_center(claim, 1), at[1]);
+  ExactPair computed;
+  if (claim.v[1]) {
+    // The law with the centres of the paths, or with those that the file gives.
+    const ExactPair v = replay_.velocities(i, j);
+    if (!law_.obeyed(claim, at, v) && !law_.obeyed(claim, Replay::recorded_centers(claim, at), v)) {
+      refute_response(claim, at);
+    }
+  } else {
+    computed = replay_.computed_velocities(claim, at);
+    remark_velocities(claim.p[1].has_value());
+  }
+  replay_.note_collision(claim, computed);
+  if (i != container_id) turn(i, t, at[0]);
+  turn(j, t, at[1]);
+  begin_around(m);
+}
+
+// Recorded truth: the disk goes on with its claimed velocity.
+void Checker::turn(GenId g, const Rational& t, const ExactVec2& p) {
+  replay_.turn(g, t, p);
+  const Path& path = replay_.path(g);
+  motion_.restart(g, t, path.x, path.y, path.vx, path.vy);
+}
+
+// Claimed values against the true ones, which are correctly rounded: velocities within the
+// tolerance of the top speed, and centres.
+void Checker::check_state(const CollideEvent& claim, int side, const RoundedState& truth) {
+  const ExactVec2 true_v{to_rational(truth.vx), to_rational(truth.vy)};
+  replay_.note_speed(true_v);
+  const Rational allowed2 = square(options_.tolerance * to_rational(replay_.top_speed()));
+  const auto v = exact_velocity(claim, side);
+  if (v && norm2(minus(*v, true_v)) > allowed2) {
+    refute(Fault::wrong_response, "the velocity is (" + number_text(true_v[0].get_d()) + ", " +
+                                      number_text(true_v[1].get_d()) + ")");
+  }
+  check_center(exact_center(claim, side), {to_rational(truth.px), to_rational(truth.py)});
+}
+
+// A claimed centre, within what the top speed covers in the tolerance.
+void Checker::check_center(const std::optional<ExactVec2>& p, const ExactVec2& true_p) {
+  if (!p) return;
+  const BallVec2 off = minus(ball(*p), ball(true_p));
+  const DoubleBall near = ball(options_.tolerance) * DoubleBall(replay_.top_speed());
+  if (sign(norm2(off) - near * near) == Sign::negative) return;
+  // A centre is written as binary64.
+  const Rational rounding = 4 * length_bound(true_p) / (Rational(1) << 53);
+  const Rational allowed = options_.tolerance * to_rational(replay_.top_speed()) + rounding;
+  if (norm2(minus(*p, true_p)) > square(allowed)) {
+    refute(Fault::wrong_response, "the centre is (" + number_text(true_p[0].get_d()) + ", " +
+                                      number_text(true_p[1].get_d()) + ")");
+  }
+}
+
+void Checker::refute_response(const CollideEvent& claim, const ExactPair& p) {
+  refute(Fault::wrong_response,
+         law_.expectation(claim.i, claim.j, p, replay_.velocities(claim.i, claim.j)),
+         motion_witness(motion_, {claim.i, claim.j}, exact_time(*claim_)));
+}
+
+void Checker::remark_velocities(bool centers) {
+  if (centers ? remarked_centers_ : remarked_paths_) return;
+  (centers ? remarked_centers_ : remarked_paths_) = true;
+  certificate_.remarks.push_back(
+      centers
+          ? "collisions without velocities: computed by the law from the recorded centres"
+          : "collisions without velocities and centres: computed by the law from the path; such "
+            "a file soon leaves its producer's motion");
+}
+
+// ---- Maneuvers. ----
+
+void Checker::maneuver(const ManeuverEvent& claim) {
+  const Rational t = exact_time(Event(claim));
+  const auto k = replay_.scheduled(claim, t);
+  if (!k) refute(Fault::spurious_event, "the scene schedules no such maneuver");
+  const Maneuver& due = scene_.maneuvers[*k];
+  if (abs(Rational(t - due.t)) > options_.tolerance) {
+    refute(Fault::wrong_time, "the maneuver is scheduled at t = " + due.t.get_str());
+  }
+  if (due.t > last_instant()) {
+    refute(Fault::spurious_event,
+           "the maneuver is scheduled at t = " + due.t.get_str() + ", after the horizon");
+  }
+  require_maneuvers_before(round_down(due.t));
+  const ExactVec2 v{due.vx, due.vy};
+  const auto claimed = exact_velocity(claim);
+  if (claimed && norm2(minus(*claimed, v)) > square(options_.law_tolerance * length_bound(v))) {
+    refute(Fault::wrong_response, "the scheduled velocity is (" + number_text(v[0].get_d()) + ", " +
+                                      number_text(v[1].get_d()) + ")");
+  }
+  const bool exact = options_.truth == Truth::exact;
+  const Moment m = Moment::at(exact ? due.t : t);
+  advance(m);
+  const GenId g = claim.disk;
+  collect_around(container_id, g);
+  end_around(m);
+  replay_.note_maneuver(*k, claim);
+  replay_.note_speed(replay_.velocity(g));
+  if (exact) {
+    const RoundedState s = motion_.maneuver(g, m.t, v[0], v[1]);
+    check_center(exact_center(claim), {to_rational(s.px), to_rational(s.py)});
+  } else {
+    const ExactVec2 p = replay_.path(g).at(m.t);
+    check_center(exact_center(claim), p);
+    turn(g, m.t, p);
+  }
+  begin_around(m);
+  ++certificate_.maneuvers;
+}
+
+// Every maneuver scheduled before t must have been claimed.
+void Checker::require_maneuvers_before(double t) {
+  const std::size_t next = replay_.next_maneuver();
+  if (next == scene_.maneuvers.size()) return;
+  const Rational& due = scene_.maneuvers[next].t;
+  if (due > history_.header().horizon || due + options_.tolerance >= to_rational(t)) return;
+  throw Refuted{missing_maneuver(next)};
+}
+
+}  // namespace voroproof

@@ -1,0 +1,261 @@
+// Lives of V-edges, and the flips that end them.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "certify/checker.h"
+#include "certify/edge_proof.h"
+#include "certify/witness.h"
+#include "certify/wording.h"
+
+namespace voroproof {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Half width of the bracket that is tried around a claimed flip time, relative to max(1, t) and
+// within the tolerance: wide beside the errors of doubles, narrow beside the gaps between events.
+constexpr double kBracket = 0x1p-20;
+
+// The same where double-doubles look: what is proved free of roots then begins further away.
+constexpr double kWideBracket = 0x1p-21;
+
+}  // namespace
+
+// The first collapse of q, which is legal just after `from`, no later than `end`. Throws Undecided.
+std::optional<Collapse> Checker::first_collapse(const Quad& q, double from, double end) {
+  while (from < end) {
+    const Collapse c = collapses_.after(q, from, end);
+    if (c.kind == Collapse::Kind::root) return c;
+    if (!(c.lo > from)) {
+      throw Undecided("the life of edge " + text(canonical(q)) + " is not decided", q);
+    }
+    from = c.lo;
+  }
+  return std::nullopt;
+}
+
+// A life begins at m. `own`: m is a root of the edge's own polynomial, isolated so, and the edge
+// is what the flip there left.
+void Checker::begin_life(int edge, const Moment& m, const Isolated* own) {
+  Life& life = lives_[edge];
+  life = {};
+  life.born = instant_;
+  const Quad q = diagram_.quad(2 * edge);
+  life.from = own != nullptr ? own->hi : m.lo;
+  const bool isolated = own != nullptr && m.root == nullptr;
+  if (isolated || q.s == q.e) return;
+  if (own == nullptr && proved_not_cotangent(motion_, q, m.lo, m.hi)) return;
+  ++certificate_.beyond_filter;
+  const double soon = std::nextafter(m.hi, kInfinity);
+  const Collapse c = own != nullptr ? collapses_.after(q, m.hi, soon, m.root.get())
+                                    : collapses_.from(q, chronology_.instant(m), soon);
+  switch (c.kind) {
+    case Collapse::Kind::none:
+      life.from = std::max(c.lo, m.lo);
+      break;
+    case Collapse::Kind::root:
+      life.due = true;
+      life.root = c;
+      break;
+    case Collapse::Kind::now:
+      life.illegal = true;
+      illegal_.push_back(edge);
+      break;
+  }
+}
+
+// The life ends at m without a flip of the edge; `closed`: a collapse at m itself is missed too.
+void Checker::end_life(int edge, const Moment& m, bool closed) {
+  ++certificate_.edge_lives;
+  Life& life = lives_[edge];
+  const Quad q = diagram_.quad(2 * edge);
+  if (life.illegal) {
+    if (life.born == instant_ && !closed) return;
+    Collapse c;
+    c.lo = c.hi = m.lo;
+    throw Refuted{missing_flip(q, c)};
+  }
+  if (!life.due) {
+    if (proved_free(motion_, q, life.from, m.hi)) return;
+    ++certificate_.beyond_filter;
+    const auto c = first_collapse(q, life.from, m.hi);
+    if (!c) return;
+    life.due = true;
+    life.root = *c;
+  }
+  const int order = chronology_.compare(Moment::of(q, life.root), m);
+  if (order < 0 || (order == 0 && closed)) throw Refuted{missing_flip(q, life.root)};
+}
+
+// The flip of q near the claimed time t, if that is easily proved. q is legal just after `from`.
+std::optional<Checker::Isolated> Checker::bracket(const Quad& q, double from, double t) const {
+  Isolated root;
+  root.m.kind = Moment::Kind::flip;
+  root.m.quad = q;
+  const double pad = std::fmin(kBracket * std::fmax(1, t), 0.99 * tolerance_up_);
+  root.lo = root.m.lo = t - pad;
+  root.hi = root.m.hi = t + pad;
+  if (from <= root.lo && proved_collapse(motion_, q, root.lo, root.hi)) return root;
+  // The polynomial is flat there, or an event is near.
+  const double wide = kWideBracket * std::fmax(1, t);
+  root.lo = std::fmax(from, t - wide);
+  root.hi = t + wide;
+  const auto dd = newton_collapse(motion_, collapses_, q, root.lo, root.hi);
+  if (!dd) return std::nullopt;
+  root.m.dd = *dd;
+  enclose(*dd, root.m.lo, root.m.hi);
+  if (!(root.m.lo >= t - 0.99 * tolerance_up_ && root.m.hi <= t + 0.99 * tolerance_up_)) {
+    return std::nullopt;
+  }
+  return root;
+}
+
+// When the edge of h flips for this claim, or a refutation.
+Checker::Found Checker::collapse_for(const FlipEvent& claim, HalfEdge h) {
+  const Quad q = diagram_.quad(h);
+  const Life& life = lives_[h / 2];
+  const Rational t = exact_time(Event(claim));
+  std::optional<Isolated> easy;
+  if (!life.illegal && !life.due) easy = bracket(q, life.from, claim.t);
+  if (easy && proved_free(motion_, q, life.from, easy->lo)) return {*easy};
+  ++certificate_.beyond_filter;
+  if (life.illegal) {
+    if (life.born != instant_) {
+      refute(Fault::wrong_order, "the edge flips at an earlier instant");
+    }
+    const Moment& m = frontier_;
+    if (!chronology_.within(options_.tolerance, m, t)) {
+      mistimed(q, {Collapse::Kind::root, m.lo, m.hi, nullptr}, t);
+    }
+    return {{m, m.lo, m.hi}, false};
+  }
+  const double end = round_up(Rational(t + options_.tolerance));
+  std::optional<Collapse> c =
+      life.due ? std::optional(life.root) : first_collapse(q, life.from, end);
+  if (!c) {
+    c = first_collapse(q, std::max(life.from, end), search_end_);
+    if (c) mistimed(q, *c, t);
+    refute(Fault::spurious_event,
+           "edge " + text(canonical(q)) + " does not collapse under its present motion",
+           motion_witness(motion_, generators(q), t));
+  }
+  const Moment m = Moment::of(q, *c);
+  if (!chronology_.within(options_.tolerance, m, t)) mistimed(q, *c, t);
+  return {{m, m.lo, m.hi}};
+}
+
+void Checker::flip(const FlipEvent& claim) {
+  HalfEdge h = replay_.find(claim.quad);
+  // A quadruplet whose two third generators are exchanged is that of an edge whose producer does
+  // not orient its quadruplets, or a fault. One alone is a fault: the doubt is kept until enough
+  // others show that orientation has no meaning in this file.
+  const HalfEdge mirrored = h < 0 ? replay_.find_mirrored(claim.quad) : -1;
+  if (h < 0 && mirrored < 0) {
+    refute(Fault::edge_not_present,
+           "no edge of the diagram has the quadruplet " + text(claim.quad));
+  }
+  Found found;
+  if (h >= 0) {
+    try {
+      found = collapse_for(claim, h);
+    } catch (const Refuted&) {
+      // Both edges of Configuration I may be there, and the other one be meant.
+      h = replay_.find_mirrored(claim.quad);
+      if (h < 0 || !bracket(diagram_.quad(h), lives_[h / 2].from, claim.t)) throw;
+      resolve(h);
+      found = collapse_for(claim, h);
+    }
+  } else {
+    h = mirrored;
+    resolve(h);
+    found = collapse_for(claim, h);
+  }
+  const int edge = h / 2;
+  const Quad q = diagram_.quad(h);
+  const bool illegal = lives_[edge].illegal;
+  const Moment& m = found.root.m;
+  const bool own = found.own;
+  if (illegal) {
+    ++certificate_.simultaneous;
+  } else {
+    if (options_.truth == Truth::exact && m.hi >= horizon_down_ &&
+        chronology_.compare(m, Moment::at(last_instant())) > 0) {
+      refute(Fault::spurious_event,
+             "the edge flips " + between(m.lo, m.hi) + ", after the horizon");
+    }
+    advance(m);
+  }
+  if (options_.truth == Truth::exact && own) count_ulps(m, claim.t);
+  ++certificate_.flips;
+
+  const int around[4] = {diagram_.next(h) / 2, diagram_.previous(h) / 2, diagram_.next(h ^ 1) / 2,
+                         diagram_.previous(h ^ 1) / 2};
+  std::array<int, 4> others{};
+  int count = 0;
+  for (const int e : around) {
+    if (e == edge ||
+        std::find(others.begin(), others.begin() + count, e) != others.begin() + count) {
+      continue;
+    }
+    others[count++] = e;
+  }
+  end_pair(edge, m);
+  for (int k = 0; k < count; ++k) end_life(others[k], m);
+  diagram_.flip(h);
+  const Isolated* const root = own ? &found.root : nullptr;
+  begin_life(edge, m, root);
+  for (int k = 0; k < count; ++k) {
+    // An edge of the same four generators has the same root, and is legal beyond it.
+    const bool same = own && same_generators(diagram_.quad(2 * others[k]), q);
+    begin_life(others[k], m, same ? root : nullptr);
+  }
+  begin_pair(edge, m);
+}
+
+// The edge flips at c, too far from the claimed time.
+void Checker::mistimed(const Quad& q, const Collapse& c, const Rational& claimed) {
+  const auto [lo, hi] = interval_of(c);
+  const Rational far = kMistimed * options_.tolerance;
+  const bool near = lo - claimed <= far && claimed - hi <= far;
+  Divergence d =
+      divergence_at_claim(near || hi < claimed ? Fault::wrong_time : Fault::spurious_event,
+                          "edge " + text(canonical(q)) + " flips " + between(c.lo, c.hi));
+  d.true_flip = canonical(q);
+  d.true_time = {c.lo, c.hi};
+  d.witness = collapse_witness(motion_, q, lo, hi);
+  throw Refuted{d};
+}
+
+// Takes the claim for one of the edge of h, though it exchanges the third generators.
+void Checker::resolve(HalfEdge h) {
+  if (certificate_.resolved++ > 0) return;
+  const Quad q = canonical(diagram_.quad(h));
+  Divergence d =
+      divergence_at_claim(Fault::wrong_quadruple, "the edge with these generators is " + text(q));
+  d.true_flip = q;
+  d.witness = motion_witness(motion_, generators(diagram_.quad(h)), to_rational(d.t));
+  certificate_.first_resolved = d;
+  certificate_.first_resolved_prefix = processed_;
+}
+
+// The distance of the claimed time from the true one, for the report.
+void Checker::count_ulps(const Moment& m, double claimed) {
+  const DdBall d = chronology_.narrow(m) - DdBall(claimed);
+  const double ulp = std::nextafter(claimed, kInfinity) - claimed;
+  double error = std::fabs(d.hi + d.lo) / ulp;
+  if (d.rad > 0.01 * ulp) {
+    double lo = 0, hi = 0;
+    (chronology_.ball(m) - Ball(exact_time(*claim_), motion_.goal_bits() + 32)).to_interval(lo, hi);
+    error = std::fmax(std::fabs(lo), std::fabs(hi)) / ulp;
+  }
+  ulps_sum_ += error;
+  ++ulps_count_;
+  if (error > certificate_.ulps_max) {
+    certificate_.ulps_max = error;
+    certificate_.ulps_max_line = line_;
+  }
+}
+
+}  // namespace voroproof

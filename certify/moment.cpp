@@ -1,0 +1,159 @@
+#include "certify/moment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voroproof {
+
+namespace {
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+}
+
+Moment Moment::at(double t) {
+  Moment m;
+  m.t = to_rational(t);
+  m.lo = m.hi = t;
+  return m;
+}
+
+Moment Moment::at(const Rational& t) {
+  Moment m;
+  m.t = t;
+  m.lo = round_down(t);
+  m.hi = round_up(t);
+  return m;
+}
+
+Moment Moment::of(const Quad& q, const Collapse& c) {
+  Moment m;
+  m.kind = Kind::flip;
+  m.quad = q;
+  m.lo = c.lo;
+  m.hi = c.hi;
+  m.root = c.fine;
+  return m;
+}
+
+Moment Moment::of(GenId i, GenId j, const NextContact& c) {
+  Moment m;
+  m.kind = Kind::contact;
+  m.lo = c.lo;
+  m.hi = c.hi;
+  m.i = i;
+  m.j = j;
+  return m;
+}
+
+std::pair<Rational, Rational> interval_of(const Collapse& c) {
+  if (c.fine) return {c.fine->lo, c.fine->hi};
+  return {to_rational(c.lo), to_rational(c.hi)};
+}
+
+ExactTime Chronology::exact_time(const Moment& m, ExactMotion& exact) {
+  switch (m.kind) {
+    case Moment::Kind::rational:
+      break;
+    case Moment::Kind::flip: {
+      const RootInterval r = m.root ? *m.root : RootInterval{to_rational(m.lo), to_rational(m.hi)};
+      return CollapseSearch::exact_root(m.quad, r.lo, r.hi, exact);
+    }
+    case Moment::Kind::contact:
+      return ContactSearch::exact_time(m.i, m.j, to_rational(m.lo), exact);
+    case Moment::Kind::state:
+      return time_of(exact.start(m.state, m.j));
+  }
+  return ExactTime(m.t);
+}
+
+Instant Chronology::instant(const Moment& m) const {
+  Instant now;
+  now.lo = m.lo;
+  now.hi = m.hi;
+  now.dd = narrow(m);
+  now.exact = [m](ExactMotion& exact) { return exact_time(m, exact); };
+  return now;
+}
+
+int Chronology::compare(const Moment& a, const Moment& b) {
+  if (a.hi < b.lo) return -1;
+  if (b.hi < a.lo) return 1;
+  if (a.kind == Moment::Kind::rational && b.kind == Moment::Kind::rational) {
+    return a.t < b.t ? -1 : a.t > b.t ? 1 : 0;
+  }
+  const Sign s = sign(narrow(a) - narrow(b));
+  if (s == Sign::negative || s == Sign::positive) return static_cast<int>(s);
+  ++beyond_filter_;
+  std::string budget;
+  for (bool tried = false;;) {
+    const Sign t = sign(ball(a) - ball(b));
+    if (t == Sign::negative || t == Sign::positive) return static_cast<int>(t);
+    if (!tried) {
+      tried = true;
+      try {
+        ExactMotion exact(motion_);
+        const auto c = voroproof::compare(exact_time(a, exact), exact_time(b, exact));
+        return c < 0 ? -1 : c > 0 ? 1 : 0;
+      } catch (const BudgetExceeded& e) {
+        budget = e.what();
+      }
+    }
+    if (!motion_.raise_precision()) {
+      throw Undecided("two events may be simultaneous: " + budget);
+    }
+  }
+}
+
+bool Chronology::within(const Rational& tolerance, const Moment& m, const Rational& t) {
+  return compare(m, Moment::at(Rational(t - tolerance))) >= 0 &&
+         compare(m, Moment::at(Rational(t + tolerance))) <= 0;
+}
+
+DdBall Chronology::narrow(const Moment& m) const {
+  if (m.dd.rad < kInfinity) return m.dd;
+  if (m.kind == Moment::Kind::rational) {
+    const double near = round_nearest(m.t);
+    const double error = std::fabs(round_nearest(Rational(m.t - to_rational(near))));
+    return DdBall(near, 0, error * (1 + 0x1p-50));
+  }
+  const double middle = 0.5 * (m.lo + m.hi);
+  DdBall best(middle, 0, (m.hi - m.lo) * (1 + 0x1p-50));
+  if (m.kind == Moment::Kind::state) return best;
+  if (m.kind == Moment::Kind::contact) {
+    const DdBall dd = contacts_.refine(m.i, m.j, middle);
+    return dd.rad < best.rad ? dd : best;
+  }
+  // Each step squares the relative width, or does not help.
+  double lo = m.lo, hi = m.hi;
+  for (int step = 0; step < 3; ++step) {
+    const DdBall dd = collapses_.refine(m.quad, lo, hi);
+    if (!(dd.rad < 0.5 * best.rad)) break;
+    best = dd;
+    if (best.rad < 0x1p-60 * (1 + best.hi)) break;
+    double below = 0, above = 0;
+    enclose(best, below, above);
+    lo = std::max(lo, below);
+    hi = std::min(hi, above);
+  }
+  return best;
+}
+
+Ball Chronology::ball(const Moment& m) const {
+  const int bits = motion_.goal_bits() + 32;
+  switch (m.kind) {
+    case Moment::Kind::rational:
+      break;
+    case Moment::Kind::flip:
+      return m.root ? collapses_.refine(m.quad, m.root->lo, m.root->hi, bits)
+                    : collapses_.refine(m.quad, to_rational(m.lo), to_rational(m.hi), bits);
+    case Moment::Kind::contact:
+      return contacts_.refine(m.i, m.j, to_rational(0.5 * (m.lo + m.hi)), bits);
+    case Moment::Kind::state: {
+      Ball b(to_rational(m.dd.hi) + to_rational(m.dd.lo), bits);
+      b.widen(Magnitude::of(m.dd.rad));
+      return b;
+    }
+  }
+  return Ball(m.t, bits);
+}
+
+}  // namespace voroproof

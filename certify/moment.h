@@ -1,0 +1,72 @@
+// Instants of a history, and their exact order.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "filtered/collapse.h"
+#include "filtered/contact.h"
+#include "filtered/motion.h"
+
+namespace voroproof {
+
+// An instant, with what it takes to compare it exactly: lo <= instant <= hi.
+struct Moment {
+  enum class Kind { rational, flip, contact, state };
+  Kind kind = Kind::rational;
+  double lo = 0, hi = 0;
+  Rational t;   // rational
+  Quad quad{};  // flip: isolated in [lo, hi], or more narrowly:
+  std::shared_ptr<const RootInterval> root;
+  GenId i = 0, j = 0;  // contact of i and j near lo
+  int state = 0;       // state: when generator j began this state
+  // The instant, where it is known so well.
+  DdBall dd{0, 0, std::numeric_limits<double>::infinity()};
+
+  static Moment at(double t);
+  static Moment at(const Rational& t);
+  // When q collapses: `c` is a root.
+  static Moment of(const Quad& q, const Collapse& c);
+  // When i and j touch: `c` is not `none`.
+  static Moment of(GenId i, GenId j, const NextContact& c);
+};
+
+// The interval that isolates the root c of a flip polynomial.
+std::pair<Rational, Rational> interval_of(const Collapse& c);
+
+// Compares moments. Flips and contacts are those of the present motion of their generators: such a
+// moment is of use until one of these changes its motion.
+class Chronology {
+ public:
+  // `beyond_filter` counts the comparisons that doubles and double-doubles do not decide.
+  Chronology(Motion& motion, const CollapseSearch& collapses, const ContactSearch& contacts,
+             std::int64_t& beyond_filter)
+      : motion_(motion),
+        collapses_(collapses),
+        contacts_(contacts),
+        beyond_filter_(beyond_filter) {}
+
+  // Negative, zero or positive. Throws Undecided.
+  int compare(const Moment& a, const Moment& b);
+
+  // Whether a moment is no further than the tolerance from the time. Throws Undecided.
+  bool within(const Rational& tolerance, const Moment& m, const Rational& t);
+
+  // The moment as the searches of filtered/ take it; valid as long as this object.
+  Instant instant(const Moment& m) const;
+
+  DdBall narrow(const Moment& m) const;  // as double-doubles tell
+  Ball ball(const Moment& m) const;      // to as many bits as the motion is known to
+
+ private:
+  static ExactTime exact_time(const Moment& m, ExactMotion& exact);
+
+  Motion& motion_;
+  const CollapseSearch& collapses_;
+  const ContactSearch& contacts_;
+  std::int64_t& beyond_filter_;
+};
+
+}  // namespace voroproof

@@ -1,0 +1,237 @@
+// Lives of pairs of neighbours: contacts under the exact truth, contacts and overlaps under the
+// recorded one.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "certify/checker.h"
+#include "certify/contact_proof.h"
+#include "certify/witness.h"
+#include "certify/wording.h"
+
+namespace voroproof {
+
+namespace {
+// Of roots of quadratics with rational coefficients, where doubles do not decide.
+constexpr int kBits = 512;
+}  // namespace
+
+void Checker::begin_pair(int edge, const Moment& m) { pairs_[edge] = {m.lo, instant_}; }
+
+// As only the motion of the pair changes: an overlap goes on.
+void Checker::go_on_with_pair(int edge, const Moment& m) {
+  const bool collided = colliding_ && replay_.pair_of(edge) == *colliding_;
+  pairs_[edge] = {m.lo, instant_, collided ? 0 : pairs_[edge].overlap};
+}
+
+// The pair's adjacency, or its motion, ends at m without a collision of the two; `closed`: a
+// contact at m itself is missed too.
+void Checker::end_pair(int edge, const Moment& m, bool closed) {
+  const auto [i, j] = replay_.pair_of(edge);
+  if (replay_.partners(i, j)) {
+    pairs_[edge].overlap = 0;
+    if (options_.truth == Truth::recorded) check_parting(i, j, pairs_[edge].from, m);
+    return;
+  }
+  ++certificate_.pair_lives;
+  const double from = pairs_[edge].from;
+  if (options_.truth == Truth::recorded && motion_.same_velocity(i, j)) {
+    check_at_rest(edge, m);
+    return;
+  }
+  if (proved_apart(motion_, i, j, from, m.hi)) {
+    pairs_[edge].overlap = 0;
+    return;
+  }
+  ++certificate_.beyond_filter;
+  if (options_.truth == Truth::recorded) {
+    check_overlap(edge, m);
+    return;
+  }
+  const NextContact c =
+      contacts_.from(i, j, chronology_.instant(Moment::at(from)), std::nextafter(m.hi, HUGE_VAL));
+  if (c.kind == NextContact::Kind::none) return;
+  const int order = chronology_.compare(Moment::of(i, j, c), m);
+  if (order > 0) return;
+  if (order == 0 && !closed) {
+    // They touch as something else happens. If they still approach after it, that is for their
+    // next life; but of collisions at one instant the smallest pair comes first.
+    if (colliding_ && std::pair(i, j) < *colliding_) {
+      refute(Fault::wrong_order,
+             "generators " + text(i, j) + " touch and approach at the same instant and come first");
+    }
+    return;
+  }
+  throw Refuted{missing_contact(i, j, c.lo, c.hi)};
+}
+
+// Exact truth: when the two touch next; `edge` is one between them. Before the lives begin: from
+// t = 0 on.
+NextContact Checker::next_contact(int edge, GenId i, GenId j) {
+  if (replay_.partners(i, j)) return {};
+  const Moment from = Moment::at(begun_ ? pairs_[edge].from : 0.0);
+  NextContact c = contacts_.from(i, j, chronology_.instant(from), search_end_);
+  if (c.kind != NextContact::Kind::at) return c;
+  const DdBall dd = contacts_.refine(i, j, 0.5 * (c.lo + c.hi));
+  if (std::isfinite(dd.rad)) {
+    double lo = 0, hi = 0;
+    enclose(dd, lo, hi);
+    c.lo = std::max(c.lo, lo);
+    c.hi = std::min(c.hi, hi);
+  }
+  return c;
+}
+
+// ---- Recorded truth. ----
+
+// |offset + w s|^2 - reach^2, s from the time `at`: all rational.
+Contact<Rational> Checker::recorded_contact(GenId i, GenId j, const Rational& at) const {
+  const auto site = [&](GenId g) -> MovingSite<Rational> {
+    if (g == container_id) {
+      return {scene_.cx, scene_.cy, 0, 0, Rational(-scene_.container_radius)};
+    }
+    const Path& path = replay_.path(g);
+    const ExactVec2 p = path.at(at);
+    return {p[0], p[1], path.vx, path.vy, scene_.disks[g].radius};
+  };
+  return {site(i), site(j)};
+}
+
+// After its own collision a pair parts. The law holds within a tolerance, so that one that should
+// stay in contact may come nearer again, but not far.
+void Checker::check_parting(GenId i, GenId j, double from, const Moment& m) {
+  const DoubleBall start(from);
+  const Contact<DoubleBall> near(motion_.moving_site(i, start), motion_.moving_site(j, start));
+  const Sign parting = sign(near.b);
+  if (parting == Sign::positive || parting == Sign::zero) return;
+  const Contact<Rational> k = recorded_contact(i, j, to_rational(from));
+  if (sgn(k.b) >= 0) return;
+  // At the nearest point of the life.
+  const Rational end = to_rational(m.hi) - to_rational(from);
+  Rational s = -k.b / k.a;
+  if (s > end) s = end;
+  const Rational lost = -s * (k.a * s + 2 * k.b);  // of the squared distance
+  const Rational depth = options_.tolerance * to_rational(replay_.top_speed());
+  if (lost <= 2 * law_.reach(i, j) * depth) return;
+  throw Refuted{missing_contact(i, j, from, m.hi)};
+}
+
+// Two with the same velocity, or a disk at rest and the container, may overlap no longer than
+// others, but for a rounding error.
+void Checker::check_at_rest(int edge, const Moment& m) {
+  const auto [i, j] = replay_.pair_of(edge);
+  const bool wall = i == container_id;
+  Adjacency& pair = pairs_[edge];
+  const double before = std::exchange(pair.overlap, 0);
+  const DoubleBall start(pair.from);
+  const Contact<DoubleBall> near(motion_.moving_site(i, start), motion_.moving_site(j, start));
+  if (sign(near.c) == (wall ? Sign::negative : Sign::positive)) return;
+  const Rational from = to_rational(pair.from), reach = law_.reach(i, j);
+  const Rational over = recorded_contact(i, j, from).c * (wall ? 1 : -1);
+  if (over <= 2 * options_.law_tolerance * reach * reach) return;
+  pair.overlap = before + (m.hi - pair.from);
+  if (pair.overlap <= tolerance_up_) return;
+  throw Refuted{missing_contact(i, j, pair.from, m.hi)};
+}
+
+// Two disks may overlap, or a disk leave the container, for no longer than the tolerance.
+void Checker::check_overlap(int edge, const Moment& m) {
+  const auto [i, j] = replay_.pair_of(edge);
+  const bool wall = i == container_id;
+  Adjacency& pair = pairs_[edge];
+  const double from = pair.from, before = std::exchange(pair.overlap, 0);
+  const Contact<Rational> k = recorded_contact(i, j, to_rational(from));
+  const Rational discriminant = k.b * k.b - k.a * k.c;
+  if (sgn(k.a) == 0) {
+    pair.overlap = before;
+    check_at_rest(edge, m);
+    return;
+  }
+  if (!wall && sgn(discriminant) <= 0) return;
+  const Ball a(k.a, kBits), b(k.b, kBits), root = sqrt(Ball(discriminant, kBits));
+  const Ball enter = (-b - root) / a, leave = (root - b) / a;
+  const Ball end(Rational(to_rational(m.hi) - to_rational(from)), kBits), zero(kBits);
+  const Ball tolerance(options_.tolerance, kBits);
+  const auto first = [&](const Ball& x, const Ball& y) {
+    return sign(x - y) == Sign::negative ? x : y;
+  };
+  const auto last = [&](const Ball& x, const Ball& y) {
+    return sign(x - y) == Sign::positive ? x : y;
+  };
+  // An overlap from lo to hi of this life. Ends that cannot be told apart differ by nothing that
+  // counts.
+  const auto allowed = [&](const Ball& lo, const Ball& hi) {
+    Ball length = hi - lo;
+    if (sign(length) != Sign::positive) return true;
+    if (sign(lo) != Sign::positive) length = length + Ball(to_rational(before), kBits);
+    if (sign(end - hi) != Sign::positive) {
+      double low = 0;
+      length.to_interval(low, pair.overlap);
+    }
+    return sign(length - tolerance) == Sign::negative;
+  };
+  const bool fine = wall ? allowed(zero, first(enter, end)) && allowed(last(leave, zero), end)
+                         : allowed(last(enter, zero), first(leave, end));
+  if (fine) return;
+  double lo = 0, hi = 0;
+  (Ball(to_rational(from), kBits) + (wall ? leave : last(enter, zero))).to_interval(lo, hi);
+  throw Refuted{missing_contact(i, j, lo, hi)};
+}
+
+// In doubles, whether the two, whose paths are at `at` at the claimed time, come into contact
+// within the tolerance of it. False says nothing.
+bool Checker::certainly_in_contact(GenId i, GenId j, const ExactPair& at) const {
+  const auto site = [&](GenId g, const ExactVec2& p) -> MovingSite<DoubleBall> {
+    if (g == container_id) {
+      return {ball(scene_.cx), ball(scene_.cy), 0.0, 0.0, -ball(scene_.container_radius)};
+    }
+    const Path& path = replay_.path(g);
+    return {ball(p[0]), ball(p[1]), ball(path.vx), ball(path.vy), ball(scene_.disks[g].radius)};
+  };
+  const Contact<DoubleBall> k{site(i, at[0]), site(j, at[1])};
+  const DoubleBall s = ball(options_.tolerance);
+  const Sign before = sign((k.a * s - DoubleBall(2) * k.b) * s + k.c);
+  const Sign after = sign((k.a * s + DoubleBall(2) * k.b) * s + k.c);
+  return i == container_id ? before == Sign::negative && after == Sign::positive
+                           : before == Sign::positive && after == Sign::negative;
+}
+
+// The pair touches within the tolerance of the claimed time t, or the claim is refuted.
+void Checker::check_recorded_contact(GenId i, GenId j, const Rational& t, const ExactPair& at) {
+  if (certainly_in_contact(i, j, at)) return;
+  const Contact<Rational> k = recorded_contact(i, j, t);
+  const Rational& tol = options_.tolerance;
+  const auto value = [&](const Rational& s) { return Rational((k.a * s + 2 * k.b) * s + k.c); };
+  const bool wall = i == container_id;
+  const Rational before = value(-tol), after = value(tol);
+  // A change from apart to overlapping within the tolerance.
+  if (wall ? sgn(before) <= 0 && sgn(after) >= 0 : sgn(before) >= 0 && sgn(after) <= 0) return;
+  const Rational discriminant = k.b * k.b - k.a * k.c;
+  if (sgn(k.a) > 0 && sgn(discriminant) >= 0) {
+    const Ball root = sqrt(Ball(discriminant, kBits)), b(k.b, kBits), a(k.a, kBits);
+    const Ball contact = wall ? (root - b) / a : (-b - root) / a;
+    const Ball limit(tol, kBits);
+    if (sign(contact - limit) != Sign::positive && sign(contact + limit) != Sign::negative) return;
+    double lo = 0, hi = 0;
+    (Ball(t, kBits) + contact).to_interval(lo, hi);
+    const bool near = std::fabs(lo - round_nearest(t)) <= kMistimed * tolerance_up_;
+    Divergence d = divergence_at_claim(near ? Fault::wrong_time : Fault::spurious_event,
+                                       "generators " + text(i, j) + " touch " + between(lo, hi));
+    d.true_contact = {i, j};
+    d.true_time = {lo, hi};
+    d.witness = contact_witness(motion_, i, j, to_rational(lo), to_rational(hi));
+    throw Refuted{d};
+  }
+  if (!wall && sgn(k.a) > 0) {
+    // They only come near: a graze. Near enough for a contact within the tolerance of time?
+    Rational s = -k.b / k.a;
+    s = std::max(Rational(-tol), std::min(tol, s));
+    const Rational distance2 = value(s) + square(law_.reach(i, j));
+    const Rational reach = law_.reach(i, j) + tol * to_rational(std::sqrt(round_up(k.a)));
+    if (distance2 <= square(reach)) return;
+  }
+  refute(Fault::spurious_event, "generators " + text(i, j) + " do not touch",
+         motion_witness(motion_, {i, j}, t));
+}
+
+}  // namespace voroproof

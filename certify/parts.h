@@ -1,0 +1,17 @@
+// The recorded truth, in parts.
+//
+// Under the recorded truth the motion before a time is known from the claims alone, so that the
+// parts of a history are proved independently: each that its claims are right and that nothing is
+// missing between its two ends, given that the diagram at its beginning is right. The parts depend
+// on the file only, not on the number of threads.
+#pragma once
+
+#include "certify/certifier.h"
+
+namespace voroproof {
+
+// As certify(), for options.truth == Truth::recorded, but for what the whole file says.
+Certificate certify_in_parts(const Scene& scene, const MotionInput& input, HistorySource& history,
+                             const CertifyOptions& options);
+
+}  // namespace voroproof

@@ -1,0 +1,165 @@
+#include "certify/replay.h"
+
+#include <algorithm>
+
+namespace voroproof {
+
+Replay::Replay(const Scene& scene, const CertifyOptions& options)
+    : scene_(&scene),
+      options_(&options),
+      diagram_(static_cast<int>(scene.disks.size())),
+      last_change_(scene.disks.size() + 1, 0) {
+  for (const DiskSpec& d : scene.disks) {
+    velocities_.push_back({d.vx, d.vy});
+    if (options.truth == Truth::recorded) paths_.push_back({0, d.x, d.y, d.vx, d.vy});
+    note_speed(velocities_.back());
+  }
+}
+
+Diagram::HalfEdge Replay::find(const Quad& q) const {
+  if (diagram_.edges() == 0) return -1;
+  // Around a disk: the container has many neighbours.
+  const HalfEdge first = diagram_.anchor(q.l == container_id ? q.r : q.l);
+  const bool from_l = diagram_.org(first) == q.l;
+  HalfEdge h = first;
+  do {
+    const HalfEdge g = from_l ? h : Diagram::twin(h);
+    if (diagram_.quad(g) == q) return g;
+    h = diagram_.rotate(h);
+  } while (h != first);
+  return -1;
+}
+
+Diagram::HalfEdge Replay::find_mirrored(const Quad& q) const {
+  const Quad swapped = canonical(Quad{q.l, q.r, q.e, q.s});
+  const HalfEdge h = find(swapped);
+  return h >= 0 ? h : find(reversed(swapped));
+}
+
+int Replay::adjacency(GenId i, GenId j) const {
+  if (disks() == 1) return 0;
+  const HalfEdge first = diagram_.anchor(j);
+  HalfEdge h = first;
+  do {
+    if (diagram_.dest(h) == i) return h / 2;
+    h = diagram_.rotate(h);
+  } while (h != first);
+  return -1;
+}
+
+std::pair<GenId, GenId> Replay::pair_of(int edge) const {
+  if (diagram_.edges() == 0) return {container_id, 0};
+  return std::minmax(diagram_.org(2 * edge), diagram_.dest(2 * edge));
+}
+
+ExactPair Replay::velocities(GenId i, GenId j) const {
+  ExactPair v;
+  if (i != container_id) v[0] = velocities_[i];
+  v[1] = velocities_[j];
+  return v;
+}
+
+ExactPair Replay::positions(GenId i, GenId j, const Rational& t) const {
+  ExactPair p;
+  if (i != container_id) p[0] = paths_[i].at(t);
+  p[1] = paths_[j].at(t);
+  return p;
+}
+
+void Replay::note_speed(const ExactVec2& v) {
+  const DoubleBall speed = sqrt(norm2(ball(v)));
+  top_speed_ = std::max(
+      top_speed_, std::nextafter(speed.mid + speed.rad, std::numeric_limits<double>::infinity()));
+}
+
+void Replay::note_collision(const CollideEvent& claim, const ExactPair& computed) {
+  ++changes_;
+  for (const int side : {0, 1}) {
+    const GenId g = side == 0 ? claim.i : claim.j;
+    if (g == container_id) continue;
+    velocities_[g] = exact_velocity(claim, side).value_or(computed[side]);
+    last_change_[g + 1] = changes_;
+  }
+}
+
+void Replay::turn(GenId g, const Rational& t, const ExactVec2& p) {
+  const ExactVec2& v = velocities_[g];
+  note_speed(v);
+  paths_[g] = {t, p[0], p[1], v[0], v[1]};
+}
+
+void Replay::move(Motion& motion) const {
+  for (GenId g = 0; g < disks(); ++g) {
+    if (!moved(g)) continue;
+    const Path& p = paths_[g];
+    motion.restart(g, p.t, p.x, p.y, p.vx, p.vy);
+  }
+}
+
+ExactPair Replay::recorded_centers(const CollideEvent& claim, ExactPair path) {
+  for (const int side : {0, 1}) {
+    if (const auto p = exact_center(claim, side)) path[side] = *p;
+  }
+  return path;
+}
+
+ExactPair Replay::computed_velocities(const CollideEvent& claim, const ExactPair& path) const {
+  ExactPair v =
+      CollisionLaw(*scene_, options_->law_tolerance)
+          .after(claim.i, claim.j, recorded_centers(claim, path), velocities(claim.i, claim.j));
+  for (ExactVec2& w : v) {
+    for (Rational& x : w) x = to_rational(round_nearest(x));
+  }
+  return v;
+}
+
+std::optional<std::size_t> Replay::scheduled(const ManeuverEvent& claim, const Rational& t) const {
+  const auto& all = scene_->maneuvers;
+  for (std::size_t k = next_maneuver_; k < all.size(); ++k) {
+    if (all[k].disk == claim.disk && !maneuver_done(k)) return k;
+    if (all[k].t > t + options_->tolerance) break;
+  }
+  return std::nullopt;
+}
+
+void Replay::note_maneuver(std::size_t k, const ManeuverEvent& claim) {
+  done_maneuvers_.insert(k);
+  while (done_maneuvers_.erase(next_maneuver_) > 0) ++next_maneuver_;
+  const Maneuver& m = scene_->maneuvers[k];
+  velocities_[claim.disk] = exact_velocity(claim).value_or(ExactVec2{m.vx, m.vy});
+  last_change_[claim.disk + 1] = ++changes_;
+}
+
+bool Replay::take(const Event& event) {
+  if (const auto* f = std::get_if<FlipEvent>(&event)) {
+    HalfEdge h = find(f->quad);
+    if (h < 0) h = find_mirrored(f->quad);
+    if (h < 0 || diagram_.apex(h) == diagram_.apex(Diagram::twin(h))) return false;
+    diagram_.flip(h);
+    return true;
+  }
+  const Rational t = exact_time(event);
+  if (const auto* c = std::get_if<CollideEvent>(&event)) {
+    const ExactPair at = positions(c->i, c->j, t);
+    ExactPair computed;
+    if (!c->v[1]) {
+      try {
+        computed = computed_velocities(*c, at);
+      } catch (const Undecided&) {
+        return false;
+      }
+    }
+    note_collision(*c, computed);
+    if (c->i != container_id) turn(c->i, t, at[0]);
+    turn(c->j, t, at[1]);
+    return true;
+  }
+  const auto& m = std::get<ManeuverEvent>(event);
+  const auto k = scheduled(m, t);
+  if (!k) return false;
+  note_maneuver(*k, m);
+  turn(m.disk, t, paths_[m.disk].at(t));
+  return true;
+}
+
+}  // namespace voroproof

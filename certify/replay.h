@@ -1,0 +1,102 @@
+// What the claims of a history amount to when they are taken at their word: the diagram, and what
+// has happened to the disks. Under the recorded truth that is all of the motion.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "certify/certifier.h"
+#include "certify/collision_law.h"
+#include "topology/diagram.h"
+
+namespace voroproof {
+
+// The motion of a disk on one line: at (x, y) at time t.
+struct Path {
+  Rational t, x, y, vx, vy;
+  ExactVec2 at(const Rational& time) const {
+    const Rational dt = time - t;
+    return {x + vx * dt, y + vy * dt};
+  }
+};
+
+class Replay {
+ public:
+  using HalfEdge = Diagram::HalfEdge;
+
+  // At t = 0, before the diagram is known. `scene` and `options` outlive it and its copies.
+  Replay(const Scene& scene, const CertifyOptions& options);
+
+  int disks() const { return static_cast<int>(scene_->disks.size()); }
+
+  // ---- The diagram. ----
+  Diagram& diagram() { return diagram_; }
+  const Diagram& diagram() const { return diagram_; }
+  // The half-edge with this quadruplet, or -1.
+  HalfEdge find(const Quad& q) const;
+  // The same of a quadruplet whose two third generators are exchanged.
+  HalfEdge find_mirrored(const Quad& q) const;
+  // A V-edge between the two, or -1. With one disk there is one edge, 0, without incidences.
+  int adjacency(GenId i, GenId j) const;
+  // The generators on both sides of a V-edge, the smaller first.
+  std::pair<GenId, GenId> pair_of(int edge) const;
+
+  // ---- The disks. ----
+  // The velocity as last claimed, or computed where the claim gives none.
+  const ExactVec2& velocity(GenId g) const { return velocities_[g]; }
+  // Both velocities; zero for the container.
+  ExactPair velocities(GenId i, GenId j) const;
+  // Recorded truth: the present line of the disk.
+  const Path& path(GenId g) const { return paths_[g]; }
+  // Recorded truth: where the two are at that time; zero for the container.
+  ExactPair positions(GenId i, GenId j, const Rational& t) const;
+  // Whether the motion of the disk has ever changed.
+  bool moved(GenId g) const { return last_change_[g + 1] != 0; }
+  // Whether the last thing that happened to both was their own collision.
+  bool partners(GenId i, GenId j) const {
+    return i != container_id && moved(i) && last_change_[i + 1] == last_change_[j + 1];
+  }
+  double top_speed() const { return top_speed_; }  // an upper bound of all speeds so far
+  void note_speed(const ExactVec2& v);
+
+  // The collision has happened; `computed` are the velocities where the claim gives none.
+  void note_collision(const CollideEvent& claim, const ExactPair& computed);
+  // Recorded truth: from (t, p) on, the disk goes on with its velocity.
+  void turn(GenId g, const Rational& t, const ExactVec2& p);
+  // Recorded truth: gives `motion`, the scene's, the present lines of the disks.
+  void move(Motion& motion) const;
+  // Recorded truth, for a claim without velocities: by the law with the centres that it gives, else
+  // with those of the paths; rounded to binary64. Throws Undecided, as CollisionLaw does.
+  ExactPair computed_velocities(const CollideEvent& claim, const ExactPair& path) const;
+  // The centres that the claim gives, else those of the paths.
+  static ExactPair recorded_centers(const CollideEvent& claim, ExactPair path);
+
+  // ---- Maneuvers, by their index in the scene. ----
+  // Which one is claimed: in any order among those of one instant.
+  std::optional<std::size_t> scheduled(const ManeuverEvent& claim, const Rational& t) const;
+  bool maneuver_done(std::size_t k) const {
+    return k < next_maneuver_ || done_maneuvers_.contains(k);
+  }
+  // The first that has not been claimed; their number where all have.
+  std::size_t next_maneuver() const { return next_maneuver_; }
+  void note_maneuver(std::size_t k, const ManeuverEvent& claim);
+
+  // Recorded truth: takes the claim for true. False where it makes no sense on what is known.
+  bool take(const Event& event);
+
+ private:
+  const Scene* scene_;
+  const CertifyOptions* options_;
+  Diagram diagram_;
+  std::vector<ExactVec2> velocities_;
+  std::vector<Path> paths_;       // of the recorded truth
+  std::vector<int> last_change_;  // of each generator: of its motion, numbered; 0 for none
+  int changes_ = 0;
+  std::size_t next_maneuver_ = 0;
+  std::set<std::size_t> done_maneuvers_;  // those past next_maneuver_
+  double top_speed_ = 0;
+};
+
+}  // namespace voroproof

@@ -1,0 +1,40 @@
+// Vectors of the plane in rationals and in enclosures, and bounds of their lengths.
+#pragma once
+
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <limits>
+
+#include "filtered/double_ball.h"
+#include "history/events.h"
+
+namespace voroproof {
+
+using BallVec2 = std::array<DoubleBall, 2>;
+
+inline Rational square(const Rational& x) { return x * x; }
+
+template <class T>
+T norm2(const std::array<T, 2>& v) {
+  return v[0] * v[0] + v[1] * v[1];
+}
+template <class T>
+std::array<T, 2> minus(const std::array<T, 2>& a, const std::array<T, 2>& b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
+
+// An enclosure: get_d() rounds towards zero.
+inline DoubleBall ball(const Rational& q) {
+  const double x = q.get_d();
+  return {x, std::fabs(x) * 0x1p-52 + DBL_MIN};
+}
+inline BallVec2 ball(const ExactVec2& v) { return {ball(v[0]), ball(v[1])}; }
+
+// An upper bound of the length of a vector, good to a part in 10^15.
+inline Rational length_bound(const ExactVec2& v) {
+  const double n = round_up(norm2(v));
+  return to_rational(std::nextafter(std::sqrt(n), std::numeric_limits<double>::infinity()));
+}
+
+}  // namespace voroproof
