@@ -3,15 +3,14 @@
 #include <memory>
 #include <optional>
 
+#include "apps/certification.h"
 #include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "apps/progress.h"
 #include "apps/scene_motion.h"
 #include "certify/certifier.h"
-#include "certify/report.h"
 #include "history/claim.h"
 #include "history/error.h"
-#include "kinetic/static_diagram.h"
 
 namespace voroproof {
 namespace {
@@ -32,14 +31,6 @@ ExitCode exit_code(Verdict verdict) {
       break;
   }
   return ExitCode::undecided;
-}
-
-// A diagram for histories that give none; the certifier proves it or refutes it.
-std::vector<Quad> construct_initial(Motion& motion) {
-  TierCounts counts;
-  Diagram diagram = static_diagram(motion, 0, counts);
-  settle(diagram, motion, instant_at(0), counts);
-  return diagram.quads();
 }
 
 ExitCode certify_files(Request& request) {
@@ -71,13 +62,8 @@ ExitCode certify_files(Request& request) {
   }
   progress.reset();
   if (report_file) {
-    const CertificationRun run{.producer = producer(),
-                               .scene_file = request.scene,
-                               .history_file = request.history,
-                               .scene_sha256 = scene.sha256,
-                               .history_producer = header.producer,
-                               .disks = static_cast<int>(scene.disks.size()),
-                               .horizon = header.horizon};
+    const CertificationRun run =
+        certification_run(producer(), request.scene, request.history, claim);
     report_file->write(report_text(run, options, certificate));
     report_file->commit();
   }

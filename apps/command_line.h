@@ -41,6 +41,7 @@ void add_validate(CLI::App& app, Action& action);
 void add_certify(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
+void add_corpus(CLI::App& app, Action& action);
 
 // "voroproof VERSION", as histories name their producer.
 std::string producer();
