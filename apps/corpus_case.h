@@ -50,9 +50,9 @@ std::string corpus_beside_program();
 
 // The cases below `root` that are wanted, sorted by family and name, which are those of their
 // folders. A case belongs to the selection if its family is one of `families`, one of its tags one
-// of `tags`, its name one of `names`. Throws InputError where a case is not of the layout,
-// InputError or CorpusError where there are no cases, and CorpusError where an entry of the
-// selection names nothing.
+// of `tags`, its name one of `names`. Throws InputError where a case is not of the layout
+// or `root` cannot be read, CorpusError where there are no cases or an entry of the selection
+// names none.
 std::vector<CorpusCase> find_cases(const std::string& root, const CaseSelection& selection);
 
 // A selection that cannot be met; what() is one line.

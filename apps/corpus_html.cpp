@@ -84,7 +84,7 @@ std::string entry_text(const CaseEntry& e) {
          " s</span></summary>\n<div class=\"case" + (picture.empty() ? " bare" : "") + "\">" +
          (picture.empty() ? "" : "<div>" + picture + "</div>") + "<div><p>" + html_text(c.story) +
          "</p>\n" + tags(c) + e.findings + "<div class=\"mono faint\">" +
-         html_text(c.folder.string()) + "</div></div></div></details>\n";
+         html_text("voroproof corpus show " + c.id()) + "</div></div></div></details>\n";
 }
 
 std::string entries_text(const std::vector<CaseEntry>& entries) {
@@ -119,14 +119,17 @@ std::string family_table(const std::vector<FamilyTally>& families) {
               2, 10);
   for (const FamilyTally& f : families) {
     const bool last = &f == &families.back();
-    out += (last ? "<tr class=\"all\"><td>" : "<tr><td>") + html_text(f.family) +
-           "</td><td class=\"share\">" + bar(f) + "</td>" + number(f.cases) +
+    out += (last ? "<tr class=\"all\">" : "<tr>") + std::string("<td class=\"word\">") +
+           html_text(f.family) + "</td><td class=\"share\">" + bar(f) + "</td>" + number(f.cases) +
            number(f.exact, "certified") + number(f.recorded, "certified");
     for (std::size_t k = 1; k < f.outcomes.size(); ++k) {
       out += number(f.outcomes[k], style_of(static_cast<CaseOutcome>(k)));
     }
-    out += "<td class=\"n\">" + seconds_text(f.seconds) + "</td><td>" + html_text(kinds_text(f)) +
-           "</td></tr>\n";
+    out += "<td class=\"n\">" + seconds_text(f.seconds) + "</td><td>";
+    for (const std::string& kind : kind_counts(f)) {
+      out += "<span class=\"kind\">" + html_text(kind) + "</span>";
+    }
+    out += "</td></tr>\n";
   }
   return out + "</table></div>\n";
 }
@@ -179,18 +182,21 @@ CaseEntry entry(const OwnResult& r) {
   e.findings = "<table>\n" + head({"file", "expected", "found", "evidence", "seconds"}, 4, 4);
   for (const OwnCheck& c : r.checks) {
     e.seconds += c.seconds;
-    e.findings += "<tr><td>" + html_text(c.file) + "</td><td>" + html_text(c.expected) +
-                  "</td><td class=\"" + (c.passed() ? "certified" : "refuted") + "\">" +
-                  html_text(c.found) + "</td><td>" + html_text(c.reason) + "</td><td class=\"n\">" +
+    e.findings += "<tr><td class=\"word\">" + html_text(c.file) + "</td><td>" +
+                  html_text(c.expected) + "</td><td class=\"" +
+                  (c.passed() ? "certified" : "refuted") + "\">" + html_text(c.found) +
+                  "</td><td>" + html_text(c.reason) + "</td><td class=\"n\">" +
                   seconds_text(c.seconds) + "</td></tr>\n";
     if (!c.passed() && e.reason.empty()) {
       e.reason = c.file + ": expected " + c.expected + ", found " + c.found;
     }
   }
   e.findings += "</table>\n";
+  e.findings += "<p class=\"faint\">The exact history was established by:</p><ul class=\"faint\">";
   for (const std::string& source : r.of->sources) {
-    e.findings += "<p class=\"faint\">" + html_text(source) + "</p>\n";
+    e.findings += "<li>" + html_text(source) + "</li>";
   }
+  e.findings += "</ul>\n";
   return e;
 }
 

@@ -24,7 +24,7 @@ constexpr std::string_view style = R"css(
   }
 }
 * { box-sizing: border-box; }
-body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 74rem; background: var(--paper);
+body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 80rem; background: var(--paper);
   color: var(--ink); font: 15px/1.5 system-ui, "Segoe UI", "DejaVu Sans", sans-serif; }
 h1 { font-size: 1.6rem; margin: 0 0 .3rem; }
 h2 { font-size: 1.1rem; margin: 2.2rem 0 .6rem; }
@@ -49,7 +49,8 @@ thead th { border-top: 0; color: var(--faint); font-weight: 600; font-size: .85r
   white-space: nowrap; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
 td.zero { color: var(--line); }
-td.share { min-width: 8rem; }
+td.share { min-width: 6rem; }
+.kind { display: block; white-space: nowrap; }
 td.word { white-space: nowrap; overflow-wrap: normal; }
 tr.all td { font-weight: 600; border-top: 2px solid var(--line); }
 .certified { color: var(--certified); } .refuted { color: var(--refuted); }
@@ -74,6 +75,8 @@ summary .n { text-align: right; color: var(--faint); font-variant-numeric: tabul
 details[open] summary { border-bottom: 1px solid var(--line); }
 details[open] summary .reason { visibility: hidden; }
 .case { display: grid; grid-template-columns: 17rem 1fr; gap: 1.4rem; padding: 1rem .8rem; }
+.case > * { min-width: 0; }
+.case ul { margin: 0 0 .8rem; padding-left: 1.2rem; }
 .case.bare { grid-template-columns: 1fr; }
 .case img { width: 100%; background: #fff; border: 1px solid var(--line); border-radius: 4px; }
 .case p { margin: 0 0 .7rem; max-width: 46rem; }

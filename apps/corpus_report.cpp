@@ -89,14 +89,18 @@ std::vector<FamilyTally> tallies(const std::vector<ProgramResult>& results) {
   return families;
 }
 
-std::string kinds_text(const FamilyTally& tally) {
+std::vector<std::string> kind_counts(const FamilyTally& tally) {
   std::vector<std::pair<std::string, int>> kinds(tally.kinds.begin(), tally.kinds.end());
   std::stable_sort(kinds.begin(), kinds.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::vector<std::string> texts;
+  for (const auto& [kind, count] : kinds) texts.push_back(kind + " " + std::to_string(count));
+  return texts;
+}
+
+std::string joined(const std::vector<std::string>& words) {
   std::string text;
-  for (const auto& [kind, count] : kinds) {
-    text += (text.empty() ? "" : ", ") + kind + " " + std::to_string(count);
-  }
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
   return text;
 }
 
@@ -153,7 +157,7 @@ std::string report_for_terminal(const CorpusRunInfo& info,
     if (asked(Truth::exact)) row.push_back(cell(f.exact));
     if (asked(Truth::recorded)) row.push_back(cell(f.recorded));
     for (std::size_t k = 1; k < f.outcomes.size(); ++k) row.push_back(cell(f.outcomes[k]));
-    row.insert(row.end(), {seconds_text(f.seconds), kinds_text(f)});
+    row.insert(row.end(), {seconds_text(f.seconds), joined(kind_counts(f))});
     rows.push_back(std::move(row));
   }
   out += table_text(rows);

@@ -32,8 +32,11 @@ struct FamilyTally {
 // One for each family, in order, and a last one named "all".
 std::vector<FamilyTally> tallies(const std::vector<ProgramResult>& results);
 
-// "missing event 3, wrong time 1", the most frequent first.
-std::string kinds_text(const FamilyTally& tally);
+// "missing event 3", "wrong time 1", the most frequent first.
+std::vector<std::string> kind_counts(const FamilyTally& tally);
+
+// The words with commas between them.
+std::string joined(const std::vector<std::string>& words);
 
 // "0.004", "12.3": seconds to three places at most.
 std::string seconds_text(double seconds);

@@ -12,12 +12,6 @@ namespace {
 constexpr std::size_t line_width = 96;
 constexpr int most_events = 24;  // that are listed
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 // The text in lines of at most line_width, each after the indent.
 std::string wrapped(const std::string& text, const std::string& indent) {
   std::istringstream words(text);

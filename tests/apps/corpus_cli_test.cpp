@@ -192,6 +192,14 @@ TEST_F(CorpusCli, SeesWhatIsNotAsExpected) {
   refused("expected certified (exact), found refuted (exact): missing event: line ");
 }
 
+TEST_F(CorpusCli, CertificationHasALimitToo) {
+  const Result result = run_corpus({"--case", "eight", "--timeout", "1e-9"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_NE(result.out.find("found undecided (exact): the certifier did not finish: time out"),
+            std::string::npos)
+      << result.out;
+}
+
 TEST_F(CorpusCli, CertifiesWhatTheEngineWrites) {
   const Result result = run_corpus({"--against", simulate(), "--html", file("r.html")});
   EXPECT_EQ(result.code, 0) << result.out;
