@@ -184,8 +184,11 @@ TEST_F(CorpusCli, SeesWhatIsNotAsExpected) {
   described("\"1/3\"", "\"2/3\"");
   refused("expected same edges, found another instant");
   described("\"1/3\"", "\"1/3\"");
-  fs::copy_file(path("generic/three/diagram-0.diagram.json"), folder + "diagram-0.diagram.json",
-                fs::copy_options::overwrite_existing);
+  const std::string later = file("later.diagram.json");
+  must({"snapshot", folder + "scene.scene.json", "--at", "20", "-o", later});
+  std::string diagram = bytes(later);
+  diagram.replace(diagram.find("\"t\":20"), 6, "\"t\":\"1/3\"");
+  std::ofstream(folder + "diagram-0.diagram.json", std::ios::binary) << diagram;
   refused("expected same edges, found other edges");
   fs::copy_file(folder + "wrong/dropped-flip.history.jsonl", folder + "exact.history.jsonl",
                 fs::copy_options::overwrite_existing);
@@ -334,9 +337,9 @@ TEST_F(CorpusCli, InterruptionLeavesNothing) {
   const TemporaryDirectory scratch;
   ASSERT_EQ(setenv("TMPDIR", scratch.file("").c_str(), 1), 0);
   const std::string note = file("process");
-  const pid_t program =
-      start(run_words({"--against", "echo $$ end > " + note + "; sleep 1000; : {scene} {history}",
-                       "--html", file("r.html"), "--jobs", "2", "--case", "three"}));
+  const pid_t program = start(
+      run_words({"--against", "echo $$ end > " + note + "; sleep 1000; : {scene} {history}",
+                 "--html", file("r.html"), "--jobs", "2", "--case", "three", "--timeout", "1000"}));
   const pid_t child = process_in(note);
   EXPECT_TRUE(alive(child));
   kill(program, SIGINT);
