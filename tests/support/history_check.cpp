@@ -63,32 +63,6 @@ std::optional<bool> is_legal(const Generators& at, const Quad& q) {
 
 bool is_motion(const Event& e) { return e.kind != Event::Kind::flip; }
 
-// The records, in the order of the events. A maneuver at the instant of an earlier event of its
-// disk is moved by less than anything here resolves, since the oracle rounds that event's time.
-std::vector<oracle::MotionRecord> records_of(const Scene& scene, const RecordedRun& run) {
-  const Rational nudge(1, Integer(1) << 700);
-  std::vector<oracle::MotionRecord> records;
-  std::map<int, double> last;
-  std::vector<std::size_t> done(scene.disks.size(), 0);
-  for (const Event& e : run.events) {
-    if (e.kind == Event::Kind::collision) {
-      records.push_back(oracle::collision(e.i, e.j));
-      last[e.i] = last[e.j] = e.t;
-    } else if (e.kind == Event::Kind::maneuver) {
-      // The k-th maneuver of the disk.
-      std::size_t k = done.at(static_cast<std::size_t>(e.i))++;
-      const auto it = std::find_if(scene.maneuvers.begin(), scene.maneuvers.end(),
-                                   [&](const Maneuver& m) { return m.disk == e.i && k-- == 0; });
-      if (it == scene.maneuvers.end()) throw Fault("a maneuver too many: " + text(e));
-      const bool shared = last.count(e.i) != 0 && last[e.i] == e.t;
-      records.push_back(
-          oracle::maneuver(e.i, shared ? Rational(it->t + nudge) : it->t, it->vx, it->vy));
-      last[e.i] = e.t;
-    }
-  }
-  return records;
-}
-
 template <unsigned Digits>
 class Checker {
  public:
@@ -102,7 +76,7 @@ class Checker {
         check_(check),
         counts_(counts),
         motion_scene_(oracle_scene(scene)),
-        records_(records_of(scene, run)),
+        records_(motion_records(scene, run)),
         motion_(motion_scene_, records_),
         container_(oracle::rounded(motion_scene_.container)),
         horizon_(oracle::rounded<Number>(scene.horizon)) {}
@@ -515,6 +489,32 @@ oracle::MotionScene oracle_scene(const Scene& scene) {
     result.disks.push_back({d.x, d.y, d.vx, d.vy, d.radius, d.mass});
   }
   return result;
+}
+
+// A maneuver at the instant of an earlier event of its
+// disk is moved by less than anything here resolves, since the oracle rounds that event's time.
+std::vector<oracle::MotionRecord> motion_records(const Scene& scene, const RecordedRun& run) {
+  const Rational nudge(1, Integer(1) << 700);
+  std::vector<oracle::MotionRecord> records;
+  std::map<int, double> last;
+  std::vector<std::size_t> done(scene.disks.size(), 0);
+  for (const Event& e : run.events) {
+    if (e.kind == Event::Kind::collision) {
+      records.push_back(oracle::collision(e.i, e.j));
+      last[e.i] = last[e.j] = e.t;
+    } else if (e.kind == Event::Kind::maneuver) {
+      // The k-th maneuver of the disk.
+      std::size_t k = done.at(static_cast<std::size_t>(e.i))++;
+      const auto it = std::find_if(scene.maneuvers.begin(), scene.maneuvers.end(),
+                                   [&](const Maneuver& m) { return m.disk == e.i && k-- == 0; });
+      if (it == scene.maneuvers.end()) throw Fault("a maneuver too many: " + text(e));
+      const bool shared = last.count(e.i) != 0 && last[e.i] == e.t;
+      records.push_back(
+          oracle::maneuver(e.i, shared ? Rational(it->t + nudge) : it->t, it->vx, it->vy));
+      last[e.i] = e.t;
+    }
+  }
+  return records;
 }
 
 std::vector<oracle::Quadruple> quadruples(const std::vector<Quad>& edges) {

@@ -13,6 +13,10 @@ namespace voroproof::testing {
 oracle::MotionScene oracle_scene(const Scene& scene);
 std::vector<oracle::Quadruple> quadruples(const std::vector<Quad>& edges);
 
+// The collisions and maneuvers of a run in their order, for the oracle of motion. Throws
+// std::runtime_error for a maneuver that the scene does not have.
+std::vector<oracle::MotionRecord> motion_records(const Scene& scene, const RecordedRun& run);
+
 struct HistoryCheck {
   // Instants between events at which the whole diagram is computed anew, spread evenly.
   int brute_force_instants = 4;

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""Writes corpus/cases/ anew from the descriptions in corpus/degenerate/.
+
+usage: corpus/degenerate.py [--check] [--only NAME] [-j N] PROGRAM [FAMILY...]
+
+PROGRAM is build/voroproof. Every case is simulated, certified, drawn, and its wrong variants are
+refuted, each for the fault that the description names; anything else is an error. With --check
+the files are made in a scratch folder and compared with those here.
+"""
+import argparse
+import filecmp
+import shutil
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from degenerate import families
+from degenerate.build import Failed, Program, build
+from degenerate.case import cases_of
+
+CASES = Path(__file__).resolve().parent / "cases"
+
+
+def files_below(folder):
+    return {p.relative_to(folder) for p in folder.rglob("*") if p.is_file()}
+
+
+def differences(made, kept, names):
+    """Files below the families `names` that only one of two folders has, or that differ."""
+    found = []
+    for name in names:
+        a, b = files_below(made / name), files_below(kept / name)
+        found += [f"{name}/{p}: only made" for p in sorted(a - b)]
+        found += [f"{name}/{p}: only kept" for p in sorted(b - a)]
+        found += [f"{name}/{p}: differs" for p in sorted(a & b)
+                  if not filecmp.cmp(made / name / p, kept / name / p, shallow=False)]
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program", metavar="PROGRAM")
+    parser.add_argument("families", metavar="FAMILY", nargs="*")
+    parser.add_argument("--check", action="store_true", help="compare, do not write")
+    parser.add_argument("--only", metavar="NAME", help="one case")
+    parser.add_argument("-j", type=int, default=2, metavar="N", help="cases at a time")
+    options = parser.parse_args()
+    known = families.all_families()
+    names = options.families or list(known)
+    for name in set(names) - set(known):
+        parser.error(f"{name}: no such family; there are {', '.join(known)}")
+    if options.check and options.only:
+        parser.error("--check compares whole families")
+    program = Program(options.program)
+    cases = [c for name in names for c in cases_of(name) if options.only in (None, c.name)]
+    failures = []
+
+    with tempfile.TemporaryDirectory() as scratch:
+        root = Path(scratch) if options.check else CASES
+        if not options.only:
+            for name in names:
+                shutil.rmtree(root / name, ignore_errors=True)
+
+        def make(case):
+            try:
+                build(case, program, root)
+            except Failed as e:
+                return f"{case.family}/{case.name}: {e}"
+            return None
+
+        with ThreadPoolExecutor(options.j) as pool:
+            failures = [f for f in pool.map(make, cases) if f]
+        if options.check:
+            failures += differences(root, CASES, names)
+            if not options.families:
+                failures += [f"{p.name}: no such family" for p in CASES.iterdir()
+                             if p.is_dir() and p.name not in known]
+    for failure in failures:
+        print(failure)
+    print(f"{len(cases)} cases, {len(failures)} failures")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
