@@ -12,11 +12,12 @@ import filecmp
 import shutil
 import sys
 import tempfile
+import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from degenerate import families
-from degenerate.build import Failed, Program, build
+from degenerate.build import Failed, Program, Unable, build
 from degenerate.case import cases_of
 
 CASES = Path(__file__).resolve().parent / "cases"
@@ -44,6 +45,7 @@ def main():
     parser.add_argument("families", metavar="FAMILY", nargs="*")
     parser.add_argument("--check", action="store_true", help="compare, do not write")
     parser.add_argument("--only", metavar="NAME", help="one case")
+    parser.add_argument("--times", action="store_true", help="say how long each case took")
     parser.add_argument("-j", type=int, default=2, metavar="N", help="cases at a time")
     options = parser.parse_args()
     known = families.all_families()
@@ -54,7 +56,6 @@ def main():
         parser.error("--check compares whole families")
     program = Program(options.program)
     cases = [c for name in names for c in cases_of(name) if options.only in (None, c.name)]
-    failures = []
 
     with tempfile.TemporaryDirectory() as scratch:
         root = Path(scratch) if options.check else CASES
@@ -63,22 +64,33 @@ def main():
                 shutil.rmtree(root / name, ignore_errors=True)
 
         def make(case):
+            """What was left out, and what failed."""
+            start = time.monotonic()
             try:
-                build(case, program, root)
+                return build(case, program, root), []
             except Failed as e:
-                return f"{case.family}/{case.name}: {e}"
-            return None
+                line = f"{case.family}/{case.name}: "
+                if case.awaits and isinstance(e, Unable):
+                    shutil.rmtree(root / case.family / case.name)
+                    return [line + case.awaits], []
+                return [], [line + str(e)]
+            finally:
+                if options.times:
+                    print(f"{time.monotonic() - start:.1f} s {case.family}/{case.name}")
 
+        left_out, failures = [], []
         with ThreadPoolExecutor(options.j) as pool:
-            failures = [f for f in pool.map(make, cases) if f]
+            for late, failed in pool.map(make, cases):
+                left_out += late
+                failures += failed
         if options.check:
             failures += differences(root, CASES, names)
             if not options.families:
                 failures += [f"{p.name}: no such family" for p in CASES.iterdir()
                              if p.is_dir() and p.name not in known]
-    for failure in failures:
-        print(failure)
-    print(f"{len(cases)} cases, {len(failures)} failures")
+    for line in [f"not yet: {text}" for text in left_out] + failures:
+        print(line)
+    print(f"{len(cases)} cases, {len(failures)} failures, {len(left_out)} not yet")
     return 1 if failures else 0
 
 

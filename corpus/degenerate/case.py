@@ -26,6 +26,9 @@ class Case:
     # Midpoints at which the brute force has nothing to say, because a point touches something.
     unseen: int = 0
 
+    # What the program must learn before it can make this case; until then the case is left out.
+    awaits: str = None
+
     def __post_init__(self):
         if not re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", self.name):
             raise ValueError(f"{self.name}: not a name for a folder")

@@ -41,6 +41,7 @@ class Wrong:
     kind: str  # the fault that `certify` must name
     make: object  # (History, Simulator) -> History
     truth: str = "exact"
+    awaits: str = None  # what `certify` must learn before it can refute this; left out until then
 
     def __post_init__(self):
         if self.name not in CLASSES:
@@ -175,14 +176,14 @@ def cut_tail(keep, kind="missing event"):
     return edited("stops-early", kind, lambda history, events: events[:keep])
 
 
-def of_scene(name, kind, change, truth="exact"):
+def of_scene(name, kind, change, truth="exact", awaits=None):
     """The exact history of another scene, claimed for this one."""
     def make(history, simulate):
         scene = deepcopy(simulate.scene)
         other = simulate(change(scene) or scene)
         return History(other.header | {"scene_sha256": history.header["scene_sha256"]},
                        other.events, other.last)
-    return Wrong(name, kind, make, truth)
+    return Wrong(name, kind, make, truth, awaits)
 
 
 def renumbered(name, kind, image, truth="exact"):

@@ -62,13 +62,13 @@ std::vector<EmptyCircle> empty_circles(const Generators& generators) {
       for (int k = j + 1; k < n; ++k) {
         for (const TangentCircle& circle : generators.tangent_circles(i, j, k)) {
           if (circle.radius > container_radius || generators.clearly_not_empty(circle)) continue;
-          std::vector<int> contacts = contacts_if_empty(generators, circle);
-          if (contacts.empty()) continue;
           // A cotangent class turns up once for each triple of it.
           const bool known = std::any_of(found.begin(), found.end(), [&](const EmptyCircle& c) {
-            return c.contacts == contacts;
+            return coincide(c.circle, circle);
           });
-          if (!known) found.push_back({circle, std::move(contacts)});
+          if (known) continue;
+          std::vector<int> contacts = contacts_if_empty(generators, circle);
+          if (!contacts.empty()) found.push_back({circle, std::move(contacts)});
         }
       }
     }

@@ -48,6 +48,8 @@ std::optional<int> legality(const Generators& at, const Quad& q) {
     return gap > 0 ? 1 : -1;
   };
   const auto start = side(q.l, q.s, q.r, q.e), end = side(q.r, q.e, q.l, q.s);
+  // An edge between two circles, of which one touches all four generators and the other does not.
+  if (start && end && *start + *end == 1) return 1;
   return start == end ? start : std::nullopt;
 }
 
