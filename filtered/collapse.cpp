@@ -929,11 +929,10 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
     const double from = now != nullptr ? now->hi : voroproof::round_up(start);
     Verdict verdict = Verdict::unknown;
     for (int bits = 64; verdict == Verdict::unknown; bits *= 2) {
-      if (bits > 256 || bits > most) {
-        const double reached = voroproof::round_down(roots[k].interval().lo);
-        if (reached > from) return none_until(reached);
-        if (bits > most) throw CirclesUnknown(most);
-      }
+      const double reached = voroproof::round_down(before_root());
+      const bool can_wait = reached > from;
+      if (can_wait && bits > 256) return none_until(reached);
+      if (bits > most) throw CirclesUnknown(most);
       roots[k].refine(Rational(Integer(1), Integer(1) << bits));
       const Rational t = after_root();
       std::array<Sign, 2> exists;
