@@ -181,6 +181,17 @@ NextContact ContactSearch::exactly(GenId i, GenId j, const Instant& now, double 
   return {NextContact::Kind::at, lo, hi};
 }
 
+bool ContactSearch::certainly_apart(GenId i, GenId j, const Instant& now) const {
+  const Sign apart = i == container_id ? Sign::negative : Sign::positive;
+  if (motion_.options().filters) {
+    const DoubleBall t = DoubleBall::hull(now.lo, now.hi);
+    return sign(Contact<DoubleBall>(motion_.moving_site(i, t), motion_.moving_site(j, t)).c) ==
+           apart;
+  }
+  const Ball t = hull_of(now.lo, now.hi, motion_.goal_bits() + 32);
+  return sign(Contact<Ball>(motion_.moving_site(i, t), motion_.moving_site(j, t)).c) == apart;
+}
+
 DdBall ContactSearch::refine(GenId i, GenId j, double t) const {
   const DdBall at(t);
   const Contact<DdBall> k(motion_.moving_site(i, at), motion_.moving_site(j, at));

@@ -31,6 +31,9 @@ class ContactSearch {
   // the model does not cover.
   NextContact from(GenId i, GenId j, const Instant& now, double end);
 
+  // Whether the two certainly do not touch at `now`, nor overlap.
+  bool certainly_apart(GenId i, GenId j, const Instant& now) const;
+
   // The contact that lies next to t, tightly; radius infinite where not known.
   DdBall refine(GenId i, GenId j, double t) const;
   Ball refine(GenId i, GenId j, const Rational& t, int bits) const;

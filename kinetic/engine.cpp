@@ -572,7 +572,7 @@ class Engine<certified>::Implementation {
         due_maneuvers_ = false;
         const Rational instant = next_maneuver().t;
         // A flip's root is no longer that of its generators once their motion changes.
-        if constexpr (certified) now_ = instant_at(instant);
+        if constexpr (certified) set_now(instant);
         std::vector<ManeuverInput> together;
         while (next_maneuver_ < maneuvers_.size() && next_maneuver().t == instant) {
           together.push_back(maneuvers_[next_maneuver_++]);
@@ -582,9 +582,14 @@ class Engine<certified>::Implementation {
         process_maneuvers(together, t);
         queue_maneuver();
       } else {
-        return;
+        break;
       }
     }
+    // Only now: with some of the instant's velocities most searches would be for nothing, and
+    // harder than those that count.
+    ++stamp_now_;
+    for (const GenId g : changed_) recompute_around(g);
+    changed_.clear();
   }
 
   void process_single(const Candidate& c, double t) {
@@ -775,6 +780,22 @@ class Engine<certified>::Implementation {
     search_contact(edge);
   }
 
+  // A disk has a new velocity: which of its neighbours does it touch and approach now?
+  void change(GenId g) {
+    if (g == container_id) return;
+    forget_contacts_of(g);
+    if (std::find(changed_.begin(), changed_.end(), g) == changed_.end()) changed_.push_back(g);
+    if constexpr (certified) {
+      const HalfEdge first = diagram_.anchor(g);
+      HalfEdge h = first;
+      do {
+        const auto [i, j] = first < 0 ? std::pair(container_id, g) : pair_of(contact_item(h / 2));
+        if (!contacts_.certainly_apart(i, j, now_)) search_contact(first < 0 ? 0 : h / 2);
+        if (first >= 0) h = diagram_.rotate(h);
+      } while (h != first);
+    }
+  }
+
   void recompute_around(GenId g) {
     const HalfEdge first = diagram_.anchor(g);
     if (first < 0) {
@@ -820,15 +841,10 @@ class Engine<certified>::Implementation {
     pending_.emplace_back(PendingEvent{t.value_or(now_t_), i, j, impact.first, impact.second});
     ++(i == container_id ? stats_.wall_collisions : stats_.disk_collisions);
     collapse_watch_.after_collision(i, j, now_, quiet_until_);
-    ++stamp_now_;
-    forget_contacts_of(i);
-    forget_contacts_of(j);
-    if (i != container_id) recompute_around(i);
-    recompute_around(j);
+    change(i);
+    change(j);
   }
 
-  // All velocities change before anything is searched for: with some of them only, most searches
-  // would be for nothing, and harder than those that count.
   void process_maneuvers(const std::vector<ManeuverInput>& together, double t) {
     for (const ManeuverInput& m : together) {
       const Stopwatch watch(clock(stats_.move_seconds));
@@ -840,10 +856,8 @@ class Engine<certified>::Implementation {
       }
       pending_.emplace_back(PendingEvent{t, m.disk, m.disk, state, {}});
       ++stats_.maneuvers;
-      forget_contacts_of(m.disk);
     }
-    ++stamp_now_;
-    for (const ManeuverInput& m : together) recompute_around(m.disk);
+    for (const ManeuverInput& m : together) change(m.disk);
   }
 
   // Contacts due now are looked for anew after every change of a velocity.
@@ -905,6 +919,7 @@ class Engine<certified>::Implementation {
   std::set<std::pair<Quad, int>> due_flips_;
   std::set<std::pair<GenId, GenId>> due_contacts_;
   bool due_maneuvers_ = false;
+  std::vector<GenId> changed_;  // disks with new velocities at the present instant
   std::vector<Candidate> near_, ties_;
   std::vector<Pending> pending_;
   std::uint64_t steps_ = 0, events_ = 0;
