@@ -191,17 +191,19 @@ void add_run(CLI::App& corpus, Action& action) {
       "run",
       "Certify the corpus: its own histories and wrong ones or, with --against, the histories\n"
       "that another program writes for its scenes");
-  add_text(*verb, "--against", request->command, "COMMAND",
-           "run by the shell for each case, in this folder: {scene} stands for the\n"
-           "scene to read, {history} for the history or event sequence to write;\n"
-           "both are put in quotes where they need them");
+  CLI::Option* against =
+      add_text(*verb, "--against", request->command, "COMMAND",
+               "run by the shell for each case, in this folder: {scene} stands for the\n"
+               "scene to read, {history} for the history or event sequence to write;\n"
+               "both are put in quotes where they need them");
   add_selection(*verb, *request);
   verb->add_option("--case", request->selection.names, "only this case, NAME or FAMILY/NAME")
       ->type_name("NAME")
       ->allow_extra_args(false);
   add_choice(*verb, "--truth", {"exact", "recorded", "both"}, request->truth,
              "what to certify the program's histories against: the true motion, that which\n"
-             "each history itself records, or either, whichever holds");
+             "each history itself records, or either, whichever holds")
+      ->needs(against);
   add_real(*verb, "--timeout", request->seconds,
            "seconds for each run of the program and for each certification");
   verb->add_option("--memory", request->megabytes,

@@ -62,10 +62,6 @@ Judgement from_report(const std::string& path) {
     j.line = divergence->at("line");
     j.t = divergence->at("t");
   }
-  const Json& proved = report.at("proved");
-  for (const char* counted : {"flips", "collisions", "maneuvers"}) {
-    j.events += proved.at(counted).get<std::int64_t>();
-  }
   return j;
 }
 

@@ -22,7 +22,6 @@ struct Judgement {
   // The first so many events are right, and nothing is missing before prefix_t.
   std::int64_t prefix_events = 0;
   double prefix_t = 0;
-  std::int64_t events = 0;  // proved, of a certified history
   double seconds = 0;
 };
 

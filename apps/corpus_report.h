@@ -25,8 +25,6 @@ struct FamilyTally {
   std::array<int, static_cast<std::size_t>(CaseOutcome::count)> outcomes{};
   std::map<std::string, int> kinds;  // of the faults of refuted ones
   double seconds = 0;                // of the program
-
-  int of(CaseOutcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
 };
 
 // One for each family, in order, and a last one named "all".

@@ -22,7 +22,7 @@ struct CorpusRunOptions {
   std::function<bool(std::size_t finished)> progress;
 };
 
-// What became of a case, worst last for a person who reads the table from left to right.
+// What became of a case.
 enum class CaseOutcome { certified, refuted, undecided, invalid, crashed, timed_out, count };
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(CaseOutcome::count)>
     outcome_names{"certified", "refuted", "undecided", "invalid", "crashed", "timed out"};
@@ -56,7 +56,7 @@ std::vector<ProgramResult> against_program(const std::vector<CorpusCase>& cases,
 // One thing that the corpus says of itself, and what was found.
 struct OwnCheck {
   std::string file;      // below the case's folder
-  std::string expected;  // "certified", "refuted (exact): missing event", "equal edges", ...
+  std::string expected;  // "certified", "refuted (exact): missing event", "same edges", ...
   std::string found;     // likewise
   std::string reason;    // one line, for a person
   double seconds = 0;

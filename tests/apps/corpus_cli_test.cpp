@@ -375,7 +375,8 @@ TEST_F(CorpusCli, BadUsageIsRefused) {
   refused(with({"--family", "ties", "--case", "three"}), "no case named three");
   refused(with({"--timeout", "0"}), "--timeout");
   refused(with({"--jobs", "0"}), "--jobs");
-  refused(with({"--truth", "mine"}), "--truth");
+  refused(with({"--against", simulate(), "--truth", "mine"}), "--truth");
+  refused(with({"--truth", "exact"}), "--truth requires --against");
   refused(with({"--json", file("a"), "--html", file("a")}), "named for two outputs");
   refused({"corpus", "show", "three", "--corpus", file("nowhere")}, "nowhere");
   refused({"corpus"}, "no verb given");
