@@ -17,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from degenerate import families
-from degenerate.build import Failed, Program, Unable, build
+from degenerate.build import Failed, Program, build
 from degenerate.case import cases_of
 
 CASES = Path(__file__).resolve().parent / "cases"
@@ -46,6 +46,8 @@ def main():
     parser.add_argument("--check", action="store_true", help="compare, do not write")
     parser.add_argument("--only", metavar="NAME", help="one case")
     parser.add_argument("--times", action="store_true", help="say how long each case took")
+    parser.add_argument("--patience", type=int, default=10, metavar="SECONDS",
+                        help="for each step of a case that the program may not be able to make")
     parser.add_argument("-j", type=int, default=2, metavar="N", help="cases at a time")
     options = parser.parse_args()
     known = families.all_families()
@@ -54,7 +56,7 @@ def main():
         parser.error(f"{name}: no such family; there are {', '.join(known)}")
     if options.check and options.only:
         parser.error("--check compares whole families")
-    program = Program(options.program)
+    patient, hurried = Program(options.program, 200), Program(options.program, options.patience)
     cases = [c for name in names for c in cases_of(name) if options.only in (None, c.name)]
 
     with tempfile.TemporaryDirectory() as scratch:
@@ -67,10 +69,10 @@ def main():
             """What was left out, and what failed."""
             start = time.monotonic()
             try:
-                return build(case, program, root), []
+                return build(case, hurried if case.awaits else patient, root), []
             except Failed as e:
                 line = f"{case.family}/{case.name}: "
-                if case.awaits and isinstance(e, Unable):
+                if case.awaits:
                     shutil.rmtree(root / case.family / case.name)
                     return [line + case.awaits], []
                 return [], [line + str(e)]

@@ -13,32 +13,28 @@ from degenerate.scene import instant_text
 PICTURE_SIZE = 480
 # What is drawn that is thinner than these decimals of a pixel is not seen.
 PICTURE_DECIMALS = 1
-# Seconds; no step of any case takes more than a few.
-TIMEOUT = 20
 
 
 class Failed(Exception):
     """A case is not as its description says."""
 
 
-class Unable(Failed):
-    """The program gave up: it took too long, or said that it cannot decide."""
-
-
 class Program:
-    def __init__(self, path):
+    """The program, which may take `patience` seconds for each step."""
+
+    def __init__(self, path, patience):
         self.path = str(Path(path).resolve())
+        self.patience = patience
 
     def run(self, *words, codes=(0,)):
         try:
             done = subprocess.run([self.path, *map(str, words)], capture_output=True, text=True,
-                                  timeout=TIMEOUT, check=False)
+                                  timeout=self.patience, check=False)
         except subprocess.TimeoutExpired:
-            raise Unable(f"{words[0]}: more than {TIMEOUT} seconds") from None
+            raise Failed(f"{words[0]}: more than {self.patience} seconds") from None
         if done.returncode not in codes:
             said = (done.stdout + done.stderr).strip().replace("\n", " | ")
-            error = Unable if done.returncode == 3 else Failed
-            raise error(f"{words[0]}: exit {done.returncode}: {said}")
+            raise Failed(f"{words[0]}: exit {done.returncode}: {said}")
         return done
 
 

@@ -247,7 +247,7 @@ def touching_start():
         "wall-approach", """A disk touches the wall at t = 0 and flies against it obliquely; another disk touches it too, and is let go by the bounce or struck: the
         signs after the bounce decide.""",
         scene(10, 3, [disk(8, 0, 2, 1, F(1, 2)), disk(5, 0, 1)]), [0, 3], ["touching-start", "wall", "tie"],
-        [dropped("collide", 0, "contact-missed", "missing event")])
+        [dropped("collide", 0, "contact-missed", "spurious event")])
     yield Case(
         "ring-of-touching", """Four disks touch in a ring around the centre, each two neighbours, and all move around it tangentially with one speed: every pair slides or parts
         at 0+, by the second derivative.""",

@@ -1,8 +1,8 @@
 """All families, in the order in which they are listed."""
-from degenerate import cocircular, configurations, contacts, few, lattices
+from degenerate import cocircular, configurations, contacts, few, lattices, motions, roots, symmetry
 from degenerate.case import FAMILIES
 
-MODULES = (configurations, cocircular, lattices, contacts, few)
+MODULES = (configurations, cocircular, lattices, contacts, roots, motions, symmetry, few)
 
 
 def all_families():
