@@ -222,6 +222,12 @@ void Ball::to_double_double(double& hi, double& lo, double& err) const {
   if (ternary != 0 || mpfr_cmp_d(rest, lo) != 0) err = (err + left + DBL_MIN) * kUp;
 }
 
+void Ball::set(Ball& out, double x) {
+  out.set_precision(53);
+  mpfr_set_d(out.mid_, x, MPFR_RNDN);
+  out.radius_ = Magnitude();
+}
+
 void Ball::add(Ball& out, const Ball& a, const Ball& b, Precision bits) {
   if (out.precision_or(bits) != bits && (&out == &a || &out == &b)) {
     Ball r(bits);
@@ -266,7 +272,22 @@ void Ball::mul(Ball& out, const Ball& a, const Ball& b, Precision bits) {
   out.add_rounding(t);
 }
 
-void Ball::sqr(Ball& out, const Ball& a, Precision bits) { mul(out, a, a, bits); }
+void Ball::sqr(Ball& out, const Ball& a, Precision bits) {
+  if (out.precision_or(bits) != bits && &out == &a) {
+    Ball r(bits);
+    sqr(r, a, bits);
+    out = std::move(r);
+    return;
+  }
+  Magnitude radius;
+  if (!a.radius_.is_zero()) {
+    radius = a.radius_ * (magnitude_of(a.mid_).scaled(1) + a.radius_);
+  }
+  out.set_precision(bits);
+  const int t = mpfr_sqr(out.mid_, a.mid_, MPFR_RNDN);
+  out.radius_ = radius;
+  out.add_rounding(t);
+}
 
 void Ball::mul_d(Ball& out, const Ball& a, double b, Precision bits) {
   const Magnitude radius = a.radius_.is_zero() ? Magnitude() : a.radius_ * Magnitude::of(b);
@@ -284,60 +305,70 @@ void Ball::mul_d(Ball& out, const Ball& a, double b, Precision bits) {
 }
 
 void Ball::div(Ball& out, const Ball& a, const Ball& b, Precision bits) {
-  Ball r(bits);
-  if (b.sign() == Sign::unknown || b.sign() == Sign::zero) {
-    r.radius_ = Magnitude::power_of_two(kInfiniteExponent);
+  if (out.precision_or(bits) != bits && (&out == &a || &out == &b)) {
+    Ball r(bits);
+    div(r, a, b, bits);
     out = std::move(r);
     return;
   }
-  const int t = mpfr_div(r.mid_, a.mid_, b.mid_, MPFR_RNDN);
-  // |a/b - a0/b0| <= (rad_a + |a0/b0| rad_b) / (|b0| - rad_b).
-  if (!a.radius_.is_zero() || !b.radius_.is_zero()) {
-    Magnitude top = a.radius_;
-    if (!b.radius_.is_zero()) {
-      Magnitude quotient = magnitude_of(r.mid_);
-      if (!quotient.is_zero()) {
-        quotient = quotient + Magnitude::power_of_two(mpfr_get_exp(r.mid_) - bits);
-      }
-      top = top + quotient * b.radius_;
-    }
-    // A lower bound of |b0| - rad_b as m 2^e, then 1/m rounded up.
-    long e = 0;
-    double low = std::fabs(mpfr_get_d_2exp(&e, b.mid_, MPFR_RNDZ));
-    if (!b.radius_.is_zero()) {
-      const double scaled = b.radius_.scaled(-e).to_double();
-      low = (low - scaled) * (1 - 0x1p-50);
-    }
-    if (!(low > 0)) {
-      r.radius_ = Magnitude::power_of_two(kInfiniteExponent);
-      out = std::move(r);
-      return;
-    }
-    r.radius_ = top * Magnitude::of(1 / low * kUp).scaled(-e);
+  const Magnitude radius_a = a.radius_, radius_b = b.radius_;
+  // A lower bound of |b0| - rad_b as low 2^e.
+  long e = 0;
+  double low = 0;
+  if (b.sign() == Sign::positive || b.sign() == Sign::negative) {
+    low = std::fabs(mpfr_get_d_2exp(&e, b.mid_, MPFR_RNDZ));
+    if (!radius_b.is_zero()) low = (low - radius_b.scaled(-e).to_double()) * (1 - 0x1p-50);
   }
-  r.add_rounding(t);
-  out = std::move(r);
+  out.set_precision(bits);
+  if (!(low > 0)) {
+    mpfr_set_zero(out.mid_, 1);
+    out.radius_ = Magnitude::power_of_two(kInfiniteExponent);
+    return;
+  }
+  const int t = mpfr_div(out.mid_, a.mid_, b.mid_, MPFR_RNDN);
+  // |a/b - a0/b0| <= (rad_a + |a0/b0| rad_b) / (|b0| - rad_b); 1/low is rounded up.
+  out.radius_ = Magnitude();
+  if (!radius_a.is_zero() || !radius_b.is_zero()) {
+    Magnitude top = radius_a;
+    if (!radius_b.is_zero()) {
+      Magnitude quotient = magnitude_of(out.mid_);
+      if (!quotient.is_zero()) {
+        quotient = quotient + Magnitude::power_of_two(mpfr_get_exp(out.mid_) - bits);
+      }
+      top = top + quotient * radius_b;
+    }
+    out.radius_ = top * Magnitude::of(1 / low * kUp).scaled(-e);
+  }
+  out.add_rounding(t);
 }
 
 void Ball::sqrt(Ball& out, const Ball& a, Precision bits) {
-  Ball r(bits);
-  if (a.radius_.is_zero()) {
-    const int t = mpfr_sqrt(r.mid_, a.mid_, MPFR_RNDN);
-    r.add_rounding(t);
-  } else if (a.sign() != Sign::positive) {
+  if (out.precision_or(bits) != bits && &out == &a) {
+    Ball r(bits);
+    sqrt(r, a, bits);
+    out = std::move(r);
+    return;
+  }
+  const Magnitude radius = a.radius_;
+  if (!radius.is_zero() && a.sign() != Sign::positive) {
     // The ball reaches zero: sqrt lies in [0, sqrt(|mid| + rad)].
-    const Magnitude top = magnitude_of(a.mid_) + a.radius_;
-    r.radius_ = Magnitude::power_of_two((top.exponent() + 2) / 2 + 1);
-  } else {
-    const int t = mpfr_sqrt(r.mid_, a.mid_, MPFR_RNDN);
-    // |sqrt(x) - sqrt(x0)| <= rad / sqrt(x0) for x >= 0; r.mid_ may exceed
+    const Magnitude top = magnitude_of(a.mid_) + radius;
+    out.set_precision(bits);
+    mpfr_set_zero(out.mid_, 1);
+    out.radius_ = Magnitude::power_of_two((top.exponent() + 2) / 2 + 1);
+    return;
+  }
+  out.set_precision(bits);
+  const int t = mpfr_sqrt(out.mid_, a.mid_, MPFR_RNDN);
+  out.radius_ = Magnitude();
+  if (!radius.is_zero()) {
+    // |sqrt(x) - sqrt(x0)| <= rad / sqrt(x0) for x >= 0; out.mid_ may exceed
     // sqrt(x0) by a relative 2^-bits, which the factor covers.
     long e = 0;
-    const double low = std::fabs(mpfr_get_d_2exp(&e, r.mid_, MPFR_RNDZ)) * (1 - 0x1p-50);
-    r.radius_ = a.radius_ * Magnitude::of(1 / low * kUp).scaled(-e);
-    r.add_rounding(t);
+    const double low = std::fabs(mpfr_get_d_2exp(&e, out.mid_, MPFR_RNDZ)) * (1 - 0x1p-50);
+    out.radius_ = radius * Magnitude::of(1 / low * kUp).scaled(-e);
   }
-  out = std::move(r);
+  out.add_rounding(t);
 }
 
 void Ball::neg(Ball& out, const Ball& a) {

@@ -33,7 +33,7 @@ class Magnitude {
   double to_double() const;
   friend Magnitude operator+(const Magnitude& a, const Magnitude& b);
   friend Magnitude operator*(const Magnitude& a, const Magnitude& b);
-  // Upper bound of a / 2^k.
+  // a 2^k.
   Magnitude scaled(std::int64_t k) const { return is_zero() ? *this : Magnitude(m_, e_ + k); }
   // Upper bound of 1 / a for a lower bound a of some quantity: see Ball division.
   friend bool operator<(const Magnitude& a, const Magnitude& b);
@@ -102,6 +102,8 @@ class Ball {
   // The value as hi + lo with |value - hi - lo| <= err.
   void to_double_double(double& hi, double& lo, double& err) const;
 
+  // The double x, exactly.
+  static void set(Ball& out, double x);
   // Three-operand forms; `out` may be an operand. `bits` is the precision of the
   // result.
   static void add(Ball& out, const Ball& a, const Ball& b, Precision bits);

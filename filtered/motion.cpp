@@ -190,6 +190,10 @@ MovingSite<Ball> Motion::moving_site(GenId g, const Ball& t) const {
 }
 
 bool Motion::same_velocity(GenId a, GenId b) const {
+  // The leading parts differ nearly always.
+  if (doubles_[a + 1].vx != doubles_[b + 1].vx || doubles_[a + 1].vy != doubles_[b + 1].vy) {
+    return false;
+  }
   const DdMotion& m = dds_[a + 1];
   const DdMotion& o = dds_[b + 1];
   const auto same = [](const DdBall& p, const DdBall& q) {
@@ -227,6 +231,7 @@ const Motion::Response& Motion::respond(const Record& r) {
   auto& x = m.x;
   auto& y = m.y;
   const bool wall = r.i == container_id;
+  Ball::set(m.now, r.t_ref);
   // Centres and velocities at the reference time; with the container at rest,
   // the offset runs from it to the disk j.
   for (int k = 0; k < 2; ++k) {
@@ -237,8 +242,7 @@ const Motion::Response& Motion::respond(const Record& r) {
       y[k] = s.y;
       continue;
     }
-    m.now = Ball(r.t_ref, 53);
-    m.then = Ball(t_ref_[g + 1], 53);
+    Ball::set(m.then, t_ref_[g + 1]);
     Ball::sub(dt, m.now, m.then, bits);
     Ball::mul(term, s.vx, dt, bits);
     Ball::add(x[k], s.x, term, bits);
@@ -300,8 +304,8 @@ const Motion::Response& Motion::respond(const Record& r) {
     Ball::mul(term, cy, s, bits);
     Ball::sub(state.y, y[side], term, bits);
   };
-  position(1, sj);
   if (wall) {
+    position(1, sj);
     const Rational& e = input_.container_restitution;
     if (input_.whole_container_law) {
       // v' - v = (e - 1) v - 2 e (root / reach^2) n
@@ -323,6 +327,8 @@ const Motion::Response& Motion::respond(const Record& r) {
     restart(1, sj, kx, ky);
   } else {
     position(0, si);
+    Ball::add(out.px[1], out.px[0], nx, bits);
+    Ball::add(out.py[1], out.py[0], ny, bits);
     // v_i += m_j K n, v_j -= m_i K n, K = -(1 + sigma) root / ((m_i + m_j) reach^2).
     Ball::add(term, mass_[r.i + 1], mass_[r.j + 1], bits);
     Ball::mul(term, term, reach2, bits);
