@@ -2,6 +2,8 @@
 #include <map>
 #include <memory>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
@@ -140,6 +142,19 @@ void add_swarm(CLI::App& generate_verb, Action& action) {
   verb.footer("Example:\n  voroproof generate swarm --n 40 -o a.scene.json");
 }
 
+// What stands between the commas.
+std::vector<std::string> parts(const std::string& text) {
+  std::vector<std::string> result(1);
+  for (const char c : text) {
+    if (c == ',') {
+      result.emplace_back();
+    } else {
+      result.back() += c;
+    }
+  }
+  return result;
+}
+
 void add_formation(CLI::App& generate_verb, Action& action) {
   const Family<FormationOptions> family(
       generate_verb, action, "formation",
@@ -148,12 +163,12 @@ void add_formation(CLI::App& generate_verb, Action& action) {
   CLI::App& verb = family.verb;
   FormationOptions& options = family.options;
   CLI::Option* flight =
-      verb.add_option("--flight", options.flight,
-                      "a formation, then formations (square, staggered, frame, circle, rings, h, "
-                      "y) and moves (east, north, west, south, turn, shear, spread, rest)")
-          ->delimiter(',')
+      verb.add_option_function<std::string>(
+              "--flight", [&options](const std::string& names) { options.flight = parts(names); },
+              "a formation, then formations (square, staggered, frame, circle, rings, h, y) and "
+              "moves (east, north, west, south, turn, shear, spread, rest)")
           ->type_name("NAME,...")
-          ->capture_default_str();
+          ->default_str("frame,circle");
   add_real(verb, "--spacing", options.spacing, "of every formation, more than 2 radii");
   add_real(verb, "--radius", options.radius, "of every disk");
   verb.add_option_function<std::string>(
@@ -168,10 +183,7 @@ void add_formation(CLI::App& generate_verb, Action& action) {
       ->check(CLI::IsMember({"figure24", "h-to-y", "segments58", "drones1218", "drones2018"}))
       ->excludes(verb.get_option("--n"), verb.get_option("--horizon"), flight)
       ->type_name("NAME");
-  verb.footer(
-      "Examples:\n"
-      "  voroproof generate formation --n 24 --flight square,turn,circle -o a.scene.json\n"
-      "  voroproof generate formation --preset drones2018 -o a.scene.json");
+  verb.footer("Example:\n  voroproof generate formation --preset drones2018 -o a.scene.json");
 }
 
 }  // namespace

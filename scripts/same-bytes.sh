@@ -144,6 +144,9 @@ same_bytes "on off" grid --motion random --n 9 --horizon 10
 same_bytes "on off" grid --motion shear --n 9 --horizon 10
 same_bytes "on off" grid --motion common --n 9 --horizon 8.5
 same_bytes "on off" swarm "${swarm[@]}"
+# All start and stop together: ties at an instant, between flips and for good.
+same_bytes "on off" formation --n 8 --flight square,turn,shear,frame,circle --horizon 20
+if ! $small; then same_bytes on formation --preset segments58; fi
 
 if [ $failed -ne 0 ]; then
   echo "same-bytes: FAILED: see above"

@@ -42,6 +42,7 @@ TEST_F(Cli, EveryVerbHasHelpThatEndsInAnExample) {
                                      {"generate", "reference"},
                                      {"generate", "grid"},
                                      {"generate", "swarm"},
+                                     {"generate", "formation"},
                                      {"simulate"},
                                      {"snapshot"},
                                      {"render"},
@@ -91,6 +92,11 @@ TEST_F(Cli, UsageErrors) {
       {{"generate", "grid", "-o", out, "--motion", "2"}, "--motion: 2 not in"},
       {{"generate", "reference", "-o", out, "--radii", "big"}, "--radii: big not in"},
       {{"generate", "reference", "-o", out, "--density", "0.95", "--n", "50"}, "no free place"},
+      {{"generate", "formation", "-o", out, "--n", "5001"}, "--n: "},
+      {{"generate", "formation", "-o", out, "--flight", "east"}, "begins with a formation"},
+      {{"generate", "formation", "-o", out, "--flight", "h,,y"}, "no formation is called ''"},
+      {{"generate", "formation", "-o", out, "--radius", "3"}, "more than twice the radius"},
+      {{"generate", "formation", "-o", out, "--preset", "h-to-y", "--n", "3"}, "--n excludes"},
       {{"generate", "reference", "-o", file("no/out")}, "no/out: cannot write"},
       {{"simulate"}, "scene is required"},
       {{"simulate", scene}, "--output is required"},
@@ -185,14 +191,19 @@ TEST_F(Cli, AnOutputThatStoodThereStaysWhereTheRunFails) {
 }
 
 TEST_F(Cli, GeneratedScenesAreValidAndDependOnTheirOptionsAlone) {
-  const std::vector<Arguments> families{
-      {"generate", "reference", "--n", "20", "--radii", "log", "--speed", "0.1"},
-      {"generate", "grid", "--n", "9", "--motion", "shear"},
-      {"generate", "swarm", "--n", "5"}};
-  for (Arguments family : families) {
-    Arguments twice = family, other = family;
+  struct Family {
+    Arguments words, defaults;
+  };
+  const std::vector<Family> families{
+      {{"generate", "reference", "--n", "20", "--radii", "log", "--speed", "0.1"}, {"--seed", "1"}},
+      {{"generate", "grid", "--n", "9", "--motion", "shear"}, {"--seed", "1"}},
+      {{"generate", "swarm", "--n", "5"}, {"--seed", "1"}},
+      {{"generate", "formation", "--n", "5"}, {"--flight", "frame,circle"}}};
+  for (const auto& [words, defaults] : families) {
+    Arguments family = words, twice = words, other = words;
     family.insert(family.end(), {"-o", file("a.scene.json")});
-    twice.insert(twice.end(), {"-o", file("b.scene.json"), "--seed", "1"});
+    twice.insert(twice.end(), {"-o", file("b.scene.json")});
+    twice.insert(twice.end(), defaults.begin(), defaults.end());
     other.insert(other.end(), {"-o", file("c.scene.json"), "--horizon", "7"});
     must(family);
     must(twice);

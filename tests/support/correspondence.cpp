@@ -304,4 +304,26 @@ std::optional<Scene> rest_of(const Scene& scene, const RecordedRun& run, const R
   return rest;
 }
 
+std::string difference_from_parts(const Scene& scene, const RecordedRun& whole, const Rational& t,
+                                  const RecordedRun& beginning, const RecordedRun* end) {
+  if (beginning.initial != whole.initial) return "initial diagrams";
+  if (beginning.final_diagram != diagram_after(scene, whole, t.get_d())) return "diagrams at t";
+  const std::vector<std::string> expected = names(whole);
+  std::vector<std::string> parts = names(beginning);
+  const std::size_t first = parts.size();
+  if (first > expected.size() || !std::equal(parts.begin(), parts.end(), expected.begin()))
+    return "events of the first part";
+  if (end == nullptr) return "";
+  if (end->initial != beginning.final_diagram) return "the initial diagram of the second part";
+  const std::vector<std::string> later = names(*end);
+  parts.insert(parts.end(), later.begin(), later.end());
+  if (parts != expected) return "events of the second part";
+  for (std::size_t k = 0; k < end->events.size(); ++k) {
+    const double expected_t = whole.events[first + k].t;
+    if (std::fabs(end->events[k].t + t.get_d() - expected_t) > 1e-14 * (1 + expected_t))
+      return "the time of event " + std::to_string(first + k);
+  }
+  return "";
+}
+
 }  // namespace voroproof::testing

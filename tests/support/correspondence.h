@@ -48,4 +48,9 @@ bool shares_a_disk_at_an_instant(const RecordedRun& run);
 // happened at an irrational time.
 std::optional<Scene> rest_of(const Scene& scene, const RecordedRun& run, const Rational& t);
 
+// The first difference between a run and those of its two parts, up to and from time t, which is a
+// binary64; empty if there is none. The second part may be missing. All runs are complete.
+std::string difference_from_parts(const Scene& scene, const RecordedRun& whole, const Rational& t,
+                                  const RecordedRun& beginning, const RecordedRun* end);
+
 }  // namespace voroproof::testing
