@@ -186,8 +186,11 @@ void Checker::advance(const Moment& m) {
     leave_instant();
     frontier_ = m;
     ++instant_;
+    chronology_.begin_present();
+    chronology_.note_present(m);
     return;
   }
+  chronology_.note_present(m);
   if (processed_ > 0) ++certificate_.simultaneous;
   if (m.kind != Moment::Kind::flip) frontier_ = m;
 }

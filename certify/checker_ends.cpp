@@ -91,6 +91,7 @@ void Checker::resume(const Checkpoint& c) {
   replay_ = c.replay;
   replay_.move(motion_);
   frontier_ = Moment::at(c.t);
+  chronology_.begin_present();
   ++instant_;
   Life life;
   life.from = c.t;

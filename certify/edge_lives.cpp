@@ -50,7 +50,7 @@ void Checker::begin_life(int edge, const Moment& m, const Isolated* own) {
   ++certificate_.beyond_filter;
   const double soon = std::nextafter(m.hi, kInfinity);
   const Collapse c = own != nullptr ? collapses_.after(q, m.hi, soon, m.root.get())
-                                    : collapses_.from(q, chronology_.instant(m), soon);
+                                    : collapses_.from(q, chronology_.present(m), soon);
   switch (c.kind) {
     case Collapse::Kind::none:
       life.from = std::max(c.lo, m.lo);

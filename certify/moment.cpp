@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace voroproof {
 
@@ -74,6 +75,47 @@ Instant Chronology::instant(const Moment& m) const {
   return now;
 }
 
+void Chronology::begin_present() {
+  present_.flips.clear();
+  present_.contacts.clear();
+  present_.records = motion_.records();
+}
+
+void Chronology::note_present(const Moment& m) {
+  const Symmetry symmetry(motion_);
+  if (m.kind == Moment::Kind::flip) present_.flips.push_back(symmetry.states(m.quad));
+  if (m.kind == Moment::Kind::contact) present_.contacts.push_back(symmetry.states(m.i, m.j));
+}
+
+Instant Chronology::present(const Moment& m) const {
+  Instant now = instant(m);
+  now.known = [this] { return present_; };
+  return now;
+}
+
+// Whether symmetry proves two moments equal: tried where exact arithmetic is dear.
+bool Chronology::same_by_symmetry(const Moment& a, const Moment& b) const {
+  const Symmetry symmetry(motion_);
+  if (a.kind == Moment::Kind::flip && b.kind == Moment::Kind::flip) {
+    const auto same = [&](const Moment& x, const Moment& y) {
+      return symmetry.same_flip(
+          symmetry.states(x.quad), ball(x), symmetry.states(y.quad),
+          y.root ? *y.root : RootInterval{to_rational(y.lo), to_rational(y.hi)});
+    };
+    return same(a, b) || same(b, a);
+  }
+  // The pair whose contact it is.
+  const auto pair = [&](const Moment& m) -> std::optional<PairStates> {
+    if (m.kind == Moment::Kind::contact) return symmetry.states(m.i, m.j);
+    if (m.kind != Moment::Kind::state || m.state <= 0) return std::nullopt;
+    const Motion::Origin from = motion_.origin(m.j, m.state);
+    if (from.maneuver != nullptr) return std::nullopt;
+    return PairStates{DiskState{m.j, from.before}, DiskState{from.partner, from.partner_before}};
+  };
+  const auto pair_a = pair(a), pair_b = pair(b);
+  return pair_a && pair_b && symmetry.same_contact(*pair_a, *pair_b);
+}
+
 int Chronology::compare(const Moment& a, const Moment& b) {
   if (a.hi < b.lo) return -1;
   if (b.hi < a.lo) return 1;
@@ -89,6 +131,7 @@ int Chronology::compare(const Moment& a, const Moment& b) {
     if (t == Sign::negative || t == Sign::positive) return static_cast<int>(t);
     if (!tried) {
       tried = true;
+      if (same_by_symmetry(a, b)) return 0;
       try {
         ExactMotion exact(motion_);
         const auto c = voroproof::compare(exact_time(a, exact), exact_time(b, exact));

@@ -57,16 +57,25 @@ class Chronology {
   // The moment as the searches of filtered/ take it; valid as long as this object.
   Instant instant(const Moment& m) const;
 
+  // From now on events happen at another instant than those before; then: a flip or contact that
+  // is proved to happen at it, before the motion changes.
+  void begin_present();
+  void note_present(const Moment& m);
+  // The same of a moment at the present instant, with what is known to happen at it.
+  Instant present(const Moment& m) const;
+
   DdBall narrow(const Moment& m) const;  // as double-doubles tell
   Ball ball(const Moment& m) const;      // to as many bits as the motion is known to
 
  private:
   static ExactTime exact_time(const Moment& m, ExactMotion& exact);
+  bool same_by_symmetry(const Moment& a, const Moment& b) const;
 
   Motion& motion_;
   const CollapseSearch& collapses_;
   const ContactSearch& contacts_;
   std::int64_t& beyond_filter_;
+  Coincidence present_;
 };
 
 }  // namespace voroproof

@@ -209,6 +209,18 @@ bool Symmetry::same_contact(const PairStates& a, const PairStates& b) const {
   return !carry(a, b).empty() || !carry(a, PairStates{b[1], b[0]}).empty();
 }
 
+bool Symmetry::same_flip(const QuadStates& a, const Ball& time, const QuadStates& b,
+                         const RootInterval& root) const {
+  const auto bits = time.precision();
+  if (sign(time - Ball(root.lo, bits)) != Sign::positive ||
+      sign(Ball(root.hi, bits) - time) != Sign::positive) {
+    return false;
+  }
+  double lo = 0, hi = 0;
+  time.to_interval(lo, hi);
+  return cotangency(b, {{a}, {}, motion_.records()}, lo, hi) != Cotangency::unknown;
+}
+
 bool Symmetry::touch(const PairStates& pair, const Coincidence& known) const {
   const PairStates b{before(pair[0], known), before(pair[1], known)};
   return std::any_of(known.contacts.begin(), known.contacts.end(), [&](const PairStates& c) {

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "exact/isometry.h"
+#include "exact/roots.h"
 #include "filtered/motion.h"
 
 namespace voroproof {
@@ -78,8 +79,13 @@ class Symmetry {
   // Whether two generators, with their states in force, certainly touch at the instant.
   bool touch(const PairStates& pair, const Coincidence& known) const;
 
-  // The same for two states each, whose next contacts then are simultaneous.
+  // Whether the next contacts of two pairs are certainly simultaneous.
   bool same_contact(const PairStates& a, const PairStates& b) const;
+
+  // Whether two flips are certainly simultaneous, both of states in force: `time` encloses the
+  // first, and [root.lo, root.hi] isolates the root of the second's flip polynomial.
+  bool same_flip(const QuadStates& a, const Ball& time, const QuadStates& b,
+                 const RootInterval& root) const;
 
  private:
   Rational radius(const DiskState& s) const;  // signed

@@ -357,24 +357,15 @@ class Engine<certified>::Implementation {
       return symmetry.states(i, j);
     };
     if (is_contact(a) && is_contact(b)) return symmetry.same_contact(pair(a), pair(b));
-    return is_flip(a) && is_flip(b) && (vanishes_at(symmetry, b, a) || vanishes_at(symmetry, a, b));
-  }
-
-  // Whether the flip polynomial of `item` certainly has its isolated root at the time of `other`.
-  bool vanishes_at(const Symmetry& symmetry, int item, int other) {
-    const Ball t = ball_of(other, motion_.goal_bits() + 32);
-    const Found& f = found_[item];
-    const RootInterval isolated =
-        f.fine ? *fine_.at(item / 2) : RootInterval{to_rational(f.lo), to_rational(f.hi)};
-    if (sign(t - Ball(isolated.lo, t.precision())) != Sign::positive ||
-        sign(Ball(isolated.hi, t.precision()) - t) != Sign::positive) {
-      return false;
-    }
-    const Coincidence known{{symmetry.states(quad_of(other / 2))}, {}, motion_.records()};
-    double lo = 0, hi = 0;
-    t.to_interval(lo, hi);
-    return symmetry.cotangency(symmetry.states(quad_of(item / 2)), known, lo, hi) !=
-           Symmetry::Cotangency::unknown;
+    if (!is_flip(a) || !is_flip(b)) return false;
+    const auto same = [&](int x, int y) {
+      const Found& f = found_[y];
+      return symmetry.same_flip(
+          symmetry.states(quad_of(x / 2)), ball_of(x, motion_.goal_bits() + 32),
+          symmetry.states(quad_of(y / 2)),
+          f.fine ? *fine_.at(y / 2) : RootInterval{to_rational(f.lo), to_rational(f.hi)});
+    };
+    return same(a, b) || same(b, a);
   }
 
   // The order of two events: negative, zero or positive.
