@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace voroproof {
 
@@ -70,6 +71,7 @@ Motion::Motion(MotionInput input, MotionOptions options)
   state_.resize(n + 1);
   t_ref_.assign(n + 1, 0.0);
   start_.assign(n, 0.0);
+  given_.assign(n, nullptr);
   doubles_.resize(n + 1);
   dds_.resize(n + 1);
   balls_.resize(n + 1);
@@ -97,13 +99,13 @@ void Motion::load_initial_states() {
 }
 
 void Motion::load_initial_state(GenId g, Ball::Precision bits) {
-  balls_[g + 1] = initial_state(g, bits);
+  balls_[g + 1] = initial_balls(g, bits);
   stale_[g + 1] = 0;
   if (g == container_id) {
     t_ref_[0] = 0;
     radius_[0] = dyadic_or_rounded(Rational(-input_.container_radius), bits);
   } else {
-    const DiskInput& d = input_.disks[g];
+    const DiskInput& d = initial_state(g);
     t_ref_[g + 1] = start_[g];
     radius_[g + 1] = dyadic_or_rounded(d.radius, bits);
     mass_[g + 1] = dyadic_or_rounded(d.mass, bits);
@@ -111,17 +113,23 @@ void Motion::load_initial_state(GenId g, Ball::Precision bits) {
   dds_[g + 1].r = dd_of(radius_[g + 1]);
 }
 
-Motion::BallState Motion::initial_state(GenId g, Ball::Precision bits) const {
+Motion::BallState Motion::initial_balls(GenId g, Ball::Precision bits) const {
   const auto ball = [bits](const Rational& q) { return dyadic_or_rounded(q, bits); };
   if (g == container_id)
     return {ball(input_.container_x), ball(input_.container_y), Ball(2), Ball(2)};
-  const DiskInput& d = input_.disks[g];
+  const DiskInput& d = initial_state(g);
   return {ball(d.x), ball(d.y), ball(d.vx), ball(d.vy)};
+}
+
+const DiskInput& Motion::initial_state(GenId g) const {
+  DiskInput& d = input_.disks[g];
+  if (const GivenMotion* given = std::exchange(given_[g], nullptr)) given->state(g, d);
+  return d;
 }
 
 const Motion::BallState& Motion::ball_state(GenId g) const {
   if (stale_[g + 1] != 0) {
-    balls_[g + 1] = initial_state(g, bits_at(start_[g]));
+    balls_[g + 1] = initial_balls(g, bits_at(start_[g]));
     stale_[g + 1] = 0;
   }
   return balls_[g + 1];
@@ -530,6 +538,7 @@ void Motion::restart(GenId g, const Rational& t, const Rational& x, const Ration
                      const Rational& vx, const Rational& vy) {
   if (state_[g + 1] > 0) throw std::logic_error("restart after a computed motion");
   DiskInput& d = input_.disks[g];
+  given_[g] = nullptr;
   start_[g] = round_nearest(t);
   const Rational ahead = to_rational(start_[g]) - t;
   const bool at_once = sgn(ahead) == 0;
@@ -541,6 +550,17 @@ void Motion::restart(GenId g, const Rational& t, const Rational& x, const Ration
   t_ref_[g + 1] = start_[g];
   DdMotion& dd = dds_[g + 1];
   dd = {dd_of(d.x), dd_of(d.y), dd_of(d.vx), dd_of(d.vy), dd.r};
+  stale_[g + 1] = 1;
+  refresh_doubles(g);
+}
+
+void Motion::restart(GenId g, double t, const DdBall& x, const DdBall& y, double vx, double vy,
+                     const GivenMotion& given) {
+  if (state_[g + 1] > 0) throw std::logic_error("restart after a computed motion");
+  given_[g] = &given;
+  start_[g] = t_ref_[g + 1] = t;
+  DdMotion& dd = dds_[g + 1];
+  dd = {x, y, DdBall(vx), DdBall(vy), dd.r};
   stale_[g + 1] = 1;
   refresh_doubles(g);
 }
@@ -618,7 +638,7 @@ const ExactMotion::Entry& ExactMotion::entry(int id, GenId g) {
     if (g == container_id) {
       e.state = {0, Tower(in.container_x), Tower(in.container_y), 0, 0};
     } else {
-      const DiskInput& d = in.disks[g];
+      const DiskInput& d = motion_.initial_state(g);
       const Rational start = to_rational(motion_.start_[g]);
       e.state = {start, Tower(d.x), Tower(d.y), Tower(d.vx), Tower(d.vy)};
       e.start = Tower(start);

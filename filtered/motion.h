@@ -87,6 +87,14 @@ struct MotionOptions {
 
 class ExactMotion;
 
+// Tells the exact states of disks whose motion is given and not computed.
+class GivenMotion {
+ public:
+  virtual ~GivenMotion() = default;
+  // Centre and velocity of disk g when it was last restarted: sets x, y, vx and vy.
+  virtual void state(GenId g, DiskInput& disk) const = 0;
+};
+
 class Motion {
  public:
   Motion(MotionInput input, MotionOptions options);
@@ -119,6 +127,10 @@ class Motion {
   // is given and not computed. Precondition: no collide() or maneuver() of the disk so far.
   void restart(GenId g, const Rational& t, const Rational& x, const Rational& y, const Rational& vx,
                const Rational& vy);
+  // The same from enclosures of x and y. The exact state is asked of `given` if it is ever needed,
+  // and must be at hand until the disk is restarted.
+  void restart(GenId g, double t, const DdBall& x, const DdBall& y, double vx, double vy,
+               const GivenMotion& given);
 
   // The same in plain doubles, without certificates: for comparison only.
   Impact collide_in_doubles(GenId i, GenId j, double t);
@@ -184,8 +196,9 @@ class Motion {
   int bits_at(double t) const;
   void load_initial_states();
   void load_initial_state(GenId g, Ball::Precision bits);
-  BallState initial_state(GenId g, Ball::Precision bits) const;
+  BallState initial_balls(GenId g, Ball::Precision bits) const;
   const BallState& ball_state(GenId g) const;
+  const DiskInput& initial_state(GenId g) const;
   void refresh(GenId g);
   void refresh_doubles(GenId g);
   const Response& respond(const Record& r);
@@ -195,7 +208,9 @@ class Motion {
   bool raise_for(double t);
   double round_coordinate(const Ball& value, GenId g, int which);
 
-  MotionInput input_;
+  // Where `given_` is set for a disk, its state is yet to be taken over from there.
+  mutable MotionInput input_;
+  mutable std::vector<const GivenMotion*> given_;
   MotionOptions options_;
   int goal_bits_;
   double slope_ = 0;  // further bits per unit of time before the horizon
