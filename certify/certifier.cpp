@@ -4,6 +4,7 @@
 
 #include "certify/checker.h"
 #include "certify/parts.h"
+#include "history/error.h"
 
 namespace voroproof {
 
@@ -26,12 +27,20 @@ void settle_orientation(Certificate& c, bool strict) {
 }
 
 // A missing flip may be claimed, as one that is none.
-void name_shadow(Certificate& c, const HistorySource& history, double tolerance) {
+void name_shadow(Certificate& c, HistorySource& history, double tolerance) {
   if (!c.divergence || c.divergence->fault != Fault::missing_event || !c.divergence->true_flip) {
     return;
   }
   Divergence& d = *c.divergence;
   const double far = kMistimed * tolerance;
+  // The file has been read as far as the checkers came: on to the end of what is asked for.
+  try {
+    while (const auto event = history.next()) {
+      if (time(*event) > (*d.true_time)[1] + far) break;
+    }
+  } catch (const InputError&) {
+    // Where it cannot be read it says nothing.
+  }
   const auto line =
       history.shadow_line(*d.true_flip, (*d.true_time)[0] - far, (*d.true_time)[1] + far);
   if (!line) return;
@@ -43,9 +52,13 @@ void name_shadow(Certificate& c, const HistorySource& history, double tolerance)
 
 Certificate certify(const Scene& scene, const MotionInput& input, HistorySource& history,
                     const CertifyOptions& options) {
-  Certificate c = options.truth == Truth::recorded
-                      ? certify_in_parts(scene, input, history, options)
-                      : Checker(scene, input, history, options).run();
+  Certificate c;
+  if (options.truth == Truth::recorded) {
+    c = certify_in_parts(scene, input, history, options);
+  } else {
+    Motion motion(checked_input(input, history.header()), options.motion);
+    c = Checker(scene, motion, history, options).run();
+  }
   const auto told = history.remarks();
   c.remarks.insert(c.remarks.begin(), told.begin(), told.end());
   settle_orientation(c, options.strict);

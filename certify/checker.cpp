@@ -14,34 +14,38 @@ namespace {
 // How many of the claims that are near each other in time are looked at together.
 constexpr std::size_t kMaxNear = 64;
 
-MotionInput with_horizon(MotionInput input, const Rational& horizon) {
-  input.horizon = horizon;
+}  // namespace
+
+MotionInput checked_input(MotionInput input, const HistoryHeader& header) {
+  input.horizon = to_rational(round_up(Rational(header.horizon + header.horizon_error)));
   return input;
 }
 
-}  // namespace
-
-Checker::Checker(const Scene& scene, const MotionInput& input, HistorySource& history,
-                 const CertifyOptions& options)
+Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
+                 const CertifyOptions& options, std::optional<Checkpoint> begin)
     : scene_(scene),
       history_(history),
       options_(options),
-      search_end_(round_up(last_instant())),
-      horizon_down_(round_down(last_instant())),
-      motion_(with_horizon(input, to_rational(search_end_)), options.motion),
-      replay_(scene, options),
+      last_instant_(history.header().horizon + history.header().horizon_error),
+      search_end_(round_up(last_instant_)),
+      horizon_down_(round_down(last_instant_)),
+      motion_(motion),
+      begin_(begin ? std::optional(begin->t) : std::nullopt),
+      replay_(begin ? std::move(begin->replay) : Replay(scene, options)),
       diagram_(replay_.diagram()),
       collapses_(motion_, certificate_.tiers),
       contacts_(motion_, certificate_.tiers),
       chronology_(motion_, collapses_, contacts_, certificate_.beyond_filter),
       law_(scene, options.law_tolerance),
-      tolerance_up_(round_up(options.tolerance)) {}
+      tolerance_up_(round_up(options.tolerance)),
+      near_tolerance_(ball(options.tolerance)),
+      batch_(motion_) {}
 
-Certificate Checker::run(const Checkpoint* checkpoint, std::optional<double> until) {
+Certificate Checker::run(std::optional<double> until) {
   try {
     try {
-      if (checkpoint != nullptr) {
-        resume(*checkpoint);
+      if (begin_) {
+        resume(*begin_);
       } else {
         start();
       }
@@ -53,6 +57,9 @@ Certificate Checker::run(const Checkpoint* checkpoint, std::optional<double> unt
       }
     } catch (const Refuted& r) {
       throw Refuted{first_divergence(r.divergence)};
+    } catch (const Undecided&) {
+      refute_missing_contacts();
+      throw;
     }
   } catch (const Refuted& r) {
     certificate_.verdict = Verdict::refuted;
@@ -67,11 +74,6 @@ Certificate Checker::run(const Checkpoint* checkpoint, std::optional<double> unt
   certificate_.highest_bits = motion_.highest_bits();
   if (ulps_count_ > 0) certificate_.ulps_mean = ulps_sum_ / static_cast<double>(ulps_count_);
   return std::move(certificate_);
-}
-
-// No event that the file may claim lies beyond it.
-Rational Checker::last_instant() const {
-  return history_.header().horizon + history_.header().horizon_error;
 }
 
 // ---- Claims. ----
@@ -195,6 +197,19 @@ void Checker::advance(const Moment& m) {
   if (m.kind != Moment::Kind::flip) frontier_ = m;
 }
 
+// Whether the event of the claim being checked, which happens at m, is claimed in time.
+bool Checker::in_time(const Moment& m) {
+  const bool plain = std::visit([](const auto& c) { return c.exact == nullptr; }, *claim_);
+  if (plain) {
+    const DoubleBall t(time(*claim_));
+    if (sign(DoubleBall(m.lo) - (t - near_tolerance_)) == Sign::positive &&
+        sign(t + near_tolerance_ - DoubleBall(m.hi)) == Sign::positive) {
+      return true;
+    }
+  }
+  return chronology_.within(options_.tolerance, m, exact_time(*claim_));
+}
+
 // Every edge illegal at the present instant must have flipped.
 void Checker::leave_instant() {
   for (const int e : illegal_) {
@@ -280,6 +295,23 @@ Divergence Checker::missing_maneuver(std::size_t k) const {
   return d;
 }
 
+// Disks that move through each other, since a collision is missing, lead the edges into
+// degeneracies that may be beyond the budget. Refutes the history where a contact should have been
+// claimed before the present claim.
+void Checker::refute_missing_contacts() {
+  if (!begun_) return;
+  // A contact before this time would have been claimed, and its claim checked.
+  const double now = (claim_ ? time(*claim_) : frontier_.lo) - 2 * tolerance_up_;
+  for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
+    if (!(pairs_[e].from < now)) continue;
+    try {
+      end_pair(e, Moment::at(now));
+    } catch (const Undecided&) {
+      // Another may tell.
+    }
+  }
+}
+
 // What was refuted may be the consequence of something missed before: the earliest event that
 // every open life should have had, up to the refuted claim. Contacts come first everywhere: disks
 // that move through each other lead the edges into degeneracies that are costly to decide.
@@ -300,6 +332,22 @@ Divergence Checker::first_divergence(const Divergence& found) {
     limit = c.lo;
     first = missing_contact(i, j, c.lo, c.hi);
   }
+  // Where it is undecided whether an edge collapses so early that its flip should have been claimed
+  // by now, the history is false whether it does or not, and the refutation stands.
+  bool undecided = false;
+  const auto search = [&](const Quad& q, double from) -> std::optional<Collapse> {
+    try {
+      return first_collapse(q, from, limit);
+    } catch (const Undecided&) {
+      try {
+        if (const auto c = first_collapse(q, from, limit - margin - 2 * tolerance_up_)) return c;
+      } catch (const Undecided&) {
+        undecided = true;
+        return std::nullopt;
+      }
+      throw;
+    }
+  };
   for (int e = 0; e < diagram_.edges(); ++e) {
     const Quad q = diagram_.quad(2 * e);
     const Life& life = lives_[e];
@@ -308,11 +356,15 @@ Divergence Checker::first_divergence(const Divergence& found) {
     if (life.due) {
       c = life.root;
     } else if (!proved_free(motion_, q, life.from, limit)) {
-      c = first_collapse(q, life.from, limit);
+      c = search(q, life.from);
     }
     if (!c || c->hi >= limit - margin) continue;
     limit = c->lo;
     first = missing_flip(q, *c);
+  }
+  if (undecided) {
+    certificate_.remarks.push_back(
+        "whether a flip is missing before the claim that is refuted is undecided");
   }
   return first;
 }

@@ -12,6 +12,7 @@
 
 #include <deque>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "certify/collision_law.h"
 #include "certify/moment.h"
 #include "certify/replay.h"
+#include "certify/rootless.h"
 
 namespace voroproof {
 
@@ -35,16 +37,20 @@ struct Checkpoint {
   Replay replay;
 };
 
+// The scene, as Motion takes it, up to the last instant of which the history may tell.
+MotionInput checked_input(MotionInput input, const HistoryHeader& header);
+
 class Checker {
  public:
-  // `input` is the scene as Motion takes it. The arguments outlive the checker, but for `input`.
-  Checker(const Scene& scene, const MotionInput& input, HistorySource& history,
-          const CertifyOptions& options);
+  // `motion` is that of checked_input(), new or as an earlier part of the history has left it. The
+  // arguments outlive the checker. Of a part that is not the first, `begin` is where it begins.
+  Checker(const Scene& scene, Motion& motion, HistorySource& history, const CertifyOptions& options,
+          std::optional<Checkpoint> begin = {});
 
-  // The whole history, or that part of it which begins at the checkpoint and ends at `until`: the
-  // verdict of a part that is not the last is `certified` where all is right up to `until`. Once
-  // only. Throws InputError and CertificationInterrupted.
-  Certificate run(const Checkpoint* checkpoint = nullptr, std::optional<double> until = {});
+  // The whole history, or the part of it that ends at `until`: the verdict of a part that is not
+  // the last is `certified` where all is right up to `until`. Once only. Throws InputError and
+  // CertificationInterrupted.
+  Certificate run(std::optional<double> until = {});
 
  private:
   using HalfEdge = Diagram::HalfEdge;
@@ -98,7 +104,7 @@ class Checker {
   void done();
   void advance(const Moment& m);
   void leave_instant();
-  Rational last_instant() const;
+  bool in_time(const Moment& m);
   void prefix_until(double t);
   std::int64_t line_at(double t) const;
   Divergence divergence_at_claim(Fault fault, std::string truth) const;
@@ -106,20 +112,24 @@ class Checker {
   Divergence missing_flip(const Quad& q, const Collapse& root);
   Divergence missing_contact(GenId i, GenId j, double lo, double hi);
   Divergence missing_maneuver(std::size_t k) const;
+  void refute_missing_contacts();
   Divergence first_divergence(const Divergence& found);
 
   // ---- checker_ends.cpp ----
   void start();
   void take_initial_diagram();
   bool turns_at_start(const Event& event);
-  void resume(const Checkpoint& checkpoint);
+  void resume(double t);
   void finish_part(double until);
   void finish();
+  std::vector<int> all_edges() const;
   void end_all_lives(const Moment& m, bool closed);
 
   // ---- edge_lives.cpp ----
-  void begin_life(int edge, const Moment& m, const Isolated* own = nullptr);
-  void end_life(int edge, const Moment& m, bool closed = false);
+  void begin_life(int edge, const Moment& m, const Isolated* own, bool rootless);
+  void end_life(int edge, const Moment& m, bool closed, bool rootless);
+  void begin_lives(std::span<const int> edges, const Moment& m);
+  void end_lives(std::span<const int> edges, const Moment& m, bool closed = false);
   std::optional<Collapse> first_collapse(const Quad& q, double from, double end);
   std::optional<Isolated> bracket(const Quad& q, double from, double t) const;
   Found collapse_for(const FlipEvent& claim, HalfEdge h);
@@ -137,31 +147,35 @@ class Checker {
   void check_parting(GenId i, GenId j, double from, const Moment& m);
   void check_at_rest(int edge, const Moment& m);
   void check_overlap(int edge, const Moment& m);
-  bool certainly_in_contact(GenId i, GenId j, const ExactPair& at) const;
-  void check_recorded_contact(GenId i, GenId j, const Rational& t, const ExactPair& at);
+  bool certainly_in_contact(GenId i, GenId j, const BallPair& at) const;
+  void check_recorded_contact(const CollideEvent& claim, const BallPair& at);
 
   // ---- collisions.cpp ----
   void collide(const CollideEvent& claim);
-  void collide_exactly(const CollideEvent& claim, int edge, const Rational& t);
-  void collide_as_recorded(const CollideEvent& claim, const Rational& t);
+  void collide_exactly(const CollideEvent& claim, int edge);
+  void collide_as_recorded(const CollideEvent& claim);
   void maneuver(const ManeuverEvent& claim);
   void require_maneuvers_before(double t);
   void collect_around(GenId i, GenId j);
   void end_around(const Moment& m);
   void begin_around(const Moment& m);
   void check_state(const CollideEvent& claim, int side, const RoundedState& truth);
+  static BallVec2 claimed_center(const CollideEvent& claim, int side);
+  bool certainly_near(const CollideEvent& claim, int side, const BallVec2& at) const;
   void check_center(const std::optional<ExactVec2>& p, const ExactVec2& true_p);
   [[noreturn]] void refute_response(const CollideEvent& claim, const ExactPair& p);
-  void turn(GenId g, const Rational& t, const ExactVec2& p);
+  void turn(GenId g);
   void remark_velocities(bool centers);
 
   const Scene& scene_;
   HistorySource& history_;
   const CertifyOptions& options_;
   Certificate certificate_;
-  double search_end_;    // no event lies beyond it
-  double horizon_down_;  // nor at or before it beyond the last instant
-  Motion motion_;
+  Rational last_instant_;  // no event that the file may claim lies beyond it
+  double search_end_;      // nor beyond this
+  double horizon_down_;    // nor at or before it beyond the last instant
+  Motion& motion_;
+  std::optional<double> begin_;  // of a part that is not the first
   Replay replay_;
   Diagram& diagram_;
   CollapseSearch collapses_;
@@ -169,6 +183,7 @@ class Checker {
   Chronology chronology_;
   CollisionLaw law_;
   double tolerance_up_;
+  DoubleBall near_tolerance_;
 
   // Of the claims.
   std::deque<Claim> near_;           // read and not yet checked
@@ -185,10 +200,12 @@ class Checker {
   long instant_ = 0;  // numbers the instants at which events were proved
   std::vector<Life> lives_;
   std::vector<Adjacency> pairs_;
+  RootlessBatch batch_;
   std::vector<int> illegal_;                          // edges that have to flip at this instant
   std::optional<std::pair<GenId, GenId>> colliding_;  // by the claim being checked
-  std::vector<int> spokes_, rim_;                     // of the last collection
-  std::vector<long> collected_;                       // by edge: the last collection it is in
+  // Of the last collection: the spokes of the cells of the disks that turn, and with them the rims.
+  std::vector<int> spokes_, around_;
+  std::vector<long> collected_;  // by edge: the last collection it is in
   long collection_ = 0;
 
   bool remarked_centers_ = false, remarked_paths_ = false;

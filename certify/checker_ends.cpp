@@ -1,4 +1,5 @@
 // The start and the end of a history, and of a part of one.
+#include <numeric>
 #include <stdexcept>
 
 #include "certify/checker.h"
@@ -45,7 +46,7 @@ void Checker::start() {
   collected_.assign(edges, 0);
   pairs_.assign(motion_.size() == 1 ? 1 : edges, {});
   const Moment now = Moment::at(Rational(0));
-  for (int e = 0; e < edges; ++e) begin_life(e, now);
+  begin_lives(all_edges(), now);
   for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) begin_pair(e, now);
   begun_ = true;
 }
@@ -86,15 +87,20 @@ void Checker::take_initial_diagram() {
   }
 }
 
-// Goes on from what the part before has proved to be right up to the checkpoint.
-void Checker::resume(const Checkpoint& c) {
-  replay_ = c.replay;
+std::vector<int> Checker::all_edges() const {
+  std::vector<int> edges(diagram_.edges());
+  std::iota(edges.begin(), edges.end(), 0);
+  return edges;
+}
+
+// Goes on from what the part before has proved to be right up to t.
+void Checker::resume(double t) {
   replay_.move(motion_);
-  frontier_ = Moment::at(c.t);
+  frontier_ = Moment::at(t);
   chronology_.begin_present();
   ++instant_;
   Life life;
-  life.from = c.t;
+  life.from = t;
   lives_.assign(diagram_.edges(), life);
   collected_.assign(diagram_.edges(), 0);
   pairs_.resize(motion_.size() == 1 ? 1 : diagram_.edges());
@@ -102,8 +108,8 @@ void Checker::resume(const Checkpoint& c) {
   for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
     // From their last change of motion, so that an overlap is measured whole.
     const auto [i, j] = replay_.pair_of(e);
-    double from = round_up(replay_.path(j).t);
-    if (i != container_id) from = std::max(from, round_up(replay_.path(i).t));
+    double from = round_up(replay_.path(j).since());
+    if (i != container_id) from = std::max(from, round_up(replay_.path(i).since()));
     pairs_[e].from = from;
   }
 }
@@ -111,7 +117,7 @@ void Checker::resume(const Checkpoint& c) {
 // `closed`: nothing may be left that has to happen at m itself either.
 void Checker::end_all_lives(const Moment& m, bool closed) {
   for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) end_pair(e, m, closed);
-  for (int e = 0; e < diagram_.edges(); ++e) end_life(e, m, closed);
+  end_lives(all_edges(), m, closed);
 }
 
 // The end of a part: nothing may be left that has to happen up to that time.
@@ -133,7 +139,7 @@ void Checker::finish() {
   // What the file cannot say for certain is not held against it.
   Rational end = history_.header().horizon - history_.header().horizon_error;
   if (stop != nullptr) end = stop->exact_t ? *stop->exact_t : to_rational(stop->t);
-  if (stop == nullptr || end > frontier_.t) {
+  if (stop == nullptr || end > to_rational(frontier_.lo)) {
     for (std::size_t k = replay_.next_maneuver(); k < scene_.maneuvers.size(); ++k) {
       const Rational& t = scene_.maneuvers[k].t;
       if (t > end || replay_.maneuver_done(k) || (stop != nullptr && t == end)) continue;

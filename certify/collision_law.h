@@ -9,14 +9,10 @@
 
 namespace voroproof {
 
-// Of the two of a collision, i < j, at [0] and [1]. What [0] holds for the container is unused.
-using ExactPair = std::array<ExactVec2, 2>;
-
 class CollisionLaw {
  public:
   // `tolerance`: of velocities, relative to the speeds that meet.
-  CollisionLaw(const Scene& scene, const Rational& tolerance)
-      : scene_(scene), tolerance_(tolerance) {}
+  CollisionLaw(const Scene& scene, const Rational& tolerance);
 
   // The distance of the centres of i and j at their contact.
   Rational reach(GenId i, GenId j) const;
@@ -30,19 +26,30 @@ class CollisionLaw {
   // no better than that. Throws Undecided where the two have no mass.
   bool obeyed(const CollideEvent& claim, const ExactPair& p, const ExactPair& v) const;
 
+  // The same in doubles, from enclosures: false says nothing.
+  bool certainly_obeyed(const CollideEvent& claim, const BallPair& p, const BallPair& v) const;
+
   // What obeyed() would have accepted, in words.
   std::string expectation(GenId i, GenId j, const ExactPair& p, const ExactPair& v) const;
 
  private:
   ExactVec2 normal(GenId i, const ExactPair& p) const;
-  template <class T, class Of>
-  std::array<std::array<T, 2>, 2> evaluate(GenId i, GenId j,
-                                           const std::array<std::array<T, 2>, 2>& p,
-                                           const ExactPair& v, Of&& of) const;
-  bool certainly_obeyed(const CollideEvent& claim, const ExactPair& p, const ExactPair& v) const;
+
+  // What the law takes from the scene for two that collide, in rationals or in enclosures.
+  template <class T>
+  struct Constants {
+    T x, y, restitution, container_restitution;
+    T mass_i, mass_j;  // of disks
+  };
+  template <class T>
+  std::array<std::array<T, 2>, 2> evaluate(GenId i, const std::array<std::array<T, 2>, 2>& p,
+                                           std::array<std::array<T, 2>, 2> v,
+                                           const Constants<T>& of) const;
 
   const Scene& scene_;
   const Rational& tolerance_;
+  Constants<DoubleBall> near_;
+  DoubleBall near_tolerance_;
 };
 
 }  // namespace voroproof

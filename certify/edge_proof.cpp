@@ -1,5 +1,7 @@
 #include "certify/edge_proof.h"
 
+#include <cmath>
+
 #include "certify/edge_signs.h"
 #include "filtered/bernstein.h"
 
@@ -10,23 +12,125 @@ namespace {
 // Parts are halved at most this often: what is left then is near a root or a degeneracy.
 constexpr int kMaxDepth = 14;
 
+// `f`: the sign of the cotangency.
 EdgeSigns signs_over(const Motion& m, const Quad& q, const DoubleBall& t, Sign f) {
   const Site<DoubleBall> l = m.site(q.l, t), r = m.site(q.r, t), s = m.site(q.s, t),
                          e = m.site(q.e, t);
-  if (f == Sign::unknown) f = sign(cotangency(l, r, s, e));
   return edge_signs(q, l, r, s, e, f);
 }
 
-bool no_collapse(const EdgeSigns& s) {
-  return s.start_exists == Sign::negative || s.end_exists == Sign::negative ||
-         (s.start_exists == Sign::positive && s.end_in_start == Sign::positive) ||
-         (s.end_exists == Sign::positive && s.start_in_end == Sign::positive);
+// Whether the edge collapses at no time of [a, b], where its flip polynomial may have roots: one
+// of its circles exists at no time of it, or exists and is free of the other's third generator.
+bool legal_throughout(const Motion& m, const Quad& q, double a, double b) {
+  const DoubleBall t = DoubleBall::hull(a, b);
+  const Site<DoubleBall> l = m.site(q.l, t), r = m.site(q.r, t), s = m.site(q.s, t),
+                         e = m.site(q.e, t);
+  const auto idle = [](const TangentTriple<DoubleBall>& circle, GenId id,
+                       const Site<DoubleBall>& other) {
+    const Sign exists = circle_exists(circle);
+    if (exists == Sign::negative) return true;
+    return exists == Sign::positive &&
+           incircle(circle, other, id == container_id, Sign::unknown) == Sign::positive;
+  };
+  return idle(tangent_triple(q.l, l, q.s, s, q.r, r), q.e, e) ||
+         idle(tangent_triple(q.r, r, q.e, e, q.l, l), q.s, s);
+}
+
+// A polynomial in the Bernstein basis over a part of the life.
+struct Piece {
+  double a, b;  // the part
+  int degree;
+  std::array<double, 9> c;
+  double err;  // of each coefficient
+};
+
+// The sign of all coefficients, or unknown.
+Sign one_sign(const Piece& p) {
+  bool positive = true, negative = true;
+  for (int k = 0; k <= p.degree; ++k) {
+    positive = positive && p.c[k] > p.err;
+    negative = negative && p.c[k] < -p.err;
+  }
+  return positive ? Sign::positive : negative ? Sign::negative : Sign::unknown;
+}
+
+// Splits a piece at s of its length, 0 < s < 1, at the time `at`, by de Casteljau's algorithm: left
+// of it, and right of it. Each of its at most 8 rounds computes (1 - s) c + s c', which errs by at
+// most 4u times the largest coefficient.
+void split(const Piece& p, double s, double at, Piece& left, Piece& right) {
+  double largest = 0;
+  for (int k = 0; k <= p.degree; ++k) largest = std::fmax(largest, std::fabs(p.c[k]));
+  const double err = (p.err + 32 * 0x1p-53 * largest) * (1 + 0x1p-40);
+  const double rest = 1 - s;
+  std::array<double, 9> c = p.c;
+  left = {p.a, at, p.degree, {}, err};
+  right = {at, p.b, p.degree, {}, err};
+  for (int k = 0; k <= p.degree; ++k) {
+    left.c[k] = c[0];
+    right.c[p.degree - k] = c[p.degree - k];
+    for (int i = 0; i < p.degree - k; ++i) c[i] = rest * c[i] + s * c[i + 1];
+  }
+}
+
+// Where in [0, 1] a polynomial whose first and last coefficient differ in sign vanishes, roughly:
+// a hint.
+double near_root(const Piece& p) {
+  double lo = 0, hi = 1, s = p.c[0] / (p.c[0] - p.c[p.degree]);
+  for (int step = 0; step < 6; ++step) {
+    std::array<double, 9> c = p.c;
+    for (int k = p.degree; k > 1; --k) {
+      for (int i = 0; i < k; ++i) c[i] = c[i] + s * (c[i + 1] - c[i]);
+    }
+    const double value = c[0] + s * (c[1] - c[0]);
+    ((value > 0) == (p.c[0] > 0) ? lo : hi) = s;
+    const double next = s - value / (p.degree * (c[1] - c[0]));
+    const double moved = std::fabs(next - s);
+    s = lo < next && next < hi ? next : 0.5 * (lo + hi);
+    if (moved < 0x1p-12) break;
+  }
+  return s;
+}
+
+// Around a root so much of a piece is looked at by its circles, on both sides.
+constexpr double kAround = 0x1p-8;
+
+// Pieces are cut at most this often one within the other.
+constexpr int kMaxCuts = 12;
+
+bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts) {
+  if (one_sign(p) != Sign::unknown) return true;
+  // The times of a piece are rounded: each cut within one adds at most 16u of the greatest.
+  const double slop = 0x1p-45 * std::fmax(std::fabs(p.a), std::fabs(p.b));
+  if (cuts > 0 && legal_throughout(m, q, p.a - slop, p.b + slop)) return true;
+  if (cuts == kMaxCuts) return false;
+  const double length = p.b - p.a;
+  const auto time_at = [&](double s) { return p.a + s * length; };
+  Piece left, middle, right;
+  const bool crosses =
+      (p.c[0] > p.err && p.c[p.degree] < -p.err) || (p.c[0] < -p.err && p.c[p.degree] > p.err);
+  if (crosses) {
+    const double s = near_root(p);
+    const double s0 = s - kAround, s1 = s + kAround;
+    if (s0 > kAround && s1 < 1 - kAround) {
+      const double t0 = time_at(s0), t1 = time_at(s1);
+      split(p, s0, t0, left, right);
+      if (one_sign(left) != Sign::unknown) {
+        const Piece rest = right;
+        split(rest, (s1 - s0) / (1 - s0), t1, middle, right);
+        if (one_sign(right) != Sign::unknown) return piece_free(m, q, middle, cuts + 1);
+      }
+    }
+  }
+  const double half = time_at(0.5);
+  if (!(p.a < half && half < p.b)) return false;
+  split(p, 0.5, half, left, right);
+  return piece_free(m, q, left, cuts + 1) && piece_free(m, q, right, cuts + 1);
 }
 
 bool free_in(const Motion& m, const Quad& q, double a, double b, int depth) {
   BernsteinForm form;
   if (form_flip_polynomial<true>(m, q, a, b, form)) return true;
-  if (no_collapse(signs_over(m, q, DoubleBall::hull(a, b), Sign::unknown))) return true;
+  if (piece_free(m, q, {a, b, form.degree, form.c, form.err}, 0)) return true;
   const double middle = 0.5 * (a + b);
   if (depth == kMaxDepth || !(a < middle && middle < b)) return false;
   // From both halves' own ends, so that the error bound shrinks with the part.

@@ -12,18 +12,19 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Moment Moment::at(double t) {
   Moment m;
-  m.t = to_rational(t);
   m.lo = m.hi = t;
   return m;
 }
 
 Moment Moment::at(const Rational& t) {
   Moment m;
-  m.t = t;
   m.lo = round_down(t);
   m.hi = round_up(t);
+  if (m.lo != m.hi) m.t = std::make_shared<const Rational>(t);
   return m;
 }
+
+Rational Moment::exact() const { return t ? *t : to_rational(lo); }
 
 Moment Moment::of(const Quad& q, const Collapse& c) {
   Moment m;
@@ -63,7 +64,7 @@ ExactTime Chronology::exact_time(const Moment& m, ExactMotion& exact) {
     case Moment::Kind::state:
       return time_of(exact.start(m.state, m.j));
   }
-  return ExactTime(m.t);
+  return ExactTime(m.exact());
 }
 
 Instant Chronology::instant(const Moment& m) const {
@@ -120,7 +121,9 @@ int Chronology::compare(const Moment& a, const Moment& b) {
   if (a.hi < b.lo) return -1;
   if (b.hi < a.lo) return 1;
   if (a.kind == Moment::Kind::rational && b.kind == Moment::Kind::rational) {
-    return a.t < b.t ? -1 : a.t > b.t ? 1 : 0;
+    if (!a.t && !b.t) return 0;
+    const Rational s = a.exact(), t = b.exact();
+    return s < t ? -1 : s > t ? 1 : 0;
   }
   const Sign s = sign(narrow(a) - narrow(b));
   if (s == Sign::negative || s == Sign::positive) return static_cast<int>(s);
@@ -154,8 +157,9 @@ bool Chronology::within(const Rational& tolerance, const Moment& m, const Ration
 DdBall Chronology::narrow(const Moment& m) const {
   if (m.dd.rad < kInfinity) return m.dd;
   if (m.kind == Moment::Kind::rational) {
-    const double near = round_nearest(m.t);
-    const double error = std::fabs(round_nearest(Rational(m.t - to_rational(near))));
+    if (!m.t) return DdBall(m.lo);
+    const double near = round_nearest(*m.t);
+    const double error = std::fabs(round_nearest(Rational(*m.t - to_rational(near))));
     return DdBall(near, 0, error * (1 + 0x1p-50));
   }
   const double middle = 0.5 * (m.lo + m.hi);
@@ -196,7 +200,7 @@ Ball Chronology::ball(const Moment& m) const {
       return b;
     }
   }
-  return Ball(m.t, bits);
+  return Ball(m.exact(), bits);
 }
 
 }  // namespace voroproof

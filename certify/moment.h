@@ -17,8 +17,8 @@ struct Moment {
   enum class Kind { rational, flip, contact, state };
   Kind kind = Kind::rational;
   double lo = 0, hi = 0;
-  Rational t;   // rational
-  Quad quad{};  // flip: isolated in [lo, hi], or more narrowly:
+  std::shared_ptr<const Rational> t;  // rational, where it is no binary64: lo < hi
+  Quad quad{};                        // flip: isolated in [lo, hi], or more narrowly:
   std::shared_ptr<const RootInterval> root;
   GenId i = 0, j = 0;  // contact of i and j near lo
   int state = 0;       // state: when generator j began this state
@@ -27,6 +27,7 @@ struct Moment {
 
   static Moment at(double t);
   static Moment at(const Rational& t);
+  Rational exact() const;  // of a rational one
   // When q collapses: `c` is a root.
   static Moment of(const Quad& q, const Collapse& c);
   // When i and j touch: `c` is not `none`.

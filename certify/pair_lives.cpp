@@ -90,9 +90,8 @@ Contact<Rational> Checker::recorded_contact(GenId i, GenId j, const Rational& at
     if (g == container_id) {
       return {scene_.cx, scene_.cy, 0, 0, Rational(-scene_.container_radius)};
     }
-    const Path& path = replay_.path(g);
-    const ExactVec2 p = path.at(at);
-    return {p[0], p[1], path.vx, path.vy, scene_.disks[g].radius};
+    const ExactVec2 p = replay_.path(g).at(at), v = replay_.velocity(g).value();
+    return {p[0], p[1], v[0], v[1], scene_.disks[g].radius};
   };
   return {site(i), site(j)};
 }
@@ -180,25 +179,32 @@ void Checker::check_overlap(int edge, const Moment& m) {
 
 // In doubles, whether the two, whose paths are at `at` at the claimed time, come into contact
 // within the tolerance of it. False says nothing.
-bool Checker::certainly_in_contact(GenId i, GenId j, const ExactPair& at) const {
-  const auto site = [&](GenId g, const ExactVec2& p) -> MovingSite<DoubleBall> {
-    if (g == container_id) {
-      return {ball(scene_.cx), ball(scene_.cy), 0.0, 0.0, -ball(scene_.container_radius)};
-    }
-    const Path& path = replay_.path(g);
-    return {ball(p[0]), ball(p[1]), ball(path.vx), ball(path.vy), ball(scene_.disks[g].radius)};
+bool Checker::certainly_in_contact(GenId i, GenId j, const BallPair& at) const {
+  const BallPair v = replay_.near_velocities(i, j);
+  const auto site = [&](int side, GenId g) -> MovingSite<DoubleBall> {
+    const DoubleMotion& m = motion_.doubles(g);
+    return {at[side][0], at[side][1], v[side][0], v[side][1], DoubleBall(m.r, m.er)};
   };
-  const Contact<DoubleBall> k{site(i, at[0]), site(j, at[1])};
-  const DoubleBall s = ball(options_.tolerance);
+  MovingSite<DoubleBall> first;
+  if (i == container_id) {
+    first = motion_.moving_site(i, DoubleBall(0));
+  } else {
+    first = site(0, i);
+  }
+  const Contact<DoubleBall> k{first, site(1, j)};
+  const DoubleBall& s = near_tolerance_;
   const Sign before = sign((k.a * s - DoubleBall(2) * k.b) * s + k.c);
   const Sign after = sign((k.a * s + DoubleBall(2) * k.b) * s + k.c);
   return i == container_id ? before == Sign::negative && after == Sign::positive
                            : before == Sign::positive && after == Sign::negative;
 }
 
-// The pair touches within the tolerance of the claimed time t, or the claim is refuted.
-void Checker::check_recorded_contact(GenId i, GenId j, const Rational& t, const ExactPair& at) {
+// The pair, enclosed by `at` at the claimed time, touches within the tolerance of it, or the claim
+// is refuted.
+void Checker::check_recorded_contact(const CollideEvent& claim, const BallPair& at) {
+  const GenId i = claim.i, j = claim.j;
   if (certainly_in_contact(i, j, at)) return;
+  const Rational t = exact_time(*claim_);
   const Contact<Rational> k = recorded_contact(i, j, t);
   const Rational& tol = options_.tolerance;
   const auto value = [&](const Rational& s) { return Rational((k.a * s + 2 * k.b) * s + k.c); };

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <deque>
-#include <future>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "certify/checker.h"
@@ -32,7 +34,7 @@ class Section : public HistorySource {
 
   const HistoryHeader& header() const override { return header_; }
   std::optional<Event> next() override {
-    if (taken_ < claims_.size()) return claims_[taken_++].event;
+    if (taken_ < claims_.size()) return std::move(claims_[taken_++].event);
     taken_ = claims_.size() + 1;
     return ended_ ? std::nullopt : rest_->next();
   }
@@ -98,45 +100,69 @@ class PartwiseCertifier {
         header_(history.header()),
         replay_(scene, options),
         gap_(8 * round_up(options.tolerance)),
-        size_(std::max(options.least_part, options.least_part / 4096 * scene.disks.size())) {}
-
-  ~PartwiseCertifier() { cancelled_ = true; }  // the futures wait
+        size_(std::max(options.least_part, options.least_part / 1024 * scene.disks.size())) {}
 
   Certificate run() {
     std::exception_ptr unreadable;
-    try {
-      read_parts();
-    } catch (const InputError&) {
-      // What comes before it may be refuted.
-      unreadable = std::current_exception();
+    {
+      std::vector<std::jthread> helpers;
+      const Closing closing{*this};  // before the helpers are waited for, whatever happens
+      for (int k = 1; k < options_.threads; ++k) helpers.emplace_back([this] { help(); });
+      std::optional<Motion> motion;
+      try {
+        read_parts(motion);
+      } catch (const InputError&) {
+        // What comes before it may be refuted.
+        unreadable = std::current_exception();
+      }
+      while (std::optional<Part> part = take(false)) prove(*part, motion);
     }
-    while (!running_.empty() && good_) collect();
-    if (good_ && unreadable) std::rethrow_exception(unreadable);
-    if (interrupted_) throw CertificationInterrupted{};
+    for (Result& r : results_) {
+      if (r.error) std::rethrow_exception(r.error);
+      add(total_, std::move(r.certificate));
+      if (total_.verdict != Verdict::certified) return std::move(total_);
+    }
+    if (unreadable) std::rethrow_exception(unreadable);
     return std::move(total_);
   }
 
  private:
+  struct Part {
+    std::size_t number;
+    std::unique_ptr<Section> section;
+    std::optional<Checkpoint> begin;  // none for the first part
+    std::optional<double> until;      // none for the last
+  };
+  struct Result {
+    bool good = false;  // proved right
+    Certificate certificate;
+    std::exception_ptr error;
+  };
+  struct Closing {
+    PartwiseCertifier& parts;
+    ~Closing() { parts.close(); }
+  };
+
   std::optional<ReadClaim> read() {
     auto event = history_.next();
     if (!event) return std::nullopt;
     return ReadClaim{std::move(*event), history_.line()};
   }
 
-  void read_parts() {
+  void read_parts(std::optional<Motion>& motion) {
     std::vector<ReadClaim> claims;
     std::optional<ReadClaim> next = read();
-    std::shared_ptr<Checkpoint> begin;  // of the present part
+    std::optional<Checkpoint> begin;  // of the present part
     // Collisions and maneuvers at t = 0 come before the initial diagram.
     bool clear = true;
-    const auto take = [&] {
+    const auto take_next = [&] {
       clear = clear && replay_.take(next->event);
       claims.push_back(std::move(*next));
       next = read();
     };
     while (next && clear && time(next->event) == 0 &&
            !std::holds_alternative<FlipEvent>(next->event)) {
-      take();
+      take_next();
     }
     try {
       take_initial_diagram();
@@ -145,22 +171,25 @@ class PartwiseCertifier {
     } catch (const Undecided&) {
       clear = false;
     }
-    while (good_ && next && clear) {
+    while (next && clear) {
       const double last = claims.empty() ? 0 : time(claims.back().event);
       if (claims.size() >= size_ && time(next->event) - last > gap_) {
         const double until = last + 0.5 * (time(next->event) - last);
-        auto section = std::make_shared<Section>(header_, std::move(claims), nullptr, true);
+        auto section = std::make_unique<Section>(header_, std::move(claims), nullptr, true);
         section->set_next_line(next->line);
         claims.clear();
-        start(section, begin, until);
-        begin = std::make_shared<Checkpoint>(until, replay_);
+        claims.reserve(size_);
+        start({started_++, std::move(section), std::move(begin), until}, motion);
+        if (stopped()) return;
+        begin.emplace(until, replay_);
       }
-      take();
+      take_next();
     }
-    if (!good_) return;
     const bool ended = !next;
     if (next) claims.push_back(std::move(*next));
-    start(std::make_shared<Section>(header_, std::move(claims), &history_, ended), begin, {});
+    start({started_++, std::make_unique<Section>(header_, std::move(claims), &history_, ended),
+           std::move(begin), std::nullopt},
+          motion);
   }
 
   // Throws std::invalid_argument where the file's, or the one proposed, is none.
@@ -175,52 +204,81 @@ class PartwiseCertifier {
     replay_.diagram() = diagram_of(replay_.disks(), header_.initial.value_or(std::vector<Quad>()));
   }
 
-  void start(std::shared_ptr<Section> section, std::shared_ptr<const Checkpoint> begin,
-             std::optional<double> until) {
-    const std::int64_t part = started_++;
-    auto work = [this, part, section = std::move(section), begin = std::move(begin), until] {
-      CertifyOptions options = options_;
-      options.monitor = [this, part](double t, std::int64_t events) {
-        return report(part, t, events);
-      };
-      return Checker(scene_, input_, *section, options).run(begin.get(), until);
-    };
-    if (options_.threads == 1) {
-      running_.push_back(std::async(std::launch::deferred, std::move(work)));
-      collect();
-      return;
+  // ---- The threads: the reader proves parts too, where enough of them wait. ----
+  void start(Part&& part, std::optional<Motion>& motion) {
+    std::size_t waiting = 0;
+    {
+      const std::lock_guard lock(mutex_);
+      waiting_.push_back(std::move(part));
+      waiting = waiting_.size();
     }
-    while (good_ && running_.size() >= static_cast<std::size_t>(options_.threads)) collect();
-    if (good_) running_.push_back(std::async(std::launch::async, std::move(work)));
+    changed_.notify_one();
+    for (; waiting >= static_cast<std::size_t>(options_.threads); --waiting) {
+      if (std::optional<Part> mine = take(false)) prove(*mine, motion);
+    }
   }
 
-  // Takes over the result of the earliest part that runs.
-  void collect() {
-    std::future<Certificate> first = std::move(running_.front());
-    running_.pop_front();
-    try {
-      add(total_, first.get());
-      good_ = total_.verdict == Verdict::certified;
-    } catch (const CertificationInterrupted&) {
-      interrupted_ = true;
-      good_ = false;
-    } catch (...) {
-      cancelled_ = true;
-      throw;
-    }
-    if (!good_) cancelled_ = true;
-    const std::lock_guard lock(mutex_);
-    ++collected_;
-    collected_events_ = total_.prefix_events;
+  // The first part that nobody has taken, if there is one; `wait`: or if there may be.
+  std::optional<Part> take(bool wait) {
+    std::unique_lock lock(mutex_);
+    if (wait) changed_.wait(lock, [this] { return closed_ || !waiting_.empty(); });
+    if (waiting_.empty()) return std::nullopt;
+    Part part = std::move(waiting_.front());
+    waiting_.pop_front();
+    return part;
   }
+
+  void close() {
+    {
+      const std::lock_guard lock(mutex_);
+      closed_ = true;
+    }
+    changed_.notify_all();
+  }
+
+  void help() {
+    std::optional<Motion> motion;
+    while (std::optional<Part> part = take(true)) prove(*part, motion);
+  }
+
+  // `motion`: of the last part that this thread proved, none at first. A disk that has moved by the
+  // end of an earlier part is restarted by every later one.
+  void prove(Part& part, std::optional<Motion>& motion) {
+    Result result;
+    if (part.number <= first_bad_) {
+      try {
+        CertifyOptions options = options_;
+        options.monitor = [this, number = part.number](double t, std::int64_t events) {
+          return report(number, t, events);
+        };
+        // More bits than at first are forgotten, so that no part depends on those before it.
+        if (!motion || motion->replays() > 0)
+          motion.emplace(checked_input(input_, header_), options.motion);
+        Checker checker(scene_, *motion, *part.section, options, std::move(part.begin));
+        result.certificate = checker.run(part.until);
+      } catch (...) {
+        result.error = std::current_exception();
+        motion.reset();
+      }
+    }
+    result.good = !result.error && result.certificate.verdict == Verdict::certified;
+    const std::lock_guard lock(mutex_);
+    if (!result.good && part.number < first_bad_) first_bad_ = part.number;
+    if (results_.size() <= part.number) results_.resize(part.number + 1);
+    results_[part.number] = std::move(result);
+  }
+
+  bool stopped() const { return first_bad_ != std::numeric_limits<std::size_t>::max(); }
 
   // The progress of the earliest part is that of the whole.
-  bool report(std::int64_t part, double t, std::int64_t events) {
-    if (cancelled_) return false;
+  bool report(std::size_t number, double t, std::int64_t events) {
+    if (number > first_bad_) return false;
+    if (!options_.monitor) return true;
     const std::lock_guard lock(mutex_);
-    if (part != collected_ || !options_.monitor) return true;
-    if (!options_.monitor(t, collected_events_ + events)) cancelled_ = true;
-    return !cancelled_;
+    while (counted_ < number && counted_ < results_.size() && results_[counted_].good) {
+      counted_events_ += results_[counted_++].certificate.prefix_events;
+    }
+    return counted_ < number || options_.monitor(t, counted_events_ + events);
   }
 
   const Scene& scene_;
@@ -231,13 +289,19 @@ class PartwiseCertifier {
   Replay replay_;     // of the claims read
   double gap_;        // between the claims on both sides of an end, so that no two swap across it
   std::size_t size_;  // claims of a part, at least
+  std::size_t started_ = 0;
   Certificate total_;
-  bool good_ = true, interrupted_ = false;
-  std::int64_t started_ = 0;
-  std::atomic<bool> cancelled_ = false;
+  // The first part that is not proved right: later ones do not matter.
+  std::atomic<std::size_t> first_bad_ = std::numeric_limits<std::size_t>::max();
+
   std::mutex mutex_;
-  std::int64_t collected_ = 0, collected_events_ = 0;  // guarded by mutex_
-  std::deque<std::future<Certificate>> running_;       // last: they use the others
+  std::condition_variable changed_;
+  // Guarded by mutex_.
+  bool closed_ = false;
+  std::deque<Part> waiting_;
+  std::vector<Result> results_;
+  std::size_t counted_ = 0;  // so many parts are proved, and have so many events
+  std::int64_t counted_events_ = 0;
 };
 
 }  // namespace

@@ -10,8 +10,10 @@ Replay::Replay(const Scene& scene, const CertifyOptions& options)
       diagram_(static_cast<int>(scene.disks.size())),
       last_change_(scene.disks.size() + 1, 0) {
   for (const DiskSpec& d : scene.disks) {
-    velocities_.push_back({d.vx, d.vy});
-    if (options.truth == Truth::recorded) paths_.push_back({0, d.x, d.y, d.vx, d.vy});
+    velocities_.emplace_back(ExactVec2{d.vx, d.vy});
+    if (options.truth == Truth::recorded) {
+      paths_.emplace_back(ExactVec2{d.x, d.y}, velocities_.back());
+    }
     note_speed(velocities_.back());
   }
 }
@@ -54,9 +56,27 @@ std::pair<GenId, GenId> Replay::pair_of(int edge) const {
 
 ExactPair Replay::velocities(GenId i, GenId j) const {
   ExactPair v;
-  if (i != container_id) v[0] = velocities_[i];
-  v[1] = velocities_[j];
+  if (i != container_id) v[0] = velocities_[i].value();
+  v[1] = velocities_[j].value();
   return v;
+}
+
+BallPair Replay::near_velocities(GenId i, GenId j) const {
+  const auto near = [&](GenId g) {
+    const Velocity& v = velocities_[g];
+    return v.exact ? ball(*v.exact) : ball(v.near);
+  };
+  return {i == container_id ? BallVec2{} : near(i), near(j)};
+}
+
+BallPair Replay::near_positions(const CollideEvent& claim) const {
+  const auto near = [&](GenId g) -> BallVec2 {
+    if (!claim.exact) {
+      if (const auto p = paths_[g].near(claim.t)) return {ball((*p)[0]), ball((*p)[1])};
+    }
+    return ball(paths_[g].at(claim.exact ? claim.exact->t : to_rational(claim.t)));
+  };
+  return {claim.i == container_id ? BallVec2{} : near(claim.i), near(claim.j)};
 }
 
 ExactPair Replay::positions(GenId i, GenId j, const Rational& t) const {
@@ -66,8 +86,8 @@ ExactPair Replay::positions(GenId i, GenId j, const Rational& t) const {
   return p;
 }
 
-void Replay::note_speed(const ExactVec2& v) {
-  const DoubleBall speed = sqrt(norm2(ball(v)));
+void Replay::note_speed(const Velocity& v) {
+  const DoubleBall speed = sqrt(norm2(v.exact ? ball(*v.exact) : ball(v.near)));
   top_speed_ = std::max(
       top_speed_, std::nextafter(speed.mid + speed.rad, std::numeric_limits<double>::infinity()));
 }
@@ -77,23 +97,51 @@ void Replay::note_collision(const CollideEvent& claim, const ExactPair& computed
   for (const int side : {0, 1}) {
     const GenId g = side == 0 ? claim.i : claim.j;
     if (g == container_id) continue;
-    velocities_[g] = exact_velocity(claim, side).value_or(computed[side]);
+    if (claim.v[side] && !claim.exact) {
+      velocities_[g] = Velocity(*claim.v[side]);
+    } else {
+      velocities_[g] = Velocity(exact_velocity(claim, side).value_or(computed[side]));
+    }
     last_change_[g + 1] = changes_;
   }
 }
 
-void Replay::turn(GenId g, const Rational& t, const ExactVec2& p) {
-  const ExactVec2& v = velocities_[g];
+void Replay::turn(GenId g, const Event& claim) {
+  const Velocity& v = velocities_[g];
   note_speed(v);
-  paths_[g] = {t, p[0], p[1], v[0], v[1]};
+  const bool plain = std::visit([](const auto& c) { return c.exact == nullptr; }, claim);
+  if (plain) {
+    paths_[g].turn(time(claim), v);
+  } else {
+    paths_[g].turn(exact_time(claim), v);
+  }
+}
+
+void Replay::move(Motion& motion, GenId g) const {
+  const Path& path = paths_[g];
+  const Velocity& v = path.velocity();
+  if (const auto s = path.start()) {
+    motion.restart(g, s->t, s->x, s->y, v.near[0], v.near[1], *this);
+    return;
+  }
+  const Rational t = path.since();
+  const ExactVec2 p = path.at(t), w = v.value();
+  motion.restart(g, t, p[0], p[1], w[0], w[1]);
 }
 
 void Replay::move(Motion& motion) const {
   for (GenId g = 0; g < disks(); ++g) {
-    if (!moved(g)) continue;
-    const Path& p = paths_[g];
-    motion.restart(g, p.t, p.x, p.y, p.vx, p.vy);
+    if (moved(g)) move(motion, g);
   }
+}
+
+void Replay::state(GenId g, DiskInput& disk) const {
+  const Path& path = paths_[g];
+  const ExactVec2 p = path.at(path.since()), v = path.velocity().value();
+  disk.x = p[0];
+  disk.y = p[1];
+  disk.vx = v[0];
+  disk.vy = v[1];
 }
 
 ExactPair Replay::recorded_centers(const CollideEvent& claim, ExactPair path) {
@@ -126,7 +174,7 @@ void Replay::note_maneuver(std::size_t k, const ManeuverEvent& claim) {
   done_maneuvers_.insert(k);
   while (done_maneuvers_.erase(next_maneuver_) > 0) ++next_maneuver_;
   const Maneuver& m = scene_->maneuvers[k];
-  velocities_[claim.disk] = exact_velocity(claim).value_or(ExactVec2{m.vx, m.vy});
+  velocities_[claim.disk] = Velocity(exact_velocity(claim).value_or(ExactVec2{m.vx, m.vy}));
   last_change_[claim.disk + 1] = ++changes_;
 }
 
@@ -138,27 +186,25 @@ bool Replay::take(const Event& event) {
     diagram_.flip(h);
     return true;
   }
-  const Rational t = exact_time(event);
   if (const auto* c = std::get_if<CollideEvent>(&event)) {
-    const ExactPair at = positions(c->i, c->j, t);
     ExactPair computed;
     if (!c->v[1]) {
       try {
-        computed = computed_velocities(*c, at);
+        computed = computed_velocities(*c, positions(c->i, c->j, exact_time(event)));
       } catch (const Undecided&) {
         return false;
       }
     }
     note_collision(*c, computed);
-    if (c->i != container_id) turn(c->i, t, at[0]);
-    turn(c->j, t, at[1]);
+    if (c->i != container_id) turn(c->i, event);
+    turn(c->j, event);
     return true;
   }
   const auto& m = std::get<ManeuverEvent>(event);
-  const auto k = scheduled(m, t);
+  const auto k = scheduled(m, exact_time(event));
   if (!k) return false;
   note_maneuver(*k, m);
-  turn(m.disk, t, paths_[m.disk].at(t));
+  turn(m.disk, event);
   return true;
 }
 

@@ -9,20 +9,12 @@
 
 #include "certify/certifier.h"
 #include "certify/collision_law.h"
+#include "certify/path.h"
 #include "topology/diagram.h"
 
 namespace voroproof {
 
-// The motion of a disk on one line: at (x, y) at time t.
-struct Path {
-  Rational t, x, y, vx, vy;
-  ExactVec2 at(const Rational& time) const {
-    const Rational dt = time - t;
-    return {x + vx * dt, y + vy * dt};
-  }
-};
-
-class Replay {
+class Replay : public GivenMotion {
  public:
   using HalfEdge = Diagram::HalfEdge;
 
@@ -45,13 +37,16 @@ class Replay {
 
   // ---- The disks. ----
   // The velocity as last claimed, or computed where the claim gives none.
-  const ExactVec2& velocity(GenId g) const { return velocities_[g]; }
+  const Velocity& velocity(GenId g) const { return velocities_[g]; }
   // Both velocities; zero for the container.
   ExactPair velocities(GenId i, GenId j) const;
-  // Recorded truth: the present line of the disk.
+  BallPair near_velocities(GenId i, GenId j) const;
+  // Recorded truth: the path of the disk, on its present line.
   const Path& path(GenId g) const { return paths_[g]; }
   // Recorded truth: where the two are at that time; zero for the container.
   ExactPair positions(GenId i, GenId j, const Rational& t) const;
+  // The same at the time of the claim, enclosed.
+  BallPair near_positions(const CollideEvent& claim) const;
   // Whether the motion of the disk has ever changed.
   bool moved(GenId g) const { return last_change_[g + 1] != 0; }
   // Whether the last thing that happened to both was their own collision.
@@ -59,14 +54,17 @@ class Replay {
     return i != container_id && moved(i) && last_change_[i + 1] == last_change_[j + 1];
   }
   double top_speed() const { return top_speed_; }  // an upper bound of all speeds so far
-  void note_speed(const ExactVec2& v);
+  void note_speed(const Velocity& v);
 
   // The collision has happened; `computed` are the velocities where the claim gives none.
   void note_collision(const CollideEvent& claim, const ExactPair& computed);
-  // Recorded truth: from (t, p) on, the disk goes on with its velocity.
-  void turn(GenId g, const Rational& t, const ExactVec2& p);
-  // Recorded truth: gives `motion`, the scene's, the present lines of the disks.
+  // Recorded truth: from the time of the claim on, the disk goes on with its velocity.
+  void turn(GenId g, const Event& claim);
+  // Recorded truth: gives `motion`, the scene's, the present line of the disk, and of all disks.
+  // This replay must be at hand as long as the motion.
+  void move(Motion& motion, GenId g) const;
   void move(Motion& motion) const;
+  void state(GenId g, DiskInput& disk) const override;
   // Recorded truth, for a claim without velocities: by the law with the centres that it gives, else
   // with those of the paths; rounded to binary64. Throws Undecided, as CollisionLaw does.
   ExactPair computed_velocities(const CollideEvent& claim, const ExactPair& path) const;
@@ -90,7 +88,7 @@ class Replay {
   const Scene* scene_;
   const CertifyOptions* options_;
   Diagram diagram_;
-  std::vector<ExactVec2> velocities_;
+  std::vector<Velocity> velocities_;
   std::vector<Path> paths_;       // of the recorded truth
   std::vector<int> last_change_;  // of each generator: of its motion, numbered; 0 for none
   int changes_ = 0;

@@ -6,12 +6,17 @@
 #include <cmath>
 #include <limits>
 
+#include "filtered/dd_ball.h"
 #include "filtered/double_ball.h"
 #include "history/events.h"
 
 namespace voroproof {
 
 using BallVec2 = std::array<DoubleBall, 2>;
+
+// Of the two of a collision, i < j, at [0] and [1]. What [0] holds for the container is unused.
+using ExactPair = std::array<ExactVec2, 2>;
+using BallPair = std::array<BallVec2, 2>;
 
 inline Rational square(const Rational& x) { return x * x; }
 
@@ -30,6 +35,10 @@ inline DoubleBall ball(const Rational& q) {
   return {x, std::fabs(x) * 0x1p-52 + DBL_MIN};
 }
 inline BallVec2 ball(const ExactVec2& v) { return {ball(v[0]), ball(v[1])}; }
+inline BallVec2 ball(const Vec2& v) { return {DoubleBall(v[0]), DoubleBall(v[1])}; }
+inline DoubleBall ball(const DdBall& x) {
+  return {x.hi, (std::fabs(x.lo) + x.rad) * (1 + 0x1p-50)};
+}
 
 // An upper bound of the length of a vector, good to a part in 10^15.
 inline Rational length_bound(const ExactVec2& v) {

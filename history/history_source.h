@@ -13,6 +13,7 @@ class HistorySource {
  public:
   virtual ~HistorySource() = default;
   virtual const HistoryHeader& header() const = 0;
+  // The next event; none at the end, however often one asks. Throws InputError.
   virtual std::optional<Event> next() = 0;
   virtual std::int64_t line() const = 0;
   virtual const std::variant<HistoryEnd, HistoryStop>& ending() const = 0;

@@ -75,8 +75,8 @@ MemoryHistory::MemoryHistory(const ClaimedHistory& history)
     : history_(history), ending_(HistoryEnd{history.claimed_counts}) {}
 
 std::optional<voroproof::Event> MemoryHistory::next() {
-  if (next_ == history_.events.size()) {
-    ++next_;
+  if (next_ >= history_.events.size()) {
+    next_ = history_.events.size() + 1;
     counts_ = counts_of(history_.events);
     return std::nullopt;
   }

@@ -3,6 +3,7 @@
 
 #include "certify/report.h"
 #include "tests/certify/claimed_history.h"
+#include "tests/support/random_scenes.h"
 
 namespace voroproof::testing {
 namespace {
@@ -46,6 +47,50 @@ TEST(Recorded, VelocitiesThatDoNotPart) {
         EXPECT_EQ(result.verdict, Verdict::refuted);
         EXPECT_EQ(result.divergence->fault, Fault::overlap);
       }
+    }
+  }
+}
+
+// Four disks meet in the middle of a square, all at once. Without one of the collisions two of them
+// pass through each other, and four generators stay cotangent where nothing decides an edge.
+TEST(Refuted, DroppedCollisionAmongFourSymmetricDisks) {
+  const Scene scene = scene_of(
+      50, 60, {disk(5, 5, -1, -1), disk(-5, 5, 1, -1), disk(-5, -5, 1, 1), disk(5, -5, -1, 1)});
+  const ClaimedHistory right = claimed_history(scene, run(scene));
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    CertifyOptions options;
+    options.truth = truth;
+    EXPECT_EQ(certify(scene, right, options).verdict, Verdict::certified);
+    for (int k = 0; k < 4; ++k) {
+      ClaimedHistory wrong = right;
+      ASSERT_TRUE(std::holds_alternative<CollideEvent>(wrong.events[k]));
+      wrong.events.erase(wrong.events.begin() + k);
+      wrong.count();
+      const Certificate result = certify(scene, wrong, options);
+      EXPECT_EQ(result.verdict, Verdict::refuted) << reason_line(result);
+    }
+  }
+}
+
+// Each thread takes the parts as they come; nothing of that is in the certificate.
+TEST(Recorded, AnyNumberOfThreads) {
+  Random random(11);
+  const Scene scene = random_scene({.n = 30, .horizon = 60}, random);
+  const ClaimedHistory right = claimed_history(scene, run(scene));
+  ASSERT_GT(right.events.size(), 300u);
+  ClaimedHistory wrong = right;
+  wrong.events.erase(wrong.events.begin() + 200);
+  wrong.count();
+  for (const ClaimedHistory& history : {right, wrong}) {
+    std::string first;
+    for (const int threads : {1, 2, 3, 8}) {
+      CertifyOptions options;
+      options.truth = Truth::recorded;
+      options.least_part = 20;
+      options.threads = threads;
+      const std::string report = report_text({}, options, certify(scene, history, options));
+      if (first.empty()) first = report;
+      EXPECT_EQ(report, first) << threads << " threads";
     }
   }
 }

@@ -1,0 +1,155 @@
+#include "certify/path.h"
+
+#include <cmath>
+
+namespace voroproof {
+
+using dd_detail::fast_two_sum;
+using dd_detail::two_prod;
+using dd_detail::two_sum;
+
+// Shewchuk's GROW-EXPANSION: exact as long as nothing overflows. Zeros are left out. False where
+// the sum becomes too long.
+bool DyadicSum::add(double x) {
+  double q = x;
+  int count = 0;
+  std::array<double, kMax + 2> out;
+  for (int k = 0; k < size_; ++k) {
+    double sum, error;
+    two_sum(q, part_[k], sum, error);
+    if (error != 0) out[count++] = error;
+    q = sum;
+  }
+  if (q != 0) out[count++] = q;
+  if (count > kMax) return false;
+  for (int k = 0; k < count; ++k) part_[k] = out[k];
+  size_ = count;
+  return true;
+}
+
+// Shewchuk's COMPRESS: as few parts as possible, the greatest a good approximation of the sum.
+void DyadicSum::compress() {
+  if (size_ == 0) return;
+  double q = part_[size_ - 1];
+  int bottom = size_ - 1;
+  for (int k = size_ - 2; k >= 0; --k) {
+    double sum, error;
+    fast_two_sum(q, part_[k], sum, error);
+    if (error != 0) {
+      part_[bottom--] = sum;
+      q = error;
+    } else {
+      q = sum;
+    }
+  }
+  part_[bottom] = q;
+  int top = 0;
+  for (int k = bottom + 1; k < size_; ++k) {
+    double sum, error;
+    fast_two_sum(part_[k], q, sum, error);
+    if (error != 0) part_[top++] = error;
+    q = sum;
+  }
+  part_[top] = q;
+  size_ = top + 1;
+}
+
+std::optional<DyadicSum> DyadicSum::plus(double v, double t, double s) const {
+  if (v == 0) return *this;
+  // t - s = d + e and v d = a + b, v e = f + g, exactly while the errors are no denormal numbers.
+  double d, e, a, b, f, g;
+  two_sum(t, -s, d, e);
+  two_prod(v, d, a, b);
+  two_prod(v, e, f, g);
+  constexpr double least = 0x1p-900, greatest = 0x1p900;
+  for (const double product : {a, f}) {
+    const double size = std::fabs(product);
+    if (!(product == 0 ? true : size > least && size < greatest)) return std::nullopt;
+  }
+  if ((a == 0 && d != 0) || (f == 0 && e != 0)) return std::nullopt;
+  if (!(std::fabs(v) < greatest && std::fabs(d) < greatest)) return std::nullopt;
+  DyadicSum sum = *this;
+  for (const double x : {g, f, b, a}) {
+    if (x != 0 && !sum.add(x)) return std::nullopt;
+  }
+  sum.compress();
+  return sum;
+}
+
+DdBall DyadicSum::near() const {
+  if (size_ == 0) return {};
+  DdBall out(part_[size_ - 1]);
+  if (size_ > 1) out.lo = part_[size_ - 2];
+  // What is left is less than the last place of what follows it.
+  if (size_ > 2) out.rad = 2 * std::fabs(part_[size_ - 3]);
+  return out;
+}
+
+Rational DyadicSum::exact() const {
+  Rational sum;
+  for (int k = 0; k < size_; ++k) sum += to_rational(part_[k]);
+  return sum;
+}
+
+Velocity::Velocity(const ExactVec2& v) : near{round_nearest(v[0]), round_nearest(v[1])} {
+  if (to_rational(near[0]) != v[0] || to_rational(near[1]) != v[1]) {
+    exact = std::make_shared<const ExactVec2>(v);
+  }
+}
+
+ExactVec2 Velocity::value() const {
+  return exact ? *exact : ExactVec2{to_rational(near[0]), to_rational(near[1])};
+}
+
+Path::Path(const ExactVec2& p, const Velocity& v) : velocity_(v) {
+  const double x = round_nearest(p[0]), y = round_nearest(p[1]);
+  if (to_rational(x) == p[0] && to_rational(y) == p[1]) {
+    x_ = DyadicSum(x);
+    y_ = DyadicSum(y);
+  } else {
+    exact_ = std::make_shared<const Exact>(Exact{0, p});
+  }
+}
+
+void Path::turn(double t, const Velocity& v) {
+  if (!exact_ && !velocity_.exact) {
+    const auto x = x_.plus(velocity_.near[0], t, t_);
+    const auto y = y_.plus(velocity_.near[1], t, t_);
+    if (x && y) {
+      x_ = *x;
+      y_ = *y;
+      t_ = t;
+      velocity_ = v;
+      return;
+    }
+  }
+  turn(to_rational(t), v);
+}
+
+void Path::turn(const Rational& t, const Velocity& v) {
+  exact_ = std::make_shared<const Exact>(Exact{t, at(t)});
+  velocity_ = v;
+}
+
+Rational Path::since() const { return exact_ ? exact_->t : to_rational(t_); }
+
+ExactVec2 Path::at(const Rational& t) const {
+  const Rational dt = t - since();
+  const ExactVec2 v = velocity_.value();
+  if (exact_) return {exact_->p[0] + v[0] * dt, exact_->p[1] + v[1] * dt};
+  return {x_.exact() + v[0] * dt, y_.exact() + v[1] * dt};
+}
+
+std::optional<Path::Start> Path::start() const {
+  if (exact_ || velocity_.exact) return std::nullopt;
+  return Start{t_, x_.near(), y_.near()};
+}
+
+std::optional<std::array<DdBall, 2>> Path::near(double t) const {
+  if (exact_ || velocity_.exact) return std::nullopt;
+  const DdBall dt = DdBall(t) - DdBall(t_);
+  return std::array<DdBall, 2>{x_.near() + DdBall(velocity_.near[0]) * dt,
+                               y_.near() + DdBall(velocity_.near[1]) * dt};
+}
+
+}  // namespace voroproof

@@ -1,0 +1,84 @@
+// The path of a disk under the recorded truth: exactly known, piecewise linear.
+//
+// Claimed times and velocities are binary64 nearly always, and then a position is a sum of products
+// of two of them: a dyadic number, held exactly as a short sum of doubles. Where a file or a scene
+// gives other numbers, or the sum grows long, the path goes on in rationals.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "filtered/dd_ball.h"
+#include "history/events.h"
+
+namespace voroproof {
+
+// A number held exactly as a sum of doubles that do not overlap (J. R. Shewchuk, "Adaptive
+// precision floating-point arithmetic and fast robust geometric predicates", Discrete Comput. Geom.
+// 18, 1997): each is below the last place of the next.
+class DyadicSum {
+ public:
+  DyadicSum() = default;
+  explicit DyadicSum(double x) : size_(x == 0 ? 0 : 1) { part_[0] = x; }
+
+  // This plus v (t - s), exactly; nothing where the sum would be too long, or a product too small
+  // or too large for the rounding errors to be doubles.
+  std::optional<DyadicSum> plus(double v, double t, double s) const;
+
+  DdBall near() const;  // an enclosure
+  Rational exact() const;
+
+ private:
+  static constexpr int kMax = 6;
+  bool add(double x);
+  void compress();
+
+  std::array<double, kMax + 1> part_{};  // smallest first
+  int size_ = 0;
+};
+
+// A velocity: `exact` is null where its components are binary64.
+struct Velocity {
+  Vec2 near{};
+  std::shared_ptr<const ExactVec2> exact;
+
+  Velocity() = default;
+  explicit Velocity(const Vec2& v) : near(v) {}
+  explicit Velocity(const ExactVec2& v);
+  ExactVec2 value() const;
+};
+
+class Path {
+ public:
+  // From the point p at time 0.
+  Path(const ExactVec2& p, const Velocity& v);
+
+  // From the time t on, no earlier than the last, the disk goes on with velocity v.
+  void turn(double t, const Velocity& v);
+  void turn(const Rational& t, const Velocity& v);
+
+  const Velocity& velocity() const { return velocity_; }
+  Rational since() const;  // the time of the last turn
+  ExactVec2 at(const Rational& t) const;
+  // Where the last turn was and at what time, if the path is one of binary64 values.
+  struct Start {
+    double t;
+    DdBall x, y;
+  };
+  std::optional<Start> start() const;
+  // An enclosure of the position at time t, on such a path.
+  std::optional<std::array<DdBall, 2>> near(double t) const;
+
+ private:
+  struct Exact {
+    Rational t;
+    ExactVec2 p;
+  };
+  double t_ = 0;
+  DyadicSum x_, y_;
+  Velocity velocity_;
+  std::shared_ptr<const Exact> exact_;  // where it is not in binary64: instead of t_, x_, y_
+};
+
+}  // namespace voroproof
