@@ -1,0 +1,160 @@
+// What the certifier believes of doubles, against rationals.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "certify/path.h"
+#include "certify/rootless.h"
+#include "tests/support/random_scenes.h"
+
+namespace voroproof::testing {
+namespace {
+
+MotionInput random_input(double extent, double largest_radius, const Rational& unit,
+                         Random& random) {
+  MotionInput in;
+  in.container_radius = Rational(2 * extent) / unit;
+  in.horizon = 100;
+  const auto any = [&](double size) -> Rational {
+    return Rational(uniform(random, -size, size)) / unit;
+  };
+  for (int k = 0; k < 4; ++k) {
+    in.disks.push_back({any(extent), any(extent),
+                        Rational(uniform(random, 0, largest_radius)) / unit, any(3), any(3), 1});
+  }
+  return in;
+}
+
+int cotangency_sign(const MotionInput& in, const Quad& q, double t) {
+  const auto site = [&](GenId g) -> Site<Rational> {
+    if (g == container_id) {
+      return {in.container_x, in.container_y, Rational(-in.container_radius)};
+    }
+    const DiskInput& d = in.disks[g];
+    const Rational s = to_rational(t);
+    return {d.x + d.vx * s, d.y + d.vy * s, d.radius};
+  };
+  return sgn(cotangency(site(q.l), site(q.r), site(q.s), site(q.e)));
+}
+
+// A root of the polynomial between two doubles that are neighbours, or nothing.
+std::optional<std::array<double, 2>> some_root(const MotionInput& in, const Quad& q,
+                                               Random& random) {
+  constexpr double step = 2;
+  double lo = uniform(random, 0, step);
+  const int before = cotangency_sign(in, q, lo);
+  while (lo < 100 && cotangency_sign(in, q, lo + step) == before) lo += step;
+  if (lo >= 100) return std::nullopt;
+  double hi = lo + step;
+  while (std::nextafter(lo, hi) < hi) {
+    const double middle = 0.5 * (lo + hi);
+    if (!(lo < middle && middle < hi)) break;
+    (cotangency_sign(in, q, middle) == before ? lo : hi) = middle;
+  }
+  return std::array{lo, hi};
+}
+
+// Intervals that end next to a root, before and beyond it, at every distance down to neighbours.
+TEST(RootlessBatch, NoRootIsLost) {
+  Random random(3);
+  int proved = 0, made = 0, with_root = 0;
+  for (const auto& [extent, radius, unit] :
+       {std::tuple{100.0, 60.0, 1}, {100.0, 10.0, 1}, {100.0, 60.0, 3}, {1000.0, 900.0, 1}}) {
+    for (int k = 0; k < 40; ++k) {
+      const MotionInput in = random_input(extent, radius, unit, random);
+      const Motion motion(in, {});
+      Quad q{0, 1, 2, 3};
+      if (k % 3 == 0) q.s = container_id;
+      const auto root = some_root(in, q, random);
+      if (!root) continue;
+      RootlessBatch batch(motion);
+      std::vector<std::array<double, 2>> spans;
+      for (int n = 0; n < 40; ++n) {
+        const double distance = std::ldexp(uniform(random, 1, 2), -n);
+        const double length = std::ldexp(uniform(random, 1, 2), -static_cast<int>(random() % 20));
+        spans.push_back({(*root)[0] - distance - length, (*root)[0] - distance});
+        spans.push_back({(*root)[1] + distance, (*root)[1] + distance + length});
+        spans.push_back({(*root)[0] - length, (*root)[1] + distance});
+      }
+      for (const auto& [a, b] : spans) batch.add(q, a, b);
+      batch.prove();
+      for (std::size_t n = 0; n < spans.size(); ++n) {
+        const auto [a, b] = spans[n];
+        ++made;
+        const int sign = cotangency_sign(in, q, a);
+        const bool around = n % 3 == 2;
+        with_root += around;
+        if (!batch.rootless(n)) continue;
+        ++proved;
+        ASSERT_FALSE(around) << "[" << a << ", " << b << "]";
+        for (int part = 0; part <= 8; ++part) {
+          const double t = part == 8 ? b : a + (b - a) * 0.125 * part;
+          ASSERT_EQ(cotangency_sign(in, q, t), sign) << t << " in [" << a << ", " << b << "]";
+        }
+      }
+    }
+  }
+  EXPECT_GT(with_root, 1000);
+  EXPECT_GT(proved, made / 4);
+  EXPECT_LT(proved, made - with_root);
+}
+
+// A sum as long as a disk's path, with every kind of number.
+TEST(DyadicSum, IsExact) {
+  Random random(4);
+  int long_ones = 0;
+  for (int k = 0; k < 200; ++k) {
+    double t = 0;
+    DyadicSum sum(uniform(random, -100, 100));
+    Rational truth = sum.exact();
+    for (int step = 0; step < 60; ++step) {
+      const double next =
+          t + std::ldexp(uniform(random, 0, 1), static_cast<int>(random() % 40) - 35);
+      const double v =
+          step % 7 == 0 ? 0
+                        : std::ldexp(uniform(random, -1, 1), static_cast<int>(random() % 30) - 20);
+      const auto longer = sum.plus(v, next, t);
+      if (!longer) {
+        ++long_ones;
+        break;
+      }
+      sum = *longer;
+      truth += to_rational(v) * (to_rational(next) - to_rational(t));
+      t = next;
+      ASSERT_EQ(sum.exact(), truth);
+      const DdBall near = sum.near();
+      ASSERT_LE(abs(Rational(to_rational(near.hi) + to_rational(near.lo) - truth)),
+                to_rational(near.rad));
+      ASSERT_LE(std::fabs(near.lo), 0x1p-53 * std::fabs(near.hi));
+    }
+  }
+  EXPECT_LT(long_ones, 20);
+  // What doubles cannot hold is not taken.
+  EXPECT_FALSE(DyadicSum(1).plus(1e-200, 1e-200, 0));
+  EXPECT_FALSE(DyadicSum(1).plus(1e200, 1e200, 0));
+  EXPECT_FALSE(DyadicSum(1).plus(5e-324, 1, 0));
+}
+
+TEST(Path, TurnsFromDoublesToRationals) {
+  Path path({Rational(1), Rational(2)}, Velocity(Vec2{0.5, -0.25}));
+  path.turn(3.0, Velocity(Vec2{0.1, 0.2}));
+  ASSERT_TRUE(path.near(4));
+  EXPECT_EQ(path.at(3), (ExactVec2{Rational(5, 2), Rational(5, 4)}));
+  const Rational third(10, 3);
+  const ExactVec2 there = path.at(third);
+  path.turn(third, Velocity(ExactVec2{Rational(1, 7), Rational(0)}));
+  EXPECT_FALSE(path.near(4));
+  EXPECT_FALSE(path.start());
+  EXPECT_EQ(path.since(), third);
+  EXPECT_EQ(path.at(third), there);
+  EXPECT_EQ(path.at(third + 7), (ExactVec2{there[0] + 1, there[1]}));
+  path.turn(5.0, Velocity(Vec2{1, 1}));
+  EXPECT_FALSE(path.near(6));
+  EXPECT_EQ(path.at(6), (ExactVec2{there[0] + Rational(5, 21) + 1, there[1] + 1}));
+}
+
+}  // namespace
+}  // namespace voroproof::testing
