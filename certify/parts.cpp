@@ -181,7 +181,7 @@ class PartwiseCertifier {
         claims.reserve(size_);
         start({started_++, std::move(section), std::move(begin), until}, motion);
         if (stopped()) return;
-        begin.emplace(until, replay_);
+        begin = Checkpoint{until, replay_};
       }
       take_next();
     }
