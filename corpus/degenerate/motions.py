@@ -259,7 +259,8 @@ def collapse():
     yield gives_up(
         "settling-on-the-wall", """One disk bounces off a wall that takes three quarters of the normal velocity at each contact. The wall is concave: the tangential motion carries the disk back into it after times that
         shrink geometrically, and it ends sliding along the wall, which this model does not have.""",
-        scene(6, 100, [disk(3, 0, 1, 0, 1)], wall=F(1, 4)), tags=["inelastic", "wall"])
+        scene(6, 100, [disk(3, 0, 1, 0, 1)], wall=F(1, 4)), tags=["inelastic", "wall"],
+        awaits="a time of stopping before the next collision")
     yield gives_up(
         "slides-after-a-collision", """A disk touches the wall and is struck from the side at its own mass: the wall's normal component is gone and what is left is exactly along the wall. The exact
         tangent has no motion in this model; a computed one leaves or presses by a rounding error.""",

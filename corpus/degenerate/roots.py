@@ -26,7 +26,8 @@ def close_roots():
             f"two-edges-1e-{e:02}", f"""Two squares of equal disks, mirror images of each other but for a start 10^-{e} nearer on the right: each is closed by its
             moving corner, the right one at t = 2 - 4 * 10^-{e}, the left one at t = 2. {"Both times are the same binary64, and still the first flip is the right one's: order is a matter of exact comparison." if e > 15 else "The two flips are independent; an engine that merges roots nearer than a tolerance makes one of them."}""",
             scene(10, 4, [*square_closing(-5, F(2), s=-1), *square_closing(5, 2 - 4 * gap)]), [0, 2 - 2 * gap, 2],
-            ["near-tie", "equal-radii"], [dropped("flip", 0, "near-roots-merged")])
+            ["near-tie", "equal-radii", *(["one-time-two-instants"] if e > 15 else [])],
+            [dropped("flip", 0, "near-roots-merged")])
     for e in (4, 6, 12, 40):
         gap = F(1, 10**e)
         depth = gap * gap / 8
@@ -186,7 +187,8 @@ def late_clocks():
         right square's flip comes first.""",
         scene(10, million + 10, [*square_closing(-5, F(million), v=F(1, million), s=-1),
                                  *square_closing(5, million - F(1, 10**12), v=F(1, million))]),
-        [million - F(1, 2 * 10**12), million], ["late", "near-tie", "equal-radii"], [dropped("flip", 0, "near-roots-merged")])
+        [million - F(1, 2 * 10**12), million], ["late", "near-tie", "equal-radii", "one-time-two-instants"],
+        [dropped("flip", 0, "near-roots-merged")])
     yield Case(
         "tie", """Two mirror-symmetric flips at t = 10^6 exactly.""",
         scene(10, million + 10, [*square_closing(-5, F(million), v=F(1, million), s=-1), *square_closing(5, F(million), v=F(1, million))]),

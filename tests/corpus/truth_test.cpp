@@ -48,7 +48,7 @@ RecordedRun read_run(const std::string& path, Scene& scene) {
   HistoryReader reader(path, static_cast<int>(scene.disks.size()));
   RecordedRun run;
   run.begins = 1;
-  run.initial = reader.header().initial.value();
+  run.initial = reader.header().initial.value_or(std::vector<Quad>{});
   while (const auto event = reader.next()) {
     if (const auto* f = std::get_if<FlipEvent>(&*event)) {
       run.events.push_back({.kind = Event::Kind::flip, .t = f->t, .edge = f->quad});
@@ -77,7 +77,7 @@ RecordedRun read_run(const std::string& path, Scene& scene) {
 // The diagrams that the history passes through: the initial one, then one after each event.
 std::vector<std::vector<Quad>> replayed(const Scene& scene, const RecordedRun& run) {
   std::vector<std::vector<Quad>> states{run.initial};
-  if (scene.disks.size() < 2) {
+  if (run.initial.empty()) {
     states.resize(run.events.size() + 1);
     return states;
   }
@@ -120,11 +120,22 @@ TEST_P(CorpusTruth, BruteForceAgrees) {
   const std::vector<std::vector<Quad>> states = replayed(scene, run);
   run.final_diagram = states.back();
 
+  // Tags say where two instants have one binary64; their order is seen at the case's instants.
+  const auto& tags = head.at("tags");
+  const bool distinct = std::find(tags.begin(), tags.end(), "one-time-two-instants") == tags.end();
   CheckCounts seen;
   const int all = std::numeric_limits<int>::max();
-  EXPECT_EQ(
-      check_history(scene, run, {.brute_force_instants = all, .legality_instants = all}, &seen),
-      "");
+  // A run that stops at once has not even an initial diagram, and nothing to be held against.
+  const bool begun = !run.initial.empty() || scene.disks.size() < 2;
+  EXPECT_TRUE(begun || (run.events.empty() && head.at("verdict") == "undecided"));
+  if (begun) {
+    EXPECT_EQ(check_history(scene, run,
+                            {.brute_force_instants = all,
+                             .legality_instants = all,
+                             .one_time_is_one_instant = distinct},
+                            &seen),
+              "");
+  }
 
   const oracle::MotionScene motion_scene = oracle_scene(scene);
   const oracle::BasicMotionOracle<1000> motion(motion_scene, motion_records(scene, run));
