@@ -2,7 +2,7 @@
 from fractions import Fraction as F
 
 from degenerate.case import Case, family
-from degenerate.scene import decimal_text, disk, scene
+from degenerate.scene import disk, scene
 from degenerate.wrong import (dropped, drops_tied_collision, edited, inserted_hit, late, of_scene, other_collision_order,
                               renumbered, wrong_velocity)
 
@@ -133,7 +133,7 @@ def near_misses():
             sc = scene(10, 8, [disk(-4, 0, 1, 1, 0), disk(0, 2 + sign * gap, 1)])
             yield Case(
                 f"{side}-1e-{e}", f"""A disk passes another at rest; their courses {what} 10^-{e}. The discriminant of the contact is about 4 * 10^-{e}
-                {"below zero: no collision" if not hits else f"above zero: they collide {decimal_text(F(2, 10**(e // 2 if e % 2 == 0 else e // 2 + 1)))} or so before the closest approach, almost tangentially"}.
+                {"below zero: no collision" if not hits else f"above zero: they collide about 2 * 10^-{F(e, 2)} before the closest approach, almost tangentially"}.
                 {"An engine with a tolerance on distance reports one." if not hits else "An engine that drops contacts with small discriminants lets the disks overlap."}""",
                 sc, [0, 4, 8], ["near-miss", side], [inserted_hit(4, 0, 1, sc)] if not hits else [dropped("collide", 0, "contact-missed")], picture=1)
     sc = scene(10, 8, [disk(-4, 0, 1, 1, 0), disk(0, 2, 1)])
