@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -158,6 +159,8 @@ class Checker {
   void require_maneuvers_before(double t);
   void collect_around(GenId i, GenId j);
   void end_around(const Moment& m);
+  void require_no_contact_at_start(GenId g);
+  bool turned_at_present(GenId g) const;
   void begin_around(const Moment& m);
   void check_state(const CollideEvent& claim, int side, const RoundedState& truth);
   static BallVec2 claimed_center(const CollideEvent& claim, int side);
@@ -203,6 +206,8 @@ class Checker {
   RootlessBatch batch_;
   std::vector<int> illegal_;                          // edges that have to flip at this instant
   std::optional<std::pair<GenId, GenId>> colliding_;  // by the claim being checked
+  std::optional<GenId> maneuvering_;                  // the disk of the maneuver that is checked
+  std::unordered_map<GenId, long> turned_;            // the instants of the disks' last maneuvers
   // Of the last collection: the spokes of the cells of the disks that turn, and with them the rims.
   std::vector<int> spokes_, around_;
   std::vector<long> collected_;  // by edge: the last collection it is in

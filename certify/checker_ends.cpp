@@ -149,6 +149,8 @@ void Checker::finish() {
   // The horizon of some files is rounded, and events may lie beyond it.
   Moment m = Moment::at(end);
   if (chronology_.compare(m, frontier_) < 0) m = frontier_;
+  // A file that stops with its last event is right up to that: the time of it is rounded.
+  if (stop != nullptr && !times_.empty() && times_.back() == stop->t) m = frontier_;
   if (stop == nullptr) leave_instant();
   end_all_lives(m, stop == nullptr);
   if (stop == nullptr && !history_.counts_match()) {

@@ -240,8 +240,12 @@ void Checker::maneuver(const ManeuverEvent& claim) {
   const Moment m = Moment::at(exact ? due.t : t);
   advance(m);
   const GenId g = claim.disk;
+  maneuvering_ = g;
+  if (!begun_) require_no_contact_at_start(g);
   collect_around(container_id, g);
   end_around(m);
+  maneuvering_.reset();
+  turned_[g] = instant_;
   replay_.note_maneuver(*k, claim);
   replay_.note_speed(replay_.velocity(g));
   if (exact) {
@@ -253,6 +257,27 @@ void Checker::maneuver(const ManeuverEvent& claim) {
   }
   begin_around(m);
   ++certificate_.maneuvers;
+}
+
+// At t = 0 no pair has a life yet that the maneuver would end.
+void Checker::require_no_contact_at_start(GenId g) {
+  if (options_.truth == Truth::recorded) return;
+  const Instant now = chronology_.present(Moment::at(Rational(0)));
+  for (GenId other = container_id; other < motion_.size(); ++other) {
+    const auto [i, j] = std::minmax(g, other);
+    if (i == j || replay_.partners(i, j) || turned_at_present(other) ||
+        contacts_.certainly_apart(i, j, now)) {
+      continue;
+    }
+    if (contacts_.from(i, j, now, 0).kind == NextContact::Kind::now) {
+      throw Refuted{missing_contact(i, j, 0, 0)};
+    }
+  }
+}
+
+bool Checker::turned_at_present(GenId g) const {
+  const auto it = turned_.find(g);
+  return it != turned_.end() && it->second == instant_;
 }
 
 // Every maneuver scheduled before t must have been claimed.

@@ -53,7 +53,10 @@ void Checker::end_pair(int edge, const Moment& m, bool closed) {
   if (c.kind == NextContact::Kind::none) return;
   const int order = chronology_.compare(Moment::of(i, j, c), m);
   if (order > 0) return;
-  if (order == 0 && !closed) {
+  // Collisions come before maneuvers; with the velocities between two maneuvers nothing moves.
+  const bool averted = maneuvering_ && (i == *maneuvering_ || j == *maneuvering_) &&
+                       !turned_at_present(i == *maneuvering_ ? j : i);
+  if (order == 0 && !closed && !averted) {
     // They touch as something else happens. If they still approach after it, that is for their
     // next life; but of collisions at one instant the smallest pair comes first.
     if (colliding_ && std::pair(i, j) < *colliding_) {

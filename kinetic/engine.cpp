@@ -476,6 +476,8 @@ class Engine<certified>::Implementation {
     set_key(horizon_item(), round_down(horizon_));
     queue_maneuver();
     for (int e = 0; e < slots_; ++e) search_contact(e);
+    // What happens to the motion at t = 0 comes before the diagram at 0+.
+    due_maneuvers_ = next_maneuver_ < maneuvers_.size() && sgn(next_maneuver().t) == 0;
     process_motion_events(0);
     if constexpr (certified) {
       stats_.settling_flips = settle(diagram_, motion_, now_, stats_.tiers);
