@@ -985,6 +985,10 @@ Ball CollapseSearch::refine(const Quad& q, const Rational& lo, const Rational& h
   Rational a = lo, b = hi;
   Ball root = make.hull(a, b);
   const Sign at_lo = sign(flip_value(motion_, q, make(lo), cocircular));
+  const Sign at_hi = sign(flip_value(motion_, q, make(hi), cocircular));
+  // Of a root of even order the polynomial tells nothing; next to one of high order the precision
+  // may not tell an end of the interval from it.
+  if (at_lo == Sign::unknown || at_lo == Sign::zero || at_hi != -at_lo) return root;
   for (;;) {
     const Rational middle = (a + b) / 2;
     const Ball center(middle, bits);
