@@ -454,12 +454,35 @@ Collapse none_until(double t) {
   return c;
 }
 
-// Of four generators that stay cotangent, perhaps only with the circle of the other kind:
-// both in-circle signs tell.
-Collapse while_cotangent(const Quad& q, const std::array<Sign, 2>& s) {
+// Of an edge whose start circle touches e too: whether the contact points of r, e, l follow each
+// other counterclockwise (positive) or not (negative). Only in that order are both circles of the
+// edge one, and the edge a point. Two circles may touch all four and the edge lead from one to the
+// other: mirror images in pairs are always such. `t` may be an interval.
+Sign contact_order(const Motion& motion, const Quad& q, const Ball& t) {
+  const std::array<Site<Ball>, 4> at = sites(motion, q, t);
+  const std::array<Ball, 3> circle = tangent_circle(EdgeTriples<Ball>::of(q, at).start);
+  std::array<Ball, 2> direction[3];
+  for (int k = 0; k < 3; ++k) {
+    const Site<Ball>& s = at[k == 0 ? 1 : k == 1 ? 3 : 0];
+    const Ball reach = circle[2] + s.r;
+    direction[k] = {(s.x - circle[0]) / reach, (s.y - circle[1]) / reach};
+  }
+  const auto& [r, e, l] = direction;
+  return sign((e[0] - r[0]) * (l[1] - r[1]) - (e[1] - r[1]) * (l[0] - r[0]));
+}
+
+// Of four generators that stay cotangent, perhaps only with the circle of the other kind: both
+// in-circle signs tell, at a time t of the interval. nullopt: not decided.
+std::optional<Collapse> while_cotangent(const Motion& motion, const Quad& q,
+                                        const std::array<Sign, 2>& s, const Ball& t) {
   const bool cotangent = s[0] == Sign::zero && s[1] == Sign::zero;
   const bool in_conflict = s[0] == Sign::negative && s[1] == Sign::negative;
   if (!in_conflict && (!cotangent || legal_while_cotangent(q))) return none_until(kInfinity);
+  if (cotangent) {
+    const Sign order = contact_order(motion, q, t);
+    if (order == Sign::negative) return none_until(kInfinity);
+    if (order != Sign::positive) return std::nullopt;
+  }
   Collapse illegal;
   illegal.kind = Collapse::Kind::now;
   return illegal;
@@ -745,6 +768,8 @@ Collapse CollapseSearch::at_rest(const Quad& q, const Instant& now) {
     const auto s = exact_incircles(q, to_rational(now.hi), exact);
     counts_.count(Predicate::flip_search, Tier::exact);
     if (s[0] != Sign::zero || s[1] != Sign::zero) return legal;
+    const Ball t(to_rational(now.hi), motion_.goal_bits() + 32);
+    if (contact_order(motion_, q, t) == Sign::negative) return legal;
   } catch (const BudgetExceeded& e) {
     throw Undecided(std::string("four generators at relative rest may be cotangent: ") + e.what(),
                     q);
@@ -776,7 +801,7 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
       return attempt.answer;
     }
   }
-  if (const auto answer = by_symmetry(q, now, end)) return *answer;
+  if (const auto answer = by_symmetry(q, start, now, end)) return *answer;
   std::string budget;
   for (bool tried_exact = false;;) {
     if (tried_exact || !exact_first) {
@@ -838,21 +863,29 @@ Verdict departs(const Motion& motion, const Quad& q, const Ball& hull, bool ever
   const Sign a = sign(incircle_value(triples.start, moving[3], q.e == container_id).slope);
   const Sign b = sign(incircle_value(triples.end, moving[2], q.s == container_id).slope);
   if (a == Sign::positive || b == Sign::positive) return Verdict::stays;
-  return a == Sign::negative && b == Sign::negative ? Verdict::collapses : Verdict::unknown;
+  if (a != Sign::negative || b != Sign::negative) return Verdict::unknown;
+  const Sign order = contact_order(motion, q, hull);
+  return order == Sign::negative   ? Verdict::stays
+         : order == Sign::positive ? Verdict::collapses
+                                   : Verdict::unknown;
 }
 
 }  // namespace
 
 // Where the four are cotangent for good, or at the present instant, and symmetry proves it.
-std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Instant* now, double end) {
+std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rational& start,
+                                                    const Instant* now, double end) {
   if (motion_.is_rational(q.l) && motion_.is_rational(q.r) && motion_.is_rational(q.s) &&
       motion_.is_rational(q.e)) {
     return std::nullopt;  // exact arithmetic is cheap
   }
   const Symmetry symmetry(motion_);
   if (symmetry.always_cotangent(symmetry.states(q))) {
-    counts_.count(Predicate::flip_search, Tier::symmetry);
-    return while_cotangent(q, {Sign::zero, Sign::zero});
+    const Rational t = now != nullptr ? to_rational(now->hi) : start;
+    const auto answer =
+        while_cotangent(motion_, q, {Sign::zero, Sign::zero}, Ball(t, motion_.goal_bits() + 32));
+    if (answer) counts_.count(Predicate::flip_search, Tier::symmetry);
+    return answer;
   }
   if (now == nullptr || !now->known) return std::nullopt;
   const auto proved = symmetry.cotangency(symmetry.states(q), now->known(), now->lo, now->hi);
@@ -884,10 +917,16 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
   const Rational finish = std::max<Rational>(to_rational(end), start);
   if (phi.is_zero()) {
     const Rational t = now != nullptr ? Rational(to_rational(now->hi)) : start;
-    return while_cotangent(q, exact_incircles(q, t, exact));
+    const auto answer = while_cotangent(motion_, q, exact_incircles(q, t, exact),
+                                        Ball(t, motion_.goal_bits() + 32));
+    if (!answer) {
+      throw Undecided("four generators stay cotangent, in an order that is not decided", q);
+    }
+    return *answer;
   }
   Collapse answer;
   answer.kind = Collapse::Kind::now;
+  const int order_bits = motion_.goal_bits() + 32;
   // To which a root is narrowed so that its circles show whether they exist.
   const int most = std::max(64, motion_.options().max_bits / 8);
   const Rational beyond = finish + 1;
@@ -919,7 +958,11 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
       roots[k].refine(hair);
       const Rational t = after_root();
       const auto s = exact_incircles(q, t, exact);
-      if (s[0] == Sign::negative && s[1] == Sign::negative) return answer;
+      if (s[0] == Sign::negative && s[1] == Sign::negative &&
+          contact_order(motion_, q, MakeBall{order_bits}.hull(roots[k].interval().lo, t)) !=
+              Sign::negative) {
+        return answer;
+      }
       continue;
     }
     // Later: does the edge collapse here? Narrow until both circles certainly
@@ -953,8 +996,12 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
         verdict = Verdict::stays;
       } else if (exists[0] == Sign::positive && exists[1] == Sign::positive) {
         const auto s = exact_incircles(q, t, exact);
-        verdict =
-            s[0] == Sign::negative && s[1] == Sign::negative ? Verdict::collapses : Verdict::stays;
+        verdict = s[0] == Sign::negative && s[1] == Sign::negative &&
+                          contact_order(motion_, q,
+                                        MakeBall{order_bits}.hull(roots[k].interval().lo, t)) !=
+                              Sign::negative
+                      ? Verdict::collapses
+                      : Verdict::stays;
       }
     }
     if (verdict == Verdict::collapses) {

@@ -80,7 +80,8 @@ class CollapseSearch {
   bool at_relative_rest(const Quad& q) const;
   bool has_rational_motion(const Quad& q) const;
   Collapse at_rest(const Quad& q, const Instant& now);
-  std::optional<Collapse> by_symmetry(const Quad& q, const Instant* now, double end);
+  std::optional<Collapse> by_symmetry(const Quad& q, const Rational& start, const Instant* now,
+                                      double end);
   Collapse slow(const Quad& q, const Rational& start, const Instant* now, double end);
   Collapse exactly(const Quad& q, const Rational& start, const Instant* now, double end);
 

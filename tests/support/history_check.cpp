@@ -50,6 +50,12 @@ std::optional<int> legality(const Generators& at, const Quad& q) {
   const auto start = side(q.l, q.s, q.r, q.e), end = side(q.r, q.e, q.l, q.s);
   // An edge between two circles, of which one touches all four generators and the other does not.
   if (start && end && *start + *end == 1) return 1;
+  // Or both do, and the edge leads from the one to the other.
+  if (start && end && *start == 0 && *end == 0) {
+    const auto a = counterclockwise_circle(at, q.l, q.s, q.r);
+    const auto b = counterclockwise_circle(at, q.r, q.e, q.l);
+    if (!oracle::coincide(*a, *b)) return 1;
+  }
   return start == end ? start : std::nullopt;
 }
 
