@@ -580,12 +580,11 @@ std::array<Site<Tower>, 4> exact_sites(const Quad& q, const Rational& t, ExactMo
   return {exact.site(q.l, at), exact.site(q.r, at), exact.site(q.s, at), exact.site(q.e, at)};
 }
 
-// Narrowing an isolated root did not show whether the circles of its edge exist there.
-class CirclesUnknown : public std::runtime_error {
+// Narrowing an isolated root did not show what becomes of its edge there.
+class RootTooBlurred : public std::runtime_error {
  public:
-  explicit CirclesUnknown(int bits)
-      : std::runtime_error("a circle through three generators may become a line at the flip: " +
-                           std::to_string(bits) + " bits of its time do not tell") {}
+  RootTooBlurred(const std::string& what, int bits)
+      : std::runtime_error(what + ": " + std::to_string(bits) + " bits of its time do not tell") {}
 };
 
 // Both in-circle signs at an exact time at which the circles exist.
@@ -768,15 +767,14 @@ Collapse CollapseSearch::at_rest(const Quad& q, const Instant& now) {
     const auto s = exact_incircles(q, to_rational(now.hi), exact);
     counts_.count(Predicate::flip_search, Tier::exact);
     if (s[0] != Sign::zero || s[1] != Sign::zero) return legal;
-    const Ball t(to_rational(now.hi), motion_.goal_bits() + 32);
-    if (contact_order(motion_, q, t) == Sign::negative) return legal;
   } catch (const BudgetExceeded& e) {
     throw Undecided(std::string("four generators at relative rest may be cotangent: ") + e.what(),
                     q);
   }
-  Collapse illegal;
-  illegal.kind = Collapse::Kind::now;
-  return illegal;
+  const Ball t(to_rational(now.hi), motion_.goal_bits() + 32);
+  const auto answer = while_cotangent(motion_, q, {Sign::zero, Sign::zero}, t);
+  if (!answer) throw Undecided("the order of four generators on their circle is not decided", q);
+  return *answer;
 }
 
 Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instant* now,
@@ -821,7 +819,7 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
         return c;
       } catch (const BudgetExceeded& e) {
         budget = e.what();
-      } catch (const CirclesUnknown& e) {
+      } catch (const RootTooBlurred& e) {
         budget = e.what();
       }
     }
@@ -875,10 +873,7 @@ Verdict departs(const Motion& motion, const Quad& q, const Ball& hull, bool ever
 // Where the four are cotangent for good, or at the present instant, and symmetry proves it.
 std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rational& start,
                                                     const Instant* now, double end) {
-  if (motion_.is_rational(q.l) && motion_.is_rational(q.r) && motion_.is_rational(q.s) &&
-      motion_.is_rational(q.e)) {
-    return std::nullopt;  // exact arithmetic is cheap
-  }
+  if (has_rational_motion(q)) return std::nullopt;
   const Symmetry symmetry(motion_);
   if (symmetry.always_cotangent(symmetry.states(q))) {
     const Rational t = now != nullptr ? to_rational(now->hi) : start;
@@ -926,9 +921,9 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
   }
   Collapse answer;
   answer.kind = Collapse::Kind::now;
-  const int order_bits = motion_.goal_bits() + 32;
-  // To which a root is narrowed so that its circles show whether they exist.
-  const int most = std::max(64, motion_.options().max_bits / 8);
+  // To which a root is narrowed so that its circles show whether they exist and which they touch.
+  const int least = motion_.goal_bits() + 32;
+  const int most = std::max(least, motion_.options().max_bits / 8);
   const Rational beyond = finish + 1;
   std::vector<ExactTime> roots = real_roots(phi, start, beyond);
   std::optional<ExactTime> instant;
@@ -954,15 +949,23 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
       while (instant && compare(*instant, t) >= 0) t = (t + at) / 2;
       return t;
     };
+    // Whether both circles of the edge are in conflict after the root, and one at it.
+    const auto shrinks = [&]() {
+      const auto s = exact_incircles(q, after_root(), exact);
+      if (s[0] != Sign::negative || s[1] != Sign::negative) return false;
+      for (int bits = least;; bits *= 2) {
+        const RootInterval& at = roots[k].interval();
+        const Sign contacts = contact_order(motion_, q, MakeBall{bits}.hull(at.lo, at.hi));
+        if (contacts == Sign::positive || contacts == Sign::negative) {
+          return contacts == Sign::positive;
+        }
+        if (bits > most) throw RootTooBlurred("the order of the contacts at a flip", bits);
+        roots[k].refine(Rational(Integer(1), Integer(1) << bits));
+      }
+    };
     if (order == 0) {
       roots[k].refine(hair);
-      const Rational t = after_root();
-      const auto s = exact_incircles(q, t, exact);
-      if (s[0] == Sign::negative && s[1] == Sign::negative &&
-          contact_order(motion_, q, MakeBall{order_bits}.hull(roots[k].interval().lo, t)) !=
-              Sign::negative) {
-        return answer;
-      }
+      if (shrinks()) return answer;
       continue;
     }
     // Later: does the edge collapse here? Narrow until both circles certainly
@@ -975,9 +978,11 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
       const double reached = voroproof::round_down(before_root());
       const bool can_wait = reached > from;
       if (can_wait && bits > 256) return none_until(reached);
-      if (bits > most) throw CirclesUnknown(most);
+      if (bits > most) {
+        throw RootTooBlurred("a circle through three generators may become a line at the flip",
+                             most);
+      }
       roots[k].refine(Rational(Integer(1), Integer(1) << bits));
-      const Rational t = after_root();
       std::array<Sign, 2> exists;
       if (roots[k].is_point()) {
         exists = exact_existence(q, roots[k].interval().lo, exact);
@@ -995,13 +1000,7 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
       if (exists[0] == Sign::negative || exists[1] == Sign::negative) {
         verdict = Verdict::stays;
       } else if (exists[0] == Sign::positive && exists[1] == Sign::positive) {
-        const auto s = exact_incircles(q, t, exact);
-        verdict = s[0] == Sign::negative && s[1] == Sign::negative &&
-                          contact_order(motion_, q,
-                                        MakeBall{order_bits}.hull(roots[k].interval().lo, t)) !=
-                              Sign::negative
-                      ? Verdict::collapses
-                      : Verdict::stays;
+        verdict = shrinks() ? Verdict::collapses : Verdict::stays;
       }
     }
     if (verdict == Verdict::collapses) {

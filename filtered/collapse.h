@@ -74,11 +74,13 @@ class CollapseSearch {
   static ExactTime exact_root(const Quad& q, const Rational& lo, const Rational& hi,
                               ExactMotion& exact);
 
+  // Whether all four have a rational motion: then exact arithmetic is cheap.
+  bool has_rational_motion(const Quad& q) const;
+
  private:
   std::optional<Collapse> filter(const Quad& q, const BernsteinForm& form, double start,
                                  double end) const;
   bool at_relative_rest(const Quad& q) const;
-  bool has_rational_motion(const Quad& q) const;
   Collapse at_rest(const Quad& q, const Instant& now);
   std::optional<Collapse> by_symmetry(const Quad& q, const Rational& start, const Instant* now,
                                       double end);

@@ -338,11 +338,7 @@ class Engine<certified>::Implementation {
   }
 
   bool is_rational(int item) const {
-    if (is_flip(item)) {
-      const Quad q = quad_of(item / 2);
-      return motion_.is_rational(q.l) && motion_.is_rational(q.r) && motion_.is_rational(q.s) &&
-             motion_.is_rational(q.e);
-    }
+    if (is_flip(item)) return collapses_.has_rational_motion(quad_of(item / 2));
     if (!is_contact(item)) return true;
     const auto [i, j] = pair_of(item);
     return motion_.is_rational(i) && motion_.is_rational(j);
