@@ -124,17 +124,37 @@ Verdict judge_in_doubles(const Motion& m, const Quad& q, double after, Sign f) {
 
 // ---- The double tier: subdivision of one Bernstein form. ----
 
+// Levels of de Casteljau's scheme: w[k] becomes at(w[k], w[k + 1]). The loops are unrolled by
+// recursion on constants, so that w stays in registers.
+template <int k, int last, class At>
+[[gnu::always_inline]] inline void combine(double* w, const At& at) {
+  if constexpr (k < last) {
+    w[k] = at(w[k], w[k + 1]);
+    combine<k + 1, last>(w, at);
+  }
+}
+
+template <int degree, class At, class Then>
+[[gnu::always_inline]] inline void each_level(double* w, const At& at, const Then& then) {
+  if constexpr (degree > 0) {
+    combine<0, degree>(w, at);
+    then(std::integral_constant<int, degree - 1>());
+    each_level<degree - 1>(w, at, then);
+  }
+}
+
 template <int degree>
 void halve(const double* c, double* left, double* right) {
   double w[degree + 1];
   for (int k = 0; k <= degree; ++k) w[k] = c[k];
   left[0] = w[0];
   right[degree] = w[degree];
-  for (int level = 1; level <= degree; ++level) {
-    for (int k = 0; k <= degree - level; ++k) w[k] = 0.5 * (w[k] + w[k + 1]);
-    left[level] = w[0];
-    right[degree - level] = w[degree - level];
-  }
+  each_level<degree>(
+      w, [](double a, double b) { return 0.5 * (a + b); },
+      [&](auto rest) {
+        left[degree - rest] = w[0];
+        right[rest] = w[rest];
+      });
 }
 
 void halve(int degree, const double* c, double* left, double* right) {
@@ -147,11 +167,12 @@ double value(const double* c, double x, double& slope) {
   double w[degree + 1];
   for (int k = 0; k <= degree; ++k) w[k] = c[k];
   const double y = 1 - x;
-  for (int level = 1; level < degree; ++level) {
-    for (int k = 0; k <= degree - level; ++k) w[k] = y * w[k] + x * w[k + 1];
-  }
-  slope = degree * (w[1] - w[0]);
-  return y * w[0] + x * w[1];
+  each_level<degree>(
+      w, [&](double a, double b) { return y * a + x * b; },
+      [&](auto rest) {
+        if constexpr (rest == 1) slope = degree * (w[1] - w[0]);
+      });
+  return w[0];
 }
 
 double value(int degree, const double* c, double x, double& slope) {

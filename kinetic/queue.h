@@ -11,41 +11,52 @@ namespace voroproof {
 // item without one has the key infinity. Equal keys are ordered by item.
 class EventQueue {
  public:
-  explicit EventQueue(int items)
-      : key_(items, std::numeric_limits<double>::infinity()), place_(items), heap_(items) {
-    for (int i = 0; i < items; ++i) heap_[i] = place_[i] = i;
+  explicit EventQueue(int items) : place_(items), heap_(items) {
+    for (int i = 0; i < items; ++i) {
+      heap_[i] = {std::numeric_limits<double>::infinity(), i};
+      place_[i] = i;
+    }
   }
 
-  int top() const { return heap_[0]; }
-  double key(int item) const { return key_[item]; }
+  int top() const { return heap_[0].item; }
+  double key(int item) const { return heap_[place_[item]].key; }
   void set(int item, double key) {
-    const double old = key_[item];
-    key_[item] = key;
+    const int at = place_[item];
+    const double old = heap_[at].key;
     if (key < old) {
-      rise(place_[item]);
+      rise(at, {key, item});
     } else if (old < key) {
-      sink(place_[item]);
+      sink(at, {key, item});
     }
   }
 
  private:
   static constexpr int arity = 4;
 
-  bool before(int a, int b) const { return key_[a] < key_[b] || (key_[a] == key_[b] && a < b); }
-  void rise(int at) {
-    const int item = heap_[at];
+  // Key and item side by side: siblings share a cache line.
+  struct Entry {
+    double key;
+    int item;
+    // Without a branch: of two keys either may be the smaller.
+    bool operator<(const Entry& other) const {
+      return bool(int(key < other.key) | (int(key == other.key) & int(item < other.item)));
+    }
+  };
+
+  void put(int at, const Entry& entry) {
+    heap_[at] = entry;
+    place_[entry.item] = at;
+  }
+  void rise(int at, const Entry& entry) {
     while (at > 0) {
       const int parent = (at - 1) / arity;
-      if (!before(item, heap_[parent])) break;
-      heap_[at] = heap_[parent];
-      place_[heap_[at]] = at;
+      if (!(entry < heap_[parent])) break;
+      put(at, heap_[parent]);
       at = parent;
     }
-    heap_[at] = item;
-    place_[item] = at;
+    put(at, entry);
   }
-  void sink(int at) {
-    const int item = heap_[at];
+  void sink(int at, const Entry& entry) {
     const int size = static_cast<int>(heap_.size());
     for (;;) {
       const int first = arity * at + 1;
@@ -53,20 +64,17 @@ class EventQueue {
       const int last = first + arity < size ? first + arity : size;
       int best = first;
       for (int child = first + 1; child < last; ++child) {
-        if (before(heap_[child], heap_[best])) best = child;
+        best = heap_[child] < heap_[best] ? child : best;
       }
-      if (!before(heap_[best], item)) break;
-      heap_[at] = heap_[best];
-      place_[heap_[at]] = at;
+      if (!(heap_[best] < entry)) break;
+      put(at, heap_[best]);
       at = best;
     }
-    heap_[at] = item;
-    place_[item] = at;
+    put(at, entry);
   }
 
-  std::vector<double> key_;
   std::vector<int> place_;
-  std::vector<int> heap_;
+  std::vector<Entry> heap_;
 };
 
 }  // namespace voroproof
