@@ -9,9 +9,12 @@
 // exact algebra.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "exact/algebraic.h"
 #include "filtered/bernstein.h"
@@ -46,6 +49,16 @@ struct Collapse {
   double lo = 0, hi = 0;
   // Where neighbouring doubles do not isolate the root.
   std::shared_ptr<const RootInterval> fine;
+
+  static Collapse none_until(double t);
+  static Collapse at_root(const Rational& lo, const Rational& hi);
+};
+
+// Narrowing an isolated root did not show what becomes of its edge there.
+class RootTooBlurred : public std::runtime_error {
+ public:
+  RootTooBlurred(const std::string& what, int bits)
+      : std::runtime_error(what + ": " + std::to_string(bits) + " bits of its time do not tell") {}
 };
 
 class CollapseSearch {
@@ -82,6 +95,10 @@ class CollapseSearch {
                                  double end) const;
   bool at_relative_rest(const Quad& q) const;
   Collapse at_rest(const Quad& q, const Instant& now);
+  // Of four generators that stay cotangent, perhaps only with the circle of the other kind: both
+  // in-circle signs `s` tell, at a time t of the interval. nullopt: not decided.
+  std::optional<Collapse> while_cotangent(const Quad& q, const std::array<Sign, 2>& s,
+                                          const Ball& t) const;
   std::optional<Collapse> by_symmetry(const Quad& q, const Rational& start, const Instant* now,
                                       double end);
   Collapse slow(const Quad& q, const Rational& start, const Instant* now, double end);
