@@ -188,7 +188,7 @@ bool proved_collapse(const Motion& motion, const Quad& q, double a, double b) {
 std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch& search,
                                       const Quad& q, double a, double b) {
   if (q.s == q.e || !(a < b)) return std::nullopt;
-  const DdBall root = search.refine(q, a, b);
+  const DdBall root = search.newton(q, a, b);
   if (!(root.rad < 0.25 * (b - a)) || sign(root - DdBall(a)) != Sign::positive ||
       sign(root - DdBall(b)) != Sign::negative) {
     return std::nullopt;

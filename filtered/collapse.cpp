@@ -7,6 +7,7 @@
 
 #include "exact/dual.h"
 #include "filtered/bernstein.h"
+#include "filtered/branch_search.h"
 #include "filtered/double_roots.h"
 #include "filtered/edge_predicates.h"
 #include "filtered/flip_polynomial.h"
@@ -168,7 +169,11 @@ std::optional<Collapse> CollapseSearch::filter(const Quad& q, const BernsteinFor
   });
   if (answer) return answer;
   if (decided && reached == end) return Collapse::none_until(end);
-  if (reached - start > 0.05 * (end - start)) return Collapse::none_until(reached);
+  const Collapse rest = search_branches(motion_, q, reached, end);
+  if (rest.kind == Collapse::Kind::root || rest.lo == end ||
+      rest.lo - start > 0.05 * (end - start)) {
+    return rest;
+  }
   return std::nullopt;
 }
 

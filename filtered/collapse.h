@@ -42,7 +42,8 @@ struct Instant {
 struct Collapse {
   enum class Kind {
     none,  // the edge does not collapse in (start, lo]
-    root,  // it first collapses at the one root of its polynomial in [lo, hi]
+    root,  // it first collapses at a root of its polynomial in [lo, hi]: the only one, or one of
+           // two that its in-circle functions tell apart
     now,   // it is illegal just after the instant at which the search starts
   };
   Kind kind = Kind::none;
@@ -77,8 +78,12 @@ class CollapseSearch {
   // stay cotangent by the rule of the largest id (docs/formats.md).
   Collapse from(const Quad& q, const Instant& now, double end);
 
-  // The one root of q's flip polynomial in [lo, hi] as a double-double; the radius
-  // is infinite where the filter cannot say. [lo, hi] has been isolated before.
+  // One step of the interval Newton method for the flip polynomial in double-doubles: its root in
+  // [lo, hi], if there is one; an enclosure inside [lo, hi] proves that there is one and no other.
+  // The radius is infinite where the slope may vanish.
+  DdBall newton(const Quad& q, double lo, double hi) const;
+  // The collapse in [lo, hi] as a double-double; the radius is infinite where the filter cannot
+  // say. [lo, hi] has been isolated before.
   DdBall refine(const Quad& q, double lo, double hi) const;
   // The same in balls of the given precision, from an enclosure [lo, hi] (an ExactTime
   // is the last resort).

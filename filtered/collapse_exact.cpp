@@ -196,7 +196,16 @@ ExactTime CollapseSearch::exact_root(const Quad& q, const Rational& lo, const Ra
                                      ExactMotion& exact) {
   if (lo == hi) return ExactTime(lo);
   const Polynomial<Tower> phi = flip_polynomial(q, exact);
-  return ExactTime(phi, RootInterval{lo, hi});
+  const Sign at_lo = sign(phi.evaluate(Tower(lo))), at_hi = sign(phi.evaluate(Tower(hi)));
+  if (at_lo != Sign::zero && at_lo == -at_hi) return ExactTime(phi, RootInterval{lo, hi});
+  // Two roots, or a double one: that beyond which the edge is in conflict.
+  std::vector<ExactTime> roots = real_roots(phi, lo, hi);
+  if (roots.size() > 1) {
+    const Rational between = (roots[0].interval().hi + roots[1].interval().lo) / 2;
+    const auto s = exact_incircles(q, between, exact);
+    if (s[0] != Sign::negative || s[1] != Sign::negative) return roots[1];
+  }
+  return roots.at(0);
 }
 
 }  // namespace voroproof

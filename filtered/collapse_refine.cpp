@@ -1,7 +1,9 @@
 // Narrowing a root that has been isolated.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "filtered/branch_search.h"
 #include "filtered/collapse.h"
 #include "filtered/flip_polynomial.h"
 #include "filtered/newton_step.h"
@@ -9,7 +11,7 @@
 
 namespace voroproof {
 
-DdBall CollapseSearch::refine(const Quad& q, double lo, double hi) const {
+DdBall CollapseSearch::newton(const Quad& q, double lo, double hi) const {
   // One step of the interval Newton method: the root lies in c - f(c) / f'([lo, hi]).
   const bool cocircular = flip_polynomial_is_cocircularity(motion_, q);
   const double c = 0.5 * (lo + hi);
@@ -23,22 +25,27 @@ DdBall CollapseSearch::refine(const Quad& q, double lo, double hi) const {
   return DdBall(c) - f / DdBall(slope.mid, 0, slope.rad);
 }
 
-Ball CollapseSearch::refine(const Quad& q, const Rational& lo, const Rational& hi, int bits) const {
-  const bool cocircular = flip_polynomial_is_cocircularity(motion_, q);
-  const MakeBall make{bits};
-  Rational a = lo, b = hi;
+DdBall CollapseSearch::refine(const Quad& q, double lo, double hi) const {
+  const DdBall root = newton(q, lo, hi);
+  return std::isfinite(root.rad) ? root : refine_branch(motion_, q, lo, hi);
+}
+
+namespace {
+
+// A function of time with a zero that is sought, in balls of a given precision.
+struct Falling {
+  std::function<Ball(const Ball&)> value, slope;  // at a time, over an interval
+};
+
+// Narrows [a, b], at whose ends f has certain and different signs.
+Ball narrow(const Falling& f, Sign at_a, Rational a, Rational b, const MakeBall& make) {
   Ball root = make.hull(a, b);
-  const Sign at_lo = sign(flip_value(motion_, q, make(lo), cocircular));
-  const Sign at_hi = sign(flip_value(motion_, q, make(hi), cocircular));
-  // Of a root of even order the polynomial tells nothing; next to one of high order the precision
-  // may not tell an end of the interval from it.
-  if (at_lo == Sign::unknown || at_lo == Sign::zero || at_hi != -at_lo) return root;
   for (;;) {
     const Rational middle = (a + b) / 2;
-    const Ball center(middle, bits);
-    const Ball f = flip_value(motion_, q, center, cocircular);
-    const Ball slope = flip_value_and_slope(motion_, q, make.hull(a, b), cocircular).slope;
-    const Ball next = center - f / slope;
+    const Ball center = make(middle);
+    const Ball value = f.value(center);
+    const Ball slope = f.slope(make.hull(a, b));
+    const Ball next = center - value / slope;
     if (sign(slope) != Sign::unknown && next.radius().scaled(2) < root.radius()) {
       // The interval Newton method gains at least two bits.
       root = next;
@@ -55,10 +62,10 @@ Ball CollapseSearch::refine(const Quad& q, const Rational& lo, const Rational& h
       if (!(a < b)) return root;
     } else {
       // Not monotone enough yet, or at the limit of the precision: bisect.
-      const Sign s = sign(f);
-      if (s == at_lo) {
+      const Sign s = sign(value);
+      if (s == at_a) {
         a = middle;
-      } else if (s == -at_lo && s != Sign::unknown) {
+      } else if (s == -at_a && s != Sign::unknown) {
         b = middle;
       } else {
         return root;
@@ -66,6 +73,32 @@ Ball CollapseSearch::refine(const Quad& q, const Rational& lo, const Rational& h
       root = make.hull(a, b);
     }
   }
+}
+
+}  // namespace
+
+Ball CollapseSearch::refine(const Quad& q, const Rational& lo, const Rational& hi, int bits) const {
+  const bool cocircular = flip_polynomial_is_cocircularity(motion_, q);
+  const MakeBall make{bits};
+  const auto branch = [&](const Quad& edge) {
+    return Falling{
+        [this, edge](const Ball& t) { return start_incircle(edge, sites(motion_, edge, t)); },
+        [this, edge](const Ball& t) {
+          return start_incircle(edge, moving_sites(motion_, edge, t)).slope;
+        }};
+  };
+  const Falling polynomial{
+      [&](const Ball& t) { return flip_value(motion_, q, t, cocircular); },
+      [&](const Ball& t) { return flip_value_and_slope(motion_, q, t, cocircular).slope; }};
+  // Of a root of even order the polynomial tells nothing; next to one of high order the precision
+  // may not tell an end of the interval from it.
+  for (const Falling& f : {polynomial, branch(q), branch(reversed(q))}) {
+    const Sign at_lo = sign(f.value(make(lo))), at_hi = sign(f.value(make(hi)));
+    if (at_lo != Sign::unknown && at_lo != Sign::zero && at_hi == -at_lo) {
+      return narrow(f, at_lo, lo, hi, make);
+    }
+  }
+  return make.hull(lo, hi);
 }
 
 }  // namespace voroproof
