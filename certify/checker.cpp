@@ -68,6 +68,10 @@ Certificate Checker::run(std::optional<double> until) {
   } catch (const Undecided& u) {
     certificate_.verdict = Verdict::undecided;
     certificate_.reason = u.what();
+    if (u.flip) certificate_.reason += "; edge " + text(canonical(*u.flip));
+    if (u.contact) {
+      certificate_.reason += "; generators " + text(u.contact->first, u.contact->second);
+    }
     certificate_.reason_line = line_;
     prefix_until(frontier_.lo);
   }
@@ -133,6 +137,11 @@ std::size_t Checker::earliest() {
   std::size_t best = 0;
   std::optional<Moment> first = probe(near_[0].event);
   if (!first) return 0;
+  // Nothing precedes the present instant, at which more may turn.
+  if (!pending_.empty() && first->lo <= frontier_.hi &&
+      chronology_.compare(*first, frontier_) <= 0) {
+    return 0;
+  }
   for (std::size_t k = 1; k < near_.size(); ++k) {
     // No truth within the tolerance of this claim comes first.
     if (time(near_[k].event) - tolerance_up_ > first->hi) continue;
@@ -154,6 +163,7 @@ std::size_t Checker::earliest() {
 std::optional<Moment> Checker::probe(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) {
     const HalfEdge h = replay_.find(f->quad);
+    if (h >= 0 && lives_[h / 2].pending) begin_pending_lives();
     if (h < 0 || lives_[h / 2].illegal || lives_[h / 2].due) return std::nullopt;
     const Quad q = diagram_.quad(h);
     const double from = lives_[h / 2].from;
@@ -212,6 +222,7 @@ bool Checker::in_time(const Moment& m) {
 
 // Every edge illegal at the present instant must have flipped.
 void Checker::leave_instant() {
+  begin_pending_lives();
   for (const int e : illegal_) {
     const Life& life = lives_[e];
     if (life.illegal && life.born == instant_) {
@@ -351,7 +362,7 @@ Divergence Checker::first_divergence(const Divergence& found) {
   for (int e = 0; e < diagram_.edges(); ++e) {
     const Quad q = diagram_.quad(2 * e);
     const Life& life = lives_[e];
-    if (life.illegal) continue;
+    if (life.illegal || life.pending) continue;
     std::optional<Collapse> c;
     if (life.due) {
       c = life.root;

@@ -73,6 +73,7 @@ class Checker {
     long born = 0;         // the instant at which it began
     bool illegal = false;  // it has to flip at that instant
     bool due = false;      // it collapses at `root`, next
+    bool pending = false;  // it begins when all that turns at that instant has turned
     Collapse root;
   };
 
@@ -162,6 +163,7 @@ class Checker {
   void require_no_contact_at_start(GenId g);
   bool turned_at_present(GenId g) const;
   void begin_around(const Moment& m);
+  void begin_pending_lives();
   void check_state(const CollideEvent& claim, int side, const RoundedState& truth);
   static BallVec2 claimed_center(const CollideEvent& claim, int side);
   bool certainly_near(const CollideEvent& claim, int side, const BallVec2& at) const;
@@ -205,6 +207,7 @@ class Checker {
   std::vector<Adjacency> pairs_;
   RootlessBatch batch_;
   std::vector<int> illegal_;                          // edges that have to flip at this instant
+  std::vector<int> pending_;                          // edges whose lives are pending
   std::optional<std::pair<GenId, GenId>> colliding_;  // by the claim being checked
   std::optional<GenId> maneuvering_;                  // the disk of the maneuver that is checked
   std::unordered_map<GenId, long> turned_;            // the instants of the disks' last maneuvers

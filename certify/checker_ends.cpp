@@ -151,7 +151,11 @@ void Checker::finish() {
   if (chronology_.compare(m, frontier_) < 0) m = frontier_;
   // A file that stops with its last event is right up to that: the time of it is rounded.
   if (stop != nullptr && !times_.empty() && times_.back() == stop->t) m = frontier_;
-  if (stop == nullptr) leave_instant();
+  if (stop == nullptr) {
+    leave_instant();
+  } else if (chronology_.compare(m, frontier_) > 0) {
+    begin_pending_lives();
+  }
   end_all_lives(m, stop == nullptr);
   if (stop == nullptr && !history_.counts_match()) {
     refute(Fault::bad_count, "the file has " + std::to_string(history_.counts().flips) +

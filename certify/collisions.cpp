@@ -1,4 +1,6 @@
 // Collisions and maneuvers: the claimed changes of the motion, and what they change.
+#include <utility>
+
 #include "certify/checker.h"
 #include "certify/witness.h"
 #include "certify/wording.h"
@@ -47,9 +49,24 @@ void Checker::end_around(const Moment& m) {
   end_lives(around_, m);
 }
 
+// More may turn at the same instant: what an edge would do between two of these does not matter,
+// and may be a tie beyond proof where all of them together are none.
 void Checker::begin_around(const Moment& m) {
   for (const int e : spokes_) go_on_with_pair(e, m);
-  begin_lives(around_, m);
+  for (const int e : around_) {
+    Life& life = lives_[e];
+    if (!life.pending) pending_.push_back(e);
+    life = {};
+    life.from = m.lo;
+    life.born = instant_;
+    life.pending = true;
+  }
+}
+
+void Checker::begin_pending_lives() {
+  if (pending_.empty()) return;
+  const std::vector<int> edges = std::exchange(pending_, {});
+  begin_lives(edges, frontier_);
 }
 
 // ---- Collisions. ----

@@ -62,6 +62,7 @@ void Checker::begin_life(int edge, const Moment& m, const Isolated* own, bool ro
     case Collapse::Kind::now:
       life.illegal = true;
       illegal_.push_back(edge);
+      chronology_.note_flip(q);
       break;
   }
 }
@@ -71,6 +72,7 @@ void Checker::begin_life(int edge, const Moment& m, const Isolated* own, bool ro
 void Checker::end_life(int edge, const Moment& m, bool closed, bool rootless) {
   ++certificate_.edge_lives;
   Life& life = lives_[edge];
+  if (life.pending) return;
   if (life.illegal) {
     if (life.born == instant_ && !closed) return;
     Collapse c;
@@ -164,6 +166,7 @@ Checker::Found Checker::collapse_for(const FlipEvent& claim, HalfEdge h) {
 }
 
 void Checker::flip(const FlipEvent& claim) {
+  begin_pending_lives();
   HalfEdge h = replay_.find(claim.quad);
   // A quadruplet whose two third generators are exchanged is that of an edge whose producer does
   // not orient its quadruplets, or a fault. One alone is a fault: the doubt is kept until enough

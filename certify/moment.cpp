@@ -84,9 +84,11 @@ void Chronology::begin_present() {
 
 void Chronology::note_present(const Moment& m) {
   const Symmetry symmetry(motion_);
-  if (m.kind == Moment::Kind::flip) present_.flips.push_back(symmetry.states(m.quad));
+  if (m.kind == Moment::Kind::flip) note_flip(m.quad);
   if (m.kind == Moment::Kind::contact) present_.contacts.push_back(symmetry.states(m.i, m.j));
 }
+
+void Chronology::note_flip(const Quad& q) { present_.flips.push_back(Symmetry(motion_).states(q)); }
 
 Instant Chronology::present(const Moment& m) const {
   Instant now = instant(m);

@@ -62,6 +62,7 @@ class Chronology {
   // is proved to happen at it, before the motion changes.
   void begin_present();
   void note_present(const Moment& m);
+  void note_flip(const Quad& q);
   // The same of a moment at the present instant, with what is known to happen at it.
   Instant present(const Moment& m) const;
 

@@ -328,8 +328,9 @@ std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rationa
                                                     const Instant* now, double end) {
   if (has_rational_motion(q)) return std::nullopt;
   const Symmetry symmetry(motion_);
-  if (symmetry.always_cotangent(symmetry.states(q))) {
-    const Rational t = now != nullptr ? to_rational(now->hi) : start;
+  const Rational t = now != nullptr ? to_rational(now->hi) : start;
+  const DoubleBall about = DoubleBall::hull(voroproof::round_down(t), voroproof::round_up(t));
+  if (symmetry.always_cotangent(symmetry.states(q), about)) {
     const auto answer =
         while_cotangent(q, {Sign::zero, Sign::zero}, Ball(t, motion_.goal_bits() + 32));
     if (answer) counts_.count(Predicate::flip_search, Tier::symmetry);

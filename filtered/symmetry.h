@@ -62,13 +62,14 @@ class Symmetry {
   std::vector<Isometry> carry(std::span<const DiskState> from, std::span<const DiskState> to) const;
 
   // Whether the four certainly touch one circle as long as they move like this, namely
-  // every circle that three of them touch:
+  // every circle that three of them touch; `t` is some time at which they are where the states in
+  // force say:
   //   - they are mirror images of each other two by two: three of them hold a pair, the
   //     centre of a circle that touches both of it is on the axis, so the circle is its
   //     own image and touches the fourth as it touches the third; or
   //   - isometries that fix one point carry one onto the others, of the same radius: their
   //     centres have the same distance from that point, and three points lie on one circle.
-  bool always_cotangent(const QuadStates& q) const;
+  bool always_cotangent(const QuadStates& q, const DoubleBall& t) const;
 
   // Whether the four generators, with their states in force, certainly touch one circle at
   // the instant, which lies between lo and hi: some circle that touches three of them, or
@@ -89,14 +90,16 @@ class Symmetry {
 
  private:
   Rational radius(const DiskState& s) const;  // signed
-  bool mirrored_in_pairs(const QuadStates& q) const;
+  bool mirrored_in_pairs(const QuadStates& q, const DoubleBall& t) const;
   bool turned_about_a_point(const QuadStates& q) const;
   DiskState before(DiskState s, const Coincidence& known) const;
   bool carried_into(const QuadStates& q, const std::vector<DiskState>& others,
                     const DoubleBall& now) const;
   std::vector<DiskState> near_circle(const QuadStates& flip, const Coincidence& known,
                                      const DoubleBall& now) const;
-  bool joins(const DiskState& x, const QuadStates& cluster) const;
+  bool is_image(const DiskState& x, const std::vector<DiskState>& circle,
+                const DoubleBall& now) const;
+  bool joins(const DiskState& x, const QuadStates& cluster, const DoubleBall& now) const;
 
   const Motion& motion_;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/scene_motion.h"
+#include "tests/certify/claimed_history.h"
 #include "tests/oracle/brute_force.h"
 #include "tests/support/history_check.h"
 #include "tests/support/random_scenes.h"
@@ -48,7 +49,7 @@ TEST(Symmetry, SeesAnyDifferenceInThePast) {
   const Motion motion = after_collisions(mirrored_pairs(fault));
   const Symmetry s(motion);
   EXPECT_TRUE(s.carry(s.states(0, 1), s.states(2, 3)).empty());
-  EXPECT_FALSE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}));
+  EXPECT_FALSE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}, DoubleBall(0)));
   for (const int what : {0, 1}) {
     Scene other = mirrored_pairs(0);
     (what == 0 ? other.disks[3].mass : other.disks[3].radius) += fault;
@@ -75,8 +76,8 @@ TEST(Symmetry, TheContainerStaysWhereItIs) {
 TEST(Symmetry, PairsOfMirrorImagesStayCotangent) {
   const Motion motion = after_collisions(mirrored_pairs(0));
   const Symmetry s(motion);
-  EXPECT_TRUE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}));
-  EXPECT_TRUE(s.always_cotangent({s.state(3), s.state(0), s.state(1), s.state(2)}));
+  EXPECT_TRUE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}, DoubleBall(0)));
+  EXPECT_TRUE(s.always_cotangent({s.state(3), s.state(0), s.state(1), s.state(2)}, DoubleBall(0)));
   // As numbers tell at any time.
   for (const int t : {2, 5, 9}) {
     const Ball now(Rational(t), 400);
@@ -95,10 +96,10 @@ TEST(Symmetry, FourOnACircleAboutAFixedPoint) {
   };
   const Motion motion(motion_input(turned(0)), {});
   const Symmetry s(motion);
-  EXPECT_TRUE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}));
+  EXPECT_TRUE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}, DoubleBall(0)));
   const Motion other(motion_input(turned(Rational(1, Integer(1) << 200))), {});
   const Symmetry t(other);
-  EXPECT_FALSE(t.always_cotangent({t.state(0), t.state(1), t.state(2), t.state(3)}));
+  EXPECT_FALSE(t.always_cotangent({t.state(0), t.state(1), t.state(2), t.state(3)}, DoubleBall(0)));
 }
 
 TEST(Symmetry, AParallelogramIsNoCircle) {
@@ -111,12 +112,12 @@ TEST(Symmetry, AParallelogramIsNoCircle) {
   EXPECT_FALSE(s.carry(QuadStates{s.state(0), s.state(1), s.state(2), s.state(3)},
                        QuadStates{s.state(1), s.state(0), s.state(3), s.state(2)})
                    .empty());
-  EXPECT_FALSE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}));
+  EXPECT_FALSE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}, DoubleBall(0)));
 }
 
 // Swarms that are their own images, long after exact arithmetic would have given up: right by the
-// oracles of motion and diagram. Some ties are still beyond the proofs; most runs are complete.
-enum class Group { mirror, half_turn, oblique_mirror, both_axes };
+// oracles of motion and diagram, and certified. A few ties are still beyond the proofs.
+enum class Group { mirror, half_turn, oblique_mirror, both_axes, quarter_turn, square };
 
 Scene symmetric_scene(Group group, Random& random) {
   const auto images = [&](const Rational& x, const Rational& y) {
@@ -130,6 +131,14 @@ Scene symmetric_scene(Group group, Random& random) {
       out.push_back({-x, y});
       out.push_back({x, -y});
       out.push_back({-x, -y});
+    }
+    if (group == Group::quarter_turn || group == Group::square) {
+      out.push_back({-y, x});
+      out.push_back({-x, -y});
+      out.push_back({y, -x});
+    }
+    if (group == Group::square) {
+      for (int k = 0; k < 4; ++k) out.push_back({out[k].y, out[k].x});
     }
     return out;
   };
@@ -153,7 +162,7 @@ class SymmetricSwarm : public ::testing::TestWithParam<Group> {};
 
 TEST_P(SymmetricSwarm, RunsToTheEndAndIsRight) {
   MotionOptions options;
-  options.max_bits = 4096;
+  options.max_bits = 1024;
   std::uint64_t proved = 0;
   int complete = 0;
   CheckCounts counts;
@@ -169,15 +178,16 @@ TEST_P(SymmetricSwarm, RunsToTheEndAndIsRight) {
       proved += predicate[static_cast<int>(Tier::symmetry)];
     }
     EXPECT_EQ(check_history(scene, r, {}, &counts), "");
+    EXPECT_EQ(certify(scene, claimed_history(scene, r)).verdict, Verdict::certified);
   }
-  EXPECT_GE(complete, 4);
+  EXPECT_GE(complete, GetParam() == Group::quarter_turn ? 4 : 5);
   EXPECT_GT(proved, 100u);
-  EXPECT_GT(counts.legality, 100);
+  EXPECT_GT(counts.legality, 40);
 }
 
 INSTANTIATE_TEST_SUITE_P(Groups, SymmetricSwarm,
                          ::testing::Values(Group::mirror, Group::half_turn, Group::oblique_mirror,
-                                           Group::both_axes));
+                                           Group::both_axes, Group::quarter_turn, Group::square));
 
 }  // namespace
 }  // namespace voroproof::testing
