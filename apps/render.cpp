@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "apps/digit_pen.h"
+#include "apps/palette.h"
 #include "apps/picture.h"
 
 namespace voroproof {
@@ -176,23 +177,6 @@ std::vector<std::vector<Cubic>> cell_boundaries(const DiagramFile& diagram,
   }
   return cells;
 }
-
-struct Colour {
-  double red, green, blue;
-};
-
-constexpr std::array<Colour, 8> palette{{{0.36, 0.58, 0.82},
-                                         {0.93, 0.60, 0.32},
-                                         {0.44, 0.70, 0.47},
-                                         {0.85, 0.45, 0.47},
-                                         {0.60, 0.51, 0.77},
-                                         {0.87, 0.76, 0.33},
-                                         {0.35, 0.70, 0.71},
-                                         {0.84, 0.55, 0.74}}};
-
-constexpr Colour ink{0.20, 0.23, 0.30};
-constexpr Colour arrow_ink{0.55, 0.10, 0.16};
-constexpr Colour white{1, 1, 1};
 
 // The colour with `share` of it left in white.
 Colour pale(const Colour& c, double share) {
