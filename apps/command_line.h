@@ -37,6 +37,7 @@ void add_generate(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 void add_snapshot(CLI::App& app, Action& action);
 void add_render(CLI::App& app, Action& action);
+void add_movie(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_certify(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);

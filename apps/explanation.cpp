@@ -58,10 +58,16 @@ class Explainer {
 
   Explanation explain() {
     const std::string verdict = report_.at("verdict");
+    found_.verdict = verdict;
+    found_.truth = report_.at("truth");
+    found_.reason = report_.at("reason");
+    found_.scene_sha256 = report_.at("scene_sha256");
     out_ << report_.at("history").get<std::string>() << " against "
          << report_.at("scene").get<std::string>() << ", truth "
          << report_.at("truth").get<std::string>() << ": " << verdict << ".\n";
     const Json& prefix = report_.at("certified_prefix");
+    found_.prefix_events = prefix.at("events");
+    found_.prefix_t = prefix.at("t");
     out_ << "The first " << prefix.at("events")
          << " events are proved right, and nothing is missing "
          << "before t = " << prefix.at("t") << ".\n";
@@ -73,12 +79,14 @@ class Explainer {
     for (const Json& remark : report_.at("remarks")) {
       out_ << "Note: " << remark.get<std::string>() << ".\n";
     }
-    return {out_.str(), std::move(generators_)};
+    found_.words = out_.str();
+    return std::move(found_);
   }
 
  private:
   void explain_divergence(const Json& d) {
     const std::string kind = d.at("kind");
+    found_.fault = FirstFault{kind, d.at("line"), d.at("t"), d.at("truth")};
     out_ << "\nLine " << d.at("line") << ", " << kind << ". " << meaning_of(kind) << '\n';
     if (d.at("claim").is_null()) {
       out_ << "  claim: none\n";
@@ -97,6 +105,7 @@ class Explainer {
     }
     if (w.contains("t")) t = value_of(w.at("t"));
     out_ << "\nTo check it by hand:\n";
+    found_.generators_t = t;
     for (const Json& g : w.at("generators")) {
       const auto id = g.at("id").get<GenId>();
       const Json& c = g.at("center");
@@ -108,7 +117,7 @@ class Explainer {
            << "\n    vy = " << text_of(v.at(1)) << '\n';
       const double dt = t - value_of(g.at("t0"));
       const Vec2 velocity{value_of(v.at(0)), value_of(v.at(1))};
-      generators_.push_back(
+      found_.generators.push_back(
           {id,
            {value_of(c.at(0)) + dt * velocity[0], value_of(c.at(1)) + dt * velocity[1]},
            velocity,
@@ -135,7 +144,7 @@ class Explainer {
 
   const Json& report_;
   std::ostringstream out_;
-  std::vector<DrawnGenerator> generators_;
+  Explanation found_;
 };
 
 }  // namespace

@@ -28,6 +28,7 @@ void describe(CLI::App& app, Action& action) {
   add_simulate(app, action);
   add_snapshot(app, action);
   add_render(app, action);
+  add_movie(app, action);
   add_validate(app, action);
   add_certify(app, action);
   add_explain(app, action);

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the project needs and that are not there yet.
 #
-# usage: scripts/install-deps.sh [test] [bench] [ci]
+# usage: scripts/install-deps.sh [test] [bench] [ci] [browser]
 #   without arguments: what building and running the program takes
 #   test:  what building the tests takes besides
 #   bench: what the benchmarks and the peers they measure take besides
 #   ci:    the second compiler and the formatter besides
+#   browser: what testing and photographing the page of `movie` takes besides (large)
 #
 # Where nothing is missing it neither asks for root nor uses the network.
 set -euo pipefail
@@ -22,8 +23,9 @@ for group in "$@"; do
     test) packages+=(libgtest-dev librapidcheck-dev) ;;
     bench) packages+=(libbenchmark-dev libmpfi-dev libflint-dev libflint-arb-dev) ;;
     ci) packages+=(clang clang-format) ;;
+    browser) packages+=(chromium) ;;
     *)
-      echo "install-deps: unknown group '$group' (test, bench, ci)" >&2
+      echo "install-deps: unknown group '$group' (test, bench, ci, browser)" >&2
       exit 2
       ;;
   esac
