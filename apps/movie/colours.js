@@ -33,6 +33,14 @@ class Colours {
       [228, 231, 226], [243, 205, 140], [230, 150, 98], [205, 94, 84], [160, 60, 80]];
   }
 
+  // What the colours of a mode mean: a list of colours and the words at its ends; null where they
+  // mean nothing.
+  legend(mode) {
+    if (mode === "speed") return { colours: this.scale, ends: ["at rest", short(2 * this.speed)] };
+    if (mode === "neighbours") return { colours: this.degrees, ends: ["2", "10 or more"] };
+    return null;
+  }
+
   // Fills `index` and returns the list of colours.
   choose(mode) {
     if (mode === "speed") return this.bySpeed();

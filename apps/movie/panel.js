@@ -68,6 +68,19 @@ class Panel {
     this.updateFollowed(state);
   }
 
+  // What the colours of the cells mean.
+  writeLegend(legend) {
+    const box = element("legend");
+    box.hidden = legend === null;
+    if (!legend) return;
+    const swatches = legend.colours.map((colour) => {
+      const swatch = document.createElement("i");
+      swatch.style.background = css(colour);
+      return swatch;
+    });
+    box.replaceChildren(legend.ends[0], ...swatches, legend.ends[1]);
+  }
+
   updateEvent(state) {
     const box = element("event-box"), event = state.selected;
     box.hidden = event === null;

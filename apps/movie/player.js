@@ -102,6 +102,13 @@ class Player {
     this.changed();
   }
 
+  // One of the options of the page.
+  colour(mode) {
+    element("colours").value = this.state.colours = mode;
+    this.panel.writeLegend(this.painter.colours.legend(mode));
+    this.changed();
+  }
+
   // `share` is of the natural rate.
   setRate(share) {
     this.state.rate = this.natural * share;
@@ -130,7 +137,7 @@ class Player {
       this.follow(Math.floor(number("follow")));
     }
     if (["disk", "speed", "neighbours", "none"].includes(wish.get("colours"))) {
-      element("colours").value = this.state.colours = wish.get("colours");
+      this.colour(wish.get("colours"));
     }
     if (Number.isFinite(number("t"))) this.seek(number("t"));
     if (number("event") >= 1 && number("event") <= this.data.events) {
@@ -196,10 +203,7 @@ class Player {
     });
     element("speed").addEventListener("input", (event) => this.setRate(2 ** event.target.value));
     element("filter").addEventListener("change", () => this.applyFilter());
-    element("colours").addEventListener("change", (event) => {
-      state.colours = event.target.value;
-      this.changed();
-    });
+    element("colours").addEventListener("change", (event) => this.colour(event.target.value));
     for (const name of ["velocities", "labels", "dual"]) {
       const box = element(name);
       box.checked = state[name];
@@ -252,9 +256,7 @@ class Player {
 
   nextColours() {
     const choice = element("colours");
-    choice.selectedIndex = (choice.selectedIndex + 1) % choice.options.length;
-    this.state.colours = choice.value;
-    this.changed();
+    this.colour(choice.options[(choice.selectedIndex + 1) % choice.options.length].value);
   }
 }
 

@@ -158,7 +158,9 @@ class Timeline {
       context.globalAlpha = 0.35;
       context.fillRect(x - 0.5, this.height - 14, 1, 3);
       context.globalAlpha = 0.75;
-      context.fillText(Number((k * step).toPrecision(6)), x, this.height);
+      const label = String(Number((k * step).toPrecision(6)));
+      const half = context.measureText(label).width / 2;
+      context.fillText(label, Math.min(x, this.width - half - 1), this.height);
     }
     context.globalAlpha = 1;
   }
