@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "apps/digit_pen.h"
+#include "apps/palette.h"
 #include "apps/picture.h"
 
 namespace voroproof {
@@ -14,6 +15,8 @@ namespace voroproof {
 namespace {
 
 constexpr int kSize = 800;
+
+constexpr Colour tangent_ink{0.85, 0.20, 0.17};  // as the movie draws evidence
 
 struct Circle {
   Vec2 center;
@@ -71,27 +74,36 @@ class WitnessPainter {
   }
 
   void paint() {
-    cairo_set_source_rgb(cairo_, 1, 1, 1);
+    use(white);
     cairo_paint(cairo_);
+    for (const Circle& c : circles_) {
+      circle(c);
+      use(tangent_ink, 0.03);
+      cairo_fill(cairo_);
+    }
+    std::size_t next_colour = 0;
     for (const DrawnGenerator& g : generators_) {
       circle({g.center, std::fabs(g.radius)});
       if (g.radius < 0) {
-        stroke(0.2, 0.23, 0.3, 2.5);
+        stroke(ink, 2.5);
         continue;
       }
-      cairo_set_source_rgb(cairo_, 0.75, 0.83, 0.93);
+      use(palette[next_colour++ % palette.size()]);
       cairo_fill_preserve(cairo_);
-      stroke(0.2, 0.23, 0.3, 1.2);
+      stroke(ink, 1.2);
     }
+    const double dashes[] = {8, 5};
+    cairo_set_dash(cairo_, dashes, 2, 0);
     for (const Circle& c : circles_) {
       circle(c);
-      stroke(0.1, 0.5, 0.25, 1);
+      stroke(tangent_ink, 1.6);
     }
+    cairo_set_dash(cairo_, nullptr, 0, 0);
     const DigitPen pen(cairo_);
     for (const DrawnGenerator& g : generators_) {
       if (g.radius < 0) continue;
       velocity(g);
-      cairo_set_source_rgb(cairo_, 0.1, 0.1, 0.1);
+      use(ink);
       pen.write(std::to_string(g.id), pixel(g.center), 16);
     }
   }
@@ -136,8 +148,12 @@ class WitnessPainter {
     cairo_close_path(cairo_);
   }
 
-  void stroke(double red, double green, double blue, double width) {
-    cairo_set_source_rgb(cairo_, red, green, blue);
+  void use(const Colour& c, double alpha = 1) {
+    cairo_set_source_rgba(cairo_, c.red, c.green, c.blue, alpha);
+  }
+
+  void stroke(const Colour& c, double width) {
+    use(c);
     cairo_set_line_width(cairo_, width);
     cairo_stroke(cairo_);
   }
@@ -166,7 +182,7 @@ class WitnessPainter {
       cairo_move_to(cairo_, tip[0], tip[1]);
       cairo_line_to(cairo_, barb[0], barb[1]);
     }
-    stroke(0.55, 0.1, 0.16, 1.8);
+    stroke(arrow_ink, 1.8);
   }
 
   cairo_t* cairo_;
