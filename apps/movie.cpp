@@ -68,6 +68,7 @@ Json facts_json(const Claim& claim, const MovieData& data, const Explanation* re
          {"remarks", data.remarks},
          {"palette", palette_json()}};
   if (data.stop) j["stop"] = {{"t", data.stop->t}, {"reason", data.stop->reason}};
+  if (!data.no_initial.empty()) j["noInitial"] = data.no_initial;
   if (options.follow) j["follow"] = *options.follow;
   if (report != nullptr) j["report"] = report_json(*report, data);
   return j;

@@ -91,8 +91,10 @@ MovieData movie_data(Claim& claim, const std::string& history_path,
   }
   Collector collector(claim.scene);
   MovieData& data = collector.data();
-  for (const Quad& q : initial_edges(claim)) {
-    add_quad(data.initial, q);
+  try {
+    for (const Quad& q : initial_edges(claim)) add_quad(data.initial, q);
+  } catch (const Undecided& stop) {  // as where a disk slides along the wall at once
+    data.no_initial = stop.what();
   }
   while (const std::optional<Event> event = history.next()) {
     if (until && exact_time(*event) > *until) continue;

@@ -26,6 +26,7 @@ struct MovieData {
   std::vector<double> velocities;
 
   std::vector<std::uint16_t> initial;  // l, r, s, e of each edge at 0+
+  std::string no_initial;              // why there is none, where there should be one
   double end = 0;                      // up to which it tells
   bool cut = false;                    // whether the history goes on
   std::optional<HistoryStop> stop;     // where it ends with that
@@ -36,9 +37,8 @@ struct MovieData {
 
 // Reads the history's events up to the time `until`, if given. Velocities that it does not record
 // are computed as certify --truth recorded does (docs/formats.md, section 8), an initial diagram
-// that it lacks is constructed. Claims are not judged: a false history has a movie too.
-// Throws InputError, also for more disks or events than a movie holds; Undecided where an initial
-// diagram is to be constructed and cannot be.
+// that it lacks is constructed, if that can be. Claims are not judged: a false history has a movie
+// too. Throws InputError, also for more disks or events than a movie holds.
 MovieData movie_data(Claim& claim, const std::string& history_path,
                      const std::optional<Rational>& until, std::int64_t line);
 

@@ -54,7 +54,7 @@ diagram() {
 }
 
 # still NAME PLACE SIZE FILE: the movie opened at a place such as t=12.5 or event=17&follow=3, in a
-# window of so many pixels, as 1200,780.
+# window of so many pixels, as 1200,780; a PNG or a WebP (smaller) by the name of FILE.
 still() {
   local report=()
   [ ! -e "$work/$1.report.json" ] || report=(--report "$work/$1.report.json")
@@ -120,31 +120,31 @@ scene small reference --n 30 --seed 1 --horizon 100
 certified small
 figure "The movie" \
   "\`voroproof movie\` makes a page that plays a history. Here a flip is looked at: the four disks and their common circle."
-panel movie-flip.png 820 "A flip of the edge between the wall and disk 9" still small "event=118" 1200,780
+panel movie-flip.webp 820 "A flip of the edge between the wall and disk 9" still small "event=118" 1200,780
 
 scene large reference --n 1000 --seed 1 --horizon 60
 certified large
 figure "A thousand disks" "Cells coloured by their number of neighbours; what has just happened flashes."
-panel movie-thousand.png 640 "1000 disks in the player" still large "t=40&colours=neighbours" 800,560
+panel movie-thousand.webp 640 "1000 disks in the player" still large "t=40&colours=neighbours&bare" 900,800
 
 without_flip small wrong 100
 certified wrong
 figure "A refutation" \
   "A history from which one flip is missing: proved up to there, refuted from there on, with the evidence drawn. The four disks touch one circle at the moment at which the claimed diagram ceases to be one."
-panel movie-refuted.png 560 "The refuted history in the player" still wrong "t=52.9566" 1200,780
+panel movie-refuted.webp 560 "The refuted history in the player" still wrong "t=52.9566" 1200,780
 panel refutation.png 260 "The evidence, as explain draws it" evidence wrong
 
 scene flight formation --preset h-to-y
 certified flight
 figure "A flight in formation" "19 vehicles turn an H into a Y. Many events share an instant; each tie is proved."
-panel movie-formation.png 820 "From H to Y, coloured by speed" still flight "t=7&colours=speed" 1200,780
+panel movie-formation.webp 820 "From H to Y, coloured by speed" still flight "t=7&colours=speed" 1200,780
 
 scene show formation --preset drones2018
 figure "A show of 2018 drones" "In the third figure of the flight."
 panel drones2018.png 560 "2018 disks" diagram show 40 720
 close_row
 
-for picture in "$out"/*.png; do
+for picture in "$out"/*.png "$out"/*.webp; do
   size=$(stat -c %s "$picture")
   [ "$size" -lt 300000 ] || echo "gallery: $picture has $size bytes" >&2
 done

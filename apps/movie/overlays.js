@@ -54,6 +54,7 @@ class Overlays {
     this.context.beginPath();
     curves.trace(this.context, h & ~1, false);
     this.stroke(this.theme.flip, 1.5 + 3 * (1 - age), 1 - age);
+    if (this.painter.spacing < 16) return;  // too many rings
     this.ring((vertices.x[h] + vertices.x[h ^ 1]) / 2, (vertices.y[h] + vertices.y[h ^ 1]) / 2,
       (3 + this.reach * age) * this.unit);
     this.stroke(this.theme.flip, 1.6, 0.8 * (1 - age));

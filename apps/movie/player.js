@@ -128,7 +128,8 @@ class Player {
     }
   }
 
-  // A movie can be opened at a place: #t=12.5, #event=17 (the 17th), &follow=3, &colours=speed.
+  // A movie can be opened at a place: #t=12.5, #event=17 (the 17th), &follow=3, &colours=speed,
+  // &bare for the picture alone.
   readAddress() {
     const wish = new URLSearchParams(location.hash.slice(1));
     const number = (name) => (wish.has(name) ? Number(wish.get(name)) : NaN);
@@ -139,6 +140,7 @@ class Player {
     if (["disk", "speed", "neighbours", "none"].includes(wish.get("colours"))) {
       this.colour(wish.get("colours"));
     }
+    if (wish.has("bare")) this.showBare(true);
     if (Number.isFinite(number("t"))) this.seek(number("t"));
     if (number("event") >= 1 && number("event") <= this.data.events) {
       this.look(Math.floor(number("event")) - 1);
@@ -243,6 +245,7 @@ class Player {
       "+": rate(2), "=": rate(2), "-": rate(0.5),
       v: toggle("velocities"), i: toggle("labels"), d: toggle("dual"),
       c: () => this.nextColours(),
+      f: () => this.showBare(!document.body.classList.contains("bare")),
       e: () => this.toFault(),
       0: () => { this.view.reset(); this.changed(); },
       Escape: () => state.follow !== null && this.follow(state.follow),
@@ -252,6 +255,12 @@ class Player {
     if (!action) return;
     event.preventDefault();
     action();
+  }
+
+  // The picture alone, or all.
+  showBare(bare) {
+    document.body.classList.toggle("bare", bare);
+    this.resized();
   }
 
   nextColours() {

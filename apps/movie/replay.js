@@ -9,10 +9,12 @@ class Replay {
     // From this event on there is no diagram, because of `fault`; the number of events if never.
     this.broken = data.events + 1;
     this.fault = null;
+    const missing = data.facts.noInitial;
     try {
+      if (missing !== undefined) throw new Error(missing);
       this.diagram = new Diagram(data.count, data.initial);
     } catch (error) {
-      this.breakAt(0, `the initial diagram is none: ${error.message}`);
+      this.breakAt(0, `there is no initial diagram: ${error.message}`);
     }
     this.halfOf = new Int32Array(data.events);  // of each flip, once it has been played
     this.played = 0;    // so many events have been played once

@@ -443,6 +443,20 @@ TEST_F(Movie, ARefutedHistoryShowsItsFaultAndWhereTheReplayBreaks) {
   EXPECT_NE(result.at("words").get<std::string>().find("has no edge"), std::string::npos);
 }
 
+// The disk slides along the wall at once: there is no diagram to construct.
+TEST_F(Movie, AHistoryWithoutAnInitialDiagramIsPlayedAsFarAsItGoes) {
+  const std::string scene = scene_file(R"({"center":[1,-7],"radius":1,"velocity":[0,-1]},)"
+                                       R"({"center":[3,2],"radius":1,"velocity":[0,0]})",
+                                       R"("maneuvers":[{"t":0,"disk":0,"velocity":[1,0]}],)");
+  const Result result = run({"simulate", scene, "-o", file("a.history.jsonl"), "--quiet"});
+  ASSERT_EQ(result.code, 3) << result.err;
+  const Json page = run_in_page(movie(scene, file("a.history.jsonl")), R"js(
+    player.draw();
+    return element("broken").textContent;)js");
+  ASSERT_EQ(page.at("errors"), Json::array());
+  EXPECT_NE(page.at("result").get<std::string>().find("slides along"), std::string::npos);
+}
+
 TEST_F(Movie, AWrongInitialDiagramIsNoDiagram) {
   const std::string scene = reference(6, "10");
   std::string text = read_bytes(simulated(scene));
@@ -466,15 +480,17 @@ TEST_F(Movie, AnAddressOpensItAtAPlace) {
   const std::string page = movie(scene, simulated(scene), {"--until", "20"});
   const std::string script =
       "return [player.data.end, player.state.t, player.state.applied, player.state.follow, "
-      "player.data.times[1], player.data.times.at(-1)];";
+      "player.data.times[1], player.data.times.at(-1), innerHeight - "
+      "element('picture').clientHeight];";
   Json said = run_in_page(page, script, "#t=12.5&follow=3").at("result");
   EXPECT_EQ(said.at(0), 20);
   EXPECT_EQ(said.at(1), 12.5);
   EXPECT_EQ(said.at(3), 3);
   EXPECT_LE(said.at(5), 20);
-  said = run_in_page(page, script, "#event=2").at("result");
+  said = run_in_page(page, script, "#event=2&bare").at("result");
   EXPECT_EQ(said.at(1), said.at(4));
   EXPECT_EQ(said.at(2), 2);
+  EXPECT_EQ(said.at(6), 0);  // the whole window is the picture's
 }
 
 }  // namespace
