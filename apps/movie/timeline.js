@@ -49,21 +49,17 @@ class Timeline {
     this.count();
   }
 
-  // Flips and turns by bins of three pixels.
+  // Events by their kinds in bins of three pixels.
   count() {
     const { data } = this;
     const bins = Math.max(1, Math.floor((this.width - 2 * this.left) / 3));
-    this.bins = { flips: new Uint32Array(bins), turns: new Uint32Array(bins) };
+    this.bins = [FLIP, COLLISION, MANEUVER].map(() => new Uint32Array(bins));
     for (let k = 0; k < data.events; ++k) {
       const share = data.end > 0 ? data.times[k] / data.end : 0;
       const bin = Math.min(bins - 1, Math.floor(share * bins));
-      ++(data.kinds[k] === FLIP ? this.bins.flips : this.bins.turns)[bin];
+      ++this.bins[data.kinds[k]][bin];
     }
-    let most = 1;
-    for (let bin = 0; bin < bins; ++bin) {
-      most = Math.max(most, this.bins.flips[bin], this.bins.turns[bin]);
-    }
-    this.most = most;
+    this.most = this.bins.reduce((most, values) => values.reduce((a, b) => Math.max(a, b), most), 1);
   }
 
   paint(t, theme) {
@@ -86,7 +82,7 @@ class Timeline {
     context.fill();
   }
 
-  // The height at which the band of verdicts lies: flips are above it, turns below.
+  // The height at which the band of verdicts lies: flips are above it, all else below.
   get band() {
     return Math.round(0.55 * (this.height - 14));
   }
@@ -94,12 +90,12 @@ class Timeline {
   // Heights are square roots of numbers: few events are seen beside many.
   paintBins(theme, t) {
     const { context, band } = this;
-    const { flips, turns } = this.bins;
-    const step = (this.width - 2 * this.left) / flips.length;
+    const step = (this.width - 2 * this.left) / this.bins[FLIP].length;
     const below = this.height - 14 - band - 8;
     const now = this.place(t);
-    for (const [values, colour, up] of [[flips, theme.flip, true], [turns, theme.hit, false]]) {
-      context.fillStyle = colour;
+    for (const kind of [FLIP, MANEUVER, COLLISION]) {
+      const values = this.bins[kind], up = kind === FLIP;
+      context.fillStyle = [theme.flip, theme.hit, theme.turn][kind];
       for (let bin = 0; bin < values.length; ++bin) {
         if (values[bin] === 0) continue;
         const share = Math.sqrt(values[bin] / this.most), x = this.left + bin * step;
