@@ -41,6 +41,6 @@ trap 'rm -rf "$work"' EXIT
 }</script>
 PAGE
 } >"$work/page.html"
-timeout 120 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$work/profile" \
+timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --user-data-dir="$work/profile" \
   --window-size=1400,900 --dump-dom "file://$work/page.html" 2>/dev/null | sed -n '/BEGIN/,/END/p' |
   grep ' ms '

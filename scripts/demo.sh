@@ -79,6 +79,13 @@ if [ -n "$flip" ]; then
   "$program" explain "$out/wrong.report.json" -o "$out/wrong.svg" | sed -n 1,6p
 fi
 
+say "Movies: open them in a browser"
+run "$program" movie "$scene" "$history" --report "$out/exact.report.json" -o "$out/movie.html"
+if [ -n "$flip" ]; then
+  run "$program" movie "$scene" "$out/wrong.history.jsonl" --report "$out/wrong.report.json" \
+    -o "$out/wrong.html"
+fi
+
 say "A second check: the diagram replayed from the history, and constructed from the disks alone"
 times=()
 for percent in 0 10 25 50 75 90 100; do times+=("$(fraction "$percent" 100)"); done
@@ -92,5 +99,5 @@ for k in 0 1 2 3; do
   run "$program" render "$picture.diagram.json" -o "$picture.png"
 done
 
-say "Done: a scene, its history and certificates, statistics and four diagrams with pictures"
+say "Done: a scene, its history and certificates, movies, statistics and four diagrams with pictures"
 ls "$out"

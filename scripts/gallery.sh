@@ -61,7 +61,7 @@ still() {
   "$program" movie "$work/$1.scene.json" "$work/$1.history.jsonl" "${report[@]}" \
     -o "$work/movie.html"
   # Browsers refuse to run as root, as containers do, with their sandbox on.
-  timeout 120 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars \
+  timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --hide-scrollbars \
     --user-data-dir="$work/profile" --window-size="$3" --virtual-time-budget=2000 \
     --screenshot="$PWD/$4" "file://$work/movie.html#$2" >"$work/browser.log" 2>&1
 }

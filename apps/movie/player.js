@@ -214,6 +214,9 @@ class Player {
         this.changed();
       });
     }
+    // The keys are the player's again when a control has been used.
+    document.addEventListener("change", (event) => event.target.blur());
+    document.addEventListener("click", (event) => event.target.closest("button")?.blur());
     window.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("resize", () => this.resized());
     window.addEventListener("hashchange", () => this.readAddress());

@@ -16,7 +16,7 @@ class View {
     this.zoom = 1;  // 1: the container fills the canvas
   }
 
-  // Follows the size of the element; says whether anything changed.
+  // Follows the size of the element.
   fit() {
     const { clientWidth, clientHeight } = this.canvas;
     const pixels = window.devicePixelRatio || 1;
@@ -25,10 +25,9 @@ class View {
     this.width = Math.max(1, clientWidth);
     this.height = Math.max(1, clientHeight);
     this.pixels = pixels;
-    if (this.canvas.width === width && this.canvas.height === height) return false;
+    if (this.canvas.width === width && this.canvas.height === height) return;
     this.canvas.width = width;
     this.canvas.height = height;
-    return true;
   }
 
   // CSS pixels in a unit of length.

@@ -42,7 +42,8 @@ class Browser : public Cli {
     const std::string probed = streams_.write("probed.html", html);
     // Browsers refuse to run as root, as containers do, with their sandbox on.
     const std::string command =
-        "timeout 120 chromium --headless --no-sandbox --disable-gpu --user-data-dir=" +
+        "timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage "
+        "--user-data-dir=" +
         streams_.file("profile") + " --window-size=1000,700 --dump-dom 'file://" + probed + place +
         "' >" + streams_.file("dom") + " 2>/dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
