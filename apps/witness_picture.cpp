@@ -70,6 +70,7 @@ class WitnessPainter {
         }
       }
     }
+    keep_common();
     frame();
   }
 
@@ -78,7 +79,7 @@ class WitnessPainter {
     cairo_paint(cairo_);
     for (const Circle& c : circles_) {
       circle(c);
-      use(tangent_ink, 0.03);
+      use(tangent_ink, 0.02);
       cairo_fill(cairo_);
     }
     std::size_t next_colour = 0;
@@ -109,6 +110,24 @@ class WitnessPainter {
   }
 
  private:
+  // Where some circles touch all generators, up to rounding, these are the evidence and the others
+  // are left out.
+  void keep_common() {
+    const auto touches = [](const Circle& c, const DrawnGenerator& g) {
+      const double d = std::hypot(c.center[0] - g.center[0], c.center[1] - g.center[1]);
+      const double gap = g.radius < 0 ? -g.radius - d : d - g.radius;
+      return std::fabs(gap - c.radius) <= 1e-4 * c.radius;
+    };
+    std::vector<Circle> common;
+    for (const Circle& c : circles_) {
+      if (std::all_of(generators_.begin(), generators_.end(),
+                      [&](const DrawnGenerator& g) { return touches(c, g); })) {
+        common.push_back(c);
+      }
+    }
+    if (!common.empty()) circles_ = std::move(common);
+  }
+
   // Shows the disks and those circles that are not much larger than they are apart; the container
   // whole only where there is nothing else.
   void frame() {

@@ -107,8 +107,9 @@ class EventList {
     const report = this.data.facts.report;
     if (event + 1 >= this.replay.broken) return "refuted";
     if (!report) return "";
-    // The claim that is false, or the one before which one is missing.
-    if (report.fault && event === report.fault.event) return "refuted fault";
+    if (report.fault && event === report.fault.event) {
+      return report.fault.kind === "missing event" ? "refuted missing" : "refuted fault";
+    }
     if (event < report.prefixEvents) return "certified";
     return report.verdict === "REFUTED" ? "refuted" : "undecided";
   }

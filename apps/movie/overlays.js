@@ -7,6 +7,31 @@ class Overlays {
     this.painter = painter;
     const report = painter.data.facts.report;
     this.evidence = report && report.evidence ? report.evidence : null;
+    if (this.evidence) this.chooseCircles();
+  }
+
+  // The triples of the evidence whose circles are shown: those that touch all its sites at its
+  // time; where none does, all.
+  chooseCircles() {
+    const sites = this.evidenceSites(this.evidence.t), all = [], common = [];
+    const first = sites.container ? 0 : 1, last = sites.x.length;
+    for (let i = first; i < last; ++i) {
+      for (let j = i + 1; j < last; ++j) {
+        for (let k = j + 1; k < last; ++k) {
+          for (const triple of [[i, j, k], [i, k, j]]) {
+            const { x, y, radius } = tangentCircle(sites, ...triple);
+            if (!(radius >= 0)) continue;
+            all.push(triple);
+            let off = 0;
+            for (let g = first; g < last; ++g) {
+              off = Math.max(off, Math.abs(gap(sites, g, x, y) - radius));
+            }
+            if (off < 1e-4 * radius) common.push(triple);
+          }
+        }
+      }
+    }
+    this.triples = common.length > 0 ? common : all;
   }
 
   paint(state) {
@@ -155,22 +180,14 @@ class Overlays {
       this.stroke(this.theme.refuted, 2.8, alpha);
     }
     this.context.setLineDash([6 * this.unit, 4 * this.unit]);
-    for (let i = first; i < last; ++i) {
-      for (let j = i + 1; j < last; ++j) {
-        for (let k = j + 1; k < last; ++k) this.evidenceCircles(sites, i, j, k, alpha);
-      }
-    }
-    this.context.setLineDash([]);
-  }
-
-  evidenceCircles(sites, i, j, k, alpha) {
     const most = 2 * -this.painter.motion.radius[0];
-    for (const [b, c] of [[j, k], [k, j]]) {
-      const { x, y, radius } = tangentCircle(sites, i, b, c);
+    for (const triple of this.triples) {
+      const { x, y, radius } = tangentCircle(sites, ...triple);
       if (!(radius >= 0 && radius < most)) continue;
       this.ring(x, y, radius);
       this.stroke(this.theme.refuted, 1.4, 0.9 * alpha);
     }
+    this.context.setLineDash([]);
   }
 
   // In the form that tangentCircle() takes.
