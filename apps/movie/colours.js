@@ -23,6 +23,7 @@ class Colours {
     this.replay = replay;
     this.motion = motion;
     this.palette = data.facts.palette;
+    this.unit = data.frame.radius;
     this.own = replay.colouring || Uint8Array.from({ length: data.count + 1 }, (_, k) => k % 8);
     this.index = new Uint8Array(data.count + 1);
     this.speed = motion.typicalSpeed() || 1;
@@ -36,7 +37,7 @@ class Colours {
   // What the colours of a mode mean: a list of colours and the words at its ends; null where they
   // mean nothing.
   legend(mode) {
-    if (mode === "speed") return { colours: this.scale, ends: ["at rest", short(2 * this.speed)] };
+    if (mode === "speed") return { colours: this.scale, ends: ["at rest", short(2 * this.speed * this.unit)] };
     if (mode === "neighbours") return { colours: this.degrees, ends: ["2", "10 or more"] };
     return null;
   }

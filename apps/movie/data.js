@@ -1,6 +1,7 @@
 "use strict";
 // What the page was made of. Generators are numbered as sites here: 0 is the container, disk i is
-// site i + 1.
+// site i + 1. Lengths are in units of the container's radius, from its centre: canvases compute in
+// binary32 and the formulas take sixth powers.
 
 const FLIP = 0, COLLISION = 1, MANEUVER = 2;
 
@@ -8,6 +9,7 @@ class MovieData {
   // Decodes the elements that the program wrote into the document.
   constructor() {
     this.facts = JSON.parse(document.getElementById("movie-facts").textContent);
+    this.frame = this.facts.container;  // the centre and the radius in the scene's units
     this.disks = new Float64Array(decoded("disks"));  // x, y, radius, vx, vy of each at t = 0
     this.count = this.disks.length / 5;
     this.times = new Float64Array(decoded("times"));
@@ -17,7 +19,25 @@ class MovieData {
     this.sites = sites(decoded("ids"));
     this.events = this.times.length;
     this.end = this.facts.end;
+    this.normalize();
     this.index();
+  }
+
+  normalize() {
+    const { x, y, radius } = this.frame;
+    for (let k = 0; k < this.disks.length; k += 5) {
+      this.disks[k] -= x;
+      this.disks[k + 1] -= y;
+    }
+    for (const values of [this.disks, this.velocities]) {
+      for (let k = 0; k < values.length; ++k) values[k] /= radius;
+    }
+    const report = this.facts.report;
+    for (const g of report && report.evidence ? report.evidence.generators : []) {
+      g.x = (g.x - x) / radius;
+      g.y = (g.y - y) / radius;
+      for (const name of ["vx", "vy", "radius"]) g[name] /= radius;
+    }
   }
 
   // Where the sites and the velocities of each event begin.

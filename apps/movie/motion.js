@@ -4,13 +4,12 @@
 class Motion {
   constructor(data) {
     const count = data.count, sites = count + 1;
-    const { x, y, radius } = data.facts.container;
     // At the time of the last moveTo(), by site; the container's radius is negative.
-    this.x = new Float64Array(sites).fill(x);
-    this.y = new Float64Array(sites).fill(y);
+    this.x = new Float64Array(sites);
+    this.y = new Float64Array(sites);
     this.vx = new Float64Array(sites);
     this.vy = new Float64Array(sites);
-    this.radius = new Float64Array(sites).fill(-radius);
+    this.radius = new Float64Array(sites).fill(-1);
     this.sites = sites;
     this.countTurns(data);
     for (let disk = 0; disk < count; ++disk) {

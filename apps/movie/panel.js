@@ -102,10 +102,11 @@ class Panel {
     box.hidden = state.follow === null;
     if (state.follow === null) return;
     const site = state.follow + 1, { motion, replay } = this;
+    const { x, y, radius: unit } = this.data.frame;
     text("disk-name", `disk ${state.follow}`);
-    text("disk-words", `radius ${short(motion.radius[site])}, at ` +
-      `(${short(motion.x[site])}, ${short(motion.y[site])}), speed ` +
-      short(Math.hypot(motion.vx[site], motion.vy[site])));
+    text("disk-words", `radius ${short(unit * motion.radius[site])}, at ` +
+      `(${short(x + unit * motion.x[site])}, ${short(y + unit * motion.y[site])}), speed ` +
+      short(unit * Math.hypot(motion.vx[site], motion.vy[site])));
     const around = replay.whole && this.data.count > 1 ? replay.diagram.neighbours(site) : [];
     const chips = element("neighbours"), key = around.join();
     if (chips.dataset.key === key) return;

@@ -9,7 +9,7 @@ class Player {
     this.data = new MovieData();
     this.motion = new Motion(this.data);
     this.replay = new Replay(this.data);
-    this.view = new View(element("picture"), this.data.facts.container);
+    this.view = new View(element("picture"));
     this.painter = new Painter(element("picture"), this.data, this.motion, this.replay, this.view);
     this.timeline = new Timeline(element("timeline"), this.data, this.replay);
     this.list = new EventList(element("events"), this.data, this.replay);
@@ -37,8 +37,7 @@ class Player {
   // Units of time in a second: disks pass a twelfth of their typical distance, and the whole takes
   // ten seconds at least.
   naturalRate() {
-    const { data } = this, spacing = data.facts.container.radius * Math.sqrt(Math.PI /
-      (data.count + 1));
+    const { data } = this, spacing = Math.sqrt(Math.PI / (data.count + 1));
     const rate = spacing / 12 / (this.motion.typicalSpeed() || Infinity);
     return Math.min(rate > 0 ? rate : Infinity, data.end / 10) || 1;
   }

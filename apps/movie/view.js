@@ -2,17 +2,15 @@
 // From the plane to the canvas: the part of the plane that is seen, moved by pointer and wheel.
 
 class View {
-  constructor(canvas, container) {
+  constructor(canvas) {
     this.canvas = canvas;
-    this.container = container;
     this.width = this.height = 1;  // of the canvas, in CSS pixels
     this.pixels = 1;               // device pixels in one
     this.reset();
   }
 
   reset() {
-    this.x = this.container.x;  // the middle of what is seen
-    this.y = this.container.y;
+    this.x = this.y = 0;  // the middle of what is seen
     this.zoom = 1;  // 1: the container fills the canvas
   }
 
@@ -30,10 +28,10 @@ class View {
     this.canvas.height = height;
   }
 
-  // CSS pixels in a unit of length.
+  // CSS pixels in a unit of length, the container's radius.
   get scale() {
     const room = Math.max(1, Math.min(this.width, this.height) - 28);
-    return this.zoom * room / (2 * this.container.radius);
+    return this.zoom * room / 2;
   }
 
   // Lets the drawing context take coordinates of the plane, y upwards.

@@ -48,6 +48,7 @@ class Movie : public Browser {
         player.seek(t);
         player.draw();
         const { diagram } = player.replay, { vertices } = player.painter;
+        const { x, y, radius } = player.data.frame;
         const edges = [], circles = [];
         for (let h = 0; h < diagram.halves; h += 2) {
           edges.push(diagram.quad(h).map((site) => site - 1));
@@ -55,10 +56,10 @@ class Movie : public Browser {
         for (let h = 0; h < diagram.halves; ++h) {
           circles.push([[h, diagram.next[h], diagram.next[diagram.next[h]]]
             .map((side) => diagram.org[side] - 1),
-            vertices.x[h], vertices.y[h], vertices.radius[h]]);
+            x + radius * vertices.x[h], y + radius * vertices.y[h], radius * vertices.radius[h]]);
         }
-        return { edges, circles, x: Array.from(player.motion.x), y: Array.from(player.motion.y),
-          fault: player.replay.fault, irregular: player.painter.curves.irregular };
+        return { edges, circles, x: Array.from(player.motion.x, (u) => x + radius * u),
+          y: Array.from(player.motion.y, (u) => y + radius * u), fault: player.replay.fault, irregular: player.painter.curves.irregular };
       });)js",
                                   times);
     ASSERT_EQ(page.at("errors"), Json::array());
@@ -182,7 +183,8 @@ TEST_F(Movie, ReplaysEventSequences) {
     player.draw();
     const { diagram } = player.replay, edges = [];
     for (let h = 0; h < diagram.halves; h += 2) edges.push(diagram.quad(h).map((s) => s - 1));
-    return { edges, x: Array.from(player.motion.x) };)js");
+    const { x, radius } = player.data.frame;
+    return { edges, x: Array.from(player.motion.x, (u) => x + radius * u) };)js");
   ASSERT_EQ(page.at("errors"), Json::array());
   std::set<Quad> edges;
   for (const Json& q : page.at("result").at("edges")) {
@@ -220,13 +222,13 @@ TEST_F(Movie, TheCellsAreWhereTheirDisksAreNearest) {
     Object.assign(state, { velocities: false, labels: false, flash: 1e-9 });
     player.seek(27.25);
     player.draw();
-    const samples = [], { x, y, radius } = player.data.facts.container;
+    const samples = [], { x, y, radius } = player.data.frame;
     for (let i = -30; i <= 30; ++i) for (let j = -30; j <= 30; ++j) {
-      const at = view.canvasPoint(x + i * radius / 30, y + j * radius / 30).map(Math.floor);
+      const at = view.canvasPoint(i / 30, j / 30).map(Math.floor);
       const place = view.plane(at[0] + 0.5, at[1] + 0.5);
-      samples.push([...place, ...painter.context.getImageData(...at, 1, 1).data]);
+      samples.push([x + radius * place[0], y + radius * place[1], ...painter.context.getImageData(...at, 1, 1).data]);
     }
-    return { samples, scale: view.scale, colours: Array.from(painter.colours.own),
+    return { samples, scale: view.scale / radius, colours: Array.from(painter.colours.own),
       palette: player.data.facts.palette, share: painter.theme.cell };)js");
   ASSERT_EQ(page.at("errors"), Json::array());
   const Json& result = page.at("result");
@@ -266,6 +268,51 @@ TEST_F(Movie, TheCellsAreWhereTheirDisksAreNearest) {
   EXPECT_GT(outside, 500);
   EXPECT_GT(in_cells, 500);
   EXPECT_GT(in_disks, 100);
+}
+
+// Wherever a scene lies and whatever its unit, it is drawn the same.
+TEST_F(Movie, FarAndHugeScenesAreDrawnAsNearOnes) {
+  const std::string script = R"js(
+    player.seek(1.5);
+    player.draw();
+    const { width, height } = player.view.canvas;
+    const { data } = player.painter.context.getImageData(0, 0, width, height);
+    const rows = [];
+    for (let k = 0; k < data.length; k += 4 * width) {
+      rows.push(data.subarray(k, k + 4 * width).reduce((sum, value) => sum + value, 0));
+    }
+    return rows;)js";
+  std::vector<Json> pictures;
+  for (const auto& [x, y, unit] : {std::array{0.0, 0.0, 1.0}, std::array{0x1p40, -0x1p41, 1.0},
+                                   std::array{0.0, 0.0, 0x1p300}}) {
+    Json disks = Json::array();
+    for (const auto& [cx, cy, r, vx, vy] :
+         {std::array{1.0, 3.5, 1.0, 1.0, 0.5}, std::array{-4.0, 2.0, 2.0, -0.5, 1.0},
+          std::array{2.0, -5.0, 0.5, 0.25, -1.0}, std::array{-3.0, -4.0, 1.5, 1.0, 1.0}}) {
+      disks.push_back({{"center", {x + unit * cx, y + unit * cy}},
+                       {"radius", unit * r},
+                       {"velocity", {unit * vx, unit * vy}},
+                       {"mass", 1}});
+    }
+    const Json scene{{"format", "voroproof-scene"},
+                     {"version", 1},
+                     {"horizon", 4},
+                     {"container", {{"center", {x, y}}, {"radius", 10 * unit}}},
+                     {"disks", disks}};
+    const std::string path = directory_.write("a.scene.json", scene.dump());
+    const Json page = run_in_page(movie(path, simulated(path)), script);
+    ASSERT_EQ(page.at("errors"), Json::array());
+    pictures.push_back(page.at("result"));
+  }
+  ASSERT_GT(pictures[0].size(), 200);
+  EXPECT_NE(pictures[0].at(50), pictures[0].at(100));
+  // Positions are rounded far away: some pixels differ by a shade.
+  for (const Json& other : {pictures[1], pictures[2]}) {
+    ASSERT_EQ(other.size(), pictures[0].size());
+    for (std::size_t row = 0; row < other.size(); ++row) {
+      EXPECT_NEAR(other.at(row), pictures[0].at(row), 200) << row;
+    }
+  }
 }
 
 TEST_F(Movie, ClicksKeysAndDragsMoveIt) {
@@ -371,7 +418,6 @@ TEST_F(Movie, FewDisksAndStoppedHistoriesPlay) {
   const std::string script = R"js(
     for (let k = 0; k <= 20; ++k) { player.seek(player.data.end * k / 20); player.draw(); }
     player.step(-1); player.draw(); player.step(1); player.draw();
-    const [x, y] = player.view.canvasPoint(1, 2).map(Math.round);
     return { end: player.data.end, irregular: player.painter.curves.irregular,
       notes: element("notes").textContent };)js";
   const std::string one = R"({"center":[4,2],"radius":1,"velocity":[1,0.5]})";
