@@ -1,9 +1,11 @@
 #include "certify/edge_proof.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "certify/edge_signs.h"
 #include "filtered/bernstein.h"
+#include "filtered/de_casteljau.h"
 
 namespace voroproof {
 
@@ -57,33 +59,45 @@ Sign one_sign(const Piece& p) {
 // Splits a piece at s of its length, 0 < s < 1, at the time `at`, by de Casteljau's algorithm: left
 // of it, and right of it. Each of its at most 8 rounds computes (1 - s) c + s c', which errs by at
 // most 4u times the largest coefficient.
+template <int degree>
 void split(const Piece& p, double s, double at, Piece& left, Piece& right) {
   double largest = 0;
-  for (int k = 0; k <= p.degree; ++k) largest = std::fmax(largest, std::fabs(p.c[k]));
+  for (int k = 0; k <= degree; ++k) largest = std::max(largest, std::fabs(p.c[k]));
   const double err = (p.err + 32 * 0x1p-53 * largest) * (1 + 0x1p-40);
   const double rest = 1 - s;
   std::array<double, 9> c = p.c;
-  left = {p.a, at, p.degree, {}, err};
-  right = {at, p.b, p.degree, {}, err};
-  for (int k = 0; k <= p.degree; ++k) {
-    left.c[k] = c[0];
-    right.c[p.degree - k] = c[p.degree - k];
-    for (int i = 0; i < p.degree - k; ++i) c[i] = rest * c[i] + s * c[i + 1];
-  }
+  left = {p.a, at, degree, {}, err};
+  right = {at, p.b, degree, {}, err};
+  left.c[0] = c[0];
+  right.c[degree] = c[degree];
+  each_level<degree>(
+      c.data(), [&](double x, double y) { return rest * x + s * y; },
+      [&](auto last) {
+        left.c[degree - last] = c[0];
+        right.c[last] = c[last];
+      });
+}
+
+void split(const Piece& p, double s, double at, Piece& left, Piece& right) {
+  p.degree == 8 ? split<8>(p, s, at, left, right) : split<4>(p, s, at, left, right);
 }
 
 // Where in [0, 1] a polynomial whose first and last coefficient differ in sign vanishes, roughly:
 // a hint.
+template <int degree>
 double near_root(const Piece& p) {
-  double lo = 0, hi = 1, s = p.c[0] / (p.c[0] - p.c[p.degree]);
+  double lo = 0, hi = 1, s = p.c[0] / (p.c[0] - p.c[degree]);
   for (int step = 0; step < 6; ++step) {
     std::array<double, 9> c = p.c;
-    for (int k = p.degree; k > 1; --k) {
-      for (int i = 0; i < k; ++i) c[i] = c[i] + s * (c[i + 1] - c[i]);
-    }
-    const double value = c[0] + s * (c[1] - c[0]);
+    double slope = 0;
+    each_level<degree>(
+        c.data(), [&](double x, double y) { return x + s * (y - x); },
+        [&](auto last) {
+          if constexpr (last == 1) slope = degree * (c[1] - c[0]);
+        });
+    const double value = c[0];
     ((value > 0) == (p.c[0] > 0) ? lo : hi) = s;
-    const double next = s - value / (p.degree * (c[1] - c[0]));
+    const double next = s - value / slope;
     const double moved = std::fabs(next - s);
     s = lo < next && next < hi ? next : 0.5 * (lo + hi);
     if (moved < 0x1p-12) break;
@@ -109,7 +123,7 @@ bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts) {
   const bool crosses =
       (p.c[0] > p.err && p.c[p.degree] < -p.err) || (p.c[0] < -p.err && p.c[p.degree] > p.err);
   if (crosses) {
-    const double s = near_root(p);
+    const double s = p.degree == 8 ? near_root<8>(p) : near_root<4>(p);
     const double s0 = s - kAround, s1 = s + kAround;
     if (s0 > kAround && s1 < 1 - kAround) {
       const double t0 = time_at(s0), t1 = time_at(s1);

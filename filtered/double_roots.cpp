@@ -1,30 +1,12 @@
 #include "filtered/double_roots.h"
 
 #include <cmath>
-#include <type_traits>
+
+#include "filtered/de_casteljau.h"
 
 namespace voroproof::double_roots_detail {
 
 namespace {
-
-// Levels of de Casteljau's scheme: w[k] becomes at(w[k], w[k + 1]). The loops are unrolled by
-// recursion on constants, so that w stays in registers.
-template <int k, int last, class At>
-[[gnu::always_inline]] inline void combine(double* w, const At& at) {
-  if constexpr (k < last) {
-    w[k] = at(w[k], w[k + 1]);
-    combine<k + 1, last>(w, at);
-  }
-}
-
-template <int degree, class At, class Then>
-[[gnu::always_inline]] inline void each_level(double* w, const At& at, const Then& then) {
-  if constexpr (degree > 0) {
-    combine<0, degree>(w, at);
-    then(std::integral_constant<int, degree - 1>());
-    each_level<degree - 1>(w, at, then);
-  }
-}
 
 template <int degree>
 void halve(const double* c, double* left, double* right) {
