@@ -83,9 +83,14 @@ bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleR
     if (std::fabs(f) <= err) break;
     ((f > 0) == (sl > 0) ? xl : xr) = x;
     const double newton = f / slope;
-    if (std::fabs(newton) < 0x1p-44) break;
     const double next = x - newton;
-    x = next > xl && next < xr ? next : 0.5 * (xl + xr);
+    if (next > xl && next < xr) {
+      x = next;
+      // The step after this one would be about its square.
+      if (std::fabs(newton) < 0x1p-24) break;
+    } else {
+      x = 0.5 * (xl + xr);
+    }
   }
   const double width = p.u1 - p.u0;
   double delta = 8 * err / std::fabs(slope) + 0x1p-42;
