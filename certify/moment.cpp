@@ -100,6 +100,9 @@ Instant Chronology::present(const Moment& m) const {
 bool Chronology::same_by_symmetry(const Moment& a, const Moment& b) const {
   const Symmetry symmetry(motion_);
   if (a.kind == Moment::Kind::flip && b.kind == Moment::Kind::flip) {
+    if (collapses_.has_rational_motion(a.quad) && collapses_.has_rational_motion(b.quad)) {
+      return false;
+    }
     const auto same = [&](const Moment& x, const Moment& y) {
       return symmetry.same_flip(
           symmetry.states(x.quad), ball(x), symmetry.states(y.quad),
