@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "apps/interruption.h"
-#include "apps/recorded_moment.h"
 #include "apps/scene_motion.h"
 #include "exact/predicates.h"
 #include "filtered/collapse.h"
 #include "history/json_text.h"
 #include "kinetic/static_diagram.h"
+#include "queries/named_diagram.h"
+#include "queries/replayed_motion.h"
 
 namespace voroproof {
 namespace {
@@ -51,6 +52,23 @@ Diagram diagram_at(Motion& motion, const Rational& t) {
   Diagram diagram = static_diagram(motion, t, counts);
   settle(diagram, motion, instant_at(t), counts);
   return diagram;
+}
+
+// From scratch, by the true motion, but with the flips next to t on the side on which the history
+// has them. In their order, then backwards, each that is there to be made or taken back is.
+Diagram diagram_at(const Scene& scene, const std::string& history_path, const Rational& t,
+                   const EngineOptions& options) {
+  ReplayedMotion replayed = replayed_motion(scene, history_path, t, options.motion);
+  NamedDiagram diagram(diagram_at(replayed.motion, t));
+  const auto& near = replayed.near_flips;
+  for (const auto& [quad, happened] : near) {
+    if (happened && diagram.has(quad)) diagram.flip(quad);
+  }
+  for (auto flip = near.rbegin(); flip != near.rend(); ++flip) {
+    const Quad after = canonical(flipped(flip->first));
+    if (!flip->second && diagram.has(after)) diagram.flip(after);
+  }
+  return diagram.take();
 }
 
 Moment moment_of(const Motion& motion, const Rational& t) {
@@ -139,12 +157,16 @@ DiagramFile snapshot(const Scene& scene, const Rational& t, const EngineOptions&
 }
 
 DiagramFile snapshot(const Scene& scene, const std::string& history_path, const Rational& t,
-                     const EngineOptions& options) {
+                     const EngineOptions& options, const SnapshotWay& way) {
+  const bool by_flips = way.construct == Construct::by_flips;
   const auto initial = [&] { return diagram_at(run_to(scene, 0, options)->motion(), 0); };
-  const RecordedMoment recorded = recorded_moment(scene, history_path, t, initial);
+  const RecordedMoment recorded =
+      recorded_moment(scene, history_path, t, way.move, by_flips, initial);
   const Moment moment = recorded.states ? moment_of(scene, *recorded.states, t)
                                         : moment_of(run_to(scene, t, options)->motion(), t);
-  return assemble(scene, t, moment, recorded.diagram);
+  return assemble(
+      scene, t, moment,
+      recorded.diagram ? *recorded.diagram : diagram_at(scene, history_path, t, options));
 }
 
 }  // namespace voroproof

@@ -32,6 +32,7 @@ check history exact history
 check kinetic exact filtered topology kinetic
 # The certifier judges the engine: it shares no code with it beyond the definitions.
 check certify exact filtered topology history certify
+check queries exact filtered topology history queries
 check corpus exact history corpus
 # The oracles are a second way to the truth: they share nothing.
 check tests/oracle tests/oracle

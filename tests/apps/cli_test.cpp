@@ -125,6 +125,8 @@ TEST_F(Cli, UsageErrors) {
       {{"simulate", file(""), "-o", out}, "cannot read"},
       {{"snapshot", scene, "-o", out}, "--at is required"},
       {{"snapshot", scene, "-o", out, "--at", "soon"}, "--at: soon"},
+      {{"snapshot", scene, "-o", out, "--at", "1", "--move", "1"}, "--move and --construct are"},
+      {{"snapshot", scene, scene, "-o", out, "--at", "1", "--move", "4"}, "--move"},
       {{"snapshot", scene, "-o", out, "--at", "-1"}, "--at: -1: negative"},
       {{"snapshot", scene, "-o", scene, "--at", "1"}, "is an input as well as an output"},
       {{"snapshot", scene, scene, "-o", out, "--at", "1"}, "a.scene.json:1: "},

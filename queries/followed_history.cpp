@@ -1,0 +1,59 @@
+#include "queries/followed_history.h"
+
+#include <optional>
+#include <stdexcept>
+#include <variant>
+
+#include "history/error.h"
+#include "history/json_text.h"
+
+namespace voroproof {
+namespace {
+
+void check_covered(const HistoryReader& history, const std::string& path, const Rational& t) {
+  if (const auto* stop = std::get_if<HistoryStop>(&history.ending())) {
+    const Rational stop_t = stop->exact_t ? *stop->exact_t : to_rational(stop->t);
+    if (t >= stop_t) {
+      throw InputError(path, history.line(), "stopped.t",
+                       "the history is right before t = " + number_text(stop_t) + " only, and " +
+                           number_text(t) + " is asked for");
+    }
+  } else if (!history.counts_match()) {
+    throw InputError(path, history.line(), "end", "wrong counts of events");
+  }
+}
+
+}  // namespace
+
+void follow_history(const Scene& scene, const std::string& path, const Rational& t,
+                    const HistoryFollower& follower) {
+  HistoryReader history(path, static_cast<int>(scene.disks.size()));
+  const HistoryHeader& header = history.header();
+  if (header.scene_sha256 != scene.sha256) {
+    throw InputError(path, 1, "scene_sha256", "not that of the scene, " + scene.sha256);
+  }
+  if (t > header.horizon) {
+    throw InputError(path, 1, "horizon",
+                     "the history covers [0, " + number_text(header.horizon) + "] only, and " +
+                         number_text(t) + " is asked for");
+  }
+  follower.begin(header);
+  // An event at the horizon may have been rounded up with it.
+  const bool all = t == header.horizon;
+  while (const std::optional<Event> event = history.next()) {
+    follower.event(*event, all || exact_time(*event) <= t, history.line());
+  }
+  check_covered(history, path, t);
+}
+
+Diagram initial_diagram(const HistoryHeader& header, int disks, const std::string& path,
+                        const std::function<Diagram()>& initial) {
+  if (!header.initial) return initial();
+  try {
+    return diagram_of(disks, *header.initial);
+  } catch (const std::invalid_argument& fault) {
+    throw InputError(path, 1, "initial", fault.what());
+  }
+}
+
+}  // namespace voroproof

@@ -1,0 +1,33 @@
+// A history of a scene, followed up to an instant, in bounded memory.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "history/events.h"
+#include "history/history_file.h"
+#include "history/scene.h"
+#include "topology/diagram.h"
+
+namespace voroproof {
+
+struct HistoryFollower {
+  std::function<void(const HistoryHeader&)> begin;
+  // Each event with its line. Times are compared as they are recorded: what the history puts at t
+  // or before it has happened.
+  std::function<void(const Event&, bool happened, std::int64_t line)> event;
+};
+
+// Reads the whole history, which must be one of this scene and complete in form, and shows it.
+// Throws InputError, also where t is beyond what the history covers: its horizon, or the time it
+// stopped at, where events may be missing.
+void follow_history(const Scene& scene, const std::string& path, const Rational& t,
+                    const HistoryFollower& follower);
+
+// The diagram at 0+ that the header gives, or `initial` makes where it gives none. Throws
+// InputError.
+Diagram initial_diagram(const HistoryHeader& header, int disks, const std::string& path,
+                        const std::function<Diagram()>& initial);
+
+}  // namespace voroproof

@@ -1,0 +1,66 @@
+// A place in a history, moved forwards and backwards.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "history/events.h"
+#include "history/history_file.h"
+#include "history/scene.h"
+#include "queries/named_diagram.h"
+#include "queries/recorded_moment.h"
+
+namespace voroproof {
+
+// The diagram and the motions between two events of a history, which is kept in memory: O(n + k)
+// for n disks and k events. A step takes O(1) expected time, there and back.
+class HistoryCursor {
+ public:
+  // Stands before the first event. The history must be of this scene and complete in form; one that
+  // stopped early is followed to where it stopped. `initial` as for recorded_moment(). Throws
+  // InputError, also from the members that move, where a flip names an edge that is not there.
+  HistoryCursor(const Scene& scene, const std::string& path,
+                const std::function<Diagram()>& initial);
+
+  const HistoryHeader& header() const { return header_; }
+  // The number of events.
+  std::size_t size() const { return events_.size(); }
+  const Event& event(std::size_t number) const { return events_[number]; }
+
+  // The number of events that have happened: event(position()) is the next.
+  std::size_t position() const { return position_; }
+  const NamedDiagram& diagram() const { return diagram_; }
+  // The motion of a disk now; nothing where its last event lacks its `v` or its `p`.
+  std::optional<RecordedState> motion(GenId disk) const;
+
+  // One step; false at the end, and at the beginning.
+  bool next();
+  bool previous();
+  // To where `position` events have happened (position <= size()).
+  void seek(std::size_t position);
+  // To just after all events that are recorded at the time t or before it; at the horizon, after
+  // all events, for times may have been rounded up with it. Precondition: t >= 0.
+  void seek(const Rational& t);
+  // Where seek(t) leads.
+  std::size_t position_at(const Rational& t) const;
+
+ private:
+  void flip(const Quad& q, std::size_t number);
+
+  std::string path_;
+  HistoryHeader header_;
+  std::vector<RecordedState> initial_;
+  std::vector<Event> events_;
+  // Per event, the last events before it of its two disks, and per disk its last event so far: -1
+  // for none.
+  std::vector<std::array<std::ptrdiff_t, 2>> before_;
+  std::vector<std::ptrdiff_t> last_;
+  std::size_t position_ = 0;
+  NamedDiagram diagram_;
+};
+
+}  // namespace voroproof

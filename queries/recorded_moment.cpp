@@ -1,0 +1,105 @@
+#include "queries/recorded_moment.h"
+
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "history/error.h"
+#include "queries/followed_history.h"
+#include "queries/named_diagram.h"
+
+namespace voroproof {
+namespace {
+
+// The states of the disks as the events go by; known until an event does not tell.
+class RecordedStates {
+ public:
+  RecordedStates(const Scene& scene, Move move) : move_(move) {
+    states_.reserve(scene.disks.size());
+    for (const DiskSpec& disk : scene.disks) {
+      states_.push_back({0, {disk.x, disk.y}, {disk.vx, disk.vy}});
+    }
+  }
+
+  void follow(const Event& event) {
+    if (!known_) return;
+    const bool flip = std::holds_alternative<FlipEvent>(event);
+    if (move_ == Move::all_at_events || (move_ == Move::all_at_collisions && !flip)) {
+      move_all(exact_time(event));
+    }
+    std::visit([&](const auto& kind) { follow_kind(kind); }, event);
+  }
+
+  std::optional<std::vector<RecordedState>> take() {
+    if (!known_) return std::nullopt;
+    return std::move(states_);
+  }
+
+ private:
+  void move_all(const Rational& t) {
+    for (RecordedState& state : states_) {
+      if (state.since == t) continue;
+      const Rational passed = t - state.since;
+      for (const int axis : {0, 1}) state.center[axis] += state.velocity[axis] * passed;
+      state.since = t;
+    }
+  }
+
+  void follow_kind(const CollideEvent& event) {
+    for (const int side : {0, 1}) {
+      const GenId id = side == 0 ? event.i : event.j;
+      if (id == container_id) continue;
+      set(id, exact_time(event), exact_center(event, side), exact_velocity(event, side));
+    }
+  }
+  void follow_kind(const ManeuverEvent& event) {
+    set(event.disk, exact_time(event), exact_center(event), exact_velocity(event));
+  }
+  void follow_kind(const FlipEvent&) {}
+
+  void set(GenId id, Rational t, std::optional<ExactVec2> center,
+           std::optional<ExactVec2> velocity) {
+    if (!center || !velocity) {
+      known_ = false;
+    } else if (known_) {
+      states_[id] = {std::move(t), *std::move(center), *std::move(velocity)};
+    }
+  }
+
+  Move move_;
+  std::vector<RecordedState> states_;
+  bool known_ = true;
+};
+
+}  // namespace
+
+RecordedMoment recorded_moment(const Scene& scene, const std::string& history_path,
+                               const Rational& t, Move move, bool replay_flips,
+                               const std::function<Diagram()>& initial) {
+  const int disks = static_cast<int>(scene.disks.size());
+  RecordedStates states(scene, move);
+  std::optional<NamedDiagram> diagram;
+  HistoryFollower follower;
+  follower.begin = [&](const HistoryHeader& header) {
+    if (replay_flips) diagram.emplace(initial_diagram(header, disks, history_path, initial));
+  };
+  follower.event = [&](const Event& event, bool happened, std::int64_t line) {
+    if (!happened) return;
+    states.follow(event);
+    const auto* flip = std::get_if<FlipEvent>(&event);
+    if (flip == nullptr || !diagram) return;
+    try {
+      diagram->flip(flip->quad);
+    } catch (const std::invalid_argument& fault) {
+      throw InputError(history_path, line, "flip", fault.what());
+    }
+  };
+  follow_history(scene, history_path, t, follower);
+  RecordedMoment moment;
+  if (diagram) moment.diagram = diagram->take();
+  moment.states = states.take();
+  return moment;
+}
+
+}  // namespace voroproof

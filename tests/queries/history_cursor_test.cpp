@@ -1,0 +1,122 @@
+// Steps through a history, there and back.
+#include "queries/history_cursor.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <variant>
+
+#include "history/error.h"
+#include "tests/queries/scene_history.h"
+#include "tests/support/random_scenes.h"
+
+namespace voroproof::testing {
+namespace {
+
+struct Sight {
+  std::vector<Quad> quads;
+  std::vector<std::optional<RecordedState>> motions;
+  bool operator==(const Sight&) const = default;
+};
+
+Sight sight(const HistoryCursor& cursor, const Scene& scene) {
+  Sight s{cursor.diagram().diagram().quads(), {}};
+  for (GenId g = 0; g < static_cast<GenId>(scene.disks.size()); ++g) {
+    s.motions.push_back(cursor.motion(g));
+  }
+  return s;
+}
+
+Diagram no_initial() { throw std::logic_error("the history has its initial diagram"); }
+
+class CursorTest : public ::testing::Test {
+ protected:
+  static SceneHistory make() {
+    Random random(5);
+    return SceneHistory(
+        random_scene({.n = 9, .horizon = 30, .density = 0.25, .maneuvers = 5}, random));
+  }
+};
+
+TEST_F(CursorTest, EveryStepBackRestoresWhatWasBeforeIt) {
+  const SceneHistory run = make();
+  ASSERT_TRUE(run.complete);
+  HistoryCursor cursor(run.scene, run.history, no_initial);
+  std::vector<Sight> sights{sight(cursor, run.scene)};
+  std::set<std::size_t> kinds;
+  while (cursor.next()) {
+    kinds.insert(cursor.event(cursor.position() - 1).index());
+    sights.push_back(sight(cursor, run.scene));
+    EXPECT_TRUE(cursor.diagram().diagram().is_valid());
+    // There and back at once.
+    EXPECT_TRUE(cursor.previous());
+    EXPECT_EQ(sight(cursor, run.scene), sights[sights.size() - 2]);
+    EXPECT_TRUE(cursor.next());
+    EXPECT_EQ(sight(cursor, run.scene), sights.back());
+  }
+  EXPECT_EQ(kinds.size(), std::variant_size_v<voroproof::Event>);
+  EXPECT_EQ(cursor.position(), cursor.size());
+  EXPECT_FALSE(cursor.next());
+  for (std::size_t k = cursor.size(); k-- > 0;) {
+    EXPECT_TRUE(cursor.previous());
+    EXPECT_EQ(sight(cursor, run.scene), sights[k]) << k;
+  }
+  EXPECT_FALSE(cursor.previous());
+}
+
+TEST_F(CursorTest, SeeksByNumberAndTimeAgreeWithTheWayThroughTheFile) {
+  const SceneHistory run = make();
+  HistoryCursor cursor(run.scene, run.history, no_initial);
+  ASSERT_GT(cursor.size(), 40u);
+  for (const std::size_t k : {31u, 7u, 40u, 0u, 12u}) {
+    const Rational t = exact_time(cursor.event(k));
+    cursor.seek(t);
+    EXPECT_GT(cursor.position(), k);
+    const RecordedMoment moment =
+        recorded_moment(run.scene, run.history, t, Move::colliding, true, no_initial);
+    const Sight here = sight(cursor, run.scene);
+    EXPECT_EQ(here.quads, moment.diagram->quads());
+    for (std::size_t g = 0; g < run.scene.disks.size(); ++g) {
+      EXPECT_EQ(here.motions[g], (*moment.states)[g]);
+    }
+    const std::size_t position = cursor.position();
+    cursor.seek(cursor.size());
+    cursor.seek(position);
+    EXPECT_EQ(sight(cursor, run.scene), here);
+    const Rational before = t - Rational(1, 1000000000);
+    cursor.seek(before);
+    EXPECT_LE(cursor.position(), k);
+  }
+  EXPECT_THROW(cursor.seek(cursor.size() + 1), std::out_of_range);
+}
+
+TEST_F(CursorTest, AFlipOfNoEdgeNamesItsLine) {
+  const SceneHistory run = make();
+  std::string bytes = run.directory.read("history");
+  const std::size_t flip = bytes.find("\"flip\":[");
+  const std::size_t line = 1 + std::count(bytes.begin(), bytes.begin() + flip, '\n');
+  bytes.replace(flip, bytes.find(']', flip) - flip, "\"flip\":[0,1,2,3");
+  HistoryCursor cursor(run.scene, run.directory.write("wrong", bytes), no_initial);
+  try {
+    cursor.seek(cursor.size());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.line(), static_cast<std::int64_t>(line));
+  }
+}
+
+TEST(HistoryCursor, NoDisksAndOne) {
+  for (const auto& disks : {std::vector<DiskSpec>{}, {disk(0, 0, 1, 3, 0)}}) {
+    const SceneHistory run(scene_of(5, 10, disks));
+    ASSERT_TRUE(run.complete);
+    HistoryCursor cursor(run.scene, run.history, no_initial);
+    EXPECT_EQ(cursor.size(), disks.size() * 4);
+    cursor.seek(Rational(10));
+    EXPECT_EQ(cursor.position(), cursor.size());
+    cursor.seek(Rational(0));
+    EXPECT_EQ(cursor.position(), 0u);
+  }
+}
+
+}  // namespace
+}  // namespace voroproof::testing
