@@ -39,6 +39,9 @@ echo
 "$build/voroproof_bench_growth" --json "$results/growth.json"
 echo
 
+"$root/bench/snapshots.sh" "$build" | tee "$results/snapshots.txt"
+echo
+
 if [ -n "$predicates" ]; then
   "$predicates" --benchmark_min_time=0.2 --benchmark_counters_tabular=true \
     --benchmark_out="$results/predicates.json" --benchmark_out_format=json
