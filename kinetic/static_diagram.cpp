@@ -12,141 +12,20 @@
 #include <set>
 #include <stdexcept>
 
+#include "exact/directions.h"
+#include "filtered/instant_predicates.h"
+
 namespace voroproof {
 
 namespace {
 
 using HalfEdge = Diagram::HalfEdge;
 
-std::optional<bool> is_positive(Sign s) {
-  if (s == Sign::unknown) return std::nullopt;
-  return s == Sign::positive;
-}
-
-template <class T>
-using Direction = std::array<T, 2>;
-
-template <class T>
-Sign cross(const Direction<T>& a, const Direction<T>& b) {
-  return sign(T(a[0] * b[1] - a[1] * b[0]));
-}
-template <class T>
-Sign dot(const Direction<T>& a, const Direction<T>& b) {
-  return sign(T(a[0] * b[0] + a[1] * b[1]));
-}
-
-// Whether direction x lies on the counterclockwise arc from a to b, a included iff
-// `closed_at_a`, b never. Equal a and b make an empty arc.
-template <class T>
-std::optional<bool> on_arc(const Direction<T>& a, const Direction<T>& b, const Direction<T>& x,
-                           bool closed_at_a) {
-  const auto starts = [&](Sign ax) -> std::optional<bool> {  // x ahead of a, less than pi
-    if (ax == Sign::unknown) return std::nullopt;
-    return ax == Sign::positive || (ax == Sign::zero && closed_at_a);
-  };
-  switch (cross(a, b)) {
-    case Sign::unknown:
-      return std::nullopt;
-    case Sign::positive: {  // the arc is shorter than pi
-      const Sign ax = cross(a, x), xb = cross(x, b);
-      if (ax == Sign::negative || xb == Sign::negative || xb == Sign::zero) return false;
-      if (xb == Sign::unknown) return std::nullopt;
-      return starts(ax);
-    }
-    case Sign::negative: {  // longer: its complement, from b to a, is shorter
-      const Sign bx = cross(b, x), xa = cross(x, a);
-      if (bx == Sign::negative || xa == Sign::negative) return true;
-      if (bx == Sign::unknown || xa == Sign::unknown) return std::nullopt;
-      if (xa == Sign::zero) return closed_at_a;  // x = a, as x = -a has bx < 0
-      return false;
-    }
-    case Sign::zero: {
-      const Sign ab = dot(a, b);
-      if (ab == Sign::unknown) return std::nullopt;
-      if (ab == Sign::positive) return false;
-      const Sign ax = cross(a, x);
-      if (ax != Sign::zero) return is_positive(ax);
-      return closed_at_a ? is_positive(dot(a, x)) : std::optional<bool>(false);
-    }
-  }
-  return std::nullopt;
-}
-
-// The predicates of the construction, over the sites at one exact time.
-class Predicates {
- public:
-  Predicates(const Motion& motion, const Rational& t, TierCounts& counts)
-      : motion_(motion), counts_(counts), t_(t) {
-    const double nearest = round_nearest(t);
-    const double error = std::fabs(round_nearest(Rational(t - to_rational(nearest))));
-    const DoubleBall at(nearest, error * (1 + 0x1p-50));
-    const DdBall at_dd(nearest, 0, error * (1 + 0x1p-50));
-    for (GenId g = container_id; g < motion.size(); ++g) {
-      doubles_.push_back(motion.site(g, at));
-      dds_.push_back(motion.site(g, at_dd));
-    }
-  }
-
-  const Motion& motion() const { return motion_; }
-  const Site<DoubleBall>& rough(GenId g) const { return doubles_[g + 1]; }
-
-  // Runs a predicate, given as a template over (site of a generator, square root),
-  // through the tiers until it is decided.
-  template <class F>
-  bool decide(F&& predicate) {
-    if (motion_.options().filters) {
-      if (const auto r = predicate([this](GenId g) { return doubles_[g + 1]; }, OwnRoot{})) {
-        counts_.count(Predicate::incircle, Tier::filter);
-        return *r;
-      }
-      if (const auto r = predicate([this](GenId g) { return dds_[g + 1]; }, OwnRoot{})) {
-        counts_.count(Predicate::incircle, Tier::dd);
-        return *r;
-      }
-    }
-    const Ball t(t_, motion_.goal_bits() + 32);
-    if (const auto r = predicate([&](GenId g) { return motion_.site(g, t); }, OwnRoot{})) {
-      counts_.count(Predicate::incircle, Tier::ball);
-      return *r;
-    }
-    ExactMotion exact(motion_);
-    const Tower at(t_);
-    try {
-      const auto r = predicate([&](GenId g) { return exact.site(g, at); },
-                               [&](const Tower& x) { return exact.field().sqrt(x); });
-      counts_.count(Predicate::incircle, Tier::exact);
-      return r.value();
-    } catch (const BudgetExceeded& e) {
-      throw Undecided(std::string("a predicate of the static diagram: ") + e.what());
-    }
-  }
-
- private:
-  const Motion& motion_;
-  TierCounts& counts_;
-  Rational t_;
-  std::vector<Site<DoubleBall>> doubles_;
-  std::vector<Site<DdBall>> dds_;
-};
-
-template <class Sites>
-auto triple(Sites& at, GenId a, GenId b, GenId c) {
-  const auto v = disk_first(a, b, c);
-  return TangentTriple(at(v[0]), at(v[1]), at(v[2]), v[1] == container_id || v[2] == container_id);
-}
-
-// Direction from the disk `base` to the vertex (base, b, c), up to a positive factor.
-template <class Sites, class Root>
-auto vertex_direction(Sites& at, Root& root, GenId base, GenId b, GenId c) {
-  return circle_direction(
-      TangentTriple(at(base), at(b), at(c), b == container_id || c == container_id), root);
-}
-
 // The smallest pair of a point (radius 0) and another generator that touch. Tangencies vanish there
 // and nowhere else: the point's cell has no area, the vertices around it coincide, and neither walk
 // of the construction needs to end. Each disk is tried with the points between its extreme
 // abscissas, the container with all.
-std::optional<std::pair<GenId, GenId>> touching_point(Predicates& predicates) {
+std::optional<std::pair<GenId, GenId>> touching_point(InstantPredicates& predicates) {
   const Motion& motion = predicates.motion();
   struct Point {
     double x;
@@ -359,7 +238,7 @@ class Construction {
     return !stops;
   }
 
-  Predicates predicates_;
+  InstantPredicates predicates_;
   Diagram diagram_;
 };
 
