@@ -82,22 +82,29 @@ CLI::Option* add_choice(CLI::App& verb, const std::string& name,
 
 CLI::Validator whole_number() { return CLI::Validator(fault_of_whole, ""); }
 
-Rational time_argument(const std::string& option, const std::string& text) {
+Rational number_argument(const std::string& option, const std::string& text) {
   const auto fail = [&](const std::string& reason) {
     throw UsageError(option + ": " + printable(text) + ": " + reason);
   };
   std::string reason;
-  const std::optional<Rational> t = parse_rational(text, &reason);
-  if (!t) fail(reason);
-  if (*t < 0) fail("negative");
-  if (*t != 0 && (*t > to_rational(max_scene_value) || *t < to_rational(min_scene_value))) {
+  const std::optional<Rational> q = parse_rational(text, &reason);
+  if (!q) fail(reason);
+  const Rational magnitude = abs(*q);
+  if (magnitude != 0 &&
+      (magnitude > to_rational(max_scene_value) || magnitude < to_rational(min_scene_value))) {
     fail("beyond the limits of a scene: 0 or 1e-100 to 1e100");
   }
   // Files give it as "p/q".
-  if (t->get_str().size() + 1 > max_number_text) {
+  if (q->get_str().size() + 1 > max_number_text) {
     fail("a fraction of more than " + std::to_string(max_number_text) + " characters");
   }
-  return *t;
+  return *q;
+}
+
+Rational time_argument(const std::string& option, const std::string& text) {
+  const Rational t = number_argument(option, text);
+  if (t < 0) throw UsageError(option + ": " + printable(text) + ": negative");
+  return t;
 }
 
 void require_distinct(const std::vector<std::string>& inputs,

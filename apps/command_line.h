@@ -35,6 +35,7 @@ using Action = std::function<ExitCode()>;
 // Each adds a verb; parsing it sets `action`.
 void add_generate(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
+void add_query(CLI::App& app, Action& action);
 void add_snapshot(CLI::App& app, Action& action);
 void add_render(CLI::App& app, Action& action);
 void add_movie(CLI::App& app, Action& action);
@@ -70,8 +71,12 @@ CLI::Option* add_choice(CLI::App& verb, const std::string& name,
 // Lets an integer option take nothing but a whole number in its usual decimal form.
 CLI::Validator whole_number();
 
-// A time >= 0 from its exact text: a decimal, a fraction or a hexadecimal float, within the limits
-// of a scene's values. Throws UsageError, naming the option.
+// A number from its exact text: a decimal, a fraction or a hexadecimal float, within the limits of
+// a scene's values. Throws UsageError, naming the option.
+Rational number_argument(const std::string& option, const std::string& text);
+
+// A time (or a radius) >= 0 from its exact text: a decimal, a fraction or a hexadecimal float,
+// within the limits of a scene's values. Throws UsageError, naming the option.
 Rational time_argument(const std::string& option, const std::string& text);
 
 // Throws UsageError where one of the output files is another of them or one of the inputs. Empty

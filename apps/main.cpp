@@ -27,6 +27,7 @@ void describe(CLI::App& app, Action& action) {
   add_generate(app, action);
   add_simulate(app, action);
   add_snapshot(app, action);
+  add_query(app, action);
   add_render(app, action);
   add_movie(app, action);
   add_validate(app, action);

@@ -1,17 +1,14 @@
 #include "apps/snapshot.h"
 
 #include <cmath>
-#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include "apps/interruption.h"
-#include "apps/scene_motion.h"
+#include "apps/true_moment.h"
 #include "exact/predicates.h"
 #include "filtered/collapse.h"
 #include "history/json_text.h"
-#include "kinetic/static_diagram.h"
 #include "queries/named_diagram.h"
 #include "queries/replayed_motion.h"
 
@@ -22,37 +19,6 @@ constexpr int bits = 160;
 
 // Every generator at the instant, the container first.
 using Moment = std::vector<MovingSite<Ball>>;
-
-class NoSink final : public EventSink {
- public:
-  void begin(const std::vector<Quad>&) override {}
-  void flip(double, const Quad&) override {}
-  void collide(double, GenId, GenId, const RoundedState&, const RoundedState&) override {}
-  void maneuver(double, GenId, const RoundedState&) override {}
-};
-
-// The engine with the motion that is in force at t.
-std::unique_ptr<Engine<true>> run_to(const Scene& scene, const Rational& t,
-                                     const EngineOptions& options) {
-  MotionInput input = motion_input(scene);
-  input.horizon = t;
-  auto engine = std::make_unique<Engine<true>>(input, maneuver_input(scene), options);
-  NoSink sink;
-  const Outcome outcome = engine->run(sink);
-  if (outcome.kind == Outcome::Kind::interrupted) throw Interrupted();
-  if (outcome.kind == Outcome::Kind::stopped) {
-    throw Undecided("the motion is known before t = " + number_text(outcome.t) +
-                    " only: " + outcome.reason);
-  }
-  return engine;
-}
-
-Diagram diagram_at(Motion& motion, const Rational& t) {
-  TierCounts counts;
-  Diagram diagram = static_diagram(motion, t, counts);
-  settle(diagram, motion, instant_at(t), counts);
-  return diagram;
-}
 
 // From scratch, by the true motion, but with the flips next to t on the side on which the history
 // has them. In their order, then backwards, each that is there to be made or taken back is.

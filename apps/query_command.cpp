@@ -1,0 +1,142 @@
+// voroproof query: what holds of a scene at an instant.
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/command_line.h"
+#include "apps/interruption.h"
+#include "apps/query_instant.h"
+#include "history/atomic_file.h"
+
+namespace voroproof {
+namespace {
+
+struct Request {
+  std::string scene, history, t, output;
+  std::string probe;
+  std::vector<std::string> point;
+  std::size_t count = 1;
+  int disk = 0;
+};
+
+using InstantAnswer = std::function<Answer(const InstantQuery&, const Request&)>;
+
+GenId disk_of(const Scene& scene, int disk) {
+  if (disk >= static_cast<int>(scene.disks.size())) {
+    throw UsageError("--disk: the scene has no disk " + std::to_string(disk));
+  }
+  return disk;
+}
+
+ExitCode finish(const Request& request, const Answer& answer) {
+  if (!request.output.empty()) {
+    AtomicFile file(request.output);
+    file.write(file_text(answer.json));
+    file.commit();
+  }
+  std::cout << answer.table;
+  return ExitCode::ok;
+}
+
+ExitCode ask(const Request& request, const InstantAnswer& answer) {
+  require_distinct({request.scene, request.history}, {request.output});
+  const Rational t = time_argument("--at", request.t);
+  const CooperativeInterruption interruption;
+  const Scene scene = read_scene(request.scene);
+  EngineOptions options;
+  options.monitor = [&](double, std::uint64_t) { return !interruption.requested(); };
+  TrueMoment moment = true_moment(scene, request.history, t, options);
+  const Answer given = answer({scene, t, moment}, request);
+  interruption.check();
+  return finish(request, given);
+}
+
+// A subcommand that asks about one instant; the caller adds what is its own.
+CLI::App* add_instant(CLI::App& query, Action& action, const std::shared_ptr<Request>& request,
+                      const std::string& name, const std::string& description,
+                      InstantAnswer answer) {
+  CLI::App* verb = query.add_subcommand(name, description);
+  add_file(*verb, "scene", request->scene, "the scene")->required();
+  add_file(*verb, "history", request->history,
+           "a history of the scene, whose collisions save computing them again");
+  add_text(*verb, "--at", request->t, "TIME", "the time, as exact text: 12.5, 1/3")->required();
+  add_file(*verb, "-o,--output", request->output, "write the answer here, as JSON");
+  verb->callback([request, answer = std::move(answer), &action] {
+    action = [request, answer] { return ask(*request, answer); };
+  });
+  return verb;
+}
+
+void add_probe(CLI::App& verb, Request& request) {
+  add_text(verb, "--probe", request.probe, "RADIUS", "the probe's radius, as exact text")
+      ->required();
+}
+
+}  // namespace
+
+void add_query(CLI::App& app, Action& action) {
+  CLI::App* query = app.add_subcommand("query", "Ask what holds of a scene at an instant");
+  query->require_subcommand(1);
+  const auto request = std::make_shared<Request>();
+
+  CLI::App* verb = add_instant(
+      *query, action, request, "nearest", "The disks nearest to a point",
+      [](const InstantQuery& q, const Request& r) {
+        return answer_nearest(
+            q, {number_argument("--point", r.point[0]), number_argument("--point", r.point[1])},
+            r.count);
+      });
+  verb->add_option("--point", request->point, "the point, as exact text")
+      ->type_name("X Y")
+      ->expected(2)
+      ->required();
+  verb->add_option("--count", request->count, "how many")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 2'000'000))
+      ->capture_default_str();
+  verb->footer("Example:\n  voroproof query nearest a.scene.json --at 12.5 --point 1 -2 --count 3");
+
+  verb = add_instant(*query, action, request, "neighbours",
+                     "The generators whose cells share an edge with that of a disk, and the gaps",
+                     [](const InstantQuery& q, const Request& r) {
+                       return answer_neighbours(q, disk_of(q.scene, r.disk));
+                     });
+  verb->add_option("--disk", request->disk, "the disk")
+      ->check(whole_number())
+      ->check(CLI::Range(0, max_disks))
+      ->required();
+  verb->footer("Example:\n  voroproof query neighbours a.scene.json --at 12.5 --disk 7");
+
+  verb = add_instant(*query, action, request, "closest",
+                     "The closest pairs, of all generators and of disks",
+                     [](const InstantQuery& q, const Request&) { return answer_closest(q); });
+  verb->footer("Example:\n  voroproof query closest a.scene.json --at 12.5");
+
+  verb = add_instant(*query, action, request, "offset",
+                     "The boundary of the places where the centre of a probe fits",
+                     [](const InstantQuery& q, const Request& r) {
+                       return answer_offset(q, time_argument("--probe", r.probe));
+                     });
+  add_probe(*verb, *request);
+  verb->footer("Example:\n  voroproof query offset a.scene.json --at 12.5 --probe 1/2 -o o.json");
+
+  verb = add_instant(*query, action, request, "voids",
+                     "The voids in which a probe can move, and the tunnels it passes",
+                     [](const InstantQuery& q, const Request& r) {
+                       return answer_voids(q, time_argument("--probe", r.probe));
+                     });
+  add_probe(*verb, *request);
+  verb->footer("Example:\n  voroproof query voids a.scene.json --at 12.5 --probe 1/2 -o v.json");
+
+  verb = add_instant(*query, action, request, "critical",
+                     "The probe radii at which each tunnel closes and each void vanishes",
+                     [](const InstantQuery& q, const Request&) { return answer_critical(q); });
+  verb->footer("Example:\n  voroproof query critical a.scene.json --at 12.5");
+
+  query->footer("Example:\n  voroproof query closest a.scene.json --at 12.5");
+}
+
+}  // namespace voroproof
