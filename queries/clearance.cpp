@@ -22,6 +22,14 @@ auto twice_clearance(Sites& at, Root& root, const ClearanceNode& node) {
   return j == container_id ? T(-b.r - a.r - d) : T(d - a.r - b.r);
 }
 
+bool in_the_centre(InstantPredicates& predicates, GenId disk) {
+  return predicates.sign_of([&](auto at, auto) {
+    const auto a = at(disk), b = at(container_id);
+    const auto dx = a.x - b.x, dy = a.y - b.y;
+    return decltype(a.x)(dx * dx + dy * dy);
+  }) == Sign::zero;
+}
+
 }  // namespace
 
 ClearanceNode gate_node(GenId a, GenId b) {
@@ -33,8 +41,7 @@ Clearance::Clearance(const Motion& motion, const Rational& t, const Diagram& dia
                      const Rational& probe, TierCounts& counts)
     : diagram_(diagram), probe_(probe), predicates_(motion, t, counts, {probe}) {}
 
-std::vector<ClearanceNode> Clearance::profile(Diagram::HalfEdge h) {
-  const Quad q = diagram_.quad(h);
+std::vector<ClearanceNode> edge_profile(InstantPredicates& predicates, const Quad& q) {
   std::vector<ClearanceNode> nodes{vertex_node(start_vertex(q))};
   // Seen from the base, the edge runs counterclockwise where that lies on its left.
   const bool left = q.l != container_id;
@@ -43,7 +50,7 @@ std::vector<ClearanceNode> Clearance::profile(Diagram::HalfEdge h) {
   // Whether the edge passes x on its way between two other directions, as seen from the base.
   enum { start, end, gate, far };
   const auto between = [&](int from, int to, int x) {
-    return predicates_.decide([&](auto at, auto root) {
+    return predicates.decide([&](auto at, auto root) {
       using T = std::decay_t<decltype(at(base).x)>;
       const auto direction = [&](int which) -> Direction<T> {
         if (which == start) {
@@ -62,7 +69,7 @@ std::vector<ClearanceNode> Clearance::profile(Diagram::HalfEdge h) {
                        false);
     });
   };
-  if (!wall || !in_the_centre(base)) {
+  if (!wall || !in_the_centre(predicates, base)) {
     const bool has_gate = between(start, end, gate);
     const bool has_far = wall && between(start, end, far);
     const bool gate_first = has_gate && has_far && between(start, far, gate);
@@ -74,18 +81,18 @@ std::vector<ClearanceNode> Clearance::profile(Diagram::HalfEdge h) {
   return nodes;
 }
 
-std::vector<ClearanceNode> Clearance::ring_profile() {
-  const ClearanceNode gate = gate_node(0, container_id);
-  if (in_the_centre(0)) return {gate};
-  return {gate, far_node(0), gate};
+Sign clearance_to_probe(InstantPredicates& predicates, const ClearanceNode& node,
+                        std::size_t probe) {
+  return predicates.sign_of([&](auto at, auto root) {
+    const auto value = twice_clearance(at, root, node);
+    return decltype(value)(value - at.constant(probe) - at.constant(probe));
+  });
 }
 
-bool Clearance::in_the_centre(GenId disk) {
-  return predicates_.sign_of([&](auto at, auto) {
-    const auto a = at(disk), b = at(container_id);
-    const auto dx = a.x - b.x, dy = a.y - b.y;
-    return decltype(a.x)(dx * dx + dy * dy);
-  }) == Sign::zero;
+std::vector<ClearanceNode> Clearance::ring_profile() {
+  const ClearanceNode gate = gate_node(0, container_id);
+  if (in_the_centre(predicates_, 0)) return {gate};
+  return {gate, far_node(0), gate};
 }
 
 Sign Clearance::compare(const ClearanceNode& a, const ClearanceNode& b) {
@@ -93,13 +100,6 @@ Sign Clearance::compare(const ClearanceNode& a, const ClearanceNode& b) {
   return predicates_.sign_of([&](auto at, auto root) {
     const auto first = twice_clearance(at, root, a);
     return decltype(first)(first - twice_clearance(at, root, b));
-  });
-}
-
-Sign Clearance::to_probe(const ClearanceNode& node) {
-  return predicates_.sign_of([&](auto at, auto root) {
-    const auto value = twice_clearance(at, root, node);
-    return decltype(value)(value - at.constant(probe_constant) - at.constant(probe_constant));
   });
 }
 

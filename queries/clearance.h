@@ -36,6 +36,13 @@ inline ClearanceNode far_node(GenId disk) {
   return {ClearanceNode::Kind::far, {disk, container_id, container_id}};
 }
 
+// The ends of an edge of the diagram, start first, and in their order the extremes strictly between
+// them.
+std::vector<ClearanceNode> edge_profile(InstantPredicates& predicates, const Quad& q);
+// The sign of the clearance minus the probe's radius, the constant `probe` of the predicates.
+Sign clearance_to_probe(InstantPredicates& predicates, const ClearanceNode& node,
+                        std::size_t probe);
+
 // Exact answers about the clearance at one instant.
 class Clearance {
  public:
@@ -51,8 +58,9 @@ class Clearance {
   const Motion& motion() const { return predicates_.motion(); }
   InstantPredicates& predicates() { return predicates_; }
 
-  // The ends of the half-edge, start first, and in their order the extremes strictly between them.
-  std::vector<ClearanceNode> profile(Diagram::HalfEdge h);
+  std::vector<ClearanceNode> profile(Diagram::HalfEdge h) {
+    return edge_profile(predicates_, diagram_.quad(h));
+  }
   // The same of the closed edge around a lone disk: gate, far point, gate; or the gate alone where
   // the disk lies in the centre and the clearance is the same everywhere.
   std::vector<ClearanceNode> ring_profile();
@@ -60,12 +68,12 @@ class Clearance {
   // Of the clearance at a minus that at b.
   Sign compare(const ClearanceNode& a, const ClearanceNode& b);
   // Of the clearance minus the probe's radius.
-  Sign to_probe(const ClearanceNode& node);
+  Sign to_probe(const ClearanceNode& node) {
+    return clearance_to_probe(predicates_, node, probe_constant);
+  }
   Enclosure value(const ClearanceNode& node) const;
 
  private:
-  bool in_the_centre(GenId disk);
-
   const Diagram& diagram_;
   Rational probe_;
   InstantPredicates predicates_;
