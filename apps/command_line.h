@@ -36,6 +36,7 @@ using Action = std::function<ExitCode()>;
 void add_generate(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);
+void add_queries_over_time(CLI::App& query, Action& action);  // below the verb query
 void add_snapshot(CLI::App& app, Action& action);
 void add_render(CLI::App& app, Action& action);
 void add_movie(CLI::App& app, Action& action);

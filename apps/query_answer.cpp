@@ -2,10 +2,36 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iostream>
 
+#include "history/atomic_file.h"
 #include "history/json_text.h"
 
 namespace voroproof {
+namespace {
+
+std::string file_text(const Json& json) {
+  // One line for each member, and for each element of a list of objects.
+  std::string text = "{";
+  const char* separator = "";
+  for (const auto& [name, value] : json.items()) {
+    text += separator + Json(name).dump() + ":";
+    separator = ",\n";
+    if (value.is_array() && !value.empty() && value.front().is_structured()) {
+      const char* comma = "[\n";
+      for (const Json& element : value) {
+        text += comma + element.dump();
+        comma = ",\n";
+      }
+      text += "]";
+    } else {
+      text += value.dump();
+    }
+  }
+  return text + "}\n";
+}
+
+}  // namespace
 
 Json answer_head(const std::string& query, const Scene& scene) {
   return {{"format", "voroproof-answer"},
@@ -78,25 +104,13 @@ std::string table_of(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
-std::string file_text(const Json& json) {
-  // One line for each member, and for each element of a list of objects.
-  std::string text = "{";
-  const char* separator = "";
-  for (const auto& [name, value] : json.items()) {
-    text += separator + Json(name).dump() + ":";
-    separator = ",\n";
-    if (value.is_array() && !value.empty() && value.front().is_structured()) {
-      const char* comma = "[\n";
-      for (const Json& element : value) {
-        text += comma + element.dump();
-        comma = ",\n";
-      }
-      text += "]";
-    } else {
-      text += value.dump();
-    }
+void give(const Answer& answer, const std::string& path) {
+  if (!path.empty()) {
+    AtomicFile file(path);
+    file.write(file_text(answer.json));
+    file.commit();
   }
-  return text + "}\n";
+  std::cout << answer.table;
 }
 
 }  // namespace voroproof

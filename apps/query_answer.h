@@ -39,7 +39,7 @@ std::string text_of(GenId g);  // "wall" for the container
 // Columns, as wide as their widest cell; the first row is the heading.
 std::string table_of(const std::vector<std::vector<std::string>>& rows);
 
-// The JSON as it stands in a file.
-std::string file_text(const Json& json);
+// Prints the table, and writes the JSON to the file where one is named. Throws OutputError.
+void give(const Answer& answer, const std::string& path);
 
 }  // namespace voroproof

@@ -1,6 +1,5 @@
 // voroproof query: what holds of a scene at an instant.
 #include <functional>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -9,7 +8,6 @@
 #include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "apps/query_instant.h"
-#include "history/atomic_file.h"
 
 namespace voroproof {
 namespace {
@@ -31,16 +29,6 @@ GenId disk_of(const Scene& scene, int disk) {
   return disk;
 }
 
-ExitCode finish(const Request& request, const Answer& answer) {
-  if (!request.output.empty()) {
-    AtomicFile file(request.output);
-    file.write(file_text(answer.json));
-    file.commit();
-  }
-  std::cout << answer.table;
-  return ExitCode::ok;
-}
-
 ExitCode ask(const Request& request, const InstantAnswer& answer) {
   require_distinct({request.scene, request.history}, {request.output});
   const Rational t = time_argument("--at", request.t);
@@ -51,7 +39,8 @@ ExitCode ask(const Request& request, const InstantAnswer& answer) {
   TrueMoment moment = true_moment(scene, request.history, t, options);
   const Answer given = answer({scene, t, moment}, request);
   interruption.check();
-  return finish(request, given);
+  give(given, request.output);
+  return ExitCode::ok;
 }
 
 // A subcommand that asks about one instant; the caller adds what is its own.
@@ -78,7 +67,8 @@ void add_probe(CLI::App& verb, Request& request) {
 }  // namespace
 
 void add_query(CLI::App& app, Action& action) {
-  CLI::App* query = app.add_subcommand("query", "Ask what holds of a scene at an instant");
+  CLI::App* query =
+      app.add_subcommand("query", "Ask what holds of a scene, at an instant or over time");
   query->require_subcommand(1);
   const auto request = std::make_shared<Request>();
 
@@ -136,6 +126,7 @@ void add_query(CLI::App& app, Action& action) {
                      [](const InstantQuery& q, const Request&) { return answer_critical(q); });
   verb->footer("Example:\n  voroproof query critical a.scene.json --at 12.5");
 
+  add_queries_over_time(*query, action);
   query->footer("Example:\n  voroproof query closest a.scene.json --at 12.5");
 }
 

@@ -26,7 +26,7 @@ std::array<GenId, 2> movers(const Event& event) {
 }  // namespace
 
 HistoryCursor::HistoryCursor(const Scene& scene, const std::string& path,
-                             const std::function<Diagram()>& initial)
+                             const std::function<Diagram()>& initial, const Rational& covered)
     : path_(path), last_(scene.disks.size(), -1), diagram_(Diagram(0)) {
   const int disks = static_cast<int>(scene.disks.size());
   HistoryFollower follower;
@@ -35,7 +35,7 @@ HistoryCursor::HistoryCursor(const Scene& scene, const std::string& path,
     diagram_ = NamedDiagram(initial_diagram(header, disks, path, initial));
   };
   follower.event = [&](const Event& event, bool, std::int64_t) { events_.push_back(event); };
-  follow_history(scene, path, 0, follower);
+  follow_history(scene, path, covered, follower);
 
   for (const DiskSpec& disk : scene.disks) {
     initial_.push_back({0, {disk.x, disk.y}, {disk.vx, disk.vy}});

@@ -22,9 +22,10 @@ class HistoryCursor {
  public:
   // Stands before the first event. The history must be of this scene and complete in form; one that
   // stopped early is followed to where it stopped. `initial` as for recorded_moment(). Throws
-  // InputError, also from the members that move, where a flip names an edge that is not there.
+  // InputError, also where it does not cover the time `covered` and, from the members that move,
+  // where a flip names an edge that is not there.
   HistoryCursor(const Scene& scene, const std::string& path,
-                const std::function<Diagram()>& initial);
+                const std::function<Diagram()>& initial, const Rational& covered = 0);
 
   const HistoryHeader& header() const { return header_; }
   // The number of events.

@@ -21,6 +21,8 @@ class NamedDiagram {
   Diagram::HalfEdge find(const Quad& q) const;
   bool has(const Quad& q) const { return find(q) >= 0; }
 
+  bool has_vertex(const Triple& v) const { return corners_.contains(v); }
+
   // Throws std::invalid_argument, with the reason, where that is no flip of the diagram. A flip is
   // taken back by the flip of flipped(q). Takes O(1) expected time.
   void flip(const Quad& q);

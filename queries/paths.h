@@ -1,0 +1,40 @@
+// The way of every disk, piece by piece, in exact numbers.
+//
+// A disk that has not collided yet moves as the scene says, exactly. After each of its collisions
+// it starts from the centre and the velocity that the history records, which are rounded: the paths
+// are the true motion up to that. Every question about them has an exact answer.
+#pragma once
+
+#include <vector>
+
+#include "history/events.h"
+#include "history/scene.h"
+#include "queries/history_cursor.h"
+#include "queries/recorded_moment.h"
+
+namespace voroproof {
+
+class Paths {
+ public:
+  // Throws InputError where a collision lacks its `v` or its `p`, or a maneuver is not the scene's.
+  Paths(const Scene& scene, const HistoryCursor& history, const std::string& history_path);
+
+  // The pieces of a generator, each in force up to the start of the next; the first starts at 0.
+  const std::vector<RecordedState>& pieces(GenId g) const { return pieces_[g + 1]; }
+  // The piece in force at t >= 0, just after all events at t.
+  const RecordedState& piece(GenId g, const Rational& t) const;
+  // The instants in (from, to) at which a piece of one of the generators starts, in order.
+  std::vector<Rational> turns(const std::vector<GenId>& generators, const Rational& from,
+                              const Rational& to) const;
+  // Of the container -R.
+  const Rational& signed_radius(GenId g) const { return radii_[g + 1]; }
+
+ private:
+  std::vector<std::vector<RecordedState>> pieces_;
+  std::vector<Rational> radii_;
+};
+
+// Where a piece leads at time t.
+ExactVec2 position_at(const RecordedState& piece, const Rational& t);
+
+}  // namespace voroproof

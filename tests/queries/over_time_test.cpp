@@ -1,0 +1,285 @@
+// Queries over time against the same asked at many instants.
+#include "queries/over_time.h"
+
+#include <gtest/gtest.h>
+
+#include "apps/true_moment.h"
+#include "queries/free_space.h"
+#include "queries/openings.h"
+#include "tests/queries/brute_moment.h"
+#include "tests/queries/scene_history.h"
+#include "tests/support/random_scenes.h"
+
+namespace voroproof::testing {
+namespace {
+
+Diagram no_initial() { throw std::logic_error("the history has its initial diagram"); }
+
+struct Watched {
+  explicit Watched(const Scene& scene)
+      : run(scene),
+        cursor(run.scene, run.history, no_initial),
+        paths(run.scene, cursor, run.history) {}
+  SceneHistory run;
+  HistoryCursor cursor;
+  Paths paths;
+
+  // Centres in doubles, by the way through the file.
+  std::vector<Vec2> centres(double t) const {
+    const Rational at = to_rational(t);
+    const std::vector<RecordedState> states =
+        recorded_moment(run.scene, run.history, at, Move::colliding, false, no_initial)
+            .states.value();
+    std::vector<Vec2> all;
+    for (const RecordedState& s : states) {
+      const ExactVec2 p = position_at(s, at);
+      all.push_back({p[0].get_d(), p[1].get_d()});
+    }
+    return all;
+  }
+  double gap(const std::vector<Vec2>& at, GenId i, GenId j) const {
+    const auto radius = [&](GenId g) { return run.scene.disks[g].radius.get_d(); };
+    if (i == container_id) {
+      return run.scene.container_radius.get_d() - radius(j) -
+             std::hypot(at[j][0] - run.scene.cx.get_d(), at[j][1] - run.scene.cy.get_d());
+    }
+    return std::hypot(at[j][0] - at[i][0], at[j][1] - at[i][1]) - radius(i) - radius(j);
+  }
+  GenId size() const { return static_cast<GenId>(run.scene.disks.size()); }
+};
+
+Scene crowd(int n, unsigned seed, int maneuvers = 3) {
+  Random random(seed);
+  return random_scene({.n = n, .horizon = 16, .density = 0.15, .maneuvers = maneuvers}, random);
+}
+
+double middle(const Enclosure& e) { return 0.5 * e.lo + 0.5 * e.hi; }
+
+TEST(LeastGap, OfPairsIsThatOfManyInstants) {
+  for (const unsigned seed : {1u, 2u}) {
+    Watched w(crowd(7, seed));
+    const Window window{1, 13};
+    std::vector<std::vector<Vec2>> centres;
+    for (int k = 0; k <= 240; ++k) centres.push_back(w.centres(1 + k * 0.05));
+    for (GenId j = 0; j < w.size(); ++j) {
+      for (GenId i = container_id; i < j; ++i) {
+        const LeastGap least = least_gap(w.paths, w.cursor, i, j, window);
+        const Enclosure gap = gap_of(w.paths, least);
+        EXPECT_LE(gap.hi - gap.lo, 1e-12);
+        EXPECT_GE(least.t, window.from);
+        EXPECT_LE(least.t, window.to);
+        EXPECT_NEAR(w.gap(w.centres(round_nearest(least.t)), i, j), middle(gap), 1e-9);
+        double sampled = 1e9;
+        for (const std::vector<Vec2>& at : centres) {
+          const double here = w.gap(at, i, j);
+          EXPECT_GE(here, gap.lo - 1e-9);
+          sampled = std::min(sampled, here);
+        }
+        EXPECT_LE(sampled, gap.hi + 0.6);
+        EXPECT_EQ(least.contact, gap.hi == 0);
+      }
+    }
+  }
+}
+
+void expect_least_of_all(Watched& w, const Window& window) {
+  const auto least = least_gap_of_all(w.paths, w.cursor, window);
+  ASSERT_TRUE(least);
+  // All pairs, one by one, compared in doubles.
+  std::optional<LeastGap> best;
+  for (GenId j = 0; j < w.size(); ++j) {
+    for (GenId i = 0; i < j; ++i) {
+      const LeastGap g = least_gap(w.paths, w.cursor, i, j, window);
+      if (!best || middle(gap_of(w.paths, g)) < middle(gap_of(w.paths, *best)) - 1e-12) best = g;
+      if (std::fabs(middle(gap_of(w.paths, g)) - middle(gap_of(w.paths, *best))) <= 1e-12 &&
+          g.t < best->t) {
+        best = g;
+      }
+    }
+  }
+  EXPECT_EQ(std::pair(least->i, least->j), std::pair(best->i, best->j)) << text(w.run.scene);
+  EXPECT_EQ(least->t, best->t);
+  EXPECT_NEAR(middle(gap_of(w.paths, *least)), middle(gap_of(w.paths, *best)), 1e-12);
+}
+
+TEST(LeastGap, OfAllIsTheLeastOfAllPairs) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    Watched w(crowd(9, seed));
+    // Until the first collision of disks, from a third of the time, and all.
+    Rational contact = 16;
+    for (std::size_t k = w.cursor.size(); k-- > 0;) {
+      const auto* c = std::get_if<CollideEvent>(&w.cursor.event(k));
+      if (c != nullptr && c->i != container_id) contact = exact_time(w.cursor.event(k));
+    }
+    expect_least_of_all(w, {0, 16});
+    expect_least_of_all(w, {0, Rational(contact * Rational(9, 10))});
+    expect_least_of_all(w, {Rational(contact / 3), Rational(contact * Rational(2, 3))});
+  }
+}
+
+// The pair at the wall that is never a pair of neighbours (see nearest_test.cpp).
+TEST(LeastGap, OfAllFindsThePairBehindTheWall) {
+  const Rational r(1, 100), low = Rational(-1000) + Rational(2, 100);
+  Watched w(scene_of(1000, 1,
+                     {disk(Rational(51, 100), low, r, 0, 0), disk(Rational(-51, 100), low, r, 0, 0),
+                      disk(0, low + Rational(9, 10), r, 0, 0)}));
+  const auto least = least_gap_of_all(w.paths, w.cursor, {0, 1});
+  EXPECT_EQ(std::pair(least->i, least->j), std::pair(0, 1));
+  EXPECT_EQ(least->t, 0);
+}
+
+TEST(NeighboursOver, AreThoseOfEveryInstant) {
+  Watched w(crowd(8, 3));
+  const Window window{Rational(1, 2), 12};
+  HistoryCursor other(w.run.scene, w.run.history, no_initial);
+  std::size_t spells = 0;
+  for (GenId g = 0; g < w.size(); ++g) {
+    const auto all = neighbours_over(w.cursor, g, window);
+    spells += all.size();
+    for (int k = 0; k <= 115; ++k) {
+      const Rational t = window.from + Rational(k, 10);
+      other.seek(t);
+      std::set<GenId> expected, found;
+      const Diagram& diagram = other.diagram().diagram();
+      for (Diagram::HalfEdge h = 0; h < 2 * diagram.edges(); ++h) {
+        if (diagram.org(h) == g) expected.insert(diagram.dest(h));
+      }
+      for (const Neighbourhood& n : all) {
+        if (n.from <= t && t <= n.to) found.insert(n.generator);
+      }
+      EXPECT_EQ(found, expected) << g << " at " << t;
+    }
+  }
+  EXPECT_GT(spells, 40u);
+}
+
+TEST(NeighboursOver, OfALoneDisk) {
+  Watched w(scene_of(5, 10, {disk(0, 0, 1, 3, 0)}));
+  const auto all = neighbours_over(w.cursor, 0, {1, 9});
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].generator, container_id);
+  EXPECT_EQ(all[0].from, 1);
+  EXPECT_EQ(all[0].to, 9);
+}
+
+bool within(const std::vector<Opening>& openings, double t) {
+  return std::any_of(openings.begin(), openings.end(),
+                     [&](const Opening& o) { return o.from.lo <= t && t <= o.to.hi; });
+}
+
+bool near_an_end(const std::vector<Opening>& openings, double t) {
+  return std::any_of(openings.begin(), openings.end(), [&](const Opening& o) {
+    return std::fabs(o.from.lo - t) < 1e-6 || std::fabs(o.to.lo - t) < 1e-6;
+  });
+}
+
+// What holds at the instant by the queries at an instant.
+struct Asked {
+  Asked(const Watched& w, const Rational& at)
+      : t(at), moment(true_moment(w.run.scene, w.run.history, t, {})) {}
+  bool tunnel(GenId i, GenId j, const Rational& probe) {
+    Clearance clearance(moment.motion, t, moment.diagram, probe, counts);
+    if (moment.diagram.disks() == 1) {
+      return clearance.to_probe(clearance.ring_profile().front()) != Sign::negative;
+    }
+    for (Diagram::HalfEdge h = 0; h < 2 * moment.diagram.edges(); h += 2) {
+      const std::pair<GenId, GenId> pair =
+          std::minmax(moment.diagram.org(h), moment.diagram.dest(h));
+      if (pair.first == i && pair.second == j &&
+          clearance.to_probe(narrowest(clearance, h)) != Sign::negative) {
+        return true;
+      }
+    }
+    return false;
+  }
+  bool room(const Triple& v, const Rational& probe) {
+    Clearance clearance(moment.motion, t, moment.diagram, probe, counts);
+    for (const Quad& q : moment.diagram.quads()) {
+      if (start_vertex(q) == v || end_vertex(q) == v) {
+        return clearance.to_probe(vertex_node(v)) != Sign::negative;
+      }
+    }
+    return false;
+  }
+  Rational t;
+  TrueMoment moment;
+  TierCounts counts;
+};
+
+// At many instants, and on both sides of every end.
+template <class Holds>
+int expect_openings(const Watched& w, const std::vector<Opening>& openings, const Window& window,
+                    Holds&& holds) {
+  for (int k = 0; k < 24; ++k) {
+    const Rational t = window.from + (window.to - window.from) * Rational(2 * k + 1, 48);
+    if (near_an_end(openings, t.get_d())) continue;
+    Asked instant(w, t);
+    EXPECT_EQ(within(openings, t.get_d()), holds(instant)) << t;
+  }
+  int ends = 0;
+  for (const Opening& o : openings) {
+    for (const bool start : {true, false}) {
+      const Enclosure& e = start ? o.from : o.to;
+      EXPECT_LE(e.hi - e.lo, 1e-14 * (1 + e.hi));
+      const Rational at = to_rational(e.lo), hair(1, 10000000);
+      if (at <= window.from || at >= window.to - hair) continue;
+      ++ends;
+      Asked before(w, at - hair), after(w, at + hair);
+      EXPECT_EQ(holds(before), !start) << at.get_d();
+      EXPECT_EQ(holds(after), start) << at.get_d();
+    }
+  }
+  return ends;
+}
+
+TEST(Openings, OfTunnelsAreThoseOfEveryInstant) {
+  const Window window{1, 9};
+  int ends = 0;
+  for (const unsigned seed : {4u, 5u, 6u}) {
+    Watched w(crowd(6, seed));
+    for (GenId j = 0; j < w.size(); ++j) {
+      for (GenId i = container_id; i < j; ++i) {
+        for (const Rational& probe : {Rational(3), Rational(12)}) {
+          SCOPED_TRACE(std::to_string(i) + " " + std::to_string(j) + " " + probe.get_str());
+          const auto openings = tunnel_openings(w.paths, w.cursor, i, j, probe, window);
+          ends += expect_openings(w, openings, window,
+                                  [&](Asked& at) { return at.tunnel(i, j, probe); });
+        }
+      }
+    }
+  }
+  EXPECT_GT(ends, 30);
+}
+
+TEST(Openings, OfVoidsAreThoseOfEveryInstant) {
+  const Window window{1, 9};
+  int ends = 0;
+  for (const unsigned seed : {4u, 5u, 6u}) {
+    Watched w(crowd(6, seed));
+    w.cursor.seek(Rational(4));
+    std::set<Triple> vertices;
+    for (const Quad& q : w.cursor.diagram().diagram().quads()) vertices.insert(start_vertex(q));
+    for (const Triple& v : vertices) {
+      for (const Rational& probe : {Rational(15), Rational(25)}) {
+        SCOPED_TRACE(oracle::text(v));
+        const auto openings = void_openings(w.paths, w.cursor, v, probe, window);
+        ends += expect_openings(w, openings, window, [&](Asked& at) { return at.room(v, probe); });
+      }
+    }
+  }
+  EXPECT_GT(ends, 15);
+}
+
+// The gap to the wall is 4 - |x|, and x = 3 t up to the bounce at x = 4.
+TEST(Openings, OfALoneDisksTunnel) {
+  Watched w(scene_of(5, 2, {disk(0, 0, 1, 3, 0)}));
+  const auto openings = tunnel_openings(w.paths, w.cursor, -1, 0, 1, {0, 2});
+  // Until x = 2, and when it is there again.
+  ASSERT_EQ(openings.size(), 2u);
+  EXPECT_EQ(openings[0].from.lo, 0);
+  EXPECT_NEAR(openings[0].to.lo, 2.0 / 3, 1e-15);
+  EXPECT_NEAR(openings[1].from.lo, 2, 1e-15);
+}
+
+}  // namespace
+}  // namespace voroproof::testing
