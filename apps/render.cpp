@@ -5,28 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 #include <string_view>
 
+#include "apps/diagram_geometry.h"
 #include "apps/digit_pen.h"
 #include "apps/palette.h"
 #include "apps/picture.h"
+#include "apps/render_probe.h"
 
 namespace voroproof {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 // ---- Curves
-
-Vec2 operator+(const Vec2& a, const Vec2& b) { return {a[0] + b[0], a[1] + b[1]}; }
-Vec2 operator-(const Vec2& a, const Vec2& b) { return {a[0] - b[0], a[1] - b[1]}; }
-Vec2 operator*(double k, const Vec2& a) { return {k * a[0], k * a[1]}; }
-double dot(const Vec2& a, const Vec2& b) { return a[0] * b[0] + a[1] * b[1]; }
-double length(const Vec2& a) { return std::hypot(a[0], a[1]); }
-double angle(const Vec2& a) { return std::atan2(a[1], a[0]); }
-Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 Vec2 at(const Cubic& curve, double t) {
   const double u = 1 - t;
@@ -111,14 +102,6 @@ class Bisector {
   Vec2 c_, d_;
   double s_, p_, sign_;
 };
-
-double signed_radius(const DiagramFile& diagram, GenId id) {
-  return id == container_id ? -diagram.container_radius : diagram.disks[id].radius;
-}
-
-const Vec2& center(const DiagramFile& diagram, GenId id) {
-  return id == container_id ? diagram.container_center : diagram.disks[id].center;
-}
 
 Bisector bisector(const DiagramFile& diagram, GenId base, GenId other) {
   return {center(diagram, base), signed_radius(diagram, base), center(diagram, other),
@@ -240,15 +223,16 @@ std::vector<std::size_t> colours(const DiagramFile& diagram) {
 
 class Painter {
  public:
-  Painter(cairo_t* cairo, const DiagramFile& diagram, int size)
+  Painter(cairo_t* cairo, const DiagramFile& diagram, const RenderOptions& options)
       : cairo_(cairo),
         diagram_(diagram),
-        half_(size / 2.0),
-        margin_(0.05 * size),
+        probe_(options.probe),
+        half_(options.size / 2.0),
+        margin_(0.05 * options.size),
         scale_((half_ - margin_) / diagram.container_radius),
         spacing_(scale_ * diagram.container_radius /
                  std::sqrt(static_cast<double>(diagram.disks.size()) + 1)),
-        stroke_(std::clamp(0.02 * spacing_, 0.00015 * size, 0.0018 * size)) {}
+        stroke_(std::clamp(0.02 * spacing_, 0.00015 * options.size, 0.0018 * options.size)) {}
 
   void paint() {
     cairo_set_tolerance(cairo_, 0.01);
@@ -268,16 +252,15 @@ class Painter {
     if (edges.empty() && !cells.empty()) edges.push_back(cells[0]);
 
     const auto colour = colours(diagram_);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      trace(cells[i]);
-      use(pale(palette[colour[i]], 0.32));
-      cairo_fill(cairo_);
-    }
-    for (const auto& edge : edges) {
-      trace(edge);
-      use(ink);
-      cairo_set_line_width(cairo_, stroke_);
-      cairo_stroke(cairo_);
+    if (probe_) {
+      paint_free_space(edges);
+    } else {
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        trace(cells[i]);
+        use(pale(palette[colour[i]], 0.32));
+        cairo_fill(cairo_);
+      }
+      for (const auto& edge : edges) stroke(edge, ink, stroke_);
     }
     circle(diagram_.container_center, scale_ * diagram_.container_radius);
     use(ink);
@@ -293,6 +276,24 @@ class Painter {
   Vec2 pixel(const Vec2& p) const {
     const Vec2 offset = scale_ * (p - diagram_.container_center);
     return {half_ + offset[0], half_ - offset[1]};
+  }
+
+  // The voids of the probe, the offset, and the edges: tunnels stand out.
+  void paint_free_space(const std::vector<std::vector<Cubic>>& edges) {
+    const FreeSpacePicture free_space(diagram_, *probe_);
+    free_space.paint(
+        cairo_, [this](const Vec2& p) { return pixel(p); }, scale_, 2.5 * stroke_);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const bool tunnel = free_space.is_tunnel(k);
+      stroke(edges[k], tunnel ? ink : pale(ink, 0.4), tunnel ? 2 * stroke_ : 0.7 * stroke_);
+    }
+  }
+
+  void stroke(const std::vector<Cubic>& curve, const Colour& colour, double width) {
+    trace(curve);
+    use(colour);
+    cairo_set_line_width(cairo_, width);
+    cairo_stroke(cairo_);
   }
 
   void use(const Colour& c) { cairo_set_source_rgb(cairo_, c.red, c.green, c.blue); }
@@ -394,6 +395,7 @@ class Painter {
 
   cairo_t* cairo_;
   const DiagramFile& diagram_;
+  std::optional<double> probe_;
   double half_;     // of the picture's size
   double margin_;   // around the container, in pixels: room for arrows that point outwards
   double scale_;    // pixels per unit of length
@@ -460,7 +462,7 @@ void render_diagram(const DiagramFile& diagram, const std::string& path,
                     const RenderOptions& options) {
   check(diagram);
   write_picture(path, options.size,
-                [&](cairo_t* cairo) { Painter(cairo, diagram, options.size).paint(); });
+                [&](cairo_t* cairo) { Painter(cairo, diagram, options).paint(); });
 }
 
 }  // namespace voroproof

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace voroproof {
 
 struct RenderOptions {
   int size = 1000;  // width and height of the square picture, in pixels; 16 to 20000
+  // The radius (>= 0) of a probe: its voids, tunnels and the offset instead of the cells.
+  std::optional<double> probe;
 };
 
 // Draws the diagram into a file, an SVG or a PNG by the extension of its name:

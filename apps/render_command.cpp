@@ -10,15 +10,19 @@ namespace voroproof {
 namespace {
 
 struct Request {
-  std::string diagram, output;
+  std::string diagram, output, probe;
   RenderOptions options;
 };
 
 ExitCode render(const Request& request) {
   require_distinct({request.diagram}, {request.output});
   const DiagramFile diagram = read_diagram(request.diagram);
+  RenderOptions options = request.options;
+  if (!request.probe.empty()) {
+    options.probe = round_nearest(time_argument("--probe", request.probe));
+  }
   try {
-    render_diagram(diagram, request.output, request.options);
+    render_diagram(diagram, request.output, options);
   } catch (const std::invalid_argument& fault) {
     throw UsageError(printable(request.diagram) + ": " + fault.what());
   }
@@ -36,6 +40,9 @@ void add_render(CLI::App& app, Action& action) {
       ->check(whole_number())
       ->check(CLI::Range(16, 20000))
       ->capture_default_str();
+  add_text(*verb, "--probe", request->probe, "RADIUS",
+           "the voids of a probe in colours, the tunnels it passes as strong lines and the\n"
+           "offset of the disks and the container in red, instead of the cells");
   verb->footer("Example:\n  voroproof render a.diagram.json -o a.svg");
   verb->callback([request, &action] { action = [request] { return render(*request); }; });
 }

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <set>
 
+#include "apps/render_probe.h"
+#include "apps/snapshot.h"
 #include "tests/oracle/brute_force.h"
 #include "tests/queries/brute_moment.h"
 #include "tests/support/random_scenes.h"
@@ -329,6 +331,30 @@ TEST(Voids, VanishWhereContactsAreAllAround) {
     places += static_cast<int>(found.size());
   }
   EXPECT_GT(places, 20);
+}
+
+// The picture's own way, in doubles.
+TEST(FreeSpace, IsWhatThePictureShows) {
+  std::size_t several = 0;
+  for (Case& c : cases()) {
+    BruteMoment& m = c.moment;
+    if (m.size() == 0) continue;
+    const DiagramFile diagram = snapshot(m.scene, 0);
+    for (const Rational& probe : c.probes) {
+      Clearance clearance = m.clearance_for(probe);
+      const FreeSpacePicture picture(diagram, probe.get_d());
+      const auto voids = FreeSpace(clearance).voids();
+      EXPECT_EQ(picture.voids(), voids.size()) << text(m.scene) << "probe " << probe;
+      several += voids.size() > 1;
+      std::set<Quad> tunnels, drawn;
+      for (const Void& v : voids) tunnels.insert(v.tunnels.begin(), v.tunnels.end());
+      for (std::size_t k = 0; k < diagram.edges.size(); ++k) {
+        if (picture.is_tunnel(k)) drawn.insert(diagram.edges[k]);
+      }
+      EXPECT_EQ(drawn, tunnels);
+    }
+  }
+  EXPECT_GT(several, 5u);
 }
 
 TEST(FreeSpace, OfALoneDisk) {

@@ -239,7 +239,7 @@ TEST(Openings, OfTunnelsAreThoseOfEveryInstant) {
     Watched w(crowd(6, seed));
     for (GenId j = 0; j < w.size(); ++j) {
       for (GenId i = container_id; i < j; ++i) {
-        for (const Rational& probe : {Rational(3), Rational(12)}) {
+        for (const Rational& probe : {Rational(3), Rational(12), Rational(30)}) {
           SCOPED_TRACE(std::to_string(i) + " " + std::to_string(j) + " " + probe.get_str());
           const auto openings = tunnel_openings(w.paths, w.cursor, i, j, probe, window);
           ends += expect_openings(w, openings, window,
