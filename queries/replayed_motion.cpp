@@ -32,7 +32,7 @@ class Replay {
                       t_ < to_rational(std::nextafter(recorded, infinity));
     if (const auto* flip = std::get_if<FlipEvent>(&event)) {
       if (near) out_.near_flips.emplace_back(flip->quad, happened);
-    } else if (happened || near) {
+    } else if (!beyond_ && (happened || near)) {
       if (const auto* collision = std::get_if<CollideEvent>(&event)) {
         follow_collision(*collision, near, line);
       } else {
@@ -60,7 +60,10 @@ class Replay {
                          "not seen to be a collision of the scene's true motion");
       }
     }
-    if (near_t && !has_happened(contact, event)) return;
+    if (near_t && !has_happened(contact, event)) {
+      beyond_ = true;
+      return;
+    }
     out_.motion.collide(event.i, event.j, t);
   }
 
@@ -97,6 +100,7 @@ class Replay {
   TierCounts counts_;
   ReplayedMotion out_;
   ContactSearch contacts_;
+  bool beyond_ = false;  // the true motion is beyond t, even if recorded times are not
   std::vector<std::size_t> next_maneuver_;  // per disk, an index into the scene's
 };
 

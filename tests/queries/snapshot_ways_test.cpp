@@ -97,6 +97,14 @@ TEST(SnapshotWays, DegenerateCases) {
   EXPECT_LT(undefined, cases / 5) << cases;
 }
 
+// A wall, a disk and the wall again at one instant that is no binary64: none of it has happened at
+// the recorded time.
+TEST(SnapshotWays, ChainOfCollisionsJustBehindItsRecordedTime) {
+  const SceneHistory run(scene_of(12, 6, {disk(-6, 3, 3, -1, -2), disk(-9, -1, 2, -1, -2)}));
+  ASSERT_TRUE(run.complete);
+  EXPECT_GT(expect_one_diagram(run.scene, run.history, 100), 5);
+}
+
 // A history whose collisions are not those of the scene's motion.
 TEST(SnapshotWays, FromScratchRefusesAMotionThatIsNotTheScenes) {
   const SceneHistory run(scene_of(10, 5, {disk(-3, 0, 1, 1, 0), disk(3, 0, 1, -1, 0)}));
