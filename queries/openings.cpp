@@ -124,19 +124,20 @@ void follow(Openings& openings, const Rational& start, const Rational& length,
     if (!f.is_zero()) product = product * f;
   }
   std::vector<RootInterval> roots = isolate_roots(product, Rational(0), length);
+  // No decision at an end of the part, where a flip is near and recorded times are rounded: so
+  // narrow the roots first.
+  const Rational width = (1 + start + length) / Rational(Integer(1) << 60);
+  for (RootInterval& root : roots) refine(product, root, width);
   Rational before = 0;  // where the last root, or the part, left off
   Enclosure since = enclosure(start);
   for (std::size_t k = 0; k <= roots.size(); ++k) {
     const Rational next = k < roots.size() ? roots[k].lo : length;
-    // A root at the very end of the part leaves nothing between.
-    const bool empty = (k == 0 && !roots.empty() && roots[0].is_point() && next == 0) ||
-                       (k == roots.size() && k > 0 && roots[k - 1].is_point() && before == length);
-    if (!empty) openings.turn(since, open(Rational((before + next) / 2)));
+    // Nothing lies between the start or the end and a root just there.
+    if (before < next || roots.empty()) {
+      openings.turn(since, open(Rational((before + next) / 2)));
+    }
     if (k == roots.size()) break;
-    RootInterval root = roots[k];
-    const Rational width = (1 + start + length) / Rational(Integer(1) << 60);
-    refine(product, root, width);
-    since = {round_down(Rational(start + root.lo)), round_up(Rational(start + root.hi))};
+    since = {round_down(Rational(start + roots[k].lo)), round_up(Rational(start + roots[k].hi))};
     before = roots[k].hi;
   }
 }
