@@ -82,6 +82,7 @@ void add_query(CLI::App& app, Action& action) {
   verb->add_option("--point", request->point, "the point, as exact text")
       ->type_name("X Y")
       ->expected(2)
+      ->allow_extra_args(false)
       ->required();
   verb->add_option("--count", request->count, "how many")
       ->check(whole_number())
@@ -127,7 +128,9 @@ void add_query(CLI::App& app, Action& action) {
   verb->footer("Example:\n  voroproof query critical a.scene.json --at 12.5");
 
   add_queries_over_time(*query, action);
-  query->footer("Example:\n  voroproof query closest a.scene.json --at 12.5");
+  query->footer(
+      "Answers as JSON: docs/formats.md, section 11. What is exact: docs/queries.md.\n"
+      "Example:\n  voroproof query closest a.scene.json --at 12.5");
 }
 
 }  // namespace voroproof

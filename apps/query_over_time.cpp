@@ -32,7 +32,7 @@ Answer with_openings(Json json, const Rational& probe, const std::vector<Opening
     all.push_back({{"from", json_of(o.from)}, {"to", json_of(o.to)}});
     rows.push_back({short_text(o.from), short_text(o.to)});
   }
-  return {std::move(json), table_of(rows)};
+  return {std::move(json), openings.empty() ? "never open\n" : table_of(rows)};
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ CLI::App* add_over_time(CLI::App& query, Action& action, const std::shared_ptr<R
     verb->add_option(option, request->generators, "their ids; -1 is the container")
         ->type_name("ID")
         ->expected(generators)
+        ->allow_extra_args(false)
         ->required();
   }
   verb->callback([request, option, answer = std::move(answer), &action] {

@@ -14,7 +14,7 @@ namespace voroproof {
 struct RenderOptions {
   int size = 1000;  // width and height of the square picture, in pixels; 16 to 20000
   // The radius (>= 0) of a probe: its voids, tunnels and the offset instead of the cells.
-  std::optional<double> probe;
+  std::optional<double> probe{};
 };
 
 // Draws the diagram into a file, an SVG or a PNG by the extension of its name:

@@ -45,6 +45,18 @@ TEST_F(Cli, EveryVerbHasHelpThatEndsInAnExample) {
                                      {"generate", "formation"},
                                      {"simulate"},
                                      {"snapshot"},
+                                     {"query"},
+                                     {"query", "nearest"},
+                                     {"query", "neighbours"},
+                                     {"query", "closest"},
+                                     {"query", "offset"},
+                                     {"query", "voids"},
+                                     {"query", "critical"},
+                                     {"query", "neighbours-over"},
+                                     {"query", "gap-over"},
+                                     {"query", "closest-over"},
+                                     {"query", "tunnel"},
+                                     {"query", "void"},
                                      {"render"},
                                      {"validate"}};
   for (Arguments verb : verbs) {
@@ -59,7 +71,7 @@ TEST_F(Cli, EveryVerbHasHelpThatEndsInAnExample) {
     EXPECT_NE(help.out.find("Usage: " + name), std::string::npos) << help.out;
   }
   EXPECT_EQ(must({"--version"}).out.rfind("voroproof ", 0), 0u);
-  for (const char* verb : {"generate", "simulate", "snapshot", "render", "validate"}) {
+  for (const char* verb : {"generate", "simulate", "snapshot", "query", "render", "validate"}) {
     EXPECT_NE(must({"--help"}).out.find("\n  " + std::string(verb)), std::string::npos);
   }
 }
