@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "apps/true_moment.h"
 #include "queries/free_space.h"
 #include "queries/openings.h"
 #include "tests/queries/brute_moment.h"
 #include "tests/queries/scene_history.h"
+#include "tests/support/formation_scene.h"
 #include "tests/support/random_scenes.h"
 
 namespace voroproof::testing {
@@ -90,11 +93,10 @@ void expect_least_of_all(Watched& w, const Window& window) {
   for (GenId j = 0; j < w.size(); ++j) {
     for (GenId i = 0; i < j; ++i) {
       const LeastGap g = least_gap(w.paths, w.cursor, i, j, window);
-      if (!best || middle(gap_of(w.paths, g)) < middle(gap_of(w.paths, *best)) - 1e-12) best = g;
-      if (std::fabs(middle(gap_of(w.paths, g)) - middle(gap_of(w.paths, *best))) <= 1e-12 &&
-          g.t < best->t) {
-        best = g;
-      }
+      const double difference =
+          best ? middle(gap_of(w.paths, g)) - middle(gap_of(w.paths, *best)) : -1;
+      const bool first = best && std::tie(g.t, g.i, g.j) < std::tie(best->t, best->i, best->j);
+      if (difference < -1e-12 || (difference <= 1e-12 && first)) best = g;
     }
   }
   EXPECT_EQ(std::pair(least->i, least->j), std::pair(best->i, best->j)) << text(w.run.scene);
@@ -114,6 +116,20 @@ TEST(LeastGap, OfAllIsTheLeastOfAllPairs) {
     expect_least_of_all(w, {0, 16});
     expect_least_of_all(w, {0, Rational(contact * Rational(9, 10))});
     expect_least_of_all(w, {Rational(contact / 3), Rational(contact * Rational(2, 3))});
+  }
+}
+
+// Many pairs are equally close, at one time and at several.
+TEST(LeastGap, OfAllInFormations) {
+  for (const auto& flight : {std::vector<std::string>{"square", "circle", "frame"},
+                             {"circle", "turn", "square"},
+                             {"square", "east", "staggered"}}) {
+    for (const int n : {4, 9}) {
+      Watched w(scene_of(FormationScene{n, flight}));
+      ASSERT_TRUE(w.run.complete);
+      expect_least_of_all(w, {0, w.run.scene.horizon});
+      expect_least_of_all(w, {3, 11});
+    }
   }
 }
 

@@ -67,7 +67,7 @@ TEST(SnapshotWays, RandomScenes) {
 RC_GTEST_PROP(SnapshotWays, LatticesWithTies, ()) {
   const auto lattice = *lattice_scenes({.maneuvers = true});
   const SceneHistory run(scene_of(lattice));
-  if (run.complete) expect_one_diagram(run.scene, run.history, 6);
+  if (run.complete) expect_one_diagram(run.scene, run.history, 4);
 }
 
 RC_GTEST_PROP(SnapshotWays, FormationsWithTies, ()) {
@@ -86,7 +86,7 @@ TEST(SnapshotWays, DegenerateCases) {
     ++cases;
     SCOPED_TRACE(folder);
     try {
-      expect_one_diagram(scene, entry.path().string(), 3);
+      expect_one_diagram(scene, entry.path().string(), 2);
     } catch (const InputError& stopped_before) {
       ++undefined;
     } catch (const Undecided& touching_points) {
