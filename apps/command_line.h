@@ -15,7 +15,7 @@ namespace voroproof {
 // One code for each kind of outcome.
 enum class ExitCode {
   ok = 0,
-  refuted = 1,      // a history was disproved
+  refuted = 1,      // a history was disproved; there is no such plan
   bad_input = 2,    // a bad command line or input, an output that cannot be written
   undecided = 3,    // the run stopped: a decision beyond the budget, an inelastic collapse
   internal = 4,     // a fault of the program
@@ -45,6 +45,7 @@ void add_certify(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 void add_corpus(CLI::App& app, Action& action);
+void add_plan(CLI::App& app, Action& action);
 
 // "voroproof VERSION", as histories name their producer.
 std::string producer();

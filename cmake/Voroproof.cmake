@@ -15,6 +15,7 @@ pkg_check_modules(GMPXX REQUIRED IMPORTED_TARGET gmpxx)
 pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
 pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
+pkg_check_modules(LEMON REQUIRED IMPORTED_TARGET lemon)
 
 # The error bounds of filtered/ assume that every operation is rounded once, to
 # nearest: no contraction to fused operations unless the source asks for one.

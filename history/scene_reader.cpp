@@ -1,4 +1,3 @@
-#include <cmath>
 #include <set>
 
 #include "history/error.h"
@@ -6,6 +5,7 @@
 #include "history/json_reader.h"
 #include "history/placement.h"
 #include "history/scene.h"
+#include "history/scene_value.h"
 #include "history/sha256.h"
 
 namespace voroproof {
@@ -84,23 +84,7 @@ class SceneReader {
   }
 
  private:
-  // A number within the limits of a scene.
-  Rational value() {
-    static const Rational largest = to_rational(max_scene_value);
-    static const Rational smallest = to_rational(min_scene_value);
-    const Number number = json_.number();
-    const Rational q = number.value();
-    const double magnitude = std::fabs(number.nearest);
-    const bool within = number.exact ? abs(q) <= largest && abs(q) >= smallest
-                                     : magnitude <= max_scene_value && magnitude >= min_scene_value;
-    if (!within && q != 0)
-      json_.fail("beyond the limits of a scene: 0 or 1e-100 to 1e100 in magnitude");
-    // So that write_scene can always write what was read, as "p/q".
-    const auto digits = [](mpz_srcptr z) { return mpz_sizeinbase(z, 10); };
-    if (number.exact && digits(q.get_num_mpz_t()) + digits(q.get_den_mpz_t()) + 2 > max_number_text)
-      json_.fail("a fraction of more than " + std::to_string(max_number_text) + " characters");
-    return q;
-  }
+  Rational value() { return scene_value(json_); }
 
   void read_pair(Rational& x, Rational& y) {
     json_.array_of<2>([&](std::size_t i) { (i == 0 ? x : y) = value(); });

@@ -12,6 +12,7 @@
 #include "history/history_file.h"
 #include "history/json_reader.h"
 #include "history/json_text.h"
+#include "history/plan_file.h"
 #include "history/scene.h"
 
 namespace voroproof {
@@ -103,6 +104,11 @@ std::string validate_file(const std::string& path) {
            number_text(scene.horizon);
   }
   if (format.name == "voroproof-history") return validate_history(path);
+  if (format.name == "voroproof-plan") {
+    const PlanTask task = read_plan(path);
+    return "plan: " + count(task.vehicles, "vehicle", "vehicles") + ", clearance " +
+           number_text(task.clearance) + ", arrive " + number_text(task.arrive);
+  }
   if (format.name == "voroproof-diagram") {
     const DiagramFile diagram = read_diagram(path);
     return "diagram: " + count(diagram.disks, "disk", "disks") + ", " +

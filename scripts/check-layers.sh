@@ -30,6 +30,7 @@ check filtered exact filtered
 check topology exact topology
 check history exact history
 check kinetic exact filtered topology kinetic
+check planning exact filtered topology history kinetic planning
 # The certifier judges the engine: it shares no code with it beyond the definitions.
 check certify exact filtered topology history certify
 check queries exact filtered topology history queries

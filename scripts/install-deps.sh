@@ -17,6 +17,7 @@ packages=(
   libboost-dev libcgal-dev           # spatial sorting; oracles of the tests
   nlohmann-json3-dev libcli11-dev    # files, command line
   libssl-dev libcairo2-dev           # SHA-256, pictures
+  liblemon-dev                       # assignment of goals in plans
 )
 for group in "$@"; do
   case "$group" in

@@ -1,0 +1,26 @@
+#include "history/scene_value.h"
+
+#include <cmath>
+
+#include "history/scene.h"
+
+namespace voroproof {
+
+Rational scene_value(JsonReader& json) {
+  static const Rational largest = to_rational(max_scene_value);
+  static const Rational smallest = to_rational(min_scene_value);
+  const Number number = json.number();
+  const Rational q = number.value();
+  const double magnitude = std::fabs(number.nearest);
+  const bool within = number.exact ? abs(q) <= largest && abs(q) >= smallest
+                                   : magnitude <= max_scene_value && magnitude >= min_scene_value;
+  if (!within && q != 0)
+    json.fail("beyond the limits of a scene: 0 or 1e-100 to 1e100 in magnitude");
+  // So that writers can always write what was read, as "p/q".
+  const auto digits = [](mpz_srcptr z) { return mpz_sizeinbase(z, 10); };
+  if (number.exact && digits(q.get_num_mpz_t()) + digits(q.get_den_mpz_t()) + 2 > max_number_text)
+    json.fail("a fraction of more than " + std::to_string(max_number_text) + " characters");
+  return q;
+}
+
+}  // namespace voroproof

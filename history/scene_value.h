@@ -1,0 +1,11 @@
+// The numbers that scenes and plans allow.
+#pragma once
+
+#include "history/json_reader.h"
+
+namespace voroproof {
+
+// Reads a number within the limits of a scene (docs/formats.md). Throws InputError.
+Rational scene_value(JsonReader& json);
+
+}  // namespace voroproof
