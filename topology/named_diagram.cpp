@@ -1,0 +1,58 @@
+#include "topology/named_diagram.h"
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace voroproof {
+namespace {
+
+std::string name_of(const Quad& q) {
+  return "[" + std::to_string(q.l) + "," + std::to_string(q.r) + "," + std::to_string(q.s) + "," +
+         std::to_string(q.e) + "]";
+}
+
+}  // namespace
+
+std::size_t NamedDiagram::TripleHash::operator()(const Triple& v) const {
+  std::uint64_t hash = 0;
+  for (const GenId id : v) {
+    hash = (hash ^ static_cast<std::uint32_t>(id)) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 29;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+NamedDiagram::NamedDiagram(Diagram diagram) : diagram_(std::move(diagram)) {
+  corners_.reserve(2 * static_cast<std::size_t>(diagram_.edges()));
+  for (HalfEdge h = 0; h < 2 * diagram_.edges(); ++h) corners_.emplace(corner(h), h);
+}
+
+NamedDiagram::HalfEdge NamedDiagram::flip(const Quad& q) {
+  const auto found = corners_.find({q.l, q.r, q.e});
+  if (found == corners_.end() || diagram_.quad(found->second) != q) {
+    throw std::invalid_argument("the diagram has no edge " + name_of(q) + " at this time");
+  }
+  if (q.s == q.e) {
+    throw std::invalid_argument("the edge " + name_of(q) + " cannot flip: its ends are the " +
+                                "two vertices of three generators");
+  }
+  const HalfEdge h = found->second;
+  for (const HalfEdge side : sides(h)) corners_.erase(corner(side));
+  diagram_.flip(h);
+  for (const HalfEdge side : sides(h)) {
+    if (!corners_.emplace(corner(side), side).second) {
+      throw std::invalid_argument("the flip of " + name_of(q) +
+                                  " makes a second vertex of one name");
+    }
+  }
+  return h;
+}
+
+std::array<NamedDiagram::HalfEdge, 6> NamedDiagram::sides(HalfEdge h) const {
+  const HalfEdge t = Diagram::twin(h);
+  return {h, diagram_.next(h), diagram_.previous(h), t, diagram_.next(t), diagram_.previous(t)};
+}
+
+}  // namespace voroproof
