@@ -1,4 +1,5 @@
 // voroproof generate: scenes of the corpus' families.
+#include <charconv>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -8,6 +9,7 @@
 #include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "corpus/generate.h"
+#include "corpus/paper_sets.h"
 #include "history/atomic_file.h"
 #include "history/error.h"
 
@@ -108,6 +110,31 @@ void add_reference(CLI::App& generate_verb, Action& action) {
   add_real(verb, "--density", options.density, "area of the disks / area of the container");
   add_real(verb, "--speed", options.speed, "of every disk");
   add_real(verb, "--restitution", options.restitution, "between disks, 0 to 1");
+  verb.add_option_function<std::string>(
+          "--set",
+          [&options](const std::string& text) {
+            const std::size_t colon = text.find(':');
+            int k = 0;
+            const char* const end = text.data() + text.size();
+            if (colon == std::string::npos ||
+                std::from_chars(text.data() + colon + 1, end, k).ptr != end)
+              throw CLI::ValidationError("--set", text + " is not of the form NAME:NUMBER");
+            const std::uint64_t seed = options.seed;
+            const double horizon = options.horizon;
+            try {
+              options = paper_set_member(text.substr(0, colon), k);
+            } catch (const std::invalid_argument& fault) {
+              throw CLI::ValidationError("--set", fault.what());
+            }
+            options.seed = seed;
+            options.horizon = horizon;
+          },
+          "a member of the paper's data sets in place of the options but seed and horizon:\n"
+          "reference, speed, size, density (:1 to :10), restitution (:1 to :5)")
+      ->excludes(verb.get_option("--n"), verb.get_option("--radii"), verb.get_option("--rmin"),
+                 verb.get_option("--rmax"), verb.get_option("--density"),
+                 verb.get_option("--speed"), verb.get_option("--restitution"))
+      ->type_name("NAME:NUMBER");
   verb.footer("Example:\n  voroproof generate reference --n 1000 --seed 7 -o a.scene.json");
 }
 

@@ -2,9 +2,11 @@
 # Installs the Debian packages that the project needs and that are not there yet.
 #
 # usage: scripts/install-deps.sh [test] [bench] [ci] [browser]
+# usage: scripts/install-deps.sh [test] [bench] [plots] [ci]
 #   without arguments: what building and running the program takes
 #   test:  what building the tests takes besides
 #   bench: what the benchmarks and the peers they measure take besides
+#   plots: what scripts/plot-experiments.py takes
 #   ci:    the second compiler and the formatter besides
 #   browser: what testing and photographing the page of `movie` takes besides (large)
 #
@@ -23,10 +25,12 @@ for group in "$@"; do
   case "$group" in
     test) packages+=(libgtest-dev librapidcheck-dev) ;;
     bench) packages+=(libbenchmark-dev libmpfi-dev libflint-dev libflint-arb-dev) ;;
+    plots) packages+=(python3-matplotlib) ;;
     ci) packages+=(clang clang-format) ;;
     browser) packages+=(chromium) ;;
     *)
       echo "install-deps: unknown group '$group' (test, bench, ci, browser)" >&2
+      echo "install-deps: unknown group '$group' (test, bench, plots, ci)" >&2
       exit 2
       ;;
   esac
