@@ -41,7 +41,9 @@ Json member_json(const ExperimentMember& member, bool predictions) {
   json["flips"] = stats.flip_count();
   json["collisions"] = {{"disks", stats.disk_collisions}, {"container", stats.wall_collisions}};
   if (predictions && run.outcome.kind == Outcome::Kind::complete)
-    json["predicted"] = {{"flips", run.predicted_flips}, {"collisions", run.predicted_collisions}};
+    json["predicted"] = {{"flips", run.predicted_flips},
+                         {"flips_before_contact", run.predicted_flips_before_contact},
+                         {"collisions", run.predicted_collisions}};
   json["searched"] = {{"flips", stats.flip_searches},
                       {"found_flips", stats.predicted_flips},
                       {"collisions", stats.contact_searches},
@@ -79,33 +81,36 @@ std::string experiment_json(const Experiment& experiment) {
 std::string experiment_csv(const Experiment& experiment) {
   std::string text =
       "set,k,n,speed,rmax,density,restitution,seed,horizon,outcome,t,flips,disk_collisions,"
-      "wall_collisions,predicted_flips,predicted_collisions,neighbor_distance_mean,"
+      "wall_collisions,predicted_flips,predicted_flips_before_contact,predicted_collisions,"
+      "neighbor_distance_mean,"
       "neighbor_distance_deviation,speed_mean,speed_deviation\n";
   for (const ExperimentMember& member : experiment.members) {
     const ReferenceOptions& o = member.options;
     const ExperimentRun& run = member.run;
     const bool predicted = experiment.predictions && run.outcome.kind == Outcome::Kind::complete;
     const auto count = [](std::uint64_t c) { return std::to_string(c); };
-    const std::vector<std::string> fields{experiment.set,
-                                          std::to_string(member.k),
-                                          std::to_string(run.disks),
-                                          number_text(o.speed),
-                                          number_text(o.rmax),
-                                          number_text(o.density),
-                                          number_text(o.restitution),
-                                          count(o.seed),
-                                          number_text(o.horizon),
-                                          outcome_name(run.outcome.kind),
-                                          number_text(run.outcome.t),
-                                          count(run.stats.flip_count()),
-                                          count(run.stats.disk_collisions),
-                                          count(run.stats.wall_collisions),
-                                          predicted ? count(run.predicted_flips) : "",
-                                          predicted ? count(run.predicted_collisions) : "",
-                                          number_text(run.neighbor_distance.mean),
-                                          number_text(run.neighbor_distance.deviation),
-                                          number_text(run.speed.mean),
-                                          number_text(run.speed.deviation)};
+    const std::vector<std::string> fields{
+        experiment.set,
+        std::to_string(member.k),
+        std::to_string(run.disks),
+        number_text(o.speed),
+        number_text(o.rmax),
+        number_text(o.density),
+        number_text(o.restitution),
+        count(o.seed),
+        number_text(o.horizon),
+        outcome_name(run.outcome.kind),
+        number_text(run.outcome.t),
+        count(run.stats.flip_count()),
+        count(run.stats.disk_collisions),
+        count(run.stats.wall_collisions),
+        predicted ? count(run.predicted_flips) : "",
+        predicted ? count(run.predicted_flips_before_contact) : "",
+        predicted ? count(run.predicted_collisions) : "",
+        number_text(run.neighbor_distance.mean),
+        number_text(run.neighbor_distance.deviation),
+        number_text(run.speed.mean),
+        number_text(run.speed.deviation)};
     for (std::size_t f = 0; f < fields.size(); ++f) text += (f == 0 ? "" : ",") + fields[f];
     text += '\n';
   }

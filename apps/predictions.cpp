@@ -1,6 +1,7 @@
 #include "apps/predictions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -59,10 +60,10 @@ void PredictionCounter::predict() {
   }
   const double start = std::nextafter(now_, std::numeric_limits<double>::infinity());
   if (start <= horizon_) {
-    for (const auto h : changed_) flips_ += flips_again(d.quad(h), start);
+    const Instant instant = instant_at(to_rational(start));
+    for (const auto h : changed_) predict_flip(d.quad(h), instant);
     std::set<std::pair<GenId, GenId>> pairs;
     for (const auto h : adjacent_) pairs.insert(std::minmax(d.org(h), d.dest(h)));
-    const Instant instant = instant_at(to_rational(start));
     for (const auto& [i, j] : pairs)
       collisions_ += contacts_.from(i, j, instant, horizon_).kind != NextContact::Kind::none;
   }
@@ -71,10 +72,34 @@ void PredictionCounter::predict() {
   moved_.clear();
 }
 
-bool PredictionCounter::flips_again(const Quad& edge, double start) {
-  if (edge.s == edge.e) return false;
-  while (start < horizon_) {
-    const Collapse found = collapses_.after(edge, start, horizon_);
+void PredictionCounter::predict_flip(const Quad& edge, const Instant& now) {
+  if (edge.s == edge.e) return;
+  const double contact = first_contact(edge, now);
+  if (flips_within(edge, now.lo, contact)) {
+    ++flips_;
+    ++flips_before_contact_;
+  } else if (flips_within(edge, contact, horizon_)) {
+    ++flips_;
+  }
+}
+
+// A time before which no two of the four touch, but next to it they do; or the horizon.
+double PredictionCounter::first_contact(const Quad& edge, const Instant& now) {
+  double first = horizon_;
+  const std::array<GenId, 4> four{edge.l, edge.r, edge.s, edge.e};
+  for (const GenId i : four) {
+    for (const GenId j : four) {
+      if (i >= j) continue;
+      const NextContact contact = contacts_.from(i, j, now, first);
+      if (contact.kind == NextContact::Kind::at) first = std::min(first, contact.lo);
+    }
+  }
+  return std::max(first, now.lo);
+}
+
+bool PredictionCounter::flips_within(const Quad& edge, double start, double end) {
+  while (start < end) {
+    const Collapse found = collapses_.after(edge, start, end);
     if (found.kind != Collapse::Kind::none) return true;
     if (!(found.lo > start)) break;
     start = found.lo;

@@ -15,7 +15,8 @@ namespace voroproof {
 // Algorithm 2 of the paper searches: the next flip of every edge whose four generators or their
 // motion have changed (after a flip five edges, after a collision all that the two disks are
 // generators of), and the next contact of every pair whose adjacency or motion is new; at first
-// all. A search looks up to the horizon, as if nothing else happened. It starts at the first
+// all. A search looks up to the horizon, as if nothing
+// else happened, not even contacts. It starts at the first
 // binary64 after the instant, and what it finds there and then is exact. Each event found counts
 // once a search.
 class PredictionCounter {
@@ -29,12 +30,17 @@ class PredictionCounter {
   void finish() { predict(); }
 
   std::uint64_t flips() const { return flips_; }
+  // Those that no contact among the four generators precedes: after it they would have to pass
+  // through each other.
+  std::uint64_t flips_before_contact() const { return flips_before_contact_; }
   std::uint64_t collisions() const { return collisions_; }
 
  private:
   void advance(double t);
   void predict();
-  bool flips_again(const Quad& edge, double start);
+  void predict_flip(const Quad& edge, const Instant& now);
+  double first_contact(const Quad& edge, const Instant& now);
+  bool flips_within(const Quad& edge, double start, double end);
 
   double horizon_;
   Motion motion_;
@@ -46,7 +52,7 @@ class PredictionCounter {
   // Since the last instant: half-edges of changed edges, of new adjacencies, disks that collided.
   std::set<Diagram::HalfEdge> changed_, adjacent_;
   std::set<GenId> moved_;
-  std::uint64_t flips_ = 0, collisions_ = 0;
+  std::uint64_t flips_ = 0, flips_before_contact_ = 0, collisions_ = 0;
 };
 
 }  // namespace voroproof

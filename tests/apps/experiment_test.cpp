@@ -109,7 +109,8 @@ TEST(Predictions, CoverWhatOccurs) {
     options.horizon = 60;
     const ExperimentRun run = run_experiment(generate_reference(options), true,
                                              [](double, std::uint64_t) { return true; });
-    EXPECT_GE(run.predicted_flips, run.stats.flip_count());
+    EXPECT_GE(run.predicted_flips_before_contact, run.stats.flip_count());
+    EXPECT_GT(run.predicted_flips, run.predicted_flips_before_contact);
     EXPECT_GE(run.predicted_collisions, run.stats.disk_collisions + run.stats.wall_collisions);
     EXPECT_LT(run.predicted_flips, 20 * run.stats.flip_count());
   }
