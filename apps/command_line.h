@@ -46,6 +46,7 @@ void add_explain(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 void add_corpus(CLI::App& app, Action& action);
 void add_plan(CLI::App& app, Action& action);
+void add_check72(CLI::App& app, Action& action);
 void add_experiment(CLI::App& app, Action& action);
 
 // "voroproof VERSION", as histories name their producer.

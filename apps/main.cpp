@@ -36,6 +36,7 @@ void describe(CLI::App& app, Action& action) {
   add_convert(app, action);
   add_corpus(app, action);
   add_plan(app, action);
+  add_check72(app, action);
   add_experiment(app, action);
   app.footer(
       "Exit codes: 0 done, 1 refuted, 2 bad input or usage, 3 undecided, 4 internal error, 5 out "
