@@ -2,8 +2,7 @@
 JOBS ?= $(shell nproc)
 MAKEFLAGS += --no-print-directory
 
-SOURCES = $(shell find exact filtered topology history kinetic queries certify corpus apps bench tests \
-SOURCES = $(shell find exact filtered topology history kinetic planning certify corpus apps bench tests \
+SOURCES = $(shell find exact filtered topology history kinetic queries planning certify corpus apps bench tests \
   -name '*.h' -o -name '*.cpp')
 
 .PHONY: build demo test bench format clean

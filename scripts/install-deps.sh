@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the project needs and that are not there yet.
 #
-# usage: scripts/install-deps.sh [test] [bench] [ci] [browser]
-# usage: scripts/install-deps.sh [test] [bench] [plots] [ci]
+# usage: scripts/install-deps.sh [test] [bench] [plots] [ci] [browser]
 #   without arguments: what building and running the program takes
 #   test:  what building the tests takes besides
 #   bench: what the benchmarks and the peers they measure take besides
@@ -29,8 +28,7 @@ for group in "$@"; do
     ci) packages+=(clang clang-format) ;;
     browser) packages+=(chromium) ;;
     *)
-      echo "install-deps: unknown group '$group' (test, bench, ci, browser)" >&2
-      echo "install-deps: unknown group '$group' (test, bench, plots, ci)" >&2
+      echo "install-deps: unknown group '$group' (test, bench, plots, ci, browser)" >&2
       exit 2
       ;;
   esac
