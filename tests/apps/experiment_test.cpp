@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
-#include <numeric>
+#include <set>
 #include <stdexcept>
 
 #include "apps/predictions.h"
@@ -114,6 +115,62 @@ TEST(Predictions, CoverWhatOccurs) {
     EXPECT_GE(run.predicted_collisions, run.stats.disk_collisions + run.stats.wall_collisions);
     EXPECT_LT(run.predicted_flips, 20 * run.stats.flip_count());
   }
+}
+
+// The edges to ask about, from the differences between whole diagrams: those with a new name, and
+// those with a generator that has collided.
+TEST(Predictions, AskOfEveryEdgeThatIsNew) {
+  ReferenceOptions options = paper_set_member("speed", 3, 0.014);
+  options.horizon = 60;
+  const Scene scene = generate_reference(options);
+  const ExperimentRun run = run_experiment(scene, true, [](double, std::uint64_t) { return true; });
+  const testing::RecordedRun record = testing::run(scene);
+  Motion motion(motion_input(scene), {});
+  TierCounts counts;
+  CollapseSearch search(motion, counts);
+  NamedDiagram diagram(diagram_of(motion.size(), record.initial));
+  std::set<Quad> known;
+  std::uint64_t expected = 0, asked = 0;
+  const auto ask = [&](double now, const std::set<GenId>& moved) {
+    const double start = std::nextafter(now, std::numeric_limits<double>::infinity());
+    const std::vector<Quad> quads = diagram.diagram().quads();
+    for (const Quad& q : quads) {
+      const bool is_moved =
+          moved.contains(q.l) || moved.contains(q.r) || moved.contains(q.s) || moved.contains(q.e);
+      if ((known.contains(q) && !is_moved) || q.s == q.e) continue;
+      ++asked;
+      double at = start;
+      bool found = false;
+      while (!found && at < options.horizon) {
+        const Collapse next = search.after(q, at, options.horizon);
+        found = next.kind != Collapse::Kind::none;
+        if (!found && next.lo <= at) break;
+        at = next.lo;
+      }
+      expected += found;
+    }
+    known = {quads.begin(), quads.end()};
+  };
+  ask(0, {});
+  for (std::size_t k = 0; k < record.events.size();) {
+    const double t = record.events[k].t;
+    std::set<GenId> moved;
+    for (; k < record.events.size() && record.events[k].t == t; ++k) {
+      const testing::Event& e = record.events[k];
+      if (e.kind == testing::Event::Kind::flip) {
+        diagram.flip(e.edge);
+      } else {
+        motion.collide(e.i, e.j, t);
+        moved.insert(e.j);
+        if (e.i != container_id) moved.insert(e.i);
+      }
+    }
+    ask(t, moved);
+  }
+  EXPECT_EQ(run.predicted_flips, expected);
+  EXPECT_GT(run.stats.flip_count(), 100u);
+  EXPECT_GT(run.stats.disk_collisions, 5u);
+  EXPECT_GT(asked, 2 * expected);  // not every edge says yes
 }
 
 TEST(Predictions, AreCountedByTheRule) {
