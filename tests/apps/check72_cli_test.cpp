@@ -1,4 +1,6 @@
 // The paper's test of section 7.2: what it sees, and what it cannot see but certify does.
+#include <set>
+
 #include "tests/apps/cli.h"
 
 namespace voroproof {
@@ -85,6 +87,35 @@ TEST_F(Check72Cli, SeesAFlipThatComesTooLate) {
   EXPECT_EQ(result.code, 1) << result.out << result.err;
   EXPECT_EQ(lines_of(result.out).back(), "failed");
   is_refuted(history);
+}
+
+// Four disks at rest; a flip makes the wrong two of them neighbours. The circle of the centres of
+// 0, 1 and 2 is then that around (0, -10.5) of radius 14.5, that of the disks has the radius 13.5,
+// and disk 3, 6.5 from its centre, reaches in by 13.5 + 1 - 6.5.
+TEST_F(Check72Cli, TellsHowFarADiskReachesIn) {
+  scene_ = directory_.write("rest.scene.json",
+                            R"({"format": "voroproof-scene", "version": 1,
+ "container": {"center": [0, 0], "radius": 100}, "horizon": 10,
+ "disks": [{"center": [-10, 0], "radius": 1, "velocity": [0, 0]},
+  {"center": [10, 0], "radius": 1, "velocity": [0, 0]},
+  {"center": [0, 4], "radius": 1, "velocity": [0, 0]},
+  {"center": [0, -4], "radius": 1, "velocity": [0, 0]}]})");
+  must({"simulate", scene_, "-o", file("rest.history.jsonl")});
+  auto lines = lines_of(directory_.read("rest.history.jsonl"));
+  ASSERT_EQ(lines.size(), 2u);
+  const Json header = Json::parse(lines[0]);
+  for (const Json& q : header["initial"]) {
+    if (std::set<int>{q[0], q[1]} == std::set<int>{2, 3} &&
+        std::set<int>{q[2], q[3]} == std::set<int>{0, 1}) {
+      lines.insert(lines.begin() + 1, flip_line(5.05, q[0], q[1], q[2], q[3]));
+      break;
+    }
+  }
+  const Result result = run({"check72", scene_, written(lines)});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_NE(result.out.find("at t = 5.1000000000000005 the circle of "), std::string::npos)
+      << result.out;
+  EXPECT_NE(result.out.find(", by 8\n"), std::string::npos) << result.out;
 }
 
 // Between two instants that it looks at, anything may happen.
