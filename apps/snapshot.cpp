@@ -9,8 +9,8 @@
 #include "exact/predicates.h"
 #include "filtered/collapse.h"
 #include "history/json_text.h"
-#include "queries/named_diagram.h"
 #include "queries/replayed_motion.h"
+#include "topology/named_diagram.h"
 
 namespace voroproof {
 namespace {

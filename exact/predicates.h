@@ -118,6 +118,12 @@ struct TangentTriple {
   }
 };
 
+// Gamma = N - D_sp^2, N = D_xp^2 + D_yp^2: the product of the three tangencies.
+template <class T>
+T gamma(const TangentTriple<T>& t) {
+  return t.xp * t.xp + t.yp * t.yp - t.sp * t.sp;
+}
+
 // Sign of u + sqrt(gamma) v for gamma >= 0, when the sign of u^2 - gamma v^2 is
 // known to be that of `discriminant`. unknown in, unknown out, where the answer
 // depends on it.
@@ -182,8 +188,7 @@ Sign incircle(const TangentTriple<T>& t, const Site<T>& e, bool e_is_container, 
 template <class T>
 T incircle_value(const TangentTriple<T>& t, const Site<T>& e, bool e_is_container) {
   const InCircleParts<T> parts(t, e);
-  // Gamma = N - D_sp^2.
-  const T root = sqrt(T(t.xp * t.xp + t.yp * t.yp - t.sp * t.sp));
+  const T root = sqrt(gamma(t));
   const T term = root * parts.c();
   const T q = t.with_container ? T(parts.g() - term) : T(parts.g() + term);
   return e_is_container ? T(-q) : q;
@@ -213,8 +218,7 @@ struct OwnRoot {
 // takes the root of a nonnegative T. Precondition: the circle exists.
 template <class T, class Root = OwnRoot>
 std::array<T, 2> circle_direction(const TangentTriple<T>& t, Root&& square_root = {}) {
-  // Gamma = N - D_sp^2.
-  const T root = square_root(T(t.xp * t.xp + t.yp * t.yp - t.sp * t.sp));
+  const T root = square_root(gamma(t));
   if (t.with_container) {
     return {t.yp * root - t.sp * t.xp, -(t.xp * root) - t.sp * t.yp};
   }

@@ -67,8 +67,10 @@ enum class Finding { free, collapse, unknown };
 // What the start of q's edge shows of [a, b]; a collapse in `root`.
 Finding look(const Motion& motion, const Quad& q, double a, double b,
              const std::array<Site<DoubleBall>, 4>& at, Interval& root) {
-  const Sign exists = circle_exists(EdgeTriples<DoubleBall>::of(q, at).start);
-  if (exists == Sign::negative) return Finding::free;
+  const TangentTriple<DoubleBall> triple = EdgeTriples<DoubleBall>::of(q, at).start;
+  // Beyond a contact of the three, which comes first, no circle touches them.
+  if (sign(gamma(triple)) != Sign::positive) return Finding::unknown;
+  if (circle_exists(triple) == Sign::negative) return Finding::free;
   const Branch branch(motion, q);
   const Dual<DoubleBall> over = branch.over(a, b);
   const double m = 0.5 * (a + b);

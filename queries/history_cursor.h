@@ -11,8 +11,8 @@
 #include "history/events.h"
 #include "history/history_file.h"
 #include "history/scene.h"
-#include "queries/named_diagram.h"
 #include "queries/recorded_moment.h"
+#include "topology/named_diagram.h"
 
 namespace voroproof {
 

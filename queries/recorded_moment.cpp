@@ -7,7 +7,7 @@
 
 #include "history/error.h"
 #include "queries/followed_history.h"
-#include "queries/named_diagram.h"
+#include "topology/named_diagram.h"
 
 namespace voroproof {
 namespace {

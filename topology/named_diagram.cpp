@@ -26,22 +26,26 @@ std::size_t NamedDiagram::TripleHash::operator()(const Triple& v) const {
 
 NamedDiagram::NamedDiagram(Diagram diagram) : diagram_(std::move(diagram)) {
   corners_.reserve(2 * static_cast<std::size_t>(diagram_.edges()));
-  for (HalfEdge h = 0; h < 2 * diagram_.edges(); ++h) corners_.emplace(corner(h), h);
+  for (Diagram::HalfEdge h = 0; h < 2 * diagram_.edges(); ++h) corners_.emplace(corner(h), h);
 }
 
-NamedDiagram::HalfEdge NamedDiagram::flip(const Quad& q) {
+Diagram::HalfEdge NamedDiagram::find(const Quad& q) const {
   const auto found = corners_.find({q.l, q.r, q.e});
-  if (found == corners_.end() || diagram_.quad(found->second) != q) {
+  return found == corners_.end() || diagram_.quad(found->second) != q ? -1 : found->second;
+}
+
+Diagram::HalfEdge NamedDiagram::flip(const Quad& q) {
+  const Diagram::HalfEdge h = find(q);
+  if (h < 0) {
     throw std::invalid_argument("the diagram has no edge " + name_of(q) + " at this time");
   }
   if (q.s == q.e) {
     throw std::invalid_argument("the edge " + name_of(q) + " cannot flip: its ends are the " +
                                 "two vertices of three generators");
   }
-  const HalfEdge h = found->second;
-  for (const HalfEdge side : sides(h)) corners_.erase(corner(side));
+  for (const Diagram::HalfEdge side : sides(h)) corners_.erase(corner(side));
   diagram_.flip(h);
-  for (const HalfEdge side : sides(h)) {
+  for (const Diagram::HalfEdge side : sides(h)) {
     if (!corners_.emplace(corner(side), side).second) {
       throw std::invalid_argument("the flip of " + name_of(q) +
                                   " makes a second vertex of one name");
@@ -50,8 +54,8 @@ NamedDiagram::HalfEdge NamedDiagram::flip(const Quad& q) {
   return h;
 }
 
-std::array<NamedDiagram::HalfEdge, 6> NamedDiagram::sides(HalfEdge h) const {
-  const HalfEdge t = Diagram::twin(h);
+std::array<Diagram::HalfEdge, 6> NamedDiagram::sides(Diagram::HalfEdge h) const {
+  const Diagram::HalfEdge t = Diagram::twin(h);
   return {h, diagram_.next(h), diagram_.previous(h), t, diagram_.next(t), diagram_.previous(t)};
 }
 
