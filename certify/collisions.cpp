@@ -302,6 +302,7 @@ void Checker::require_maneuvers_before(double t) {
   const std::size_t next = replay_.next_maneuver();
   if (next == scene_.maneuvers.size()) return;
   const Rational& due = scene_.maneuvers[next].t;
+  if (t <= due.get_d()) return;  // which is rounded towards zero
   if (due > history_.header().horizon || due + options_.tolerance >= to_rational(t)) return;
   throw Refuted{missing_maneuver(next)};
 }

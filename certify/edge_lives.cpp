@@ -166,6 +166,7 @@ Checker::Found Checker::collapse_for(const FlipEvent& claim, HalfEdge h) {
 }
 
 void Checker::flip(const FlipEvent& claim) {
+  require_maneuvers_before(time(*claim_));
   begin_pending_lives();
   HalfEdge h = replay_.find(claim.quad);
   // A quadruplet whose two third generators are exchanged is that of an edge whose producer does
