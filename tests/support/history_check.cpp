@@ -44,7 +44,7 @@ std::optional<int> legality(const Generators& at, const Quad& q) {
     const auto circle = counterclockwise_circle(at, i, j, k);
     if (!circle) return std::nullopt;
     const Work gap = at.gap(tested, *circle);
-    if (abs(gap) < Work("1e-50")) return 0;
+    if (abs(gap) < oracle::contact_tolerance()) return 0;
     return gap > 0 ? 1 : -1;
   };
   const auto start = side(q.l, q.s, q.r, q.e), end = side(q.r, q.e, q.l, q.s);
