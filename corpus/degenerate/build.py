@@ -1,6 +1,5 @@
 """Makes the files of a case with the program, and holds them against what the case expects."""
 import json
-import re
 import shutil
 import subprocess
 import tempfile
@@ -8,11 +7,10 @@ from fractions import Fraction
 from pathlib import Path
 
 from degenerate.history import History
-from degenerate.scene import instant_text
+from degenerate.picture import compact
+from degenerate.scene import Generated, instant_text
 
 PICTURE_SIZE = 480
-# What is drawn that is thinner than these decimals of a pixel is not seen.
-PICTURE_DECIMALS = 1
 
 
 class Failed(Exception):
@@ -52,32 +50,6 @@ class Simulator:
             return History.read(out.read_text())
 
 
-def compact_picture(text):
-    """The same SVG in a fifth of its bytes: styles once a run of paths, coordinates rounded."""
-    def rounded(match):
-        value = f"{float(match[0]):.{PICTURE_DECIMALS}f}"
-        value = value.rstrip("0").rstrip(".") if "." in value else value
-        return "0" if value == "-0" else value
-
-    out, style = [], None
-    for line in text.splitlines():
-        path = re.fullmatch(r'<path style="([^"]*)" d="([^"]*)"/>', line)
-        if path:
-            if path[1] != style:
-                out.append(("</g>" if style is not None else "") + f'<g style="{path[1].strip()}">')
-                style = path[1]
-            coordinates = re.sub(r"-?\d+(\.\d+)?", rounded, path[2])
-            coordinates = re.sub(r" ?([A-Z]) ?", r"\1", coordinates)
-            out.append(f'<path d="{coordinates}"/>')
-        else:
-            if style is not None:
-                out.append("</g>")
-            style = None
-            out.append(line)
-    defaults = r" *(fill-rule:nonzero|(fill|stroke)-opacity:1|stroke-miterlimit:10|stroke:none);"
-    return re.sub(defaults, "", "\n".join(out)) + "\n"
-
-
 def verdict_of(program, scene, history, truth, report):
     """The last word of `certify`, and its report."""
     report.unlink(missing_ok=True)
@@ -92,11 +64,20 @@ def flip_kinds(stats):
             if count and kind != "all"}
 
 
-def gaps(history):
-    """How many stretches of more than 1e-9 the events leave: where a midpoint can be looked at."""
+# As in tests/corpus/truth_test.cpp: from 33 disks on brute force takes seconds a diagram.
+MANY_DISKS, FEW_MIDPOINTS = 32, 4
+
+
+def midpoints(history, disks):
+    """At how many midpoints between events the brute force looks: those of stretches of more than
+    1e-9, and of these, with many disks, a few spread evenly."""
+    if disks < 2:
+        return 0
     end = history.last["end"]["t"] if "end" in history.last else history.last["stopped"]["t"]
     times = sorted({0.0, *(e["t"] for e in history.events)}) + [float(Fraction(end))]
-    return sum(b - a > 1e-9 for a, b in zip(times, times[1:]))
+    stretches = [b - a for a, b in zip(times, times[1:])]
+    step = max(1, len(stretches) // FEW_MIDPOINTS) if disks > MANY_DISKS else 1
+    return sum(length > 1e-9 for length in stretches[step // 2::step])
 
 
 def build(case, program, root):
@@ -107,7 +88,10 @@ def build(case, program, root):
     folder.mkdir(parents=True)
     scene, exact = folder / "scene.scene.json", folder / "exact.history.jsonl"
     report = folder / "report.json"
-    scene.write_text(case.scene.text(f"{case.family}/{case.name}", ""))
+    if isinstance(case.scene, Generated):
+        program.run("generate", *case.scene.words, "-o", scene)
+    else:
+        scene.write_text(case.scene.text(f"{case.family}/{case.name}", ""))
     program.run("simulate", scene, "-o", exact, "--quiet", "--stats", report,
                 codes=(3,) if case.verdict == "undecided" else (0,))
     history = History.read(exact.read_text())
@@ -138,10 +122,8 @@ def build(case, program, root):
         picture = folder / "picture.svg"
         program.run("render", folder / f"diagram-{case.picture}.diagram.json", "-o", picture,
                     "--size", PICTURE_SIZE)
-        picture.write_text(compact_picture(picture.read_text()))
-    seen = gaps(history) - case.unseen
-    if len(case.scene.disks) < 2:
-        seen = 0
+        picture.write_text(compact(picture.read_text()))
+    seen = midpoints(history, len(json.loads(scene.read_text())["disks"])) - case.unseen
     record.append(f"tests/corpus/truth_test.cpp: motion replayed in 300 digits or more; brute force "
                   f"agrees at {seen} midpoints and {len(case.instants)} instants")
 

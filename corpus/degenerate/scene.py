@@ -110,3 +110,10 @@ class Scene:
 
 def scene(radius, horizon, disks, **options):
     return Scene(exact(radius), exact(horizon), list(disks), **options)
+
+
+@dataclass
+class Generated:
+    """What `voroproof generate` writes for these words. Scenes that only the program can tell have wrong
+    variants by edits alone."""
+    words: tuple

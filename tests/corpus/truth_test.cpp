@@ -1,7 +1,8 @@
 // The second way in which the truth of corpus/cases/ is established: motion replayed in high
 // precision from the order of the collisions alone, and diagrams straight from their definition,
-// at every midpoint between events and at the instants that the case names. Nothing of the engine
-// or of the certifier takes part; the record in case.json must say what is seen here.
+// at every midpoint between events (at some where disks are many) and at the instants that the case
+// names. Nothing of the engine or of the certifier takes part; the record in case.json must say
+// what is seen here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -125,12 +126,14 @@ TEST_P(CorpusTruth, BruteForceAgrees) {
   const bool distinct = std::find(tags.begin(), tags.end(), "one-time-two-instants") == tags.end();
   CheckCounts seen;
   const int all = std::numeric_limits<int>::max();
+  // As in corpus/degenerate/build.py: with more disks brute force takes seconds a diagram.
+  const int midpoints = scene.disks.size() > 32 ? 4 : all;
   // A run that stops at once has not even an initial diagram, and nothing to be held against.
   const bool begun = !run.initial.empty() || scene.disks.size() < 2;
   EXPECT_TRUE(begun || (run.events.empty() && head.at("verdict") == "undecided"));
   if (begun) {
     EXPECT_EQ(check_history(scene, run,
-                            {.brute_force_instants = all,
+                            {.brute_force_instants = midpoints,
                              .legality_instants = all,
                              .one_time_is_one_instant = distinct},
                             &seen),
