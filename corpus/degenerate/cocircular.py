@@ -79,7 +79,9 @@ def always():
             [f"k{k}", "permanent", "at-rest"], [enlarges_smallest(k), moved_a_little("wrong initial diagram")], events=(0, 0, 0))
     yield Case(
         "rest-64", """64 equal disks rest on a circle: 635,376 permanently cotangent quadruples, 61 diagonals, all in the
-        disk with the largest id.""",
+        disk with the largest id.
+        An engine that looks for cotangent quadruples instead of edges does not end, and one that perturbs its input
+        ends in one of the Catalan number of triangulations.""",
         scene(10, 1, [disk(4 * x, 4 * y, F(1, 16)) for x, y in ring(64, digits=60)]), [0],
         ["k64", "permanent", "at-rest"], [enlarges_smallest(64)], events=(0, 0, 0))
     yield Case(
@@ -90,7 +92,9 @@ def always():
         ["k6", "permanent", "translating"], [enlarges_smallest(6)])
     yield Case(
         "growing-08", """An octagon of equal disks expands: velocities are proportional to the places. The centres stay on one circle
-        that grows; all quadruples of degree 4 in t vanish identically.""",
+        that grows; all quadruples of degree 4 in t vanish identically.
+        In doubles their coefficients are rounding errors, whose roots come as a burst of flips in some engines and
+        never in others.""",
         scene(12, 4, [disk(3 * x, 3 * y, F(1, 4), x, y) for x, y in ring(8)]), [0, 2, 4],
         ["k8", "permanent", "expanding"], [enlarges_smallest(8)], events=(0, 0, 0))
     yield Case(
@@ -140,7 +144,9 @@ def always():
         ["k4", "permanent", "maneuver"], [], picture=2)
     yield Case(
         "ends-by-maneuver-inwards", """As ends-by-maneuver, but the disk moves inwards at t = 2. Of these two cases one needs
-        a flip at the instant of the maneuver and the other none.""",
+        a flip at the instant of the maneuver and the other none.
+        An engine that asks for a sign change of a polynomial finds neither a value before t = 2 nor, in the next piece
+        of motion, a root.""",
         scene(10, 4, square, maneuvers=[(2, 0, F(-1, 2), F(-1, 2))]), [0, 2, 4],
         ["k4", "permanent", "maneuver"], [], picture=2)
     yield Case(

@@ -49,7 +49,8 @@ def lattices():
         [rows_backwards(3, 3)])
     yield Case(
         "gliding-4x4-obliquely", """A 4 by 4 lattice glides along the direction (3, 4): nine permanently cotangent squares, and no symmetry with the
-        container once it is off the centre.""",
+        container once it is off the centre.
+        Flips with the container are generic then, while noise at the nine squares must not add to them.""",
         scene(14, 6, square(4, 4, lambda x, y: (F(3, 5), F(4, 5)))), [0, 3, 6], ["lattice", "permanent", "translating"],
         [rows_backwards(4, 4)])
     yield Case(
@@ -94,7 +95,8 @@ def lattices():
             [drops_tied_flip()], picture=2)
     yield Case(
         "shearing-both-ways", """Rows of a 4 by 3 lattice move alternately left and right at one speed. Every second unit of time the
-        squares are restored and pass; all flips come in ties of a whole row.""",
+        squares are restored and pass; all flips come in ties of a whole row.
+        An engine that moves on by an epsilon after each flip finds the rest of the row in the past.""",
         scene(14, 5, square(4, 3, lambda x, y: (F(1, 2) if y else F(-1, 2), 0))), [0, 2, 4], ["lattice", "shear", "tie"],
         [drops_tied_flip()], picture=1)
     yield Case(

@@ -5,8 +5,6 @@ from degenerate.case import Case, family
 from degenerate.scene import disk, scene
 from degenerate.wrong import (dropped, drops_pair, drops_tied_flip, inserted_flip, late, of_scene)
 
-# Scenes with these roots keep the engine busy for ever.
-HIGHER_ROOTS = "an engine that gets past roots of higher order, and nearly so"
 
 CORNERS = ((1, 1), (-1, 1), (-1, -1), (1, -1))
 
@@ -36,11 +34,13 @@ def close_roots():
         yield Case(
             f"one-edge-1e-{e:02}", f"""A disk crosses the circle through three equal disks at rest so flatly that it is inside for {"about "}1.4 * 10^-{e} only: the edge flips and flips
             back. The polynomial dips below zero by less than 10^-{2 * e - 1}; sampled anywhere else it has no root at all. {"Both times round to t = 4." if e > 15 else ""}""",
-            sc, [0, 4, 8], ["near-double-root", "equal-radii"], [drops_pair()], picture=1,
-            awaits=HIGHER_ROOTS if e == 40 else None)
+            sc, [0, 4, 8] if e < 15 else [0, 8],
+            ["near-double-root", "equal-radii", *(["one-time-two-instants"] if e > 15 else [])], [drops_pair()],
+            picture=1 if e < 15 else 0)
         yield Case(
             f"no-root-1e-{e:02}", f"""The counterpart of one-edge-1e-{e:02}: the disk passes outside the circle by 10^-{2 * e}/8. The polynomial comes as near to zero and does not
-            reach it. No event at t = 4.""",
+            reach it. No event at t = 4.
+        Together the two cases leave no tolerance that is right for both: what is a root there is none here.""",
             scene(10, 8, [disk(-2, 0, F(1, 4)), disk(0, -2, F(1, 4)), disk(2, 0, F(1, 4)), disk(-4, 2 + depth, F(1, 4), 1, 0)]),
             [0, 4, 8], ["near-double-root", "equal-radii", "no-event"], [inserted_flip(4, [0, 2, 1, 3], "even-root-there-and-back", back=True)],
             picture=1)
@@ -48,7 +48,8 @@ def close_roots():
         gap = F(1, 10**e)
         yield Case(
             f"flip-before-collision-1e-{e}", f"""A square closes at t = 2; 10^-{e} later its moving corner is hit from behind by a faster disk. The flip uses velocities that hold
-            for 10^-{e} more.""",
+            for 10^-{e} more.
+        If the two are merged to one instant the flip is judged with the velocity after the blow, and gone.""",
             scene(10, 4, [*square_closing(0, F(2)), disk(F(3, 2) + F(5, 2) * F(3, 4) + F(3, 4) * gap, F(5, 2) * F(3, 4) + F(3, 2) + F(3, 4) * gap, F(1, 4), -1, -1)]),
             [0, 4], ["near-tie"], [dropped("flip", 0)])
 
@@ -121,11 +122,15 @@ def multiple_roots():
         scene(10, 8, [*three, disk(-4, 2, F(1, 4), 1, 0)]), [0, 4, 8], ["even-root", "equal-radii", "no-event"], [taken, back], picture=1)
     yield Case(
         "double-unequal-radii", """As double-equal-radii, but the passing disk is larger and touches the common tangent circle of the three
-        at t = 4 from outside: a double root of f proper, with no sign change.""",
+        at t = 4 from outside: a double root of f proper, with no sign change.
+        To flip at every root of f is wrong here, to flip at its sign changes alone is wrong for equal radii: what
+        counts is the sign of both in-circle functions.""",
         scene(10, 8, [*three, disk(-4, F(11, 4), 1, 1, 0)]), [0, 4, 8], ["even-root", "unequal-radii", "no-event"], [taken, back], picture=1)
     yield Case(
         "double-at-the-start", """The double root lies at t = 0: the four are cotangent at the start and separate to the same side in past and future. The initial diagram is that for 0+, and no
-        flip has time 0.""",
+        flip has time 0.
+        Whoever constructs the diagram at 0 and not at 0+ has zero for the sign and may begin with either diagonal, one
+        of which is never mended.""",
         scene(10, 4, [*three, disk(0, 2, F(1, 4), 1, 0)]), [0, 4], ["even-root", "equal-radii", "start"],
         [inserted_flip(0, [0, 2, 1, 3], "even-root-taken")])
     yield Case(
@@ -135,10 +140,12 @@ def multiple_roots():
         [inserted_flip(0, [1, 3, 0, 2], "even-root-taken", "wrong quadruple")])
     yield Case(
         "simple-at-the-horizon", """The four become cotangent at the horizon exactly. The horizon belongs to the history, and the diagram there is that just after: the flip is
-        claimed at the last instant.""",
+        claimed at the last instant.
+        Half-open intervals lose it, and the last diagram with it.""",
         scene(10, 2, square_closing(0, F(2))), [0, 2], ["equal-radii", "horizon"], [dropped("flip", 0)])
     yield Case(
-        "double-at-the-horizon", """A double root at the horizon: no flip, but whoever decides by the sign at the horizon has zero there.""",
+        "double-at-the-horizon", """A double root at the horizon: no flip, but whoever decides by the sign at the horizon has zero there, and the edge that is correct just after has to be
+        found from the second derivative.""",
         scene(10, 4, [*three, disk(-4, 2, F(1, 4), 1, 0)]), [0, 4], ["equal-radii", "horizon", "even-root", "no-event"], [taken])
     triples = {"a": [(-2, 3), (-3, 0), (1, -2), (2, 3)], "b": [(-1, 3), (3, 3), (-1, -1), (1, -3)],
                "c": [(2, 2), (3, 3), (1, 3), (2, 2)]}
@@ -147,25 +154,25 @@ def multiple_roots():
             f"triple-equal-radii-{name}", """Four equal disks whose in-circle polynomial is a multiple of (t - 2)^3, up to higher powers: value, velocity and acceleration vanish together, and
             still the sign changes. One flip. Newton's method converges slowly, deflation of one root leaves a double one, and
             a test of the first derivative sees no crossing.""",
-            scene(10, 4, order_of(v)), [0, 2, 4], ["odd-root", "triple-root", "equal-radii"], [dropped("flip", 0), late(0, F(1, 10**4))], picture=1,
-            awaits=HIGHER_ROOTS)
+            scene(10, 4, order_of(v)), [0, 2, 4], ["odd-root", "triple-root", "equal-radii"], [dropped("flip", 0), late(0, F(1, 10**4))], picture=1)
     fourfold = {"a": [(-1, 2), (1, -1), (2, 2), (2, 3)], "b": [(-2, 2), (-3, 1), (-2, -3), (1, 0)]}
     for name, v in fourfold.items():
         yield Case(
             f"quadruple-equal-radii-{name}", """Four equal disks whose in-circle polynomial is a multiple of (t - 2)^4: the edge comes to length zero with three derivatives and turns
-            back. No flip at t = 2.""",
+            back. No flip at t = 2.
+        In doubles the value is below rounding error for a while before and after, and its sign there is chance.""",
             scene(10, 4, order_of(v)), [0, 2, 4], ["even-root", "quadruple-root", "equal-radii", "no-event"], [], picture=1)
     yield Case(
         "triple-unequal-radii", """Four different disks pass the corners of a common tangent circle that grows: radial speeds are equal and the
-        tangential ones are such that the second derivative of the in-circle function vanishes at t = 2 as well. f, of degree 8 or less, has a triple root
-        there.""",
-        scene(36, 4, unlike(10)), [0, 2, 4], ["odd-root", "triple-root", "unequal-radii"], [dropped("flip", 0)], picture=1,
-        awaits=HIGHER_ROOTS)
+        tangential ones are such that the second derivative of the in-circle function vanishes at t = 2 as well. f, of degree 8, is
+        (t - 2)^3 times what has no root there. One flip, at an instant about which f is below rounding error for long, and at which the
+        derivative says nothing about its direction.""",
+        scene(36, 4, unlike(10)), [0, 2, 4], ["odd-root", "triple-root", "unequal-radii"], [dropped("flip", 0)], picture=1)
     yield Case(
-        "even-unequal-radii", """As triple-unequal-radii without the growth: motion about t = 2 is its own mirror image in time, so the root, of order four or
-        more, is even. No flip.""",
-        scene(36, 4, unlike(0)), [0, 2, 4], ["even-root", "quadruple-root", "unequal-radii", "no-event"], [], picture=1,
-        awaits=HIGHER_ROOTS)
+        "triple-unequal-radii-spinning", """As triple-unequal-radii without the growth: four different disks move along the tangents of their places, each at its own speed,
+        and all are nearest to the common circle at t = 2, so that each alone would come and go. Together they have a triple root and
+        one flip. To conclude from the distances, which are all even about t = 2, that the root is even is wrong: the angles are not.""",
+        scene(36, 4, unlike(0)), [0, 2, 4], ["odd-root", "triple-root", "unequal-radii"], [dropped("flip", 0)], picture=1)
     yield Case(
         "double-beside-simple", """At t = 4 one square is closed with a sign change and its mirror image is touched and left: of two quadruples that become cocircular at one instant one flips and
         one does not. A tie that is resolved by flipping all is wrong, and so is one resolved by flipping the first.""",
@@ -184,13 +191,15 @@ def late_clocks():
         ["late", "equal-radii"], [dropped("flip", 0), late(0, F(1, 10**4))])
     yield Case(
         "two-flips-within-an-ulp", """Two flips near t = 10^6, 10^-12 apart: their times are the same binary64, since neighbouring binary64 are 10^-10 apart there. The
-        right square's flip comes first.""",
+        right square's flip comes first.
+        An engine with absolute times sees one instant and orders the two by ids, or by the order in its queue.""",
         scene(10, million + 10, [*square_closing(-5, F(million), v=F(1, million), s=-1),
                                  *square_closing(5, million - F(1, 10**12), v=F(1, million))]),
         [million - F(1, 2 * 10**12), million], ["late", "near-tie", "equal-radii", "one-time-two-instants"],
         [dropped("flip", 0, "near-roots-merged")])
     yield Case(
-        "tie", """Two mirror-symmetric flips at t = 10^6 exactly.""",
+        "tie", """Two mirror-symmetric flips at t = 10^6 exactly. Their computed times differ by some 10^-10 of rounding, in either direction: which one is first, and
+        whether they are one instant, cannot be told from them.""",
         scene(10, million + 10, [*square_closing(-5, F(million), v=F(1, million), s=-1), *square_closing(5, F(million), v=F(1, million))]),
         [million], ["late", "tie", "mirror", "equal-radii"], [drops_tied_flip()])
     yield Case(
@@ -204,7 +213,9 @@ def late_clocks():
         scene(2 * million, million + 10, [disk(-million, 2, 1, 1, 0), disk(0, 0, 1), disk(20, 0, 1)]),
         [million], ["late", "grazing", "even-root"], [])
     yield Case(
-        "late-maneuver-cancels", """A square would be closed at t = 10^6; a maneuver stops its corner one binary64 before, 2^-33 units of time.""",
+        "late-maneuver-cancels", """A square would be closed at t = 10^6; a maneuver stops its corner one binary64 before, 2^-33 units of time.
+        The claimed times differ by the last bit. An engine that rounds the flip's time down, or has an epsilon for
+        ties, flips the edge before the maneuver comes.""",
         scene(10, million + 10, square_closing(0, F(million), v=F(1, million)), maneuvers=[(million - F(1, 2**33), 3, 0, 0)]),
         [million], ["late", "maneuver", "near-tie"], [of_scene("maneuver-lost", "missing event", lambda s: s.maneuvers.clear())], events=(0, 0, 1))
 
@@ -216,15 +227,19 @@ def wide_scales():
         the cell of the smallest is smaller than an ulp of the largest coordinate.""",
         scene(4 * 10**6, 1000, [disk(-10**6 - 2, 0, 10**6), disk(1500, 3000, 1000, 0, -1), disk(5, 0, 1, 0, F(1, 100)),
                                 disk(0, 0, F(1, 1000), F(1, 1000), 0), disk(0, 1, F(1, 10**6), 0, F(1, 1000))]),
-        [0, 1000], ["scales"], [], awaits=None)
+        [0, 1000], ["scales"], [])
     yield Case(
         "speeds", """Speeds 10^-6, 1 and 10^6: the fastest disk crosses the container while the slowest moves by an atom's width, and passes between two resting ones
-        within a microsecond.""",
+        within a microsecond.
+        Steps of time that suit one of the speeds are useless for the others, and the sum of a large and a small
+        velocity loses the small.""",
         scene(1000, F(1, 1000), [disk(-900, 0, 1, 10**6, 0), disk(0, 5, 1), disk(0, -5, 1, F(1, 10**6), 0), disk(50, 20, 3, 1, 0)]),
         [0, F(9, 10000), F(1, 1000)], ["scales"], [dropped("flip", 0)])
     yield Case(
         "tiny-in-the-gap", """A disk of radius 10^-6 lies between two disks of radius 10^6 that leave a gap of 10^-5, and runs through it
-        from end to end of its cell's life.""",
+        from end to end of its cell's life.
+        Circles that touch it have radii of 10^-6 beside 10^6; differences of coordinates of the large disks have few
+        correct digits for them.""",
         scene(3 * 10**6, 4, [disk(-10**6 - F(5, 10**6), 0, 10**6), disk(10**6 + F(5, 10**6), 0, 10**6),
                              disk(0, 3, F(1, 10**6), 0, -1), disk(F(2, 10**6), -1, F(1, 10**6), 0, F(1, 2))]),
         [0, 4], ["scales", "two-edge-cell"], [])
@@ -234,7 +249,9 @@ def wide_scales():
         scene(10, 4, [disk(d.x + 10**6, d.y - 10**6, d.r, d.vx, d.vy) for d in square_closing(0, F(2))], center=(10**6, -10**6)),
         [0, 2, 4], ["scales", "equal-radii"], [dropped("flip", 0)])
     yield Case(
-        "tie-across-scales", """Two squares of disks, one a millionth of the size of the other, are closed at the same instant t = 2.""",
+        "tie-across-scales", """Two squares of disks, one a millionth of the size of the other, are closed at the same instant t = 2.
+        Their polynomials differ by 24 orders of magnitude. A tolerance that is relative to the scene makes the small
+        square always cotangent; an absolute one fits neither.""",
         scene(100, 4, [*square_closing(-50, F(2), r=4, half=10, v=F(5, 2)),
                        *[disk(d.x / 10**6 + 50, d.y / 10**6, d.r / 10**6, d.vx / 10**6, d.vy / 10**6) for d in square_closing(0, F(2), r=F(1, 4))]]),
-        [0, 2, 4], ["scales", "tie", "equal-radii"], [drops_tied_flip()], awaits=HIGHER_ROOTS)
+        [0, 2, 4], ["scales", "tie", "equal-radii"], [drops_tied_flip()])
