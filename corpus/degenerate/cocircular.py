@@ -87,7 +87,7 @@ def always():
     yield Case(
         "translating-06", """A hexagon of equal disks, rational but not regular, glides along. Its flip polynomials vanish identically, though no
         coordinate is constant: in floating point their coefficients are rounding errors of either sign, whose roots are
-        noise. Only flips with the container happen.""",
+        noise. There is no event at all.""",
         scene(20, 8, [disk(3 * x - 4, 3 * y, F(1, 2), 1, F(1, 2)) for x, y in ring(6)]), [0, 4, 8],
         ["k6", "permanent", "translating"], [enlarges_smallest(6)])
     yield Case(

@@ -20,10 +20,12 @@ def trapped_chains():
             scene(30, 2, tall_jaws(*[tiny(0, F(2 * i + 1 - n), r=F(1, 4)) for i in range(n)])), [0],
             ["trapped", "mirror", "at-rest", "configuration-X"], [], events=(0, 0, 0))
         yield Case(
-            f"row-falls-in-{n}", f"""{n} equal tiny disks fall one behind the other into the gap of two large ones, on the axis of symmetry, at one speed. Every flip is one of an edge that crosses the axis, at an instant
-            at which a circle touches both jaws and two disks of the column; the column itself is rigid.""",
-            scene(30, 6, tall_jaws(*[tiny(0, F(i + 8), 0, -1, r=F(1, 4)) for i in range(n)])), [0, 3, 6],
-            ["trapped", "mirror"], [])
+            f"row-falls-in-{n}", f"""{n} equal tiny disks fall one behind the other through the gap of two large ones, on the axis of symmetry, at one speed. The column is rigid, and mirror
+            images touch its circles left and right all the time; only two edges flip, that of the last disk with the container when it is in, and that of
+            the first when it is out. The {n - 1} quadruples of two neighbours and the jaws are never cotangent, by symmetry alone: in doubles
+            their determinants are differences of equal numbers.""",
+            scene(30, 16, tall_jaws(*[tiny(0, F(i + 8), 0, -1, r=F(1, 4)) for i in range(n)])), [0, 8, 16],
+            ["trapped", "mirror"], [dropped("flip", 0), dropped("flip", 1, "stops-early")], events=(2, 0, 0))
     for n in (3, 5):
         yield Case(
             f"nested-{n}", f"""{n} tiny disks of falling size lie one behind the other on the axis from the right jaw outwards, all centres on one line, so that cells with two edges are nested: each
@@ -36,10 +38,12 @@ def trapped_chains():
         scene(20, 3, jaws(*[tiny(0, F(i) - F(3, 2), r=0) for i in range(4)], tiny(-1, F(1, 4), F(1, 2), 0, r=0))), [0, 1, 3],
         ["trapped", "point", "mirror"], [])
     yield Case(
-        "crossing", """Three tiny disks cross the gap horizontally, one above the other, in step: all flips of the three are ties.
-        Each tie joins edges that share generators, so that one flip may give another name to the edge of the next: the order decides what can be written.""",
-        scene(30, 3, tall_jaws(*[tiny(-1, y, F(1, 2), 0) for y in (-2, 0, 2)])), [0, 2, 3],
-        ["trapped", "tie"], [])
+        "crossing", """Three tiny disks cross the gap of two large ones from jaw to jaw, one above the other and in step. In the middle they are neighbours of each other, near a
+        jaw the jaws are neighbours between them: 22-to-33 flips at one instant above and below the middle one, and back. Each tie joins edges that
+        share generators, so that one flip may give another name to the edge of the next.""",
+        scene(30, 3, tall_jaws(*[tiny(F(-3, 2), y, 1, 0) for y in (-5, 0, 5)])), [0, F(3, 2), 3],
+        ["trapped", "tie", "mirror", "configuration-W", "configuration-X"], [drops_tied_flip(0), dropped("flip", -1, "stops-early")],
+        picture=1, events=(4, 0, 0))
     yield Case(
         "two-gaps-in-step", """Three large disks in a row, and in each of the two gaps a tiny disk; both fall at one speed, mirror images. Every event in one gap has a twin in the other.""",
         scene(20, 12, [disk(-12, 0, 4), disk(0, 0, 4), disk(12, 0, 4), tiny(-6, 6, 0, -1), tiny(6, 6, 0, -1)]), [0, 6, 12],
@@ -61,28 +65,33 @@ def shadows():
         "fig16-without-cover", """Fig. 16: Configuration I, two edges with one quadruple of generators and one root, of which one shrinks. The scene beside fig17-cover, without the disk that covers
         the edge.""",
         scene(20, F(3, 2), jaws(tiny(1, F(1, 2)), tiny(F(1, 4), F(1, 2), 0, 1))), [0, F(3, 2)], [dropped("flip", 0)])
+    covered = (tiny(1, F(1, 2)), tiny(F(1, 4), F(1, 2), 0, 1))
     yield shadow(
-        "fig17-cover", """Fig. 17: as fig16-without-cover with a further tiny disk whose cell covers the place where the edge would shrink. The root is there, the tangent circle of the four
-        exists, but a fifth disk lies in it: a shadow flip, of an edge that the diagram does not have any more. The other edge of the same four must not flip
-        instead.""",
-        scene(20, F(3, 2), jaws(tiny(1, F(1, 2)), tiny(F(1, 4), F(1, 2), 0, 1), tiny(F(1, 2), F(5, 4), F(1, 8), 1, F(1, 8)))), [0, 1, F(3, 2)], [], tags=["configuration-I"])
+        "fig17-cover", """Fig. 17: as fig16-without-cover with a further tiny disk, whose cell covers the place where the edge would shrink at t = 0.195. The root is there,
+        and so is the tangent circle of the four, but the fifth disk lies in it: a shadow flip, of an edge that the diagram does not
+        have. The other edge of the same four must not flip instead; the wrong history takes the shadow for real.""",
+        scene(20, F(3, 2), jaws(*covered, tiny(F(1, 2), F(-1, 2), 0, 0, F(1, 8)))), [0, 1, F(3, 2)],
+        [inserted_flip(F(195, 1000), [1, 3, 2, 0], "shadow-taken", "wrong quadruple")], tags=["configuration-I", "fig17"])
     yield shadow(
-        "cover-below", """The mirror image in time: the covering disk lies at the other end, over the edge that would not have flipped. The root is real for the one edge while it is none for the
+        "cover-elsewhere", """As fig17-cover with the further disk at the other end, over the edge of the pair that has the root too and does not shrink. The circle is
+        empty and the flip real: of two edges with one quadruple of generators and one root, a cover on the one says nothing about the
         other.""",
-        scene(20, F(3, 2), jaws(tiny(1, F(1, 2)), tiny(F(1, 4), F(1, 2), 0, 1), tiny(F(1, 2), F(-1, 2), 0, 0, F(1, 8)))), [0, 1, F(3, 2)], [], tags=["configuration-I"])
+        scene(20, F(3, 2), jaws(*covered, tiny(F(1, 2), F(5, 4), F(1, 8), 1, F(1, 8)))), [0, 1, F(3, 2)],
+        [dropped("flip", 0)], tags=["configuration-I"])
     yield shadow(
         "inner-circle", """Four disks around a fifth: as the outer four become cotangent, their common circle holds the fifth. The quadruple of the outer four is cotangent at t = 2, exactly and with sign
         change, and no edge of the diagram has it.""",
-        scene(10, 4, [*square_closing(0, F(2), half=2), disk(0, 0, F(1, 2))]), [0, 2, 4], [inserted_flip(2, [0, 2, 1, 4], "shadow-taken", "edge not present")])
+        scene(10, 4, [*square_closing(0, F(2), half=2), disk(0, 0, F(1, 2))]), [0, 2, 4], [inserted_flip(2, [0, 2, 1, 4], "shadow-taken", "edge not present")], tags=["no-event"], events=(0, 0, 0))
     yield shadow(
         "inner-contact", """Four disks touch one circle, but one of them from inside: a root of the cotangency polynomial f that belongs to another kind of tangency and flips
         nothing. The paper's Eq. (2), as printed, does not tell such roots from real ones.""",
         scene(10, 8, [disk(-2, 0, F(1, 4)), disk(0, -2, F(1, 4)), disk(2, 0, F(1, 4)), disk(-3, F(5, 2), F(3, 4), F(1, 2), F(-1, 4))]), [0, 4], [])
     yield shadow(
-        "three-covered", """Three tiny disks in a gap, two of them in step: the roots of covered edges lie between the real ones, two at the same instants.
-        Engines that keep a candidate for each quadruple and not for each edge must recognize each of them as a shadow
-        when its time comes.""",
-        scene(20, 4, jaws(tiny(1, 1, F(-1, 4), F(-1, 4)), tiny(-1, 1, F(1, 4), F(-1, 4)), tiny(0, F(-3, 2)))), [0, 2, 4], [], tags=["mirror"])
+        "three-covered", """Three tiny disks in a gap, two of them in step, mirror images. Quadruples of them and the jaws become cotangent, two at the same instants, while
+        others cover the place; no edge flips, and the collision of the two at t = 3 is the only event. Engines that keep a candidate
+        for each quadruple and not for each edge must recognize each as a shadow when its time comes.""",
+        scene(20, 4, jaws(tiny(1, 1, F(-1, 4), F(-1, 4)), tiny(-1, 1, F(1, 4), F(-1, 4)), tiny(0, F(-3, 2)))), [0, 2, 4],
+        [dropped("collide", 0, "contact-missed")], tags=["mirror"], events=(0, 1, 0))
     yield shadow(
         "shadow-and-real-at-once", """Two squares are closed at t = 2 by corners in mirror-symmetric motion, but in the right one a fifth disk sits in the common circle: at one instant one
         quadruple flips and its twin is a shadow.""",
@@ -181,14 +190,15 @@ def simultaneous():
         first.""",
         scene(12, 4, [disk(-2, 2, F(1, 4)), disk(-2, -2, F(1, 4)), disk(2, -2, F(1, 4)), disk(F(5, 2), F(5, 2), F(1, 4), F(-1, 4), F(-1, 4)),
                       disk(2 - F(3, 10) - 1, 2 - F(2, 5) - 1, F(1, 4), F(1, 2), F(1, 2), 100)]), [0, 2, 4], ["tie", "collision"], [], picture=1)
-    for n in (2, 3, 4):
+    for n, flips, across in ((2, 3, "one more edge, between"), (3, 6, "three more edges, between"), (4, 11, "seven more edges, between")):
         centers = ((-6, 0), (6, 0), (0, 6), (0, -6))[:n]
         yield Case(
-            f"{n}-squares-at-once", f"""{n} squares of equal disks in different places are closed at t = 2: {n} independent flips at one instant, ordered by their quadruples and by nothing
-            geometric.
-        After the first an engine that restarts behind its time, by however little, has lost the others.""",
+            f"{n}-squares-at-once", f"""{n} equal squares of equal disks in different places are closed at t = 2, each by an edge of its own. They are translates of each other,
+            so {across} them, are due at that very instant: {flips} flips, which are ordered by their quadruples and by nothing geometric, and each of which
+            must be there when its turn comes. After the first an engine that restarts behind its time, by however little, has lost the
+            others.""",
             scene(12, 4, [disk(d.x + x, d.y + y, d.r, d.vx, d.vy) for x, y in centers for d in square_closing(0, F(2))]), [0, 2, 4],
-            ["tie", "equal-radii"], [drops_tied_flip()], picture=1)
+            ["tie", "equal-radii"], [drops_tied_flip(k=-1)], picture=1)
     yield Case(
         "collisions-apart", """Three collisions at t = 2 in three places, of pairs that have nothing in common.
         Nothing but the ids orders them: first the smallest pair. A queue ordered by computed times gives whatever order
@@ -240,11 +250,11 @@ def zero():
         scene(12, 5, [disk(3, 1, 1), disk(-4, 2, F(3, 2)), disk(0, -5, 2), disk(5, -4, F(1, 2)), disk(-6, -4, 1), disk(1, 6, F(7, 4))]), [0, 5],
         ["at-rest", "no-event"], [inserted_flip(2, [-1, 1, 4, 5], "even-root-taken")], events=(0, 0, 0))
     yield Case(
-        "common-velocity", """Six different disks with one velocity: relative motion is zero, and only the container makes events.
+        "common-velocity", """Six different disks with one velocity, towards the wall: relative motion is zero, and only the container makes events.
         Quadruples without the container have constant polynomials; their higher coefficients are rounding errors in
         doubles, with roots anywhere.""",
-        scene(20, 6, [disk(x - 4, y, r, 1, F(1, 4)) for x, y, r in ((3, 1, 1), (-4, 2, F(3, 2)), (0, -5, 2), (5, -4, F(1, 2)), (-6, -4, 1), (1, 6, F(7, 4)))]),
-        [0, 6], ["translating"], [])
+        scene(20, 8, [disk(x - 4, y, r, -1, -1) for x, y, r in ((3, 1, 1), (-4, 2, F(3, 2)), (0, -5, 2), (5, -4, F(1, 2)), (-6, -4, 1), (1, 6, F(7, 4)))]),
+        [0, 8], ["translating"], [dropped("flip", 0), dropped("collide", 0, "contact-missed")])
     yield Case(
         "concentric-ring", """Six equal disks around a seventh that is concentric with the container, all at rest. Bisector of the seventh and the container is a circle that no edge
         uses.""",

@@ -225,9 +225,9 @@ def wide_scales():
     yield Case(
         "radii", """Radii 10^-6, 10^-3, 1, 10^3 and 10^6 side by side in a container of radius 4 * 10^6. Differences of squared radii have 24 digits;
         the cell of the smallest is smaller than an ulp of the largest coordinate.""",
-        scene(4 * 10**6, 1000, [disk(-10**6 - 2, 0, 10**6), disk(1500, 3000, 1000, 0, -1), disk(5, 0, 1, 0, F(1, 100)),
+        scene(4 * 10**6, 3000, [disk(-10**6 - 2, 0, 10**6), disk(1500, 3000, 1000, 0, -1), disk(5, 0, 1, 0, F(1, 100)),
                                 disk(0, 0, F(1, 1000), F(1, 1000), 0), disk(0, 1, F(1, 10**6), 0, F(1, 1000))]),
-        [0, 1000], ["scales"], [])
+        [0, 1000, 3000], ["scales"], [dropped("flip", 0), dropped("flip", 1, "stops-early")], events=(2, 0, 0))
     yield Case(
         "speeds", """Speeds 10^-6, 1 and 10^6: the fastest disk crosses the container while the slowest moves by an atom's width, and passes between two resting ones
         within a microsecond.
