@@ -22,7 +22,7 @@ packages=(
 )
 for group in "$@"; do
   case "$group" in
-    test) packages+=(libgtest-dev librapidcheck-dev) ;;
+    test) packages+=(libgtest-dev librapidcheck-dev python3) ;;
     bench) packages+=(libbenchmark-dev libmpfi-dev libflint-dev libflint-arb-dev) ;;
     plots) packages+=(python3-matplotlib) ;;
     ci) packages+=(clang clang-format) ;;
