@@ -141,19 +141,19 @@ def always():
         the convention's; from t = 2 on it is that of the geometry, which may ask for a flip at the very instant of the maneuver, although no
         polynomial had a root there before.""",
         scene(10, 4, square, maneuvers=[(2, 0, F(1, 2), F(1, 2))]), [0, 2, 4],
-        ["k4", "permanent", "maneuver"], [], picture=2)
+        ["k4", "permanent", "maneuver"], [dropped("maneuver", 0, "maneuver-lost")], picture=2)
     yield Case(
         "ends-by-maneuver-inwards", """As ends-by-maneuver, but the disk moves inwards at t = 2. Of these two cases one needs
         a flip at the instant of the maneuver and the other none.
         An engine that asks for a sign change of a polynomial finds neither a value before t = 2 nor, in the next piece
         of motion, a root.""",
         scene(10, 4, square, maneuvers=[(2, 0, F(-1, 2), F(-1, 2))]), [0, 2, 4],
-        ["k4", "permanent", "maneuver"], [], picture=2)
+        ["k4", "permanent", "maneuver"], [dropped("flip", 0)], picture=2)
     yield Case(
         "ends-by-collision", """A square of equal disks at rest is hit at t = 2 by a fifth, which sends a corner off along the diagonal. The collision ends
         a permanent cotangency; the flip that follows from it, if any, has the time of the collision.""",
         scene(12, 4, [*square, disk(6, 6, F(1, 2), F(-3, 2), F(-3, 2), )]), [0, 4],
-        ["k4", "permanent", "collision"], [])
+        ["k4", "permanent", "collision"], [dropped("collide", 0, "contact-missed", "spurious event")])
     yield Case(
         "through-a-permanent-square", """A fifth equal disk flies through the middle of a resting square. Alone the square is
         permanently cotangent; while the visitor is inside there is no such quadruple in the

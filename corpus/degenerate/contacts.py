@@ -3,7 +3,7 @@ from fractions import Fraction as F
 
 from degenerate.case import Case, family
 from degenerate.scene import disk, scene
-from degenerate.wrong import (dropped, drops_tied_collision, edited, inserted_hit, late, of_scene, other_collision_order,
+from degenerate.wrong import (dropped, drops_tied_collision, edited, inserted_hit, late, noise, of_scene, other_collision_order,
                               renumbered, wrong_velocity)
 
 
@@ -202,7 +202,7 @@ def grazing():
         "point-grazes", """A point of radius zero passes a disk along its tangent and touches it at t = 4. At that instant both tangent circles of any vertex
         of the two coincide in the point, where edges have no width and no direction.""",
         scene(12, 8, [disk(-4, 0, 0, 1, 0), disk(0, 2, 2), disk(0, -4, 1)]), [0, 8],
-        ["grazing", "even-root", "point"], [])
+        ["grazing", "even-root", "point"], [noise(1)])
 
 
 def turned_away(s):
@@ -225,12 +225,12 @@ def touching_start():
     yield Case(
         "rest", """Two disks touch and rest: the distance is zero for ever. It neither falls nor grows, so no collision happens, at no time; engines that
         collide whatever touches write one at t = 0, or one a step.""",
-        scene(14, 3, [disk(-1, 0, 1), disk(1, 0, 1), disk(0, 4, 1)]), [0, 3], ["touching-start", "at-rest"], [], events=(0, 0, 0))
+        scene(14, 3, [disk(-1, 0, 1), disk(1, 0, 1), disk(0, 4, 1)]), [0, 3], ["touching-start", "at-rest"], [noise(1)], events=(0, 0, 0))
     yield Case(
         "glide-together", """Two disks touch and have one velocity: in contact for ever, with moving coordinates; the squared distance minus four is the zero polynomial, computed from
         coefficients that cancel. A third waits in their way.""",
         scene(14, 6, [disk(-5, 0, 1, 1, 0), disk(-5, 2, 1, 1, 0), disk(4, 6, 1)]), [0, 6],
-        ["touching-start", "permanent"], [], events=None)
+        ["touching-start", "permanent"], [noise(3)], events=None)
     yield Case(
         "approach-by-maneuver", """Two disks touch and rest; a maneuver at t = 2 sends one into the other: maneuver and collision
         have one time, the maneuver comes first in the file.
@@ -259,4 +259,4 @@ def touching_start():
         "ring-of-touching", """Four disks touch in a ring around the centre, each two neighbours, and all move around it tangentially with one speed: every pair slides or parts
         at 0+, by the second derivative.""",
         scene(10, 2, [disk(s - t, s + t, 1, -(s + t), s - t) for s, t in ((1, 0), (0, 1), (-1, 0), (0, -1))]), [0, 2],
-        ["touching-start", "symmetric"], [], events=(0, 0, 0))
+        ["touching-start", "symmetric"], [noise(1)], events=(0, 0, 0))

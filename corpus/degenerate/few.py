@@ -3,7 +3,7 @@ from fractions import Fraction
 
 from degenerate.case import Case, family
 from degenerate.scene import disk, scene
-from degenerate.wrong import (cut_tail, dropped, inserted_flip, late, of_scene, wrong_velocity)
+from degenerate.wrong import (cut_tail, dropped, inserted_flip, late, noise, of_scene, wrong_velocity)
 
 
 @family("few", "0, 1, 2 and 3 disks: diagrams too small for the rules of large ones")
@@ -86,7 +86,7 @@ def few():
         configuration is symmetric about the row: the two vertices of each pair of neighbours are
         mirror images, and orientation tests of the three centres are exactly zero. A construction
         that starts with the convex hull of the centres has no triangle to start with.""",
-        scene(10, 5, [disk(-4, 0, 1), disk(0, 0, 1), disk(4, 0, 1)]), [0], ["n3", "collinear", "at-rest"], events=(0, 0, 0))
+        scene(10, 5, [disk(-4, 0, 1), disk(0, 0, 1), disk(4, 0, 1)]), [0], ["n3", "collinear", "at-rest"], [noise(1)], events=(0, 0, 0))
     yield Case(
         "three-pass-in-line", """The middle one of three equal disks crosses the line of the other two at t = 4,
         at a right angle and midway, symmetrically in time. The outer two are neighbours until

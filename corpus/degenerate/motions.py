@@ -7,7 +7,7 @@ from degenerate.configurations import jaws, tall_jaws, tiny
 from degenerate.roots import CORNERS, square_closing
 from degenerate.scene import disk, scene
 from degenerate.wrong import (dropped, drops_tied_collision, drops_tied_flip, enlarges_smallest, inserted_flip,
-                              inserted_hit, of_scene, other_initial, wrong_velocity)
+                              inserted_hit, noise, of_scene, other_initial, wrong_velocity)
 
 
 @family("trapped-chains", "chains of tiny disks trapped between large ones")
@@ -18,7 +18,7 @@ def trapped_chains():
             mirror image with the same times, names and lengths; which of the connecting edges exist depends on the distances alone. Triples such as (left, right, tiny) occur in both
             orientations {n} times over.""",
             scene(30, 2, tall_jaws(*[tiny(0, F(2 * i + 1 - n), r=F(1, 4)) for i in range(n)])), [0],
-            ["trapped", "mirror", "at-rest", "configuration-X"], [], events=(0, 0, 0))
+            ["trapped", "mirror", "at-rest", "configuration-X"], [noise(1)], events=(0, 0, 0))
         yield Case(
             f"row-falls-in-{n}", f"""{n} equal tiny disks fall one behind the other through the gap of two large ones, on the axis of symmetry, at one speed. The column is rigid, and mirror
             images touch its circles left and right all the time; only two edges flip, that of the last disk with the container when it is in, and that of
@@ -31,12 +31,12 @@ def trapped_chains():
             f"nested-{n}", f"""{n} tiny disks of falling size lie one behind the other on the axis from the right jaw outwards, all centres on one line, so that cells with two edges are nested: each
             edge pair of Configuration I has one common root. The largest moves up and frees them.""",
             scene(20, 2, jaws(*[tiny(F(7, 4) - F(k, 2), 0, 0, F(1, 2) if k == n - 1 else 0, F(1, 4) - F(k, 64)) for k in range(n)])),
-            [0, 1, 2], ["trapped", "configuration-I", "collinear"], [])
+            [0, 1, 2], ["trapped", "configuration-I", "collinear"], [dropped("flip", 0)])
     yield Case(
         "points", """Four points, radius zero, stand in the gap of two large disks on the axis of symmetry, and one of them moves through the column's line sideways.
         Points have no default mass and cells like the others'.""",
         scene(20, 3, jaws(*[tiny(0, F(i) - F(3, 2), r=0) for i in range(4)], tiny(-1, F(1, 4), F(1, 2), 0, r=0))), [0, 1, 3],
-        ["trapped", "point", "mirror"], [])
+        ["trapped", "point", "mirror"], [dropped("flip", 0)])
     yield Case(
         "crossing", """Three tiny disks cross the gap of two large ones from jaw to jaw, one above the other and in step. In the middle they are neighbours of each other, near a
         jaw the jaws are neighbours between them: 22-to-33 flips at one instant above and below the middle one, and back. Each tie joins edges that
@@ -85,7 +85,7 @@ def shadows():
     yield shadow(
         "inner-contact", """Four disks touch one circle, but one of them from inside: a root of the cotangency polynomial f that belongs to another kind of tangency and flips
         nothing. The paper's Eq. (2), as printed, does not tell such roots from real ones.""",
-        scene(10, 8, [disk(-2, 0, F(1, 4)), disk(0, -2, F(1, 4)), disk(2, 0, F(1, 4)), disk(-3, F(5, 2), F(3, 4), F(1, 2), F(-1, 4))]), [0, 4], [])
+        scene(10, 8, [disk(-2, 0, F(1, 4)), disk(0, -2, F(1, 4)), disk(2, 0, F(1, 4)), disk(-3, F(5, 2), F(3, 4), F(1, 2), F(-1, 4))]), [0, 4], [dropped("flip", 0)])
     yield shadow(
         "three-covered", """Three tiny disks in a gap, two of them in step, mirror images. Quadruples of them and the jaws become cotangent, two at the same instants, while
         others cover the place; no edge flips, and the collision of the two at t = 3 is the only event. Engines that keep a candidate
@@ -113,11 +113,11 @@ def cancelled():
     yield Case(
         "flip-stopped", """As flip-turned-back, but the corner stops: from t = 2 on the four are cotangent for ever, and the diagonal is that of the largest id. Whether a flip has the time 2
         depends on ids.""",
-        scene(10, 4, closing(), maneuvers=[(2, 3, 0, 0)]), [0, 2, 4], ["maneuver", "tie", "permanent"], [], picture=1)
+        scene(10, 4, closing(), maneuvers=[(2, 3, 0, 0)]), [0, 2, 4], ["maneuver", "tie", "permanent"], [dropped("maneuver", 0, "maneuver-lost")], picture=1)
     yield Case(
         "flip-stopped-other-ids", """The same motion as in flip-stopped with the ids counted backwards. Nothing geometric differs, but the largest id is now at another corner and asks for the other
         diagonal: the answer about the flip is the opposite.""",
-        scene(10, 4, closing()[::-1], maneuvers=[(2, 0, 0, 0)]), [0, 2, 4], ["maneuver", "tie", "permanent"], [], picture=1)
+        scene(10, 4, closing()[::-1], maneuvers=[(2, 0, 0, 0)]), [0, 2, 4], ["maneuver", "tie", "permanent"], [dropped("maneuver", 0, "maneuver-lost")], picture=1)
     yield Case(
         "flip-made-tangential", """At t = 2 a maneuver turns the corner into the tangent of the common circle: the simple root before becomes a double one after. No flip, and none later.
         The sign just before t = 2 and the slope of the old polynomial ask for a flip; both belong to a motion that is
@@ -189,7 +189,7 @@ def simultaneous():
         The flip was foreseen long before the blow, at the same time; of two equal times in a queue chance takes the
         first.""",
         scene(12, 4, [disk(-2, 2, F(1, 4)), disk(-2, -2, F(1, 4)), disk(2, -2, F(1, 4)), disk(F(5, 2), F(5, 2), F(1, 4), F(-1, 4), F(-1, 4)),
-                      disk(2 - F(3, 10) - 1, 2 - F(2, 5) - 1, F(1, 4), F(1, 2), F(1, 2), 100)]), [0, 2, 4], ["tie", "collision"], [], picture=1)
+                      disk(2 - F(3, 10) - 1, 2 - F(2, 5) - 1, F(1, 4), F(1, 2), F(1, 2), 100)]), [0, 2, 4], ["tie", "collision"], [dropped("collide", 0, "contact-missed")], picture=1)
     for n, flips, across in ((2, 3, "one more edge, between"), (3, 6, "three more edges, between"), (4, 11, "seven more edges, between")):
         centers = ((-6, 0), (6, 0), (0, 6), (0, -6))[:n]
         yield Case(
@@ -215,7 +215,7 @@ def simultaneous():
         "pass-through-the-centre", """Four equal disks in a cross pass the corners of a square with the velocities of a windmill: at t = 2 the square is restored, mirrored diagonals exchange, and each disk is nearest to
         its neighbours.""",
         scene(14, 4, [disk(3 * x - 2 * -y, 3 * y - 2 * x, 1, -y, x) for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1))]), [0, 2, 4],
-        ["symmetric", "tie", "permanent"], [])
+        ["symmetric", "tie", "permanent"], [noise(2)])
 
 
 @family("zero", "no size, no speed, nothing moving; concentric; touching the container")
@@ -259,16 +259,16 @@ def zero():
         "concentric-ring", """Six equal disks around a seventh that is concentric with the container, all at rest. Bisector of the seventh and the container is a circle that no edge
         uses.""",
         scene(10, 2, [disk(0, 0, 1), *[disk(5 * x, 5 * y, 1) for x, y in ((1, 0), (F(3, 5), F(4, 5)), (F(-3, 5), F(4, 5)), (-1, 0), (F(-3, 5), F(-4, 5)), (F(3, 5), F(-4, 5)))]]),
-        [0], ["concentric", "at-rest", "symmetric"], [], events=(0, 0, 0))
+        [0], ["concentric", "at-rest", "symmetric"], [noise(1)], events=(0, 0, 0))
     yield Case(
         "passing-the-centre", """A disk passes the centre of the container at t = 4, concentric for an instant, between two resting disks: the distance of its centre to O has a root of the derivative and a zero
         there.""",
-        scene(12, 8, [disk(-4, 0, 1, 1, 0), disk(0, 4, 1), disk(0, -4, 1)]), [0, 4, 8], ["concentric", "mirror", "tie"], [], picture=1)
+        scene(12, 8, [disk(-4, 0, 1, 1, 0), disk(0, 4, 1), disk(0, -4, 1)]), [0, 4, 8], ["concentric", "mirror", "tie"], [noise(4)], picture=1)
     yield Case(
         "touching-the-container", """Four disks of different sizes touch the container from inside, at rest, in rational points; a fifth moves about. Edges between container and disk pass through the
         points of contact.""",
         scene(10, 4, [disk((10 - r) * x, (10 - r) * y, r) for (x, y), r in zip(((1, 0), (F(-3, 5), F(4, 5)), (F(-4, 5), F(-3, 5)), (F(3, 5), F(-4, 5))), (2, 1, 3, F(3, 2)))]
-              + [disk(0, 2, 1, F(1, 2), F(1, 4))]), [0, 4], ["wall", "at-rest", "touching-start"], [])
+              + [disk(0, 2, 1, F(1, 2), F(1, 4))]), [0, 4], ["wall", "at-rest", "touching-start"], [noise(1)])
     yield Case(
         "horizon-zero", """A history on [0, 0]: what happens at t = 0 happens, and nothing else. Two disks touch and approach.
         They collide at 0, and the history has one event. Loops over times before the horizon never run.""",

@@ -3,7 +3,7 @@ from fractions import Fraction as F
 
 from degenerate.case import Case, family
 from degenerate.scene import disk, scene
-from degenerate.wrong import (dropped, drops_pair, drops_tied_flip, inserted_flip, late, of_scene)
+from degenerate.wrong import (dropped, drops_pair, drops_tied_flip, inserted_flip, late, noise, of_scene)
 
 
 CORNERS = ((1, 1), (-1, 1), (-1, -1), (1, -1))
@@ -161,7 +161,7 @@ def multiple_roots():
             f"quadruple-equal-radii-{name}", """Four equal disks whose in-circle polynomial is a multiple of (t - 2)^4: the edge comes to length zero with three derivatives and turns
             back. No flip at t = 2.
         In doubles the value is below rounding error for a while before and after, and its sign there is chance.""",
-            scene(10, 4, order_of(v)), [0, 2, 4], ["even-root", "quadruple-root", "equal-radii", "no-event"], [], picture=1)
+            scene(10, 4, order_of(v)), [0, 2, 4], ["even-root", "quadruple-root", "equal-radii", "no-event"], [noise(2)], picture=1)
     yield Case(
         "triple-unequal-radii", """Four different disks pass the corners of a common tangent circle that grows: radial speeds are equal and the
         tangential ones are such that the second derivative of the in-circle function vanishes at t = 2 as well. f, of degree 8, is
@@ -211,7 +211,7 @@ def late_clocks():
         "graze-from-afar", """A disk grazes another at t = 10^6, tangentially and exactly. An error of one ulp of its position makes the
         contact a collision or a miss.""",
         scene(2 * million, million + 10, [disk(-million, 2, 1, 1, 0), disk(0, 0, 1), disk(20, 0, 1)]),
-        [million], ["late", "grazing", "even-root"], [])
+        [million], ["late", "grazing", "even-root"], [noise(1000)])
     yield Case(
         "late-maneuver-cancels", """A square would be closed at t = 10^6; a maneuver stops its corner one binary64 before, 2^-33 units of time.
         The claimed times differ by the last bit. An engine that rounds the flip's time down, or has an epsilon for
@@ -242,7 +242,7 @@ def wide_scales():
         correct digits for them.""",
         scene(3 * 10**6, 4, [disk(-10**6 - F(5, 10**6), 0, 10**6), disk(10**6 + F(5, 10**6), 0, 10**6),
                              disk(0, 3, F(1, 10**6), 0, -1), disk(F(2, 10**6), -1, F(1, 10**6), 0, F(1, 2))]),
-        [0, 4], ["scales", "two-edge-cell"], [])
+        [0, 4], ["scales", "two-edge-cell"], [dropped("flip", 0)])
     yield Case(
         "far-from-the-origin", """The whole scene lies 10^6 from the origin of coordinates, with sizes of 1 and a square that is closed at t = 2. Squares of coordinates cost twelve digits to those who
         form them before differences.""",

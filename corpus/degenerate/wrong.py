@@ -16,6 +16,7 @@ CLASSES = {
     "flip-missed": "a real flip is not seen",
     "even-root-taken": "an edge that touches cotangency and turns back is flipped",
     "even-root-there-and-back": "at an even root an edge is flipped and flipped back",
+    "noise-taken": "rounding errors of a polynomial that is constant, or zero, are taken for a root",
     "shadow-taken": "the flip of another edge of the same four generators is taken for one of this edge",
     "wrong-edge-of-four": "of the edges of the same four generators the wrong one is flipped",
     "smallest-id-enlarged": "permanent cotangency is resolved by the wrong id",
@@ -110,6 +111,16 @@ def inserted_flip(t, quad, name, kind="spurious event", back=False):
             events.insert(k + 1, {"t": float(t), "flip": flipped(quad)})
         return events
     return edited(name, kind, edit)
+
+
+def noise(t, k=0, kind="spurious event"):
+    """At t, where nothing happens, the k-th edge that could flip is claimed to."""
+    def edit(history, events):
+        before = place(events, float(t))
+        able = [q for q in history.edges_before(before) if q[2] != q[3]]
+        events.insert(before, {"t": float(t), "flip": able[k]})
+        return events
+    return edited("noise-taken", kind, edit)
 
 
 def kept_cotangent(t, quad, kind="spurious event"):
