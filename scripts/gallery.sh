@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/gallery and its index, docs/gallery/README.md: counterparts of the
-# paper's figures, and what the program draws besides. Needs the built program, a minute or so, and
-# chromium for the stills of movies (scripts/install-deps.sh browser).
+# paper's figures, and what the program draws besides. Needs the built program, a minute or two,
+# chromium for the stills of movies and matplotlib (scripts/install-deps.sh browser plots).
 #
 # usage: scripts/gallery.sh [PROGRAM]
 #
@@ -15,6 +15,10 @@ out=docs/gallery
 index=$out/README.md
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+/usr/bin/python3 -c "import matplotlib" 2>"$work/import" || {
+  echo "gallery: matplotlib is not installed: scripts/install-deps.sh plots" >&2
+  exit 1
+}
 command -v chromium >/dev/null || {
   echo "gallery: chromium is not installed: scripts/install-deps.sh browser" >&2
   exit 1
@@ -44,6 +48,11 @@ without_flip() {
   sed "${line}d" "$work/$1.history.jsonl" >"$work/$2.history.jsonl"
 }
 
+# planned NAME: the plan of that preset, its report and its scene.
+planned() {
+  "$program" plan --preset "$1" -o "$work/$1.scene.json" --report "$work/$1.plan.json" --quiet
+}
+
 # ---- Pictures; the last argument is the file to write
 
 # diagram NAME TIME SIZE FILE
@@ -52,6 +61,32 @@ diagram() {
     -o "$work/diagram.json"
   "$program" render "$work/diagram.json" --size "$3" -o "$4"
 }
+
+# probed NAME TIME RADIUS SIZE FILE: where a probe of that radius fits.
+probed() {
+  "$program" snapshot "$work/$1.scene.json" "$work/$1.history.jsonl" --at "$2" \
+    -o "$work/diagram.json"
+  "$program" render "$work/diagram.json" --probe "$3" --size "$4" -o "$5"
+}
+
+# measured SET SCALE HORIZON FILE: an experiment of the paper's and its plots. Only those of the
+# initial speed have a panel of predictions, which take longer than all else.
+measured() {
+  local predictions=off
+  [ "$1" != speed ] || predictions=on
+  "$program" experiment "$1" --scale "$2" --horizon "$3" --predictions "$predictions" \
+    -o "$work/$1.json" --quiet
+  /usr/bin/python3 scripts/plot-experiments.py "$work/$1.json" -o "$work"
+  mv "$work/$1.png" "$4"
+}
+
+# ways PRESET SIZE FILE: starts, goals and ways of a plan.
+ways() {
+  "$program" plan --preset "$1" -o "$work/ways.scene.json" --size "$2" --picture "$3" --quiet
+}
+
+# moments PRESET TIMES FILE: the plan at these times, with what it avoids about then.
+moments() { /usr/bin/python3 scripts/plot-plan.py --times "$2" "$work/$1.plan.json" "$3"; }
 
 # still NAME PLACE SIZE FILE: the movie opened at a place such as t=12.5 or event=17&follow=3, in a
 # window of so many pixels, as 1200,780; a PNG or a WebP (smaller) by the name of FILE.
@@ -94,6 +129,19 @@ panel() {
   open_row=yes
 }
 
+# changes PRESET: the conjunctions that its plan avoids, as a table in the index.
+changes() {
+  close_row
+  printf '| predicted at t | vehicles | gap without the change | changed | by |\n|---|---|---|---|---|\n' >>"$index"
+  /usr/bin/python3 - "$work/$1.plan.json" >>"$index" <<'PYTHON'
+import fractions, json, sys
+for a in json.load(open(sys.argv[1]))["avoided"]:
+    p, q = a["pair"]
+    print(f"| {float(fractions.Fraction(a['t'])):.3f} | {p} and {q} | {a['gap']['from']:.3f} | {a['changed']} | {a['by']} |")
+PYTHON
+  printf '\n' >>"$index"
+}
+
 mkdir -p "$out"
 cat >"$index" <<'TEXT'
 # Gallery
@@ -103,6 +151,39 @@ Counterparts of the paper's figures, and what else the program draws. `scripts/g
 TEXT
 
 # ---- The figures
+
+scene probed reference --n 30 --seed 3 --density 0.2 --horizon 60
+figure "Figure 2: offsets, voids and tunnels" \
+  "30 disks at t = 0 (first row) and t = 40 (second row): the diagram, then where a probe of radius 5 and one of radius 7 fit, by \`voroproof render DIAGRAM --probe R\`. Red is the offset, each void has its colour, strong lines are the parts of V-edges along which the probe passes. Tunnels that the greater probe does not pass part what was one void into several, and the smallest voids are gone."
+for t in 0 40; do
+  panel "figure2-t$t.png" 270 "The diagram at t = $t" diagram probed "$t" 400
+  for radius in 5 7; do
+    panel "figure2-t$t-probe$radius.png" 270 "Probe of radius $radius at t = $t" \
+      probed probed "$t" "$radius" 400
+  done
+  close_row
+done
+
+figure "Figures 18 to 22: the experiments" \
+  "The paper's data sets with fewer disks and shorter horizons (the headings give both; scale 1 is the paper's), from \`voroproof experiment SET --scale S --horizon T -o FILE.json\` by \`scripts/plot-experiments.py FILE.json\`. Counts are small and curves rough at such scales. Seconds are those of one run, on whatever machine made this page and however busy it was, and no measurement: [docs/experiments.md](../experiments.md) and [docs/benchmarks.md](../benchmarks.md) have those."
+panel figure18.png 820 "Fig. 18, number of disks: seconds of the run and of its steps" measured reference 0.2 200
+close_row
+panel figure19.png 820 "Fig. 19, initial speed: seconds, events that occur, events that are predicted" measured speed 0.05 200
+close_row
+panel figure20.png 820 "Fig. 20, greatest radius: events, distance to the first neighbours, speeds at the end" measured size 0.1 300
+close_row
+panel figure21.png 820 "Fig. 21, density: events, distance to the first neighbours, speeds at the end" measured density 0.1 200
+close_row
+panel figure22.png 820 "Fig. 22, restitution: flips and collisions per 10 units of time" measured restitution 0.5 600
+
+figure "Figure 23: five vehicles" \
+  "Starts on the left, goals on the right, by \`voroproof plan --preset five --picture FILE\`. Vehicle 0 would meet 1, 2, 3 and 4 one after the other. At even speeds it hits 1 at t = 8; it waits at the orange dot instead, and all four are avoided by that. Red: the nearest any two come, with the certified gap in the report."
+panel figure23.png 480 "Five vehicles and their ways" ways five 600
+
+planned square-to-circle
+figure "Figure 24a: the ways from the square to the circle" \
+  "By \`voroproof plan --preset square-to-circle --picture FILE\`: which vehicle flies where, straight; orange dots are changes of speed, red is the nearest any two come."
+panel figure24a.png 560 "Twenty straight ways" ways square-to-circle 720
 
 scene swarm formation --preset figure24
 figure "Figure 24: from a square to a circle" \
@@ -115,6 +196,11 @@ figure "Figure 25: on the way" "The same flight at t = 4, 8 and 12."
 for t in 4 8 12; do
   panel "figure25-t$t.png" 270 "The diagram at t = $t" diagram swarm "$t" 420
 done
+
+figure "Figure 26: speeds change and ways do not" \
+  "The plan of Figure 24a with vehicles of radius 1 at six times, by \`voroproof plan --preset square-to-circle --report FILE.json\` and \`scripts/plot-plan.py\`. In an ellipse: a pair for which a conjunction was predicted within a unit of that time, the vehicle that changes its speed for it in red, the other one in green unless it changes for a third. The table has all that is avoided, in the order in which the plan was made, each as predicted after the changes above it; a negative gap is a collision, and the plan keeps 0.5 between any two."
+panel figure26.png 820 "The flight at t = 0, 22, 30, 40, 48 and 60" moments square-to-circle 0,22,30,40,48,60
+changes square-to-circle
 
 scene small reference --n 30 --seed 1 --horizon 100
 certified small
@@ -146,5 +232,5 @@ close_row
 
 for picture in "$out"/*.png "$out"/*.webp; do
   size=$(stat -c %s "$picture")
-  [ "$size" -lt 300000 ] || echo "gallery: $picture has $size bytes" >&2
+  [ "$size" -lt 250000 ] || echo "gallery: $picture has $size bytes" >&2
 done
