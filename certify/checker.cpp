@@ -42,6 +42,7 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
       batch_(motion_) {}
 
 Certificate Checker::run(std::optional<double> until) {
+  goes_on_ = until.has_value();
   try {
     try {
       if (begin_) {

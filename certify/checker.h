@@ -181,6 +181,7 @@ class Checker {
   double horizon_down_;    // nor at or before it beyond the last instant
   Motion& motion_;
   std::optional<double> begin_;  // of a part that is not the first
+  bool goes_on_ = false;         // whether another part follows
   Replay replay_;
   Diagram& diagram_;
   CollapseSearch collapses_;

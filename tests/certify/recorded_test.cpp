@@ -95,5 +95,48 @@ TEST(Recorded, AnyNumberOfThreads) {
   }
 }
 
+// Two edges of the same four generators: the name of the other one, claimed at the flip of the one,
+// leads the reader of parts to another diagram than the checker. Each part alone would be right.
+TEST(Recorded, AnotherEdgeOfTheSameFourBetweenParts) {
+  Scene scene = scene_of(100, 10,
+                         {testing::disk(50.38131249313908, 58.222689997368285, 46.43941306946387,
+                                        -2.0680486515527354, 1.1339237005733944),
+                          testing::disk(54.800421202096395, 113.58396980058205, 3.0337252484489112,
+                                        2.2703157136306307, 5.222349678364295),
+                          testing::disk(-35.18708866854996, 45.3763023255911, 18.560478041500453,
+                                        3.141087019698466, 2.187632242310349),
+                          testing::disk(-28.984064422029128, -24.553704818111584, 20.14595901579846,
+                                        -1.9613944740496103, -2.093787000058063),
+                          testing::disk(-5.2104527165097245, 7.9005553466611005, 5.957491809569453,
+                                        -4.220412152736369, -2.0163639921145564),
+                          testing::disk(-68.79773554987969, 110.36513176299924, 3.2973022541334847,
+                                        1.019412064417026, -1.4427283867095444),
+                          testing::disk(5.603384992494127, -39.96425840957161, 4.869779088737463,
+                                        3.9803571291012725, -2.574797223705676),
+                          testing::disk(44.15447774226692, 131.65510503061176, 1.6919319123462637,
+                                        -1.531308470197203, -2.9658545418756668),
+                          testing::disk(75.68123664853928, -10.088004637862618, 0.6872748746706234,
+                                        4.421250774231884, -0.7394690904490173),
+                          testing::disk(-53.78645372963205, 30.41967593206547, 3.2268832558222886,
+                                        0.30262193037037793, -0.3613504337973092)});
+  scene.cx = -1.1715675123866944;
+  scene.cy = 45.24493898786352;
+  ClaimedHistory history = claimed_history(scene, run(scene));
+  int changed = 0;
+  for (auto& event : history.events) {
+    auto* flip = std::get_if<FlipEvent>(&event);
+    if (flip == nullptr || canonical(flip->quad) != Quad{0, 1, 7, -1}) continue;
+    flip->quad = {0, 1, -1, 7};
+    ++changed;
+  }
+  ASSERT_EQ(changed, 1);
+  for (const std::size_t least : {std::size_t{1}, std::size_t{16384}}) {
+    CertifyOptions options;
+    options.truth = Truth::recorded;
+    options.least_part = least;
+    EXPECT_NE(certify(scene, history, options).verdict, Verdict::certified) << least;
+  }
+}
+
 }  // namespace
 }  // namespace voroproof::testing
