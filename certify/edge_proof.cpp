@@ -212,7 +212,7 @@ std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch
     const DdBall t(b);
     after = sign(cotangency(motion.site(q.l, t), motion.site(q.r, t), motion.site(q.s, t),
                             motion.site(q.e, t)));
-    if (after != Sign::positive && after != Sign::negative) return std::nullopt;
+    if (!is_certain(after)) return std::nullopt;
   }
   if (!collapses_at_root(motion, q, a, b, after)) return std::nullopt;
   return root;
@@ -220,9 +220,8 @@ std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch
 
 bool proved_not_cotangent(const Motion& motion, const Quad& q, double a, double b) {
   const DoubleBall t = DoubleBall::hull(a, b);
-  const Sign f = sign(cotangency(motion.site(q.l, t), motion.site(q.r, t), motion.site(q.s, t),
-                                 motion.site(q.e, t)));
-  return f == Sign::positive || f == Sign::negative;
+  return is_certain(sign(cotangency(motion.site(q.l, t), motion.site(q.r, t), motion.site(q.s, t),
+                                    motion.site(q.e, t))));
 }
 
 }  // namespace voroproof

@@ -55,8 +55,7 @@ template <class T>
 bool keeps_tangencies(const std::array<Site<T>, 4>& at) {
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < i; ++j) {
-      const Sign s = sign(tangency(at[i], at[j]));
-      if (s == Sign::unknown || s == Sign::zero) return false;
+      if (!is_certain(sign(tangency(at[i], at[j])))) return false;
     }
   }
   return true;

@@ -20,6 +20,8 @@ enum class Sign : signed char { negative = -1, zero = 0, positive = 1, unknown =
 inline Sign sign_of(int s) { return s > 0 ? Sign::positive : s < 0 ? Sign::negative : Sign::zero; }
 inline Sign sign(double x) { return sign_of((x > 0) - (x < 0)); }
 inline Sign sign(const Rational& q) { return sign_of(sgn(q)); }
+// Positive or negative: proved, and not zero.
+inline bool is_certain(Sign s) { return s == Sign::positive || s == Sign::negative; }
 inline Sign operator-(Sign s) {
   return s == Sign::unknown ? s : static_cast<Sign>(-static_cast<int>(s));
 }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
+
+#include "filtered/symmetry.h"
 
 namespace voroproof {
 
@@ -21,15 +24,36 @@ class Branch {
   Dual<DoubleBall> over(double a, double b) const {
     return start_incircle(q_, moving_sites(motion_, q_, DoubleBall::hull(a, b)));
   }
-  // The conjugate, whose circle is the other one that touches the same three.
-  Dual<DoubleBall> conjugate_over(double a, double b) const {
-    const auto at = moving_sites(motion_, q_, DoubleBall::hull(a, b));
-    TangentTriple<Dual<DoubleBall>> triple = EdgeTriples<Dual<DoubleBall>>::of(q_, at).start;
+  // Whether f has no root but those of this function: the conjugate, whose circle is the other one
+  // that touches the same three, vanishes nowhere in `during`.
+  template <class T>
+  bool conjugate_is_certain(const T& during) const {
+    return is_certain(sign(conjugate(sites(motion_, q_, during))));
+  }
+  // Whether the zero of this function in [a, b] is the one of the conjugate, too.
+  bool shares_its_zero(double a, double b) const {
+    const Symmetry symmetry(motion_);
+    return is_certain(sign(conjugate(moving_sites(motion_, q_, DoubleBall::hull(a, b))).slope)) &&
+           symmetry.mirrored_between(symmetry.states(q_), a, b);
+  }
+  // The zero of a function that has one in [a, b], by two steps of the interval Newton method: the
+  // error of the first is that of the slope. The radius is infinite where that cannot say.
+  DdBall newton(double a, double b) const {
+    const DoubleBall over_all = over(a, b).slope;
+    const DdBall slope(over_all.mid, 0, over_all.rad);
+    const auto step = [&](const DdBall& c) { return c - value(c) / slope; };
+    const DdBall near = step(DdBall(0.5 * (a + b)));
+    return std::isfinite(near.rad) ? step(DdBall(near.hi, near.lo)) : near;
+  }
+
+ private:
+  template <class T>
+  T conjugate(const std::array<Site<T>, 4>& at) const {
+    TangentTriple<T> triple = EdgeTriples<T>::of(q_, at).start;
     triple.with_container = !triple.with_container;
     return incircle_value(triple, at[3], q_.e == container_id);
   }
 
- private:
   const Motion& motion_;
   const Quad& q_;
 };
@@ -62,11 +86,28 @@ Interval narrow(const Branch& branch, double a, double b) {
   return {a, b};
 }
 
+// A zero of the branch at which the edge collapses, in an interval in which f has no other root:
+// the one given, or if the conjugate may have another zero there a closer one. nullopt: not even
+// that.
+std::optional<Collapse> isolate(const Branch& branch, const Interval& zero) {
+  if (branch.conjugate_is_certain(DoubleBall::hull(zero.lo, zero.hi)) ||
+      branch.shares_its_zero(zero.lo, zero.hi)) {
+    return Collapse{Collapse::Kind::root, zero.lo, zero.hi, nullptr};
+  }
+  DdBall near = branch.newton(zero.lo, zero.hi);
+  near.rad *= 0x1p10;  // signs at the ends, and inside them the zero
+  if (!(near.rad < 0.25 * (zero.hi - zero.lo)) || !branch.conjugate_is_certain(near)) {
+    return std::nullopt;
+  }
+  const Rational mid = to_rational(near.hi) + to_rational(near.lo), rad = to_rational(near.rad);
+  return Collapse::at_root(mid - rad, mid + rad);
+}
+
 enum class Finding { free, collapse, unknown };
 
-// What the start of q's edge shows of [a, b]; a collapse in `root`.
+// What the start of q's edge shows of [a, b]; a collapse in `found`.
 Finding look(const Motion& motion, const Quad& q, double a, double b,
-             const std::array<Site<DoubleBall>, 4>& at, Interval& root) {
+             const std::array<Site<DoubleBall>, 4>& at, Collapse& found) {
   const TangentTriple<DoubleBall> triple = EdgeTriples<DoubleBall>::of(q, at).start;
   // Beyond a contact of the three, which comes first, no circle touches them.
   if (sign(gamma(triple)) != Sign::positive) return Finding::unknown;
@@ -76,7 +117,7 @@ Finding look(const Motion& motion, const Quad& q, double a, double b,
   const double m = 0.5 * (a + b);
   const DoubleBall by_slope =
       branch.value(DoubleBall(m)) + over.slope * DoubleBall::hull(a - m, b - m);
-  if (sign(over.value) != Sign::unknown || sign(by_slope) != Sign::unknown) return Finding::free;
+  if (is_certain(sign(over.value)) || is_certain(sign(by_slope))) return Finding::free;
   // At a collapse the function falls.
   const Sign slope = sign(over.slope);
   if (slope == Sign::positive) return Finding::free;
@@ -85,7 +126,7 @@ Finding look(const Motion& motion, const Quad& q, double a, double b,
   const Sign after = sign(branch.value(DoubleBall(b)));
   if (before == Sign::negative || after == Sign::positive) return Finding::free;
   if (before != Sign::positive || after != Sign::negative) return Finding::unknown;
-  root = narrow(branch, a, b);
+  const Interval root = narrow(branch, a, b);
   const auto at_root = sites(motion, q, DoubleBall::hull(root.lo, root.hi));
   if (circle_exists(EdgeTriples<DoubleBall>::of(q, at_root).start) != Sign::positive) {
     return Finding::unknown;
@@ -93,18 +134,18 @@ Finding look(const Motion& motion, const Quad& q, double a, double b,
   const Sign order = contact_order(q, at_root);
   if (order == Sign::negative) return Finding::free;
   if (order != Sign::positive) return Finding::unknown;
-  // The other function may touch zero here too, but once.
-  const Dual<DoubleBall> conjugate = branch.conjugate_over(root.lo, root.hi);
-  const bool few = sign(conjugate.value) != Sign::unknown || sign(conjugate.slope) != Sign::unknown;
-  return few ? Finding::collapse : Finding::unknown;
+  const std::optional<Collapse> collapse = isolate(branch, root);
+  if (!collapse) return Finding::unknown;
+  found = *collapse;
+  return Finding::collapse;
 }
 
-Finding look(const Motion& motion, const Quad& q, double a, double b, Interval& root) {
+Finding look(const Motion& motion, const Quad& q, double a, double b, Collapse& found) {
   const std::array<Site<DoubleBall>, 4> at = sites(motion, q, DoubleBall::hull(a, b));
   if (!keeps_tangencies(at)) return Finding::unknown;
-  const Finding start = look(motion, q, a, b, at, root);
+  const Finding start = look(motion, q, a, b, at, found);
   if (start != Finding::unknown) return start;
-  return look(motion, reversed(q), a, b, {at[1], at[0], at[3], at[2]}, root);
+  return look(motion, reversed(q), a, b, {at[1], at[0], at[3], at[2]}, found);
 }
 
 }  // namespace
@@ -114,9 +155,9 @@ Collapse search_branches(const Motion& motion, const Quad& q, double start, doub
   std::vector<Interval> pieces{{start, end}};
   for (int looks = 0; !pieces.empty(); ++looks) {
     const Interval piece = pieces.back();
-    Interval root;
-    const Finding finding = look(motion, q, piece.lo, piece.hi, root);
-    if (finding == Finding::collapse) return {Collapse::Kind::root, root.lo, root.hi, nullptr};
+    Collapse found;
+    const Finding finding = look(motion, q, piece.lo, piece.hi, found);
+    if (finding == Finding::collapse) return found;
     if (finding == Finding::free) {
       pieces.pop_back();
       continue;
@@ -133,14 +174,8 @@ Collapse search_branches(const Motion& motion, const Quad& q, double start, doub
 }
 
 DdBall refine_branch(const Motion& motion, const Quad& q, double lo, double hi) {
-  const double c = 0.5 * (lo + hi);
-  const auto newton = [&](const Quad& edge) {
-    const Branch branch(motion, edge);
-    const DoubleBall slope = branch.over(lo, hi).slope;
-    return DdBall(c) - branch.value(DdBall(c)) / DdBall(slope.mid, 0, slope.rad);
-  };
-  const DdBall root = newton(q);
-  return std::isfinite(root.rad) ? root : newton(reversed(q));
+  const DdBall root = Branch(motion, q).newton(lo, hi);
+  return std::isfinite(root.rad) ? root : Branch(motion, reversed(q)).newton(lo, hi);
 }
 
 }  // namespace voroproof

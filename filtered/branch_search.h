@@ -12,12 +12,12 @@
 namespace voroproof {
 
 // The first collapse of q in [start, end] by its in-circle functions, in doubles with error bounds:
-// `root`, where one of the functions has one zero between lo and hi, and f at most one more; or
-// `none` up to the time up to which there is none, which may be `start`.
+// `root`, an isolated one of f; or `none` up to the time up to which there is none, which may be
+// `start`.
 Collapse search_branches(const Motion& motion, const Quad& q, double start, double end);
 
-// The zero that search_branches() has found between lo and hi, by one step of the interval Newton
-// method; the radius is infinite where that cannot say.
+// The collapse of q that an interval [lo, hi] is known to hold, by the interval Newton method
+// for an in-circle function; the radius is infinite where that cannot say.
 DdBall refine_branch(const Motion& motion, const Quad& q, double lo, double hi);
 
 // The generators of q at t, with their velocities as slopes.

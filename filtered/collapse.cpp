@@ -179,7 +179,7 @@ std::optional<Collapse> CollapseSearch::filter(const Quad& q, const BernsteinFor
 
 Collapse CollapseSearch::after(const Quad& q, double start, double end, const RootInterval* fine) {
   if (q.s == q.e || at_relative_rest(q)) return Collapse::none_until(kInfinity);  // Lemma 8
-  if (fine != nullptr) return slow(q, fine->hi, nullptr, end);
+  if (fine != nullptr) return beyond(q, *fine, end);
   if (!(start < end)) return Collapse::none_until(end);
   if (!motion_.options().filters) return slow(q, to_rational(start), nullptr, end);
   BernsteinForm form;
@@ -198,6 +198,22 @@ Collapse CollapseSearch::after(const Quad& q, double start, double end, const Ro
   if (!answer) return slow(q, to_rational(start), nullptr, end);
   counts_.count(Predicate::flip_search, Tier::filter);
   return *answer;
+}
+
+// Next to a root that doubles do not isolate the sign of f is dear. The in-circle functions of an
+// edge that has begun there rise.
+Collapse CollapseSearch::beyond(const Quad& q, const RootInterval& root, double end) {
+  const double start = voroproof::round_down(root.lo);
+  if (motion_.options().filters && start < end) {
+    const Collapse c = search_branches(motion_, q, start, end);
+    const Rational reached = c.fine ? c.fine->lo : to_rational(c.lo);
+    if (reached > root.hi &&
+        (c.kind == Collapse::Kind::root || c.lo - start > 0.05 * (end - start))) {
+      counts_.count(Predicate::flip_search, Tier::filter);
+      return c;
+    }
+  }
+  return slow(q, root.hi, nullptr, end);
 }
 
 Collapse CollapseSearch::from(const Quad& q, const Instant& now, double end) {

@@ -42,8 +42,8 @@ struct Instant {
 struct Collapse {
   enum class Kind {
     none,  // the edge does not collapse in (start, lo]
-    root,  // it first collapses at a root of its polynomial in [lo, hi]: the only one, or one of
-           // two that its in-circle functions tell apart
+    root,  // it first collapses in [lo, hi], at the only root of its polynomial in `fine`, or
+           // without that in [lo, hi]
     now,   // it is illegal just after the instant at which the search starts
   };
   Kind kind = Kind::none;
@@ -98,6 +98,7 @@ class CollapseSearch {
  private:
   std::optional<Collapse> filter(const Quad& q, const BernsteinForm& form, double start,
                                  double end) const;
+  Collapse beyond(const Quad& q, const RootInterval& root, double end);
   bool at_relative_rest(const Quad& q) const;
   Collapse at_rest(const Quad& q, const Instant& now);
   // Of four generators that stay cotangent, perhaps only with the circle of the other kind: both

@@ -137,7 +137,7 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
         const RootInterval& at = roots[k].interval();
         const Sign contacts =
             contact_order(q, sites(motion_, q, MakeBall{bits}.hull(at.lo, at.hi)));
-        if (contacts == Sign::positive || contacts == Sign::negative) {
+        if (is_certain(contacts)) {
           return contacts == Sign::positive;
         }
         if (bits > most) throw RootTooBlurred("the order of the contacts at a flip", bits);
@@ -198,14 +198,7 @@ ExactTime CollapseSearch::exact_root(const Quad& q, const Rational& lo, const Ra
   const Polynomial<Tower> phi = flip_polynomial(q, exact);
   const Sign at_lo = sign(phi.evaluate(Tower(lo))), at_hi = sign(phi.evaluate(Tower(hi)));
   if (at_lo != Sign::zero && at_lo == -at_hi) return ExactTime(phi, RootInterval{lo, hi});
-  // Two roots, or a double one: that beyond which the edge is in conflict.
-  std::vector<ExactTime> roots = real_roots(phi, lo, hi);
-  if (roots.size() > 1) {
-    const Rational between = (roots[0].interval().hi + roots[1].interval().lo) / 2;
-    const auto s = exact_incircles(q, between, exact);
-    if (s[0] != Sign::negative || s[1] != Sign::negative) return roots[1];
-  }
-  return roots.at(0);
+  return real_roots(phi, lo, hi).at(0);  // of even order
 }
 
 }  // namespace voroproof

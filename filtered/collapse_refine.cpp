@@ -46,7 +46,7 @@ Ball narrow(const Falling& f, Sign at_a, Rational a, Rational b, const MakeBall&
     const Ball value = f.value(center);
     const Ball slope = f.slope(make.hull(a, b));
     const Ball next = center - value / slope;
-    if (sign(slope) != Sign::unknown && next.radius().scaled(2) < root.radius()) {
+    if (is_certain(sign(slope)) && next.radius().scaled(2) < root.radius()) {
       // The interval Newton method gains at least two bits.
       root = next;
       Rational mid, rad = 1;
@@ -94,7 +94,7 @@ Ball CollapseSearch::refine(const Quad& q, const Rational& lo, const Rational& h
   // may not tell an end of the interval from it.
   for (const Falling& f : {polynomial, branch(q), branch(reversed(q))}) {
     const Sign at_lo = sign(f.value(make(lo))), at_hi = sign(f.value(make(hi)));
-    if (at_lo != Sign::unknown && at_lo != Sign::zero && at_hi == -at_lo) {
+    if (is_certain(at_lo) && at_hi == -at_lo) {
       return narrow(f, at_lo, lo, hi, make);
     }
   }

@@ -72,15 +72,11 @@ Rational Symmetry::radius(const DiskState& s) const {
 
 namespace {
 
-bool may_vanish(const DoubleBall& x) {
-  const Sign s = sign(x);
-  return s == Sign::unknown || s == Sign::zero;
-}
+bool may_vanish(const DoubleBall& x) { return !is_certain(sign(x)); }
 
-bool is_certain(Sign s) { return s == Sign::positive || s == Sign::negative; }
-
-DoubleBall squared_distance(const Site<DoubleBall>& a, const Site<DoubleBall>& b) {
-  const DoubleBall dx = a.x - b.x, dy = a.y - b.y;
+template <class T>
+T squared_distance(const Site<T>& a, const Site<T>& b) {
+  const T dx = a.x - b.x, dy = a.y - b.y;
   return dx * dx + dy * dy;
 }
 
@@ -103,6 +99,40 @@ bool Symmetry::mirrored_in_pairs(const QuadStates& q, const DoubleBall& t) const
     const auto found =
         carry(QuadStates{q[a], q[b], q[c], q[d]}, QuadStates{q[b], q[a], q[d], q[c]});
     if (std::any_of(found.begin(), found.end(), [](const Isometry& g) { return g.reflects; })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Symmetry::mirrored_between(const QuadStates& q, double lo, double hi) const {
+  std::array<Site<DoubleBall>, 4> at;
+  std::array<Site<DdBall>, 4> at_lo, at_hi;
+  for (int k = 0; k < 4; ++k) {
+    at[k] = motion_.site(q[k].g, DoubleBall::hull(lo, hi));
+    at_lo[k] = motion_.site(q[k].g, DdBall(lo));
+    at_hi[k] = motion_.site(q[k].g, DdBall(hi));
+  }
+  // a to c and b to d for good, then a to c and b to d and back.
+  for (const auto& [a, b, c, d] : {std::array{0, 1, 2, 3},
+                                   {0, 3, 2, 1},
+                                   {0, 1, 3, 2},
+                                   {0, 2, 3, 1},
+                                   {0, 2, 1, 3},
+                                   {0, 3, 1, 2}}) {
+    if (radius(q[a]) != radius(q[c]) || radius(q[b]) != radius(q[d])) continue;
+    // A half turn would bring them back, too.
+    if (may_vanish(at[a].x + at[c].x - at[b].x - at[d].x) &&
+        may_vanish(at[a].y + at[c].y - at[b].y - at[d].y)) {
+      continue;
+    }
+    const Sign before =
+        sign(squared_distance(at_lo[a], at_lo[d]) - squared_distance(at_lo[b], at_lo[c]));
+    const Sign after =
+        sign(squared_distance(at_hi[a], at_hi[d]) - squared_distance(at_hi[b], at_hi[c]));
+    if (is_certain(before) && after == -before &&
+        may_vanish(squared_distance(at[a], at[b]) - squared_distance(at[c], at[d])) &&
+        !carry(PairStates{q[a], q[b]}, PairStates{q[c], q[d]}).empty()) {
       return true;
     }
   }

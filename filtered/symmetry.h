@@ -77,6 +77,11 @@ class Symmetry {
   enum class Cotangency { unknown, some_circle, every_circle };
   Cotangency cotangency(const QuadStates& q, const Coincidence& known, double lo, double hi) const;
 
+  // Whether the four certainly are mirror images of each other two by two at some time between lo
+  // and hi, so that then every circle that touches three of them touches the fourth. Two pairs that
+  // isometries carry onto each other for good are such when the diagonals between them are equal.
+  bool mirrored_between(const QuadStates& q, double lo, double hi) const;
+
   // Whether two generators, with their states in force, certainly touch at the instant.
   bool touch(const PairStates& pair, const Coincidence& known) const;
 

@@ -284,7 +284,7 @@ long settle(Diagram& diagram, Motion& motion, const Instant& now, TierCounts& co
     if (q.s == q.e) return;
     const Sign f = sign(cotangency(motion.site(q.l, t), motion.site(q.r, t), motion.site(q.s, t),
                                    motion.site(q.e, t)));
-    if (f == Sign::positive || f == Sign::negative) return;
+    if (is_certain(f)) return;
     if (search.from(q, now, now.hi).kind == Collapse::Kind::now) {
       illegal.insert({canonical(q), h & ~1});
     }
