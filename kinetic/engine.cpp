@@ -223,7 +223,7 @@ class Engine<certified>::Implementation {
     ++stats_.flip_searches;
     if ((stats_.flip_searches & 0xfff) == 0 && now_.lo > 0) {
       const double life = now_.lo * diagram_.edges() / static_cast<double>(stats_.flip_searches);
-      window_ = std::fmax(1.5 * life, 1e-9 * horizon_up_);
+      window_ = std::fmax(2 * life, 1e-9 * horizon_up_);
     }
   }
 
