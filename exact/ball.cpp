@@ -7,10 +7,8 @@
 namespace voroproof {
 
 namespace {
-// Every sum or product of two magnitudes is rounded once by the hardware; this
-// factor turns the rounded result into an upper bound.
+// Turns a bound that the hardware rounded once or twice into an upper one.
 constexpr double kUp = 1.0 + 0x1p-51;
-constexpr std::int64_t kInfiniteExponent = std::int64_t{1} << 40;
 
 // The significand of a regular number: least limb first, the highest bit of the last one set, below
 // the precision zeros (MPFR, "Custom Interface" and "Internals").
@@ -20,48 +18,11 @@ const mp_limb_t* limbs_of(mpfr_srcptr x) {
 }
 }  // namespace
 
-Magnitude Magnitude::normalized(double m, std::int64_t e) {
-  // m is positive and normal here: it is a sum or product of numbers in [1, 2),
-  // or a finite nonzero double.
-  const auto bits = std::bit_cast<std::uint64_t>(m);
-  const auto exponent = static_cast<std::int64_t>((bits >> 52) & 0x7ff);
-  if (exponent == 0) return Magnitude(1.0, e - 1021);  // subnormal: bounded by 2^-1021
-  const double mantissa = std::bit_cast<double>((bits & 0x000fffffffffffffULL) | (0x3ffULL << 52));
-  return Magnitude(mantissa, e + exponent - 1023);
-}
-
-Magnitude Magnitude::of(double x) {
-  x = std::fabs(x);
-  return x == 0 ? Magnitude() : normalized(x, 0);
-}
-
 double Magnitude::to_double() const {
   if (is_zero()) return 0;
   if (e_ > 1022) return std::numeric_limits<double>::infinity();
   if (e_ < -1021) return DBL_MIN;
   return std::ldexp(m_, static_cast<int>(e_));
-}
-
-Magnitude operator+(const Magnitude& a, const Magnitude& b) {
-  if (a.is_zero()) return b;
-  if (b.is_zero()) return a;
-  const Magnitude& big = a.e_ >= b.e_ ? a : b;
-  const Magnitude& small = a.e_ >= b.e_ ? b : a;
-  const std::int64_t shift = big.e_ - small.e_;
-  const double addend =
-      shift > 60 ? 0x1p-59
-                 : small.m_ * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - shift) << 52);
-  return Magnitude::normalized((big.m_ + addend) * kUp, big.e_);
-}
-
-Magnitude operator*(const Magnitude& a, const Magnitude& b) {
-  if (a.is_zero() || b.is_zero()) return Magnitude();
-  return Magnitude::normalized(a.m_ * b.m_ * kUp, a.e_ + b.e_);
-}
-
-bool operator<(const Magnitude& a, const Magnitude& b) {
-  if (a.is_zero() || b.is_zero()) return a.is_zero() && !b.is_zero();
-  return a.e_ != b.e_ ? a.e_ < b.e_ : a.m_ < b.m_;
 }
 
 Ball::Ball(const Rational& q, Precision bits) : Ball(bits) {
@@ -87,7 +48,7 @@ void Ball::set_precision(Precision bits) {
 
 Magnitude Ball::magnitude_of(mpfr_srcptr x) {
   if (mpfr_zero_p(x)) return Magnitude();
-  if (!mpfr_number_p(x)) return Magnitude::power_of_two(kInfiniteExponent);
+  if (!mpfr_number_p(x)) return Magnitude::infinite();
   // |x| = m 2^exp with m in [1/2, 1); its leading 53 bits, rounded up.
   const mp_size_t top = (mpfr_get_prec(x) - 1) / GMP_NUMB_BITS;
   const auto leading = static_cast<double>((limbs_of(x)[top] >> 11) + 1);
@@ -322,7 +283,7 @@ void Ball::div(Ball& out, const Ball& a, const Ball& b, Precision bits) {
   out.set_precision(bits);
   if (!(low > 0)) {
     mpfr_set_zero(out.mid_, 1);
-    out.radius_ = Magnitude::power_of_two(kInfiniteExponent);
+    out.radius_ = Magnitude::infinite();
     return;
   }
   const int t = mpfr_div(out.mid_, a.mid_, b.mid_, MPFR_RNDN);

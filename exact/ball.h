@@ -10,6 +10,7 @@
 
 #include <mpfr.h>
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -26,6 +27,8 @@ class Magnitude {
   // An upper bound of |x|; x must be finite.
   static Magnitude of(double x);
   static Magnitude power_of_two(std::int64_t e) { return Magnitude(1.0, e); }
+  // Above everything else.
+  static Magnitude infinite() { return power_of_two(std::int64_t{1} << 40); }
   bool is_zero() const { return m_ == 0; }
   // floor(log2) of the bound; only for a nonzero one.
   std::int64_t exponent() const { return e_; }
@@ -33,17 +36,68 @@ class Magnitude {
   double to_double() const;
   friend Magnitude operator+(const Magnitude& a, const Magnitude& b);
   friend Magnitude operator*(const Magnitude& a, const Magnitude& b);
+  // For lower bounds a of some quantity: a lower bound of a - b, where b < a; an upper bound of
+  // 1/a, where a is not zero.
+  friend Magnitude operator-(const Magnitude& a, const Magnitude& b);
+  Magnitude inverse() const { return normalized(1 / m_ * kUp, -e_); }
   // a 2^k.
   Magnitude scaled(std::int64_t k) const { return is_zero() ? *this : Magnitude(m_, e_ + k); }
-  // Upper bound of 1 / a for a lower bound a of some quantity: see Ball division.
   friend bool operator<(const Magnitude& a, const Magnitude& b);
 
  private:
+  // Every sum or product of two magnitudes is rounded once by the hardware; this factor turns the
+  // rounded result into an upper bound.
+  static constexpr double kUp = 1.0 + 0x1p-51;
+
   Magnitude(double m, std::int64_t e) : m_(m), e_(e) {}
   static Magnitude normalized(double m, std::int64_t e);
+  // Of b to the exponent of a, which is not smaller; below a certain size, more than that.
+  static double aligned(const Magnitude& a, const Magnitude& b) {
+    const std::int64_t shift = a.e_ - b.e_;
+    if (shift > 60) return 0x1p-59;
+    return b.m_ * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - shift) << 52);
+  }
   double m_ = 0;
   std::int64_t e_ = 0;
 };
+
+inline Magnitude Magnitude::normalized(double m, std::int64_t e) {
+  // m is positive and normal here: it is a sum or product of numbers in [1, 2),
+  // or a finite nonzero double.
+  const auto bits = std::bit_cast<std::uint64_t>(m);
+  const auto exponent = static_cast<std::int64_t>((bits >> 52) & 0x7ff);
+  if (exponent == 0) return Magnitude(1.0, e - 1021);  // subnormal: bounded by 2^-1021
+  const double mantissa = std::bit_cast<double>((bits & 0x000fffffffffffffULL) | (0x3ffULL << 52));
+  return Magnitude(mantissa, e + exponent - 1023);
+}
+
+inline Magnitude Magnitude::of(double x) {
+  x = std::fabs(x);
+  return x == 0 ? Magnitude() : normalized(x, 0);
+}
+
+inline Magnitude operator+(const Magnitude& a, const Magnitude& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  const Magnitude& big = a.e_ >= b.e_ ? a : b;
+  const Magnitude& small = a.e_ >= b.e_ ? b : a;
+  return Magnitude::normalized((big.m_ + Magnitude::aligned(big, small)) * Magnitude::kUp, big.e_);
+}
+
+inline Magnitude operator-(const Magnitude& a, const Magnitude& b) {
+  if (b.is_zero()) return a;
+  return Magnitude::normalized((a.m_ - Magnitude::aligned(a, b)) * (1 - 0x1p-50), a.e_);
+}
+
+inline Magnitude operator*(const Magnitude& a, const Magnitude& b) {
+  if (a.is_zero() || b.is_zero()) return Magnitude();
+  return Magnitude::normalized(a.m_ * b.m_ * Magnitude::kUp, a.e_ + b.e_);
+}
+
+inline bool operator<(const Magnitude& a, const Magnitude& b) {
+  if (a.is_zero() || b.is_zero()) return a.is_zero() && !b.is_zero();
+  return a.e_ != b.e_ ? a.e_ < b.e_ : a.m_ < b.m_;
+}
 
 class Ball {
  public:
@@ -119,6 +173,7 @@ class Ball {
   static void neg(Ball& out, const Ball& a);
 
  private:
+  friend class LimbBall;
   void set_precision(Precision bits);
   // A moved-from ball has no precision: then `bits`.
   Precision precision_or(Precision bits) const {

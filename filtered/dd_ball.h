@@ -2,8 +2,10 @@
 // bound of its distance to the true value.
 #pragma once
 
+#include <bit>
 #include <cfloat>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "exact/rational.h"
@@ -116,6 +118,15 @@ inline Sign sign(const DdBall& a) {
   if (a.hi * (1 - 0x1p-50) < -slack) return Sign::negative;
   if (a.hi == 0 && a.lo == 0 && a.rad == 0) return Sign::zero;
   return Sign::unknown;
+}
+
+// Whether all of the ball rounds to hi: it stays within half the gap between hi and its neighbour
+// towards zero, the nearer of the two.
+inline bool rounds_to_leading(const DdBall& a) {
+  const double size = std::fabs(a.hi);
+  if (!(size >= DBL_MIN * 0x1p60 && size <= DBL_MAX)) return false;
+  const double below = std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) - 1);
+  return std::fabs(a.lo) + a.rad < 0.5 * (size - below) * (1 - 0x1p-50);
 }
 
 // Binary64 numbers around the ball: neighbours of hi, or as near as the radius lets. The sums of lo

@@ -96,6 +96,12 @@ int Motion::bits_at(double t) const {
 void Motion::load_initial_states() {
   const Ball::Precision bits = bits_at(0);
   for (GenId g = container_id; g < size(); ++g) load_initial_state(g, bits);
+  const Rational& e = input_.container_restitution;
+  const bool whole = input_.whole_container_law;
+  disk_law_.set(dyadic_or_rounded(Rational(-(1 + input_.restitution)), bits));
+  const Rational wall = whole ? Rational(-2 * e) : Rational(-(1 + e));
+  wall_law_.set(dyadic_or_rounded(wall, bits));
+  wall_keep_.set(dyadic_or_rounded(Rational(e - 1), bits));
 }
 
 void Motion::load_initial_state(GenId g, Ball::Precision bits) {
@@ -230,133 +236,122 @@ Motion::Origin Motion::origin(GenId g, int id) const {
 const Motion::Response& Motion::respond(const Record& r) {
   const Ball::Precision bits = bits_at(r.t_ref);
   Workspace& m = workspace_;
-  Response& out = m.out;
-  Ball &dt = m.balls[0], &term = m.balls[1], &dx = m.balls[2], &dy = m.balls[3], &wx = m.balls[4],
-       &wy = m.balls[5], &a = m.balls[6], &b = m.balls[7], &c = m.balls[8], &root = m.balls[9],
-       &s = m.balls[10], &reach = m.balls[11], &reach2 = m.balls[12], &nx = m.balls[13],
-       &ny = m.balls[14], &k = m.balls[15], &kx = m.balls[16], &ky = m.balls[17], &ix = m.balls[18],
-       &iy = m.balls[19];
-  auto& x = m.x;
-  auto& y = m.y;
+  LimbArithmetic& with = m.arithmetic;
+  with.set_precision(bits);
   const bool wall = r.i == container_id;
-  Ball::set(m.now, r.t_ref);
-  // Centres and velocities at the reference time; with the container at rest,
-  // the offset runs from it to the disk j.
+  const GenId ids[2] = {r.i, r.j};
+  m.now.set(r.t_ref);
+  // Centres and velocities at the reference time; with the container at rest, the offset runs from
+  // it to the disk j.
   for (int k = 0; k < 2; ++k) {
-    const GenId g = k == 0 ? r.i : r.j;
+    const GenId g = ids[k];
     const BallState& s = balls_[g + 1];
-    if (g == container_id) {
-      x[k] = s.x;
-      y[k] = s.y;
-      continue;
-    }
-    Ball::set(m.then, t_ref_[g + 1]);
-    Ball::sub(dt, m.now, m.then, bits);
-    Ball::mul(term, s.vx, dt, bits);
-    Ball::add(x[k], s.x, term, bits);
-    Ball::mul(term, s.vy, dt, bits);
-    Ball::add(y[k], s.y, term, bits);
+    m.x[k].set(s.x);
+    m.y[k].set(s.y);
+    m.vx[k].set(s.vx);
+    m.vy[k].set(s.vy);
+    if (g == container_id) continue;
+    m.mass[k].set(mass_[g + 1]);
+    m.then.set(t_ref_[g + 1]);
+    with.sub(m.dt, m.now, m.then);
+    with.mul(m.term, m.vx[k], m.dt);
+    with.add(m.x[k], m.x[k], m.term);
+    with.mul(m.term, m.vy[k], m.dt);
+    with.add(m.y[k], m.y[k], m.term);
   }
-  BallState& si = balls_[r.i + 1];
-  BallState& sj = balls_[r.j + 1];
-  Ball::sub(dx, x[1], x[0], bits);
-  Ball::sub(dy, y[1], y[0], bits);
-  Ball::sub(wx, sj.vx, si.vx, bits);
-  Ball::sub(wy, sj.vy, si.vy, bits);
-  Ball::add(reach, radius_[r.i + 1], radius_[r.j + 1], bits);
-  Ball::sqr(reach2, reach, bits);
-  Ball::sqr(a, wx, bits);
-  Ball::sqr(term, wy, bits);
-  Ball::add(a, a, term, bits);
-  Ball::mul(b, dx, wx, bits);
-  Ball::mul(term, dy, wy, bits);
-  Ball::add(b, b, term, bits);
-  Ball::sqr(c, dx, bits);
-  Ball::sqr(term, dy, bits);
-  Ball::add(c, c, term, bits);
-  Ball::sub(c, c, reach2, bits);
-  Ball::sqr(root, b, bits);
-  Ball::mul(term, a, c, bits);
-  Ball::sub(root, root, term, bits);
-  Ball::sqrt(root, root, bits);
+  with.sub(m.dx, m.x[1], m.x[0]);
+  with.sub(m.dy, m.y[1], m.y[0]);
+  with.sub(m.wx, m.vx[1], m.vx[0]);
+  with.sub(m.wy, m.vy[1], m.vy[0]);
+  m.reach.set(radius_[r.i + 1]);
+  m.term.set(radius_[r.j + 1]);
+  with.add(m.reach, m.reach, m.term);
+  with.sqr(m.reach2, m.reach);
+  with.sqr(m.a, m.wx);
+  with.sqr(m.term, m.wy);
+  with.add(m.a, m.a, m.term);
+  with.mul(m.b, m.dx, m.wx);
+  with.mul(m.term, m.dy, m.wy);
+  with.add(m.b, m.b, m.term);
+  with.sqr(m.c, m.dx);
+  with.sqr(m.term, m.dy);
+  with.add(m.c, m.c, m.term);
+  with.sub(m.c, m.c, m.reach2);
+  with.sqr(m.root, m.b);
+  with.mul(m.term, m.a, m.c);
+  with.sub(m.root, m.root, m.term);
+  with.sqrt(m.root, m.root);
   if (!wall) {
-    Ball::sub(term, root, b, bits);  // b < 0: they approach
-    Ball::div(s, c, term, bits);
-  } else if (b.sign() == Sign::positive) {
-    Ball::add(term, b, root, bits);
-    Ball::div(s, c, term, bits);
-    Ball::neg(s, s);
+    with.sub(m.term, m.root, m.b);  // b < 0: they approach
+    with.div(m.s, m.c, m.term);
+  } else if (m.b.sign() == Sign::positive) {
+    with.add(m.term, m.b, m.root);
+    with.div(m.s, m.c, m.term);
+    m.s.negate();
   } else {
-    Ball::sub(term, root, b, bits);
-    Ball::div(s, term, a, bits);
+    with.sub(m.term, m.root, m.b);
+    with.div(m.s, m.term, m.a);
   }
-  Ball::add(out.time, m.now, s, bits);
   // n = d + w s; w.n is -root at the contact of two disks, +root at the wall.
-  Ball::mul(term, wx, s, bits);
-  Ball::add(nx, dx, term, bits);
-  Ball::mul(term, wy, s, bits);
-  Ball::add(ny, dy, term, bits);
-  const auto position = [&](int side, const BallState& state) {
-    Ball::mul(term, state.vx, s, bits);
-    Ball::add(out.px[side], x[side], term, bits);
-    Ball::mul(term, state.vy, s, bits);
-    Ball::add(out.py[side], y[side], term, bits);
-  };
-  // New velocity (state += (kx, ky)), then the centre that the new line had or will
-  // have at the reference time: x_ref - change * s.
-  const auto restart = [&](int side, BallState& state, const Ball& cx, const Ball& cy) {
-    Ball::add(state.vx, state.vx, cx, bits);
-    Ball::add(state.vy, state.vy, cy, bits);
-    Ball::mul(term, cx, s, bits);
-    Ball::sub(state.x, x[side], term, bits);
-    Ball::mul(term, cy, s, bits);
-    Ball::sub(state.y, y[side], term, bits);
+  with.mul(m.term, m.wx, m.s);
+  with.add(m.nx, m.dx, m.term);
+  with.mul(m.term, m.wy, m.s);
+  with.add(m.ny, m.dy, m.term);
+  // New velocity, v + change; then the centre that the new line had or will have at the reference
+  // time: x - change * s.
+  const auto restart = [&](int side, const LimbBall& cx, const LimbBall& cy, const LimbBall& cx_s,
+                           const LimbBall& cy_s) {
+    BallState& state = balls_[ids[side] + 1];
+    with.add(m.vx[side], m.vx[side], cx);
+    with.add(m.vy[side], m.vy[side], cy);
+    with.sub(m.x[side], m.x[side], cx_s);
+    with.sub(m.y[side], m.y[side], cy_s);
+    m.x[side].get(state.x, bits);
+    m.y[side].get(state.y, bits);
+    m.vx[side].get(state.vx, bits);
+    m.vy[side].get(state.vy, bits);
+    t_ref_[ids[side] + 1] = r.t_ref;
   };
   if (wall) {
-    position(1, sj);
-    const Rational& e = input_.container_restitution;
+    // v' - v = -(1 + e) (root / reach^2) n or, of the law of the whole velocity,
+    // (e - 1) v - 2 e (root / reach^2) n.
+    with.div(m.k, m.root, m.reach2);
+    with.mul(m.k, m.k, wall_law_);
+    with.mul(m.kx, m.k, m.nx);
+    with.mul(m.ky, m.k, m.ny);
     if (input_.whole_container_law) {
-      // v' - v = (e - 1) v - 2 e (root / reach^2) n
-      Ball::div(k, root, reach2, bits);
-      Ball::mul(k, k, Ball(Rational(2 * e), bits), bits);
-      const Ball keep(Rational(e - 1), bits);
-      Ball::mul(kx, sj.vx, keep, bits);
-      Ball::mul(ky, sj.vy, keep, bits);
-      Ball::mul(term, k, nx, bits);
-      Ball::sub(kx, kx, term, bits);
-      Ball::mul(term, k, ny, bits);
-      Ball::sub(ky, ky, term, bits);
-    } else {
-      Ball::div(k, root, reach2, bits);
-      Ball::mul(k, k, Ball(Rational(-(1 + e)), bits), bits);
-      Ball::mul(kx, k, nx, bits);
-      Ball::mul(ky, k, ny, bits);
+      with.mul(m.term, m.vx[1], wall_keep_);
+      with.add(m.kx, m.kx, m.term);
+      with.mul(m.term, m.vy[1], wall_keep_);
+      with.add(m.ky, m.ky, m.term);
     }
-    restart(1, sj, kx, ky);
+    with.mul(m.nx, m.kx, m.s);
+    with.mul(m.ny, m.ky, m.s);
+    restart(1, m.kx, m.ky, m.nx, m.ny);
   } else {
-    position(0, si);
-    Ball::add(out.px[1], out.px[0], nx, bits);
-    Ball::add(out.py[1], out.py[0], ny, bits);
     // v_i += m_j K n, v_j -= m_i K n, K = -(1 + sigma) root / ((m_i + m_j) reach^2).
-    Ball::add(term, mass_[r.i + 1], mass_[r.j + 1], bits);
-    Ball::mul(term, term, reach2, bits);
-    Ball::div(k, root, term, bits);
-    const Rational law = -(1 + input_.restitution);
-    Ball::mul(k, k, Ball(law, law == -2 ? 2 : bits), bits);
-    Ball::mul(nx, k, nx, bits);
-    Ball::mul(ny, k, ny, bits);
-    Ball::mul(ix, mass_[r.j + 1], nx, bits);
-    Ball::mul(iy, mass_[r.j + 1], ny, bits);
-    Ball::mul(kx, mass_[r.i + 1], nx, bits);
-    Ball::mul(ky, mass_[r.i + 1], ny, bits);
-    Ball::neg(kx, kx);
-    Ball::neg(ky, ky);
-    restart(0, si, ix, iy);
-    restart(1, sj, kx, ky);
-    t_ref_[r.i + 1] = r.t_ref;
+    with.add(m.term, m.mass[0], m.mass[1]);
+    with.mul(m.term, m.term, m.reach2);
+    with.div(m.k, m.root, m.term);
+    with.mul(m.k, m.k, disk_law_);
+    with.mul(m.kx, m.k, m.nx);
+    with.mul(m.ky, m.k, m.ny);
+    with.mul(m.nx, m.kx, m.s);
+    with.mul(m.ny, m.ky, m.s);
+    for (int side = 0; side < 2; ++side) {
+      LimbBall& mass = m.mass[1 - side];
+      if (side == 1) mass.negate();
+      with.mul(m.a, m.kx, mass);
+      with.mul(m.b, m.ky, mass);
+      with.mul(m.dx, m.nx, mass);
+      with.mul(m.dy, m.ny, mass);
+      restart(side, m.a, m.b, m.dx, m.dy);
+    }
   }
-  t_ref_[r.j + 1] = r.t_ref;
-  return out;
+  m.s.get(m.out.delay, bits);
+  with.add(m.term, m.now, m.s);
+  m.term.get(m.out.time, bits);
+  return m.out;
 }
 
 void Motion::apply_maneuver(const Record& r) {
@@ -414,7 +409,16 @@ bool Motion::raise_precision() {
   return true;
 }
 
-double Motion::round_coordinate(const Ball& value, GenId g, int which) {
+// A coordinate of disk g just after its collision, known roughly: 0 and 1 its centre, 2 and 3 its
+// velocity, 4 the time.
+double Motion::round_coordinate(const DdBall& rough, GenId g, int which, const Response& response) {
+  if (options_.filters && rounds_to_leading(rough)) return rough.hi;
+  const BallState& b = balls_[g + 1];
+  const Ball value = which == 0   ? b.x + b.vx * response.delay
+                     : which == 1 ? b.y + b.vy * response.delay
+                     : which == 2 ? b.vx
+                     : which == 3 ? b.vy
+                                  : response.time;
   double out = 0;
   if (value.round_to_double(out)) return out;
   // Either a number on a rounding boundary (zero and short dyadic numbers are), or
@@ -464,15 +468,18 @@ Impact Motion::collide(GenId i, GenId j, double t_near) {
   refresh(j);
   Impact out{};
   const auto round_all = [&] {
-    out.t = round_coordinate(response.time, j, 4);
-    const auto state = [&](GenId g, int side) {
-      const BallState& s = balls_[g + 1];
-      return RoundedState{round_coordinate(response.px[side], g, 0),
-                          round_coordinate(response.py[side], g, 1), round_coordinate(s.vx, g, 2),
-                          round_coordinate(s.vy, g, 3)};
+    out.time_dd = dd_of(response.time);
+    out.t = round_coordinate(out.time_dd, j, 4, response);
+    const DdBall delay = dd_of(response.delay);
+    const auto state = [&](GenId g) {
+      const DdMotion& m = dds_[g + 1];
+      return RoundedState{round_coordinate(m.x + m.vx * delay, g, 0, response),
+                          round_coordinate(m.y + m.vy * delay, g, 1, response),
+                          round_coordinate(m.vx, g, 2, response),
+                          round_coordinate(m.vy, g, 3, response)};
     };
-    if (i != container_id) out.first = state(i, 0);
-    out.second = state(j, 1);
+    if (i != container_id) out.first = state(i);
+    out.second = state(j);
   };
   for (;;) {
     try {
@@ -495,9 +502,8 @@ Impact Motion::collide(GenId i, GenId j, double t_near) {
     }
   }
   double lo = 0, hi = 0;
-  response.time.to_interval(lo, hi);
+  enclose(out.time_dd, lo, hi);
   out.time = DoubleBall::hull(lo, hi);
-  out.time_dd = dd_of(response.time);
   return out;
 }
 

@@ -20,6 +20,7 @@
 
 #include "exact/ball.h"
 #include "exact/generators.h"
+#include "exact/limb_ball.h"
 #include "exact/predicates.h"
 #include "exact/rational.h"
 #include "exact/tower.h"
@@ -104,6 +105,8 @@ class Motion {
   const MotionOptions& options() const { return options_; }
 
   const DoubleMotion& doubles(GenId g) const { return doubles_[g + 1]; }
+  // Referred to the time of doubles(g).
+  const DdMotion& double_doubles(GenId g) const { return dds_[g + 1]; }
   // Position at a time in the current motion of the generator.
   Site<DoubleBall> site(GenId g, const DoubleBall& t) const;
   Site<DdBall> site(GenId g, const DdBall& t) const;
@@ -183,13 +186,14 @@ class Motion {
   };
   struct Response {
     Ball time;
-    Ball px[2], py[2];  // centres at the collision
+    Ball delay;  // of the collision after the new states' reference time
   };
 
   // What a collision computes with, kept so that no memory is allocated for it.
   struct Workspace {
-    std::array<Ball, 20> balls;
-    Ball now, then, x[2], y[2];
+    LimbArithmetic arithmetic;
+    LimbBall now, then, dt, term, x[2], y[2], vx[2], vy[2], dx, dy, wx, wy, mass[2];
+    LimbBall reach, reach2, a, b, c, root, s, nx, ny, k, kx, ky;
     Response out;
   };
 
@@ -206,7 +210,7 @@ class Motion {
   bool accurate_enough(GenId g) const;
   void replay();
   bool raise_for(double t);
-  double round_coordinate(const Ball& value, GenId g, int which);
+  double round_coordinate(const DdBall& rough, GenId g, int which, const Response& response);
 
   // Where `given_` is set for a disk, its state is yet to be taken over from there.
   mutable MotionInput input_;
@@ -228,6 +232,7 @@ class Motion {
   mutable std::vector<BallState> balls_;
   mutable std::vector<char> stale_;
   std::vector<Ball> radius_, mass_;
+  LimbBall disk_law_, wall_law_, wall_keep_;  // factors of the laws of collision
   Workspace workspace_;
   // Of the uncertified instance.
   std::vector<double> plain_mass_;

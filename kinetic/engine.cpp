@@ -262,7 +262,8 @@ class Engine<certified>::Implementation {
       // Each step from the interval that the one before has left, while that pays.
       double width = f.hi - f.lo;
       for (int step = 1; step < 6; ++step) {
-        if (dd.rad <= kFine * (1 + dd.hi) || rounds(dd) || !(dd.rad < 0.25 * width)) break;
+        if (dd.rad <= kFine * (1 + dd.hi) || rounds_to_leading(dd) || !(dd.rad < 0.25 * width))
+          break;
         width = dd.rad;
         double lo = 0, hi = 0;
         enclose(dd, lo, hi);
@@ -272,7 +273,7 @@ class Engine<certified>::Implementation {
       const auto [i, j] = pair_of(item);
       dd = contacts_.refine(i, j, 0.5 * (f.lo + f.hi));
     }
-    if (!(dd.rad <= kFine * (1 + dd.hi)) && !rounds(dd)) dd = ball_refined(item);
+    if (!(dd.rad <= kFine * (1 + dd.hi)) && !rounds_to_leading(dd)) dd = ball_refined(item);
     Candidate c{item, 0, 0, dd, true};
     enclose(dd, c.lo, c.hi);
     // The isolating interval may be the tighter one.
@@ -280,13 +281,6 @@ class Engine<certified>::Implementation {
     c.hi = std::fmin(c.hi, f.hi);
     return c;
   }
-
-  // Whether hi is the nearest double of all of the ball: hi + lo stays within half a gap.
-  static bool rounds(const DdBall& t) {
-    return std::fabs(t.lo) + t.rad < half_gap_below(t.hi) * (1 - 0x1p-50);
-  }
-
-  static double half_gap_below(double x) { return 0.5 * (x - std::nextafter(x, -kInfinity)); }
 
   Ball ball_of(int item, int bits) {
     const Found& f = found_[item];
@@ -414,7 +408,7 @@ class Engine<certified>::Implementation {
   // The candidate's time rounded to binary64.
   double rounded_time(const Candidate& c) {
     if constexpr (!certified) return c.lo;
-    if (options_.motion.filters && rounds(c.dd)) {
+    if (options_.motion.filters && rounds_to_leading(c.dd)) {
       stats_.tiers.count(Predicate::round_time, Tier::dd);
       return c.dd.hi;
     }
