@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "filtered/lanes.h"
+
 namespace voroproof {
 
 namespace {
@@ -15,7 +17,8 @@ constexpr std::array<double, 9> kInverse8{1,        1.0 / 8,  1.0 / 28, 1.0 / 56
 
 // Products in the scaled Bernstein basis (coefficients times binomials) are plain
 // convolutions.
-inline void multiply2(const double* p, const double* q, double* r) {
+template <class T>
+inline void multiply2(const T* p, const T* q, T* r) {
   r[0] = p[0] * q[0];
   r[1] = p[0] * q[1] + p[1] * q[0];
   r[2] = p[0] * q[2] + p[1] * q[1] + p[2] * q[0];
@@ -23,47 +26,37 @@ inline void multiply2(const double* p, const double* q, double* r) {
   r[4] = p[2] * q[2];
 }
 
-// The generators of q at both ends of the window: x[k][0..3], with the error of a
+// The generators of q at both ends of the window, in the lanes l, r, s, e, with the error of a
 // coordinate in err.
 struct Ends {
-  double x0[4], y0[4], x1[4], y1[4], r[4], err[4], rerr[4];
+  Lanes x0, y0, x1, y1, r, err, rerr;
 };
 
 template <bool certified>
 inline void place(const Motion& motion, const Quad& q, double a, double b, Ends& e) {
-  const GenId ids[4] = {q.l, q.r, q.s, q.e};
-  // Side by side first: the compiler then computes with all four at once.
-  double t[4], x[4], y[4], vx[4], vy[4], ex[4], ev[4];
-  for (int i = 0; i < 4; ++i) {
-    const DoubleMotion& m = motion.doubles(ids[i]);
-    t[i] = m.t;
-    x[i] = m.x;
-    y[i] = m.y;
-    vx[i] = m.vx;
-    vy[i] = m.vy;
-    e.r[i] = m.r;
-    if constexpr (certified) {
-      ex[i] = m.ex;
-      ev[i] = m.ev;
-      e.rerr[i] = m.er;
-    }
-  }
-  for (int i = 0; i < 4; ++i) {
-    const double ta = a - t[i];
-    const double tb = b - t[i];
-    e.x0[i] = x[i] + vx[i] * ta;
-    e.y0[i] = y[i] + vy[i] * ta;
-    e.x1[i] = x[i] + vx[i] * tb;
-    e.y1[i] = y[i] + vy[i] * tb;
-    if constexpr (certified) {
-      // x + v dt: dt, the product and the sum are rounded once each, so the error is
-      // below u |x + v dt| + 2u(1+u) |v dt|, with |v dt| <= |x0| + |x| and likewise
-      // for the other end: 4u times (all magnitudes together) covers it. The state's
-      // own error adds ex + ev |dt|.
-      const double size = std::fabs(x[i]) + std::fabs(y[i]) + std::fabs(e.x0[i]) +
-                          std::fabs(e.y0[i]) + std::fabs(e.x1[i]) + std::fabs(e.y1[i]);
-      e.err[i] = 4 * u * size + ex[i] + ev[i] * (std::fabs(ta) + std::fabs(tb));
-    }
+  const DoubleMotion* m[4] = {&motion.doubles(q.l), &motion.doubles(q.r), &motion.doubles(q.s),
+                              &motion.doubles(q.e)};
+  const auto lanes = [&](double DoubleMotion::*member) {
+    return Lanes{m[0]->*member, m[1]->*member, m[2]->*member, m[3]->*member};
+  };
+  const Lanes t = lanes(&DoubleMotion::t);
+  const Lanes x = lanes(&DoubleMotion::x), y = lanes(&DoubleMotion::y);
+  const Lanes vx = lanes(&DoubleMotion::vx), vy = lanes(&DoubleMotion::vy);
+  const Lanes ta = a - t, tb = b - t;
+  e.r = lanes(&DoubleMotion::r);
+  e.x0 = x + vx * ta;
+  e.y0 = y + vy * ta;
+  e.x1 = x + vx * tb;
+  e.y1 = y + vy * tb;
+  if constexpr (certified) {
+    e.rerr = lanes(&DoubleMotion::er);
+    // x + v dt: dt, the product and the sum are rounded once each, so the error is
+    // below u |x + v dt| + 2u(1+u) |v dt|, with |v dt| <= |x0| + |x| and likewise
+    // for the other end: 4u times (all magnitudes together) covers it. The state's
+    // own error adds ex + ev |dt|.
+    const Lanes size = abs(x) + abs(y) + abs(e.x0) + abs(e.y0) + abs(e.x1) + abs(e.y1);
+    e.err =
+        4 * u * size + lanes(&DoubleMotion::ex) + lanes(&DoubleMotion::ev) * (abs(ta) + abs(tb));
   }
 }
 
@@ -84,74 +77,71 @@ inline void place(const Motion& motion, const Quad& q, double a, double b, Ends&
 // evaluation adds at most 40u (S3^2 + 4BC). The subdivisions made of it later (at
 // most 24, each adding at most 8u times the largest coefficient) are paid for here:
 // 256u in all. The last factor pays for the roundings of this bound itself.
+//
+// In lanes: first the pairs lr, ls, le, then se, re, rs, so that their products are a, b and c.
+struct Pairs {
+  Lanes p[3];  // scaled coefficients
+  Lanes size, err;
+};
+
+template <bool certified, int a0, int a1, int a2, int b0, int b1, int b2>
+inline void tangency_form(const Ends& e, Pairs& out) {
+  const auto offset = [](const Lanes& x) {
+    return __builtin_shufflevector(x, x, a0, a1, a2, a2) -
+           __builtin_shufflevector(x, x, b0, b1, b2, b2);
+  };
+  const auto sum = [](const Lanes& x) {
+    return __builtin_shufflevector(x, x, a0, a1, a2, a2) +
+           __builtin_shufflevector(x, x, b0, b1, b2, b2);
+  };
+  const Lanes ax = offset(e.x0), ay = offset(e.y0), bx = offset(e.x1), by = offset(e.y1);
+  const Lanes dr = offset(e.r);
+  const Lanes dr2 = dr * dr;
+  const Lanes q0 = ax * ax + ay * ay;
+  const Lanes q2 = bx * bx + by * by;
+  out.p[0] = q0 - dr2;
+  out.p[1] = 2 * ((ax * bx + ay * by) - dr2);
+  out.p[2] = q2 - dr2;
+  if constexpr (certified) {
+    const Lanes s = q0 + q2, root = sqrt(s), width = abs(dr);
+    const Lanes eta = sum(e.err) + u * root;
+    const Lanes rho = sum(e.rerr) + u * width;
+    out.size = s + dr2;
+    out.err = (3 * root + 2 * eta) * eta + (2 * width + rho) * rho + 4 * u * out.size;
+  }
+}
+
 template <bool certified>
 inline double cotangency_form(const Ends& e, double* f) {
-  constexpr int I[6] = {0, 2, 0, 1, 0, 1};
-  constexpr int J[6] = {1, 3, 2, 3, 3, 2};
-  // Offsets of the pairs side by side, as in place().
-  double dax[6], day[6], dbx[6], dby[6], ddr[6], both[6], rboth[6];
-  for (int k = 0; k < 6; ++k) {
-    const int i = I[k], j = J[k];
-    dax[k] = e.x0[i] - e.x0[j];
-    day[k] = e.y0[i] - e.y0[j];
-    dbx[k] = e.x1[i] - e.x1[j];
-    dby[k] = e.y1[i] - e.y1[j];
-    ddr[k] = e.r[i] - e.r[j];
-    if constexpr (certified) {
-      both[k] = e.err[i] + e.err[j];
-      rboth[k] = e.rerr[i] + e.rerr[j];
-    }
+  Pairs with_l, others;
+  tangency_form<certified, 0, 0, 0, 1, 2, 3>(e, with_l);
+  tangency_form<certified, 2, 1, 1, 3, 3, 2>(e, others);
+  Lanes abc[5];
+  multiply2(with_l.p, others.p, abc);
+  double g[5], b[5], c[5];
+  for (int k = 0; k < 5; ++k) {
+    b[k] = 4 * abc[k][1];
+    c[k] = abc[k][2];
+    g[k] = abc[k][0] - abc[k][1] - abc[k][2];
   }
-  double p0[6], p1[6], p2[6], size[6], err[6], squares[6], dr2s[6];
-  for (int k = 0; k < 6; ++k) {
-    const double ax = dax[k], ay = day[k], bx = dbx[k], by = dby[k], dr = ddr[k];
-    const double dr2 = dr * dr;
-    const double q0 = ax * ax + ay * ay;
-    const double q2 = bx * bx + by * by;
-    p0[k] = q0 - dr2;
-    p1[k] = 2 * ((ax * bx + ay * by) - dr2);
-    p2[k] = q2 - dr2;
-    if constexpr (certified) {
-      squares[k] = q0 + q2;
-      dr2s[k] = dr2;
-    }
-  }
+  // The square's mixed terms twice.
+  const double d[4] = {2 * g[0], 2 * g[1], 2 * g[2], 2 * g[3]};
+  f[0] = g[0] * g[0] - b[0] * c[0];
+  f[1] = d[0] * g[1] - (b[0] * c[1] + b[1] * c[0]);
+  f[2] = (d[0] * g[2] + g[1] * g[1]) - (b[0] * c[2] + b[1] * c[1] + b[2] * c[0]);
+  f[3] = (d[0] * g[3] + d[1] * g[2]) - (b[0] * c[3] + b[1] * c[2] + b[2] * c[1] + b[3] * c[0]);
+  f[4] = (d[0] * g[4] + d[1] * g[3] + g[2] * g[2]) -
+         (b[0] * c[4] + b[1] * c[3] + b[2] * c[2] + b[3] * c[1] + b[4] * c[0]);
+  f[5] = (d[1] * g[4] + d[2] * g[3]) - (b[1] * c[4] + b[2] * c[3] + b[3] * c[2] + b[4] * c[1]);
+  f[6] = (d[2] * g[4] + g[3] * g[3]) - (b[2] * c[4] + b[3] * c[3] + b[4] * c[2]);
+  f[7] = d[3] * g[4] - (b[3] * c[4] + b[4] * c[3]);
+  f[8] = g[4] * g[4] - b[4] * c[4];
   if constexpr (certified) {
-    // Apart, because a root may set errno and so is taken one by one.
-    double roots[6];
-    for (int k = 0; k < 6; ++k) roots[k] = std::sqrt(squares[k]);
-    for (int k = 0; k < 6; ++k) {
-      const double s = squares[k], root = roots[k], dr = ddr[k], dr2 = dr2s[k];
-      const double eta = both[k] + u * root;
-      const double rho = rboth[k] + u * std::fabs(dr);
-      size[k] = s + dr2;
-      err[k] = (3 * root + 2 * eta) * eta + (2 * std::fabs(dr) + rho) * rho + 4 * u * size[k];
-    }
-  }
-  double p[6][3];
-  for (int k = 0; k < 6; ++k) {
-    p[k][0] = p0[k];
-    p[k][1] = p1[k];
-    p[k][2] = p2[k];
-  }
-  double a[5], b[5], c[5], g[5];
-  multiply2(p[0], p[1], a);
-  multiply2(p[2], p[3], b);
-  multiply2(p[4], p[5], c);
-  for (int k = 0; k < 5; ++k) g[k] = a[k] - b[k] - c[k];
-  for (int k = 0; k < 9; ++k) f[k] = 0;
-  for (int i = 0; i < 5; ++i) {
-    for (int j = 0; j < 5; ++j) f[i + j] += g[i] * g[j] - 4 * (b[i] * c[j]);
-  }
-  if constexpr (certified) {
-    const auto product = [&](int i, double& bound, double& error) {
-      bound = size[i] * size[i + 1];
-      error = size[i] * err[i + 1] + size[i + 1] * err[i] + err[i] * err[i + 1] + 8 * u * bound;
-    };
-    double A, B, C, ea, eb, ec;
-    product(0, A, ea);
-    product(2, B, eb);
-    product(4, C, ec);
+    const Lanes bound = with_l.size * others.size;
+    const Lanes error = with_l.size * others.err + others.size * with_l.err +
+                        with_l.err * others.err + 8 * u * bound;
+    const double A = bound[0], B = bound[1], C = bound[2];
+    const double ea = error[0], eb = error[1], ec = error[2];
     const double s3 = A + B + C;
     const double es = ea + eb + ec;
     return (2 * s3 * es + es * es + 4 * (B * ec + C * eb + eb * ec) +

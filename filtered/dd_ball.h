@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "exact/rational.h"
+#include "filtered/lanes.h"
 
 namespace voroproof {
 
@@ -42,18 +43,8 @@ inline void fast_two_sum(double a, double b, double& s, double& e) {
   e = b - (s - a);
 }
 inline void two_prod(double a, double b, double& p, double& e) {
-#ifdef __FMA__
   p = a * b;
-  e = std::fma(a, b, -p);
-#else
-  // Dekker's product through Veltkamp's split (exact while nothing overflows).
-  p = a * b;
-  constexpr double split = 134217729.0;
-  const double ca = split * a, cb = split * b;
-  const double ah = ca - (ca - a), al = a - ah;
-  const double bh = cb - (cb - b), bl = b - bh;
-  e = ((ah * bh - p) + ah * bl + al * bh) + al * bl;
-#endif
+  e = product_error(a, b, p);
 }
 }  // namespace dd_detail
 

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <limits>
 
+#include "filtered/lanes.h"
+
 namespace voroproof {
 
 namespace {
@@ -29,95 +31,134 @@ constexpr double u = 0x1p-53, w = 0x1p-106, up = 1 + 0x1p-30, tiny = 0x1p-900;
 //          e, |e| <= u M. Left out: |a.lo b.lo| <= w M. Roundings: the two mixed products, w M
 //          each; their sum, of 2 u M, 2 w M; its sum with e, of 3 u M, 3 w M. The last sum is
 //          exact, as |p| is the larger. Together 8 w M.
+template <class T>
 struct Dd {
-  double hi, lo;
+  T hi, lo;
 };
 
-inline Dd operator+(const Dd& a, const Dd& b) {
-  double s, e;
-  dd_detail::two_sum(a.hi, b.hi, s, e);
-  Dd r;
-  dd_detail::two_sum(s, e + (a.lo + b.lo), r.hi, r.lo);
+template <class T>
+inline Dd<T> operator+(const Dd<T>& a, const Dd<T>& b) {
+  T s, e;
+  two_sum_of(a.hi, b.hi, s, e);
+  Dd<T> r;
+  two_sum_of<T>(s, e + (a.lo + b.lo), r.hi, r.lo);
   return r;
 }
-inline Dd operator-(const Dd& a, const Dd& b) { return a + Dd{-b.hi, -b.lo}; }
-inline Dd operator*(const Dd& a, const Dd& b) {
-  double p, e;
-  dd_detail::two_prod(a.hi, b.hi, p, e);
-  Dd r;
-  dd_detail::fast_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi), r.hi, r.lo);
-  return r;
+template <class T>
+inline Dd<T> operator-(const Dd<T>& a, const Dd<T>& b) {
+  return a + Dd<T>{-b.hi, -b.lo};
+}
+template <class T>
+inline Dd<T> operator*(const Dd<T>& a, const Dd<T>& b) {
+  const T p = a.hi * b.hi;
+  const T e = product_error(a.hi, b.hi, p) + (a.hi * b.lo + a.lo * b.hi);
+  const T s = p + e;
+  return {s, e - (s - p)};
 }
 
-// A generator at c.
-struct Place {
-  Dd x, y, r;
-  double vx, vy;
-  double size;                    // above |x| + |y| and |r|
-  double e_centre, e_r, e_speed;  // in both coordinates together
+// The generators l, r, s, e at c, one in each lane.
+//
+// Centres x + v (c - t): the delay c - t is a double-double without error. From the state its
+// radius and that of v times |delay|; 9 w |v delay| for the product, 4 w (|x| + |v delay|) for the
+// sum. Below 16 w (|x| + |v delay|), with x and y together.
+struct Places {
+  Dd<Lanes> x, y, r;
+  Lanes vx, vy;
+  Lanes size;                    // above |x| + |y| and |r|
+  Lanes e_centre, e_r, e_speed;  // in both coordinates together
 
-  Place(const MovingSite<DdBall>& m)
-      : x{m.x.hi, m.x.lo},
-        y{m.y.hi, m.y.lo},
-        r{m.r.hi, m.r.lo},
-        vx(m.vx.hi),
-        vy(m.vy.hi),
-        size(std::fabs(m.x.hi) + std::fabs(m.y.hi) + std::fabs(m.r.hi)),
-        e_centre(m.x.rad + m.y.rad + tiny),
-        e_r(m.r.rad),
-        e_speed(std::fabs(m.vx.lo) + std::fabs(m.vy.lo) + m.vx.rad + m.vy.rad) {}
+  Places(const Motion& motion, const Quad& q, double c) {
+    const DdMotion* m[4];
+    const GenId ids[4] = {q.l, q.r, q.s, q.e};
+    for (int i = 0; i < 4; ++i) m[i] = &motion.double_doubles(ids[i]);
+    const auto lanes = [&](auto&& of) { return Lanes{of(*m[0]), of(*m[1]), of(*m[2]), of(*m[3])}; };
+    const Lanes start{-motion.doubles(q.l).t, -motion.doubles(q.r).t, -motion.doubles(q.s).t,
+                      -motion.doubles(q.e).t};
+    Dd<Lanes> delay;
+    two_sum_of(Lanes{c, c, c, c}, start, delay.hi, delay.lo);
+    const Lanes far = abs(delay.hi);
+    const auto at = [&](auto&& centre, auto&& velocity, Dd<Lanes>& out, Lanes& v) {
+      const Dd<Lanes> p{lanes([&](const DdMotion& d) { return centre(d).hi; }),
+                        lanes([&](const DdMotion& d) { return centre(d).lo; })};
+      const Dd<Lanes> dp{lanes([&](const DdMotion& d) { return velocity(d).hi; }),
+                         lanes([&](const DdMotion& d) { return velocity(d).lo; })};
+      const Lanes rad = lanes([&](const DdMotion& d) { return centre(d).rad; });
+      const Lanes v_rad = lanes([&](const DdMotion& d) { return velocity(d).rad; });
+      out = p + dp * delay;
+      v = dp.hi;
+      size += abs(out.hi);
+      e_centre += rad + v_rad * far + 16 * w * (abs(p.hi) + abs(dp.hi) * far) + tiny;
+      e_speed += abs(dp.lo) + v_rad;
+    };
+    r = {lanes([](const DdMotion& d) { return d.r.hi; }),
+         lanes([](const DdMotion& d) { return d.r.lo; })};
+    e_r = lanes([](const DdMotion& d) { return d.r.rad; });
+    size = abs(r.hi);
+    e_centre = e_speed = Lanes{};
+    at([](const DdMotion& d) -> const DdBall& { return d.x; },
+       [](const DdMotion& d) -> const DdBall& { return d.vx; }, x, vx);
+    at([](const DdMotion& d) -> const DdBall& { return d.y; },
+       [](const DdMotion& d) -> const DdBall& { return d.vy; }, y, vy);
+  }
 };
 
-// A quantity at c with its derivative in time; bounds at c, and of the true values within h of c.
-struct Jet {
-  Dd v;
-  double d;         // of the derivative
-  double V, D;      // V >= |v|, D >= |d|
-  double e_v, e_d;  // e_v <= 3 u V
-  double Vh, Dh, D2h;
+// Three quantities at c with their derivatives in time, in three lanes; bounds at c, and of the
+// true values within h of c.
+struct Jets {
+  Dd<Lanes> v;
+  Lanes d;         // of the derivative
+  Lanes V, D;      // V >= |v|, D >= |d|
+  Lanes e_v, e_d;  // e_v <= 3 u V
+  Lanes Vh, Dh, D2h;
 };
 
-// The tangency p = x^2 + y^2 - r^2 of the offsets x, y, r of two generators, and p' = 2 (x wx + y
-// wy), (wx, wy) their relative velocity. With s = |x| + |y|, e_s the error of (x, y) in both
-// coordinates together, W = |wx| + |wy|, e_W likewise:
+// The tangencies p = x^2 + y^2 - r^2 of the offsets x, y, r of generators from each other, and p' =
+// 2 (x wx + y wy), (wx, wy) their relative velocity. With s = |x| + |y|, e_s the error of (x, y) in
+// both coordinates together, W = |wx| + |wy|, e_W likewise:
 //   e_s   the errors of the centres, and 4 w (sizes) for the difference; e_r likewise.
 //   e_v   from the offsets (s + e_s)^2 - s^2 <= 2 (s + e_s) e_s, the same for r. Squares 9 w each
 //         and two sums 4 w each of at most V = s^2 + r^2: below 32 w V.
 //   e_W   errors of the velocities, and u W for the difference.
 //   e_d   the offsets' leading parts err by e_s + u s: 2 (s + e_s) e_W + 2 W e_s + u D, D = 2 s W.
-//   Two
-//         products and a sum, each rounded: 2 u D. Below 16 u D.
+//         Two products and a sum, each rounded: 2 u D. Below 16 u D.
 //   Within h the offset grows by at most (W + e_W) h, the velocity is the same: p'' = 2 |w|^2.
-// False where p is not known to u V: then the bounds of what follows do not hold.
-bool tangency_jet(const Place& a, const Place& b, double h, Jet& p) {
-  const Dd x = a.x - b.x, y = a.y - b.y, r = a.r - b.r;
-  const double wx = a.vx - b.vx, wy = a.vy - b.vy;
+// a0..a2 and b0..b2 name the lanes of the generators of three pairs. False where a p is not known
+// to u V: then the bounds of what follows do not hold.
+template <int a0, int a1, int a2, int b0, int b1, int b2>
+bool tangency_jets(const Places& at, double h, Jets& p) {
+  const auto first = [](const Lanes& x) { return __builtin_shufflevector(x, x, a0, a1, a2, a2); };
+  const auto second = [](const Lanes& x) { return __builtin_shufflevector(x, x, b0, b1, b2, b2); };
+  const auto offset = [&](const Dd<Lanes>& z) {
+    return Dd<Lanes>{first(z.hi), first(z.lo)} - Dd<Lanes>{second(z.hi), second(z.lo)};
+  };
+  const auto sum = [&](const Lanes& z) { return first(z) + second(z); };
+  const Dd<Lanes> x = offset(at.x), y = offset(at.y), r = offset(at.r);
+  const Lanes wx = first(at.vx) - second(at.vx), wy = first(at.vy) - second(at.vy);
   p.v = x * x + y * y - r * r;
   p.d = 2 * (x.hi * wx + y.hi * wy);
-  const double s = std::fabs(x.hi) + std::fabs(y.hi), R = std::fabs(r.hi);
-  const double W = std::fabs(wx) + std::fabs(wy);
-  const double difference = 4 * w * (a.size + b.size);
-  const double e_s = a.e_centre + b.e_centre + difference, e_r = a.e_r + b.e_r + difference;
-  const double e_W = a.e_speed + b.e_speed + u * W;
+  const Lanes s = abs(x.hi) + abs(y.hi), R = abs(r.hi), W = abs(wx) + abs(wy);
+  const Lanes difference = 4 * w * sum(at.size);
+  const Lanes e_s = sum(at.e_centre) + difference, e_r = sum(at.e_r) + difference;
+  const Lanes e_W = sum(at.e_speed) + u * W;
   p.V = s * s + R * R;
   p.e_v = 2 * (s + e_s) * e_s + 2 * (R + e_r) * e_r + 32 * w * p.V + tiny;
   p.D = 2 * s * W;
   p.e_d = 2 * (s + e_s) * e_W + 2 * W * e_s + 16 * u * p.D + tiny;
-  const double Wh = W + e_W, sh = s + e_s + Wh * h, Rh = R + e_r;
+  const Lanes Wh = W + e_W, sh = s + e_s + Wh * h, Rh = R + e_r;
   p.Vh = sh * sh + Rh * Rh;
   p.Dh = 2 * sh * Wh;
   p.D2h = 2 * Wh * Wh;
-  return p.e_v <= u * p.V;
+  const auto known = p.e_v <= u * p.V;
+  return known[0] != 0 && known[1] != 0 && known[2] != 0;
 }
 
-// The product of two tangencies.
+// The products of two tangencies each.
 //   e_v   from the factors P e_q + Q e_p + e_p e_q, 9 w V for the product: below 16 w V.
 //         As e_p <= u P and e_q <= u Q this is at most 3 u V.
 //   e_d   of p q' + p' q: from the slopes P e_q' + Q e_p'; leading parts of p and q, each off by u
-//   for
-//         e and by u for the part below, 2 u D; two products and a sum, 2 u D. Below 16 u D.
-Jet product(const Jet& p, const Jet& q) {
-  Jet a;
+//         for e and by u for the part below, 2 u D; two products and a sum, 2 u D. Below 16 u D.
+Jets products(const Jets& p, const Jets& q) {
+  Jets a;
   a.v = p.v * q.v;
   a.d = p.v.hi * q.d + p.d * q.v.hi;
   a.V = p.V * q.V;
@@ -136,24 +177,34 @@ DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi) {
   const double c = 0.5 * (lo + hi);
   const double h = std::fmax(hi - c, c - lo) * up;
   const DdBall unknown(c, 0, std::numeric_limits<double>::infinity());
-  const auto place = [&](GenId g) { return Place(motion.moving_site(g, DdBall(c))); };
-  const Place l = place(q.l), r = place(q.r), s = place(q.s), e = place(q.e);
-  Jet lr, se, ls, re, le, rs;
-  bool known = tangency_jet(l, r, h, lr);
-  known &= tangency_jet(s, e, h, se);
-  known &= tangency_jet(l, s, h, ls);
-  known &= tangency_jet(r, e, h, re);
-  known &= tangency_jet(l, e, h, le);
-  known &= tangency_jet(r, s, h, rs);
-  if (!known) return unknown;
-  const Jet A = product(lr, se), B = product(ls, re), C = product(le, rs);
+  const Places places(motion, q, c);
+  // a = lr se, b = ls re, c = le rs.
+  Jets with_l, others;
+  if (!tangency_jets<0, 0, 0, 1, 2, 3>(places, h, with_l)) return unknown;
+  if (!tangency_jets<2, 1, 1, 3, 3, 2>(places, h, others)) return unknown;
+  const Jets all = products(with_l, others);
+  struct Jet {
+    Dd<double> v;
+    double d, V, D, e_v, e_d, Vh, Dh, D2h;
+    Jet(const Jets& a, int k)
+        : v{a.v.hi[k], a.v.lo[k]},
+          d(a.d[k]),
+          V(a.V[k]),
+          D(a.D[k]),
+          e_v(a.e_v[k]),
+          e_d(a.e_d[k]),
+          Vh(a.Vh[k]),
+          Dh(a.Dh[k]),
+          D2h(a.D2h[k]) {}
+  };
+  const Jet A(all, 0), B(all, 1), C(all, 2);
 
   // f = g^2 - 4 b c for g = a - b - c, G = A + B + C.
   //   e_g   the three errors; two sums, 4 w G each: below 16 w G.
   //   e_f   from g 2 G e_g + e_g^2, from b c 4 (B e_c + C e_b + e_b e_c). Two products, 9 w G^2 and
   //         9 w 4 B C, and a sum, 4 w (G^2 + 4 B C): below 64 w (G^2 + 4 B C).
-  const Dd g = A.v - B.v - C.v, bc = B.v * C.v;
-  const Dd f = g * g - Dd{4 * bc.hi, 4 * bc.lo};
+  const Dd<double> g = A.v - B.v - C.v, bc = B.v * C.v;
+  const Dd<double> f = g * g - Dd<double>{4 * bc.hi, 4 * bc.lo};
   const double G = A.V + B.V + C.V, e_g = A.e_v + B.e_v + C.e_v + 16 * w * G;
   const double e_f = 2 * G * e_g + e_g * e_g + 4 * (B.V * C.e_v + C.V * B.e_v + B.e_v * C.e_v) +
                      64 * w * (G * G + 4 * B.V * C.V) + tiny;
