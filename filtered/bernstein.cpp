@@ -74,9 +74,10 @@ inline void place(const Motion& motion, const Quad& q, double a, double b, Ends&
 // of two such polynomials has coefficients (weighted means of products) of size at
 // most A = P P' and error e_a = P e' + P' e + e e' + 8u A. Finally f = (a-b-c)^2 - 4bc
 // with S3 = A + B + C has error 2 S3 e_s + e_s^2 + 4 (B e_c + C e_b + e_b e_c), and
-// evaluation adds at most 40u (S3^2 + 4BC). The subdivisions made of it later (at
-// most 24, each adding at most 8u times the largest coefficient) are paid for here:
-// 256u in all. The last factor pays for the roundings of this bound itself.
+// evaluation adds at most 40u (S3^2 + 4BC). What is made of it later is paid for here: at most 24
+// subdivisions, each adding at most 8u times the largest coefficient, and one evaluation, 40u
+// (three roundings on each of eight levels; the weight 1 - x errs by u, the value by 8u). 320u in
+// all. The last factor pays for the roundings of this bound itself.
 //
 // In lanes: first the pairs lr, ls, le, then se, re, rs, so that their products are a, b and c.
 struct Pairs {
@@ -145,7 +146,7 @@ inline double cotangency_form(const Ends& e, double* f) {
     const double s3 = A + B + C;
     const double es = ea + eb + ec;
     return (2 * s3 * es + es * es + 4 * (B * ec + C * eb + eb * ec) +
-            256 * u * (s3 * s3 + 4 * B * C)) *
+            320 * u * (s3 * s3 + 4 * B * C)) *
                (1 + 0x1p-40) +
            1e-290;
   }

@@ -1,4 +1,4 @@
-// De Casteljau's scheme for polynomials in the Bernstein basis, in doubles.
+// De Casteljau's scheme for polynomials in the Bernstein basis, in doubles and in lanes.
 #pragma once
 
 #include <type_traits>
@@ -7,8 +7,8 @@ namespace voroproof {
 
 // One level: w[k] becomes at(w[k], w[k + 1]). The loops are unrolled by recursion on constants, so
 // that w stays in registers.
-template <int k, int last, class At>
-[[gnu::always_inline]] inline void combine(double* w, const At& at) {
+template <int k, int last, class T, class At>
+[[gnu::always_inline]] inline void combine(T* w, const At& at) {
   if constexpr (k < last) {
     w[k] = at(w[k], w[k + 1]);
     combine<k + 1, last>(w, at);
@@ -16,8 +16,8 @@ template <int k, int last, class At>
 }
 
 // All levels; after each calls then(rest), a constant: w[0..rest] are what is left.
-template <int degree, class At, class Then>
-[[gnu::always_inline]] inline void each_level(double* w, const At& at, const Then& then) {
+template <int degree, class T, class At, class Then>
+[[gnu::always_inline]] inline void each_level(T* w, const At& at, const Then& then) {
   if constexpr (degree > 0) {
     combine<0, degree>(w, at);
     then(std::integral_constant<int, degree - 1>());

@@ -1,8 +1,10 @@
 #include "filtered/double_roots.h"
 
+#include <bit>
 #include <cmath>
 
 #include "filtered/de_casteljau.h"
+#include "filtered/lanes.h"
 
 namespace voroproof::double_roots_detail {
 
@@ -22,22 +24,38 @@ void halve(const double* c, double* left, double* right) {
       });
 }
 
-// Value and derivative with respect to the parameter in [0, 1].
+// Value and the first two derivatives with respect to the parameter in [0, 1].
 template <int degree>
-double value(const double* c, double x, double& slope) {
+double value(const double* c, double x, double& slope, double& curve) {
   double w[degree + 1];
   for (int k = 0; k <= degree; ++k) w[k] = c[k];
   const double y = 1 - x;
   each_level<degree>(
       w, [&](double a, double b) { return y * a + x * b; },
       [&](auto rest) {
+        if constexpr (rest == 2) curve = degree * (degree - 1) * ((w[2] - w[1]) - (w[1] - w[0]));
         if constexpr (rest == 1) slope = degree * (w[1] - w[0]);
       });
   return w[0];
 }
 
-double value(int degree, const double* c, double x, double& slope) {
-  return degree == 8 ? value<8>(c, x, slope) : value<4>(c, x, slope);
+double value(int degree, const double* c, double x, double& slope, double& curve) {
+  return degree == 8 ? value<8>(c, x, slope, curve) : value<4>(c, x, slope, curve);
+}
+
+// Values at four parameters.
+template <int degree>
+Lanes values(const double* c, const Lanes& x) {
+  Lanes w[degree + 1];
+  for (int k = 0; k <= degree; ++k) w[k] = Lanes{c[k], c[k], c[k], c[k]};
+  const Lanes y = 1 - x;
+  each_level<degree>(
+      w, [&](const Lanes& a, const Lanes& b) { return y * a + x * b; }, [](auto) {});
+  return w[0];
+}
+
+Lanes values(int degree, const double* c, const Lanes& x) {
+  return degree == 8 ? values<8>(c, x) : values<4>(c, x);
 }
 
 }  // namespace
@@ -47,28 +65,23 @@ void halve(int degree, const double* c, double* left, double* right) {
 }
 
 int count_roots(const Piece& p, int degree, double err) {
-  int variations = 0;
-  int last = 0;
-  int uncertain = 0;  // since the last certain sign
+  // The coefficients with certain signs, a bit for each.
+  unsigned positive = 0, negative = 0;
   for (int k = 0; k <= degree; ++k) {
-    const int s = p.c[k] > err ? 1 : p.c[k] < -err ? -1 : 0;
-    if (s == 0) {
-      if (k == 0 || k == degree) return -1;
-      ++uncertain;
-      continue;
-    }
-    if (last != 0) {
-      if (s != last) {
-        // One uncertain coefficient between different signs changes nothing.
-        if (uncertain > 1) return -1;
-        ++variations;
-      } else if (uncertain > 0) {
-        return -1;
-      }
-    }
-    last = s;
-    uncertain = 0;
+    positive |= static_cast<unsigned>(p.c[k] > err) << k;
+    negative |= static_cast<unsigned>(p.c[k] < -err) << k;
   }
+  const unsigned all = (2U << degree) - 1;
+  unsigned uncertain = all & ~(positive | negative);
+  if (uncertain != 0) {
+    // One uncertain coefficient between different signs changes nothing: it may have either.
+    // Anything else, and one at an end, is not known.
+    const unsigned between =
+        ((positive << 1) & (negative >> 1)) | ((negative << 1) & (positive >> 1));
+    if ((uncertain & ~between) != 0) return -1;
+    positive |= uncertain;
+  }
+  const int variations = std::popcount((positive ^ (positive >> 1)) & (all >> 1));
   return variations <= 1 ? variations : -1;
 }
 
@@ -77,34 +90,41 @@ bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleR
   const double sl = p.c[0];
   const double fl = std::fabs(p.c[0]), fr = std::fabs(p.c[degree]);
   double x = fl / (fl + fr);
-  double slope = 0;
+  double slope = 0, curve = 0;
   for (int step = 0; step < 60; ++step) {
-    const double f = value(degree, p.c.data(), x, slope);
+    const double f = value(degree, p.c.data(), x, slope, curve);
     if (std::fabs(f) <= err) break;
     ((f > 0) == (sl > 0) ? xl : xr) = x;
+    // Halley's method. Far from the root its denominator may vanish: then Newton's.
     const double newton = f / slope;
-    const double next = x - newton;
+    const double bend = 1 - 0.5 * newton * (curve / slope);
+    const double change = bend > 0.5 ? newton / bend : newton;
+    const double next = x - change;
     if (next > xl && next < xr) {
       x = next;
-      // The step after this one would be about its square.
-      if (std::fabs(newton) < 0x1p-24) break;
+      // The step after this one would be about its cube, or Newton's its square.
+      if (std::fabs(change) < (bend > 0.5 ? 0x1p-16 : 0x1p-24)) break;
     } else {
       x = 0.5 * (xl + xr);
     }
   }
   const double width = p.u1 - p.u0;
   double delta = 8 * err / std::fabs(slope) + 0x1p-42;
-  for (int attempt = 0; attempt < 4; ++attempt, delta *= 64) {
-    const double a = std::fmax(x - delta, xl), b = std::fmin(x + delta, xr);
-    double unused = 0;
-    const double fa = a > 0 ? value(degree, p.c.data(), a, unused) : p.c[0];
-    const double fb = b < 1 ? value(degree, p.c.data(), b, unused) : p.c[degree];
-    if (!((sl > 0 ? fa : -fa) > err) || !((sl > 0 ? fb : -fb) < -err)) continue;
-    root.lo = time(p.u0 + width * a) - time.slack;
-    root.hi = time(p.u0 + width * b) + time.slack;
-    root.piece_hi = time(p.u1) - time.slack;
-    root.after = sl > 0 ? Sign::negative : Sign::positive;
-    return root.lo > time(p.u0) + time.slack && root.hi < root.piece_hi;
+  for (int attempt = 0; attempt < 2; ++attempt, delta *= 64 * 64) {
+    // The narrower enclosure and, in case that it is none, a wider one.
+    const double wide = 64 * delta;
+    const Lanes at{std::fmax(x - delta, xl), std::fmin(x + delta, xr), std::fmax(x - wide, xl),
+                   std::fmin(x + wide, xr)};
+    Lanes f = values(degree, p.c.data(), at);
+    if (!(sl > 0)) f = -f;
+    for (int k = 0; k < 4; k += 2) {
+      if (!(f[k] > err) || !(f[k + 1] < -err)) continue;
+      root.lo = time(p.u0 + width * at[k]) - time.slack;
+      root.hi = time(p.u0 + width * at[k + 1]) + time.slack;
+      root.piece_hi = time(p.u1) - time.slack;
+      root.after = sl > 0 ? Sign::negative : Sign::positive;
+      return root.lo > time(p.u0) + time.slack && root.hi < root.piece_hi;
+    }
   }
   return false;
 }
