@@ -88,8 +88,11 @@ int count_roots(const Piece& p, int degree, double err) {
 bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleRoot& root) {
   double xl = 0, xr = 1;
   const double sl = p.c[0];
-  const double fl = std::fabs(p.c[0]), fr = std::fabs(p.c[degree]);
-  double x = fl / (fl + fr);
+  // First where the polygon of the coefficients crosses zero.
+  int k = 0;
+  while (k < degree - 1 && (p.c[k + 1] > 0) == (sl > 0)) ++k;
+  const double crossing = p.c[k] / (p.c[k] - p.c[k + 1]);
+  double x = (k + std::fmin(std::fmax(crossing, 0.0), 1.0)) / degree;
   double slope = 0, curve = 0;
   for (int step = 0; step < 60; ++step) {
     const double f = value(degree, p.c.data(), x, slope, curve);
@@ -117,10 +120,10 @@ bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleR
                    std::fmin(x + wide, xr)};
     Lanes f = values(degree, p.c.data(), at);
     if (!(sl > 0)) f = -f;
-    for (int k = 0; k < 4; k += 2) {
-      if (!(f[k] > err) || !(f[k + 1] < -err)) continue;
-      root.lo = time(p.u0 + width * at[k]) - time.slack;
-      root.hi = time(p.u0 + width * at[k + 1]) + time.slack;
+    for (int end = 0; end < 4; end += 2) {
+      if (!(f[end] > err) || !(f[end + 1] < -err)) continue;
+      root.lo = time(p.u0 + width * at[end]) - time.slack;
+      root.hi = time(p.u0 + width * at[end + 1]) + time.slack;
       root.piece_hi = time(p.u1) - time.slack;
       root.after = sl > 0 ? Sign::negative : Sign::positive;
       return root.lo > time(p.u0) + time.slack && root.hi < root.piece_hi;
