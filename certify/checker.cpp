@@ -41,8 +41,7 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
       near_tolerance_(ball(options.tolerance)),
       batch_(motion_) {}
 
-Certificate Checker::run(std::optional<double> until) {
-  goes_on_ = until.has_value();
+Certificate Checker::run(const PartEnd* end) {
   try {
     try {
       if (begin_) {
@@ -51,8 +50,8 @@ Certificate Checker::run(std::optional<double> until) {
         start();
       }
       while (!near_.empty() || refill()) process_next();
-      if (until) {
-        finish_part(*until);
+      if (end != nullptr) {
+        finish_part(*end);
       } else {
         finish();
       }

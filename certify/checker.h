@@ -38,6 +38,12 @@ struct Checkpoint {
   Replay replay;
 };
 
+// Where a part that is not the last ends, and the diagram that the next one begins with.
+struct PartEnd {
+  double t = 0;
+  Diagram diagram;
+};
+
 // The scene, as Motion takes it, up to the last instant of which the history may tell.
 MotionInput checked_input(MotionInput input, const HistoryHeader& header);
 
@@ -48,10 +54,10 @@ class Checker {
   Checker(const Scene& scene, Motion& motion, HistorySource& history, const CertifyOptions& options,
           std::optional<Checkpoint> begin = {});
 
-  // The whole history, or the part of it that ends at `until`: the verdict of a part that is not
-  // the last is `certified` where all is right up to `until`. Once only. Throws InputError and
-  // CertificationInterrupted.
-  Certificate run(std::optional<double> until = {});
+  // The whole history, or the part of it up to `end`: the verdict of a part that is not the last
+  // is `certified` where all is right up to there and the diagram is the one given. Once only.
+  // Throws InputError and CertificationInterrupted.
+  Certificate run(const PartEnd* end = nullptr);
 
  private:
   using HalfEdge = Diagram::HalfEdge;
@@ -122,7 +128,7 @@ class Checker {
   void take_initial_diagram();
   bool turns_at_start(const Event& event);
   void resume(double t);
-  void finish_part(double until);
+  void finish_part(const PartEnd& end);
   void finish();
   std::vector<int> all_edges() const;
   void end_all_lives(const Moment& m, bool closed);
@@ -181,7 +187,6 @@ class Checker {
   double horizon_down_;    // nor at or before it beyond the last instant
   Motion& motion_;
   std::optional<double> begin_;  // of a part that is not the first
-  bool goes_on_ = false;         // whether another part follows
   Replay replay_;
   Diagram& diagram_;
   CollapseSearch collapses_;

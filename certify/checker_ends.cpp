@@ -93,6 +93,19 @@ std::vector<int> Checker::all_edges() const {
   return edges;
 }
 
+namespace {
+
+// Edges have the same numbers in both as a rule, though not where claims were swapped.
+bool same_edges(const Diagram& a, const Diagram& b) {
+  if (a.edges() != b.edges()) return false;
+  for (int e = 0; e < a.edges(); ++e) {
+    if (canonical(a.quad(2 * e)) != canonical(b.quad(2 * e))) return a.quads() == b.quads();
+  }
+  return true;
+}
+
+}  // namespace
+
 // Goes on from what the part before has proved to be right up to t.
 void Checker::resume(double t) {
   replay_.move(motion_);
@@ -121,14 +134,19 @@ void Checker::end_all_lives(const Moment& m, bool closed) {
 }
 
 // The end of a part: nothing may be left that has to happen up to that time.
-void Checker::finish_part(double until) {
+void Checker::finish_part(const PartEnd& end) {
   claim_.reset();
   line_ = history_.line();
-  require_maneuvers_before(until);
+  require_maneuvers_before(end.t);
   leave_instant();
-  end_all_lives(Moment::at(until), true);
+  end_all_lives(Moment::at(end.t), true);
+  if (!same_edges(diagram_, end.diagram)) {
+    throw Undecided(
+        "a quadruplet without orientation names one edge and means another: what it means was "
+        "not settled before the history was cut into parts");
+  }
   certificate_.prefix_events = processed_;
-  certificate_.prefix_t = until;
+  certificate_.prefix_t = end.t;
   certificate_.verdict = Verdict::certified;
 }
 

@@ -131,7 +131,7 @@ class PartwiseCertifier {
     std::size_t number;
     std::unique_ptr<Section> section;
     std::optional<Checkpoint> begin;  // none for the first part
-    std::optional<double> until;      // none for the last
+    std::optional<PartEnd> end;       // none for the last
   };
   struct Result {
     bool good = false;  // proved right
@@ -179,7 +179,8 @@ class PartwiseCertifier {
         section->set_next_line(next->line);
         claims.clear();
         claims.reserve(size_);
-        start({started_++, std::move(section), std::move(begin), until}, motion);
+        start({started_++, std::move(section), std::move(begin), PartEnd{until, replay_.diagram()}},
+              motion);
         if (stopped()) return;
         begin = Checkpoint{until, replay_};
       }
@@ -255,7 +256,7 @@ class PartwiseCertifier {
         if (!motion || motion->replays() > 0)
           motion.emplace(checked_input(input_, header_), options.motion);
         Checker checker(scene_, *motion, *part.section, options, std::move(part.begin));
-        result.certificate = checker.run(part.until);
+        result.certificate = checker.run(part.end ? &*part.end : nullptr);
       } catch (...) {
         result.error = std::current_exception();
         motion.reset();

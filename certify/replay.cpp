@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "certify/orientation.h"
+
 namespace voroproof {
 
 Replay::Replay(const Scene& scene, const CertifyOptions& options)
@@ -178,14 +180,24 @@ void Replay::note_maneuver(std::size_t k, const ManeuverEvent& claim) {
   last_change_[claim.disk + 1] = ++changes_;
 }
 
-bool Replay::take(const Event& event) {
-  if (const auto* f = std::get_if<FlipEvent>(&event)) {
-    HalfEdge h = find(f->quad);
-    if (h < 0) h = find_mirrored(f->quad);
-    if (h < 0 || diagram_.apex(h) == diagram_.apex(Diagram::twin(h))) return false;
-    diagram_.flip(h);
-    return true;
+bool Replay::flip(const FlipEvent& claim) {
+  const Quad& q = claim.quad;
+  HalfEdge h = find(q);
+  if (h >= 0 && q.s == q.e) return false;
+  const HalfEdge mirrored = find_mirrored(q);
+  if (h < 0) {
+    h = mirrored;
+  } else if (mirrored >= 0 &&
+             means_mirrored(*this, *scene_, *options_, claim, diagram_.quad(mirrored))) {
+    h = mirrored;
   }
+  if (h < 0) return false;
+  diagram_.flip(h);
+  return true;
+}
+
+bool Replay::take(const Event& event) {
+  if (const auto* f = std::get_if<FlipEvent>(&event)) return flip(*f);
   if (const auto* c = std::get_if<CollideEvent>(&event)) {
     ExactPair computed;
     if (!c->v[1]) {

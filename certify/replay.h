@@ -85,6 +85,8 @@ class Replay : public GivenMotion {
   bool take(const Event& event);
 
  private:
+  bool flip(const FlipEvent& claim);
+
   const Scene* scene_;
   const CertifyOptions* options_;
   Diagram diagram_;

@@ -134,7 +134,21 @@ TEST(Recorded, AnotherEdgeOfTheSameFourBetweenParts) {
     CertifyOptions options;
     options.truth = Truth::recorded;
     options.least_part = least;
-    EXPECT_NE(certify(scene, history, options).verdict, Verdict::certified) << least;
+    const Certificate one = certify(scene, history, options);
+    EXPECT_EQ(one.verdict, Verdict::refuted) << least;
+    EXPECT_EQ(one.divergence->fault, Fault::wrong_quadruple) << least;
+    EXPECT_EQ(one.resolved, 1) << least;
+    // Nothing false is claimed where no quadruplet is oriented.
+    ClaimedHistory stripped = history;
+    for (auto& event : stripped.events) {
+      auto* flip = std::get_if<FlipEvent>(&event);
+      if (flip == nullptr) continue;
+      const Quad& q = flip->quad;
+      flip->quad = {std::min(q.l, q.r), std::max(q.l, q.r), std::min(q.s, q.e), std::max(q.s, q.e)};
+    }
+    const Certificate all = certify(scene, stripped, options);
+    EXPECT_EQ(all.verdict, Verdict::certified) << least << " " << reason_line(all);
+    EXPECT_GT(all.resolved, 1) << least;
   }
 }
 
