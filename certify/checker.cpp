@@ -59,6 +59,7 @@ Certificate Checker::run(const PartEnd* end) {
       throw Refuted{first_divergence(r.divergence)};
     } catch (const Undecided&) {
       refute_missing_contacts();
+      if (auto d = maneuver_missing_by(claim_ ? time(*claim_) : frontier_.lo)) throw Refuted{*d};
       throw;
     }
   } catch (const Refuted& r) {
@@ -323,12 +324,11 @@ void Checker::refute_missing_contacts() {
   }
 }
 
-// What was refuted may be the consequence of something missed before: the earliest event that
-// every open life should have had, up to the refuted claim. Contacts come first everywhere: disks
-// that move through each other lead the edges into degeneracies that are costly to decide.
-Divergence Checker::first_divergence(const Divergence& found) {
+// The earliest event that every open life should have had, up to the refuted claim. Contacts come
+// first everywhere: disks that move through each other lead the edges into degeneracies that are
+// costly to decide.
+Divergence Checker::first_event_missing(const Divergence& found) {
   Divergence first = found;
-  if (!begun_) return first;
   double limit =
       found.true_time && (*found.true_time)[0] < found.t ? (*found.true_time)[0] : found.t;
   const double margin =
@@ -378,6 +378,14 @@ Divergence Checker::first_divergence(const Divergence& found) {
         "whether a flip is missing before the claim that is refuted is undecided");
   }
   return first;
+}
+
+// What was refuted may be the consequence of something missed before, an event or a maneuver. Of
+// claims within the tolerance of a maneuver it is not known on which side of it they are meant.
+Divergence Checker::first_divergence(const Divergence& found) {
+  const Divergence first = begun_ ? first_event_missing(found) : found;
+  const bool by_truth = first.fault == Fault::missing_event || first.fault == Fault::overlap;
+  return maneuver_missing_by(first.t + (by_truth ? 0 : tolerance_up_)).value_or(first);
 }
 
 }  // namespace voroproof

@@ -121,6 +121,7 @@ class Checker {
   Divergence missing_contact(GenId i, GenId j, double lo, double hi);
   Divergence missing_maneuver(std::size_t k) const;
   void refute_missing_contacts();
+  Divergence first_event_missing(const Divergence& found);
   Divergence first_divergence(const Divergence& found);
 
   // ---- checker_ends.cpp ----
@@ -164,6 +165,8 @@ class Checker {
   void collide_as_recorded(const CollideEvent& claim);
   void maneuver(const ManeuverEvent& claim);
   void require_maneuvers_before(double t);
+  std::optional<Divergence> maneuver_missing_by(double t);
+  bool is_claimed(const Maneuver& due);
   void collect_around(GenId i, GenId j);
   void end_around(const Moment& m);
   void require_no_contact_at_start(GenId g);

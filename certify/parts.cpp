@@ -42,8 +42,12 @@ class Section : public HistorySource {
     if (taken_ > claims_.size()) return rest_ != nullptr ? rest_->line() : next_line_;
     return taken_ == 0 ? 1 : claims_[taken_ - 1].line;
   }
+  // Of a part that is not the last: that it does not stop.
+  const std::variant<HistoryEnd, HistoryStop>& ending() const override {
+    static const std::variant<HistoryEnd, HistoryStop> goes_on;
+    return rest_ != nullptr ? rest_->ending() : goes_on;
+  }
   // Of the last part only.
-  const std::variant<HistoryEnd, HistoryStop>& ending() const override { return rest_->ending(); }
   const HistoryCounts& counts() const override { return rest_->counts(); }
   bool counts_match() const override { return rest_->counts_match(); }
   std::vector<std::string> remarks() const override { return {}; }

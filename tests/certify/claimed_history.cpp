@@ -1,6 +1,7 @@
 #include "tests/certify/claimed_history.h"
 
 #include "apps/scene_motion.h"
+#include "history/error.h"
 
 namespace voroproof::testing {
 
@@ -50,6 +51,20 @@ ClaimedHistory claimed_history(const Scene& scene, const RecordedRun& run) {
   }
   h.count();
   return h;
+}
+
+std::optional<ClaimedHistory> read_claimed_history(const std::string& path, const Scene& scene) {
+  try {
+    const auto file = open_history(path, static_cast<int>(scene.disks.size()));
+    ClaimedHistory h;
+    h.header = file->header();
+    while (auto event = file->next()) h.events.push_back(std::move(*event));
+    if (!std::holds_alternative<HistoryEnd>(file->ending())) return std::nullopt;
+    h.claimed_counts = file->counts();
+    return h;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 std::string text(const ClaimedHistory& history) {

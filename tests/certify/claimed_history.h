@@ -1,6 +1,7 @@
 // A history in memory, to be certified and to be falsified.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct ClaimedHistory {
 
 // What the engine finds, as it would write it.
 ClaimedHistory claimed_history(const Scene& scene, const RecordedRun& run);
+
+// What a file claims; nothing where it is not of the format, or stops early.
+std::optional<ClaimedHistory> read_claimed_history(const std::string& path, const Scene& scene);
 
 // One JSON line an event, for messages.
 std::string text(const ClaimedHistory& history);

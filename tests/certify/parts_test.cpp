@@ -6,12 +6,10 @@
 #include <array>
 #include <filesystem>
 #include <iostream>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "certify/report.h"
-#include "history/error.h"
 #include "tests/certify/claimed_history.h"
 #include "tests/certify/mutation.h"
 #include "tests/support/random_scenes.h"
@@ -87,22 +85,6 @@ Verdict expect_the_same_in_parts(const Scene& scene, const ClaimedHistory& h,
   return whole.verdict;
 }
 
-// Nothing where the file is not of the format, or stops early.
-std::optional<ClaimedHistory> read(const std::string& path, const Scene& scene) {
-  try {
-    const auto file = open_history(path, static_cast<int>(scene.disks.size()));
-    ClaimedHistory h;
-    h.header = file->header();
-    while (auto event = file->next()) h.events.push_back(std::move(*event));
-    const auto* end = std::get_if<HistoryEnd>(&file->ending());
-    if (end == nullptr) return std::nullopt;
-    h.claimed_counts = file->counts();
-    return h;
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
 TEST(Parts, CorpusWithAndWithoutOrientation) {
   int histories = 0, ambiguous = 0;
   std::array<int, 3> verdicts{};
@@ -115,7 +97,7 @@ TEST(Parts, CorpusWithAndWithoutOrientation) {
     if (std::find(kDear.begin(), kDear.end(), family) != kDear.end()) continue;
     const Scene scene = read_scene((folder / "scene.scene.json").string());
     if (scene.disks.size() > kDisks) continue;
-    auto h = read(path, scene);
+    auto h = read_claimed_history(path, scene);
     if (!h || !h->header.initial || h->events.size() > kEvents) continue;
     ++histories;
     expect_the_same_in_parts(scene, *h, path);
