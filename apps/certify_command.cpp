@@ -1,4 +1,5 @@
 // voroproof certify: is a history that of the scene?
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "certify/certifier.h"
 #include "history/claim.h"
 #include "history/error.h"
+#include "history/json_text.h"
 
 namespace voroproof {
 namespace {
@@ -33,6 +35,19 @@ ExitCode exit_code(Verdict verdict) {
   return ExitCode::undecided;
 }
 
+// What they are is stated in docs/formats.md, section 8. A greater one accepts any time, or any
+// velocity, and only costs: each claim is looked at beside all others that may be in its place.
+void require_meaningful(const CertifyOptions& options, const HistoryHeader& header) {
+  static const Rational always_meaningful(1, 1'000'000);
+  if (options.tolerance > std::max(header.horizon, always_meaningful)) {
+    throw UsageError("--tolerance: more than the horizon of the history, " +
+                     number_text(round_nearest(header.horizon)) + ": any time would do");
+  }
+  if (options.law_tolerance > 1) {
+    throw UsageError("--law-tolerance: more than 1: any velocity would do");
+  }
+}
+
 ExitCode certify_files(Request& request) {
   require_distinct({request.scene, request.history}, {request.report});
   const CooperativeInterruption interruption;
@@ -45,6 +60,7 @@ ExitCode certify_files(Request& request) {
   options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
   options.tolerance = time_argument("--tolerance", request.tolerance);
   options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
+  require_meaningful(options, header);
   options.propose_initial = construct_initial;
   std::optional<Progress> progress;
   progress.emplace(round_nearest(header.horizon), request.quiet);
@@ -92,10 +108,11 @@ void add_certify(CLI::App& app, Action& action) {
   add_choice(*verb, "--truth", {"exact", "recorded"}, request->truth,
              "against the true motion of the scene, or against that which the history's own\n"
              "collision times and velocities define (for long floating-point runs)");
-  add_text(*verb, "--tolerance", request->tolerance, "TIME", "of the claimed times")
+  add_text(*verb, "--tolerance", request->tolerance, "TIME",
+           "of the claimed times; at most the horizon (1e-6 where that is less)")
       ->capture_default_str();
   add_text(*verb, "--law-tolerance", request->law_tolerance, "RATIO",
-           "of the claimed velocities, relative to the speeds that meet")
+           "of the claimed velocities, relative to the speeds that meet; at most 1")
       ->capture_default_str();
   verb->add_flag("--strict", request->options.strict,
                  "refute claims that are out of order, however near they are");

@@ -153,6 +153,22 @@ TEST_F(CertifyCli, WhatIsNotAHistoryOfTheSceneIsInvalid) {
   EXPECT_EQ(verdict({path, path}), "s INVALID");
 }
 
+TEST_F(CertifyCli, AToleranceThatAcceptsEverythingIsRefused) {
+  const std::string scene = reference(10, "40"), path = history(scene);
+  for (const char* truth : {"exact", "recorded"}) {
+    EXPECT_EQ(verdict({scene, path, "--truth", truth, "--tolerance", "40"}), "s CERTIFIED");
+    for (const char* more : {"40.000001", "1e100"}) {
+      refused({"certify", scene, path, "--truth", truth, "--tolerance", more},
+              "--tolerance: more than the horizon of the history, 40");
+    }
+    refused({"certify", scene, path, "--truth", truth, "--law-tolerance", "1.1"},
+            "--law-tolerance: more than 1");
+  }
+  // The default is never refused.
+  const std::string none = reference(10, "0");
+  EXPECT_EQ(verdict({none, history(none)}), "s CERTIFIED");
+}
+
 // The run may be shorter than its scene asks for; what it is right about is said.
 TEST_F(CertifyCli, AHistoryIsJudgedUpToItsOwnHorizon) {
   const std::string scene = reference(10, "40"), path = file("a.history.jsonl");
