@@ -6,6 +6,7 @@
 #include "history/error.h"
 #include "history/history_file.h"
 #include "history/json_reader.h"
+#include "history/plain_line.h"
 
 namespace voroproof {
 namespace {
@@ -309,6 +310,13 @@ std::optional<Event> HistoryReader::next() {
   const auto text = lines_.next(max_event_line);
   if (!text)
     throw InputError(path_, lines_.number(), "", "incomplete: the file ends without an end line");
+  if (auto event = plain_event(*text, last_id_)) {
+    check_time({time(*event), {}}, "t");
+    counts_.flips += std::holds_alternative<FlipEvent>(*event);
+    counts_.collisions += std::holds_alternative<CollideEvent>(*event);
+    counts_.maneuvers += std::holds_alternative<ManeuverEvent>(*event);
+    return event;
+  }
   Line line = read_line(*text, path_, lines_.number(), last_id_, header_.horizon);
   if (!(line.seen & end_line)) check_time(line.time, line.seen & stop_line ? "stopped" : "t");
   if (line.ending) {
