@@ -105,7 +105,11 @@ bool Checker::refill() {
 void Checker::take(std::size_t k) {
   claim_ = std::move(near_[k].event);
   line_ = near_[k].line;
-  near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
+  if (k == 0) {
+    near_.pop_front();
+  } else {
+    near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
+  }
 }
 
 void Checker::done() {
@@ -163,7 +167,7 @@ std::size_t Checker::earliest() {
 // The true time of a claim whose edge or pair is there.
 std::optional<Moment> Checker::probe(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) {
-    const HalfEdge h = replay_.find(f->quad);
+    const HalfEdge h = replay_.look_up(f->quad).oriented;
     if (h >= 0 && lives_[h / 2].pending) begin_pending_lives();
     if (h < 0 || lives_[h / 2].illegal || lives_[h / 2].due) return std::nullopt;
     const Quad q = diagram_.quad(h);

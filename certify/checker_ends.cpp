@@ -121,8 +121,8 @@ void Checker::resume(double t) {
   for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
     // From their last change of motion, so that an overlap is measured whole.
     const auto [i, j] = replay_.pair_of(e);
-    double from = round_up(replay_.path(j).since());
-    if (i != container_id) from = std::max(from, round_up(replay_.path(i).since()));
+    double from = replay_.path(j).since_up();
+    if (i != container_id) from = std::max(from, replay_.path(i).since_up());
     pairs_[e].from = from;
   }
 }

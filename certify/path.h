@@ -60,6 +60,7 @@ class Path {
 
   const Velocity& velocity() const { return velocity_; }
   Rational since() const;  // the time of the last turn
+  double since_up() const { return exact_ ? round_up(exact_->t) : t_; }  // not below it
   ExactVec2 at(const Rational& t) const;
   // Where the last turn was and at what time, if the path is one of binary64 values.
   struct Start {

@@ -20,24 +20,27 @@ Replay::Replay(const Scene& scene, const CertifyOptions& options)
   }
 }
 
-Diagram::HalfEdge Replay::find(const Quad& q) const {
-  if (diagram_.edges() == 0) return -1;
+Replay::Named Replay::look_up(const Quad& q) const {
+  Named found;
+  if (diagram_.edges() == 0) return found;
   // Around a disk: the container has many neighbours.
-  const HalfEdge first = diagram_.anchor(q.l == container_id ? q.r : q.l);
-  const bool from_l = diagram_.org(first) == q.l;
+  const bool wall = q.l == container_id;
+  const GenId other = wall ? q.l : q.r;
+  const HalfEdge first = diagram_.anchor(wall ? q.r : q.l);
   HalfEdge h = first;
   do {
-    const HalfEdge g = from_l ? h : Diagram::twin(h);
-    if (diagram_.quad(g) == q) return g;
+    if (diagram_.dest(h) == other) {
+      const HalfEdge g = wall ? Diagram::twin(h) : h;
+      const GenId s = diagram_.apex(Diagram::twin(g)), e = diagram_.apex(g);
+      if (s == q.s && e == q.e) {
+        found.oriented = g;
+      } else if (s == q.e && e == q.s) {
+        found.mirrored = g;
+      }
+    }
     h = diagram_.rotate(h);
   } while (h != first);
-  return -1;
-}
-
-Diagram::HalfEdge Replay::find_mirrored(const Quad& q) const {
-  const Quad swapped = canonical(Quad{q.l, q.r, q.e, q.s});
-  const HalfEdge h = find(swapped);
-  return h >= 0 ? h : find(reversed(swapped));
+  return found;
 }
 
 int Replay::adjacency(GenId i, GenId j) const {
@@ -181,17 +184,13 @@ void Replay::note_maneuver(std::size_t k, const ManeuverEvent& claim) {
 }
 
 bool Replay::flip(const FlipEvent& claim) {
-  const Quad& q = claim.quad;
-  HalfEdge h = find(q);
-  if (h >= 0 && q.s == q.e) return false;
-  const HalfEdge mirrored = find_mirrored(q);
-  if (h < 0) {
-    h = mirrored;
-  } else if (mirrored >= 0 &&
-             means_mirrored(*this, *scene_, *options_, claim, diagram_.quad(mirrored))) {
+  const auto [oriented, mirrored] = look_up(claim.quad);
+  HalfEdge h = oriented;
+  if (oriented < 0 || (mirrored >= 0 &&
+                       means_mirrored(*this, *scene_, *options_, claim, diagram_.quad(mirrored)))) {
     h = mirrored;
   }
-  if (h < 0) return false;
+  if (h < 0 || claim.quad.s == claim.quad.e) return false;
   diagram_.flip(h);
   return true;
 }
