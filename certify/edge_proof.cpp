@@ -111,40 +111,49 @@ constexpr double kAround = 0x1p-8;
 // Pieces are cut at most this often one within the other.
 constexpr int kMaxCuts = 12;
 
-bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts) {
+// `around_root`: the piece has been cut out around a root. There the circles tell nearly always, in
+// other pieces nearly never while they can be cut.
+bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts, bool around_root) {
   if (one_sign(p) != Sign::unknown) return true;
-  // The times of a piece are rounded: each cut within one adds at most 16u of the greatest.
-  const double slop = 0x1p-45 * std::fmax(std::fabs(p.a), std::fabs(p.b));
-  if (cuts > 0 && legal_throughout(m, q, p.a - slop, p.b + slop)) return true;
+  const bool crosses =
+      (p.c[0] > p.err && p.c[p.degree] < -p.err) || (p.c[0] < -p.err && p.c[p.degree] > p.err);
+  if (around_root || (!crosses && cuts > 0) || cuts == kMaxCuts) {
+    // The times of a piece are rounded: each cut within one adds at most 16u of the greatest.
+    const double slop = 0x1p-45 * std::fmax(std::fabs(p.a), std::fabs(p.b));
+    if (legal_throughout(m, q, p.a - slop, p.b + slop)) return true;
+  }
   if (cuts == kMaxCuts) return false;
   const double length = p.b - p.a;
   const auto time_at = [&](double s) { return p.a + s * length; };
-  Piece left, middle, right;
-  const bool crosses =
-      (p.c[0] > p.err && p.c[p.degree] < -p.err) || (p.c[0] < -p.err && p.c[p.degree] > p.err);
+  Piece left, right;
   if (crosses) {
     const double s = p.degree == 8 ? near_root<8>(p) : near_root<4>(p);
     const double s0 = s - kAround, s1 = s + kAround;
-    if (s0 > kAround && s1 < 1 - kAround) {
-      const double t0 = time_at(s0), t1 = time_at(s1);
-      split(p, s0, t0, left, right);
-      if (one_sign(left) != Sign::unknown) {
-        const Piece rest = right;
-        split(rest, (s1 - s0) / (1 - s0), t1, middle, right);
-        if (one_sign(right) != Sign::unknown) return piece_free(m, q, middle, cuts + 1);
-      }
+    // What is left beside the root may be nothing much.
+    const bool at_left = s0<kAround, at_right = s1> 1 - kAround;
+    Piece middle = p;
+    if (!at_right) {
+      split(middle, s1, time_at(s1), left, right);
+      if (!piece_free(m, q, right, cuts + 1, false)) return false;
+      middle = left;
     }
+    if (!at_left) {
+      split(middle, at_right ? s0 : s0 / s1, time_at(s0), left, right);
+      if (!piece_free(m, q, left, cuts + 1, false)) return false;
+      middle = right;
+    }
+    return piece_free(m, q, middle, cuts + 1, true);
   }
   const double half = time_at(0.5);
   if (!(p.a < half && half < p.b)) return false;
   split(p, 0.5, half, left, right);
-  return piece_free(m, q, left, cuts + 1) && piece_free(m, q, right, cuts + 1);
+  return piece_free(m, q, left, cuts + 1, false) && piece_free(m, q, right, cuts + 1, false);
 }
 
 bool free_in(const Motion& m, const Quad& q, double a, double b, int depth) {
   BernsteinForm form;
   if (form_flip_polynomial<true>(m, q, a, b, form)) return true;
-  if (piece_free(m, q, {a, b, form.degree, form.c, form.err}, 0)) return true;
+  if (piece_free(m, q, {a, b, form.degree, form.c, form.err}, 0, false)) return true;
   const double middle = 0.5 * (a + b);
   if (depth == kMaxDepth || !(a < middle && middle < b)) return false;
   // From both halves' own ends, so that the error bound shrinks with the part.
