@@ -6,6 +6,7 @@
 #include "apps/interruption.h"
 #include "apps/paper_check.h"
 #include "apps/progress.h"
+#include "exact/names.h"
 #include "history/json_text.h"
 
 namespace voroproof {
@@ -16,10 +17,6 @@ struct Request {
   PaperCheckOptions options;
   bool quiet = false;
 };
-
-std::string name_of(const Triple& v) {
-  return '[' + std::to_string(v[0]) + ',' + std::to_string(v[1]) + ',' + std::to_string(v[2]) + ']';
-}
 
 ExitCode check72(const Request& request) {
   if (!(request.options.step > 0)) throw UsageError("--step: not positive");
@@ -47,7 +44,7 @@ ExitCode check72(const Request& request) {
   }
   const Intrusion& intrusion = *result.first;
   std::cout << "c at t = " << number_text(intrusion.t) << " the circle of "
-            << name_of(intrusion.vertex);
+            << text_of(intrusion.vertex);
   if (intrusion.generator) {
     std::cout << " is entered by " << *intrusion.generator << ", by "
               << number_text(intrusion.depth) << '\n';

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMaxReport = std::size_t{1} << 26;
+constexpr std::size_t max_report = std::size_t{1} << 26;
 
 // A number of the evidence: exact, or the middle of its enclosure.
 double value_of(const Json& number) {
@@ -150,7 +150,7 @@ class Explainer {
 }  // namespace
 
 Explanation explain_report(const std::string& path) {
-  const std::string bytes = file_bytes(path, kMaxReport);
+  const std::string bytes = file_bytes(path, max_report);
   try {
     const Json report = Json::parse(bytes);
     if (report.at("format") != "voroproof-report" || report.at("version") != 1) {

@@ -82,8 +82,6 @@ std::string short_text(const ClearanceNode& node) {
   return "vertex " + text_of(node.generators);
 }
 
-std::string text_of(const Quad& q) { return json_of(q).dump(); }
-std::string text_of(const Triple& v) { return json_of(v).dump(); }
 std::string text_of(GenId g) { return g == container_id ? "wall" : std::to_string(g); }
 
 std::string table_of(const std::vector<std::vector<std::string>>& rows) {

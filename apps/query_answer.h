@@ -1,13 +1,14 @@
-// The answer to a query: JSON for programs (docs/formats.md, section 11), a table for people.
+// The answer to a query: JSON for programs (docs/formats.md, section 12), a table for people.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "exact/enclosure.h"
+#include "exact/names.h"
 #include "history/scene.h"
 #include "queries/clearance.h"
-#include "queries/enclosure.h"
 
 namespace voroproof {
 
@@ -32,8 +33,6 @@ Json json_of(const ClearanceNode& node);  // {"vertex": [i,j,k]}, {"gate": [i,j]
 std::string short_text(const Enclosure& e);
 std::string short_text(double x);
 std::string short_text(const ClearanceNode& node);
-std::string text_of(const Quad& q);
-std::string text_of(const Triple& v);
 std::string text_of(GenId g);  // "wall" for the container
 
 // Columns, as wide as their widest cell; the first row is the heading.

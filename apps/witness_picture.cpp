@@ -14,7 +14,7 @@ namespace voroproof {
 
 namespace {
 
-constexpr int kSize = 800;
+constexpr int picture_size = 800;
 
 constexpr Colour tangent_ink{0.85, 0.20, 0.17};  // as the movie draws evidence
 
@@ -153,11 +153,12 @@ class WitnessPainter {
     }
     middle_ = {(x0 + x1) / 2, (y0 + y1) / 2};
     half_ = std::max({(x1 - x0) / 2, (y1 - y0) / 2, 1e-300}) * 1.15;
-    scale_ = kSize / (2 * half_);
+    scale_ = picture_size / (2 * half_);
   }
 
   Vec2 pixel(const Vec2& p) const {
-    return {kSize / 2.0 + scale_ * (p[0] - middle_[0]), kSize / 2.0 - scale_ * (p[1] - middle_[1])};
+    return {picture_size / 2.0 + scale_ * (p[0] - middle_[0]),
+            picture_size / 2.0 - scale_ * (p[1] - middle_[1])};
   }
 
   void circle(const Circle& c) {
@@ -186,7 +187,7 @@ class WitnessPainter {
     const double speed = std::hypot(g.velocity[0], g.velocity[1]);
     if (speed == 0) return;
     const Vec2 along{g.velocity[0] / speed, -g.velocity[1] / speed};
-    const double reach = kSize / 8.0 * speed / fastest, rim = scale_ * g.radius;
+    const double reach = picture_size / 8.0 * speed / fastest, rim = scale_ * g.radius;
     const Vec2 center = pixel(g.center);
     const auto at = [&](double forward, double aside) -> Vec2 {
       return {center[0] + forward * along[0] - aside * along[1],
@@ -214,7 +215,8 @@ class WitnessPainter {
 }  // namespace
 
 void draw_witness(const std::vector<DrawnGenerator>& generators, const std::string& path) {
-  write_picture(path, kSize, [&](cairo_t* cairo) { WitnessPainter(cairo, generators).paint(); });
+  write_picture(path, picture_size,
+                [&](cairo_t* cairo) { WitnessPainter(cairo, generators).paint(); });
 }
 
 }  // namespace voroproof

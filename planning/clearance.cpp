@@ -169,7 +169,7 @@ std::strong_ordering compare_gaps(const Approach& a, const Approach& b) {
 }
 
 Enclosure gap(const Approach& approach) {
-  if (approach.distance2 == 0) return {round_down(-approach.reach), round_up(-approach.reach)};
+  if (approach.distance2 == 0) return enclosure(Rational(-approach.reach));
   // sqrt(p / q) = sqrt(p q) / q, and the integer root of p q 4^k is right to 1.
   const Integer &p = approach.distance2.get_num(), &q = approach.distance2.get_den();
   const Integer scaled = (p * q) << 160;

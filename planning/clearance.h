@@ -7,6 +7,7 @@
 #include <compare>
 #include <optional>
 
+#include "exact/enclosure.h"
 #include "planning/plan.h"
 
 namespace voroproof {
@@ -17,11 +18,6 @@ struct Approach {
   Rational t;          // the first such time
   Rational distance2;  // of the centres
   Rational reach;      // the sum of the radii
-};
-
-// Doubles that enclose a number.
-struct Enclosure {
-  double lo, hi;
 };
 
 Approach nearest_approach(const Plan& plan, int i, int j);

@@ -104,8 +104,10 @@ Sign Clearance::compare(const ClearanceNode& a, const ClearanceNode& b) {
 }
 
 Enclosure Clearance::value(const ClearanceNode& node) const {
-  return halved(enclosure(
-      predicates_.ball([&](auto at, auto root) { return twice_clearance(at, root, node); })));
+  Ball value =
+      predicates_.ball([&](auto at, auto root) { return twice_clearance(at, root, node); });
+  Ball::mul_d(value, value, 0.5, value.precision());
+  return enclosure(value);
 }
 
 }  // namespace voroproof

@@ -10,8 +10,8 @@
 
 #include <vector>
 
+#include "exact/enclosure.h"
 #include "filtered/instant_predicates.h"
-#include "queries/enclosure.h"
 #include "topology/diagram.h"
 
 namespace voroproof {

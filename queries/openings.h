@@ -12,7 +12,7 @@
 #include <array>
 #include <vector>
 
-#include "queries/enclosure.h"
+#include "exact/enclosure.h"
 #include "queries/history_cursor.h"
 #include "queries/over_time.h"
 #include "queries/paths.h"

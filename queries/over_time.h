@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "queries/enclosure.h"
+#include "exact/enclosure.h"
 #include "queries/history_cursor.h"
 #include "queries/paths.h"
 
@@ -48,8 +48,5 @@ std::optional<LeastGap> least_gap_of_all(const Paths& paths, HistoryCursor& hist
                                          const Window& window);
 
 Enclosure gap_of(const Paths& paths, const LeastGap& least);
-
-// The doubles around a time.
-inline Enclosure enclosure(const Rational& t) { return {round_down(t), round_up(t)}; }
 
 }  // namespace voroproof

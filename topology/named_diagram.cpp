@@ -2,18 +2,11 @@
 
 #include <cstdint>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
+#include "exact/names.h"
+
 namespace voroproof {
-namespace {
-
-std::string name_of(const Quad& q) {
-  return "[" + std::to_string(q.l) + "," + std::to_string(q.r) + "," + std::to_string(q.s) + "," +
-         std::to_string(q.e) + "]";
-}
-
-}  // namespace
 
 std::size_t NamedDiagram::TripleHash::operator()(const Triple& v) const {
   std::uint64_t hash = 0;
@@ -37,17 +30,17 @@ Diagram::HalfEdge NamedDiagram::find(const Quad& q) const {
 Diagram::HalfEdge NamedDiagram::flip(const Quad& q) {
   const Diagram::HalfEdge h = find(q);
   if (h < 0) {
-    throw std::invalid_argument("the diagram has no edge " + name_of(q) + " at this time");
+    throw std::invalid_argument("the diagram has no edge " + text_of(q) + " at this time");
   }
   if (q.s == q.e) {
-    throw std::invalid_argument("the edge " + name_of(q) + " cannot flip: its ends are the " +
+    throw std::invalid_argument("the edge " + text_of(q) + " cannot flip: its ends are the " +
                                 "two vertices of three generators");
   }
   for (const Diagram::HalfEdge side : sides(h)) corners_.erase(corner(side));
   diagram_.flip(h);
   for (const Diagram::HalfEdge side : sides(h)) {
     if (!corners_.emplace(corner(side), side).second) {
-      throw std::invalid_argument("the flip of " + name_of(q) +
+      throw std::invalid_argument("the flip of " + text_of(q) +
                                   " makes a second vertex of one name");
     }
   }

@@ -16,6 +16,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "apps/edge_curves.h"
 #include "history/error.h"
 
 namespace voroproof {

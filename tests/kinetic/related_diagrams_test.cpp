@@ -3,29 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <vector>
 
 #include "exact/polynomial.h"
 #include "exact/predicates.h"
 #include "tests/oracle/kinetic_delaunay.h"
+#include "tests/support/dice.h"
 #include "tests/support/scene_run.h"
 
 namespace voroproof {
 namespace {
 
+using testing::Dice;
 using Poly = Polynomial<Rational>;
-
-class Dice {
- public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
-  int operator()(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
-  }
-
- private:
-  std::mt19937 engine_;
-};
 
 Poly constant(const Rational& q) { return Poly(std::vector<Rational>{q}); }
 Poly linear(Dice& dice) {

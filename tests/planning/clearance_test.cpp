@@ -4,29 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/mpfr.hpp>
-#include <random>
 
 #include "tests/planning/flight.h"
+#include "tests/support/dice.h"
 
 namespace voroproof {
 namespace {
 
+using testing::Dice;
 using testing::Flight;
 using Digits = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<100>>;
 
 Digits digits(const Rational& q) { return Digits(q.get_num_mpz_t()) / Digits(q.get_den_mpz_t()); }
 Digits gap_of(const Approach& a) { return sqrt(digits(a.distance2)) - digits(a.reach); }
-
-class Dice {
- public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
-  int operator()(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
-  }
-
- private:
-  std::mt19937 engine_;
-};
 
 Timetable random_timetable(Dice& dice) {
   Timetable timetable{{0, 0}};

@@ -1,9 +1,8 @@
 // Numbers as answers: two doubles with the true value between them.
 #pragma once
 
-#include <algorithm>
-
 #include "exact/ball.h"
+#include "exact/rational.h"
 
 namespace voroproof {
 
@@ -18,7 +17,7 @@ inline Enclosure enclosure(const Ball& ball) {
   return {e.lo + 0.0, e.hi + 0.0};
 }
 
-// Of half the value.
-inline Enclosure halved(const Enclosure& e) { return {0.5 * e.lo, 0.5 * e.hi}; }
+// The doubles around a number.
+inline Enclosure enclosure(const Rational& q) { return {round_down(q), round_up(q)}; }
 
 }  // namespace voroproof
