@@ -36,7 +36,14 @@ class Adjacency {
  private:
   void close(Pair pair, const Rational& t) {
     const Rational& since = since_[pair];
-    if (since < t || window_.from == window_.to) spells_[pair].push_back({since, t});
+    if (since == t && window_.from != window_.to) return;
+    std::vector<Window>& all = spells_[pair];
+    // Gone and there again within the flips at one time: the spell goes on.
+    if (!all.empty() && all.back().to == since) {
+      all.back().to = t;
+    } else {
+      all.push_back({since, t});
+    }
   }
 
   Window window_;
@@ -146,6 +153,14 @@ std::optional<LeastGap> first_contact(const Paths& paths, const HistoryCursor& h
   return std::nullopt;
 }
 
+// Whether the least gap along the paths is none, earlier than the contact.
+bool touches_before(const Paths& paths, const LeastGap& least, const LeastGap& contact) {
+  const Rational sum = reach(paths, least);
+  const bool wall = least.i == container_id;
+  return least.t < contact.t &&
+         (wall ? least.distance2 >= sum * sum : least.distance2 <= sum * sum);
+}
+
 }  // namespace
 
 std::vector<Neighbourhood> neighbours_over(HistoryCursor& history, GenId disk,
@@ -168,24 +183,37 @@ LeastGap least_gap(const Paths& paths, const HistoryCursor& history, GenId i, Ge
   if (j < i) std::swap(i, j);
   const auto contact =
       first_contact(paths, history, window, [&](GenId a, GenId b) { return a == i && b == j; });
-  return contact ? *contact : least_along_paths(paths, i, j, window);
+  if (!contact) return least_along_paths(paths, i, j, window);
+  // Before they collide they may have touched already, without approaching.
+  const LeastGap before = least_along_paths(paths, i, j, {window.from, contact->t});
+  return touches_before(paths, before, *contact) ? before : *contact;
 }
 
 std::optional<LeastGap> least_gap_of_all(const Paths& paths, HistoryCursor& history,
                                          const Window& window) {
   const int disks = history.diagram().diagram().disks();
   if (disks < 2) return std::nullopt;
-  if (const auto contact =
-          first_contact(paths, history, window, [](GenId a, GenId) { return a != container_id; })) {
-    return contact;
+  const auto of_disks = [](GenId a, GenId) { return a != container_id; };
+  const auto spells_of_disks = [&](const Window& w) {
+    return spells(history, w, [](const Pair& p) { return p.first != container_id; });
+  };
+  if (auto first = first_contact(paths, history, window, of_disks)) {
+    // Others may have touched before, without approaching; they are neighbours then.
+    const LeastGap contact = *first;
+    for (const auto& [pair, windows] : spells_of_disks({window.from, contact.t})) {
+      for (const Window& w : windows) {
+        const LeastGap gap = least_along_paths(paths, pair.first, pair.second, w);
+        if (touches_before(paths, gap, contact) && earlier(gap, *first)) first = gap;
+      }
+    }
+    return first;
   }
   std::optional<LeastGap> least;
   const auto offer = [&](const LeastGap& gap) {
     const Sign s = least ? compare_gaps(paths, gap, *least) : Sign::negative;
     if (s == Sign::negative || (s == Sign::zero && earlier(gap, *least))) least = gap;
   };
-  for (const auto& [pair, windows] :
-       spells(history, window, [](const Pair& p) { return p.first != container_id; })) {
+  for (const auto& [pair, windows] : spells_of_disks(window)) {
     for (const Window& w : windows) offer(least_along_paths(paths, pair.first, pair.second, w));
   }
   const double bound = gap_of(paths, *least).hi;

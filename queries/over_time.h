@@ -36,7 +36,8 @@ struct LeastGap {
   bool contact;
 };
 
-// The least gap of two generators. A collision of the two makes it zero, at its recorded time.
+// The least gap of two generators. A collision of the two makes it zero, at its recorded time,
+// unless they have touched before.
 LeastGap least_gap(const Paths& paths, const HistoryCursor& history, GenId i, GenId j,
                    const Window& window);
 

@@ -9,52 +9,12 @@
 #include "queries/free_space.h"
 #include "queries/openings.h"
 #include "tests/queries/brute_moment.h"
-#include "tests/queries/scene_history.h"
+#include "tests/queries/watched.h"
 #include "tests/support/formation_scene.h"
 #include "tests/support/random_scenes.h"
 
 namespace voroproof::testing {
 namespace {
-
-Diagram no_initial() { throw std::logic_error("the history has its initial diagram"); }
-
-struct Watched {
-  explicit Watched(const Scene& scene)
-      : run(scene),
-        cursor(run.scene, run.history, no_initial),
-        paths(run.scene, cursor, run.history) {}
-  SceneHistory run;
-  HistoryCursor cursor;
-  Paths paths;
-
-  // Centres in doubles, by the way through the file.
-  std::vector<Vec2> centres(double t) const {
-    const Rational at = to_rational(t);
-    const std::vector<RecordedState> states =
-        recorded_moment(run.scene, run.history, at, Move::colliding, false, no_initial)
-            .states.value();
-    std::vector<Vec2> all;
-    for (const RecordedState& s : states) {
-      const ExactVec2 p = position_at(s, at);
-      all.push_back({p[0].get_d(), p[1].get_d()});
-    }
-    return all;
-  }
-  double gap(const std::vector<Vec2>& at, GenId i, GenId j) const {
-    const auto radius = [&](GenId g) { return run.scene.disks[g].radius.get_d(); };
-    if (i == container_id) {
-      return run.scene.container_radius.get_d() - radius(j) -
-             std::hypot(at[j][0] - run.scene.cx.get_d(), at[j][1] - run.scene.cy.get_d());
-    }
-    return std::hypot(at[j][0] - at[i][0], at[j][1] - at[i][1]) - radius(i) - radius(j);
-  }
-  GenId size() const { return static_cast<GenId>(run.scene.disks.size()); }
-};
-
-Scene crowd(int n, unsigned seed, int maneuvers = 3) {
-  Random random(seed);
-  return random_scene({.n = n, .horizon = 16, .density = 0.15, .maneuvers = maneuvers}, random);
-}
 
 double middle(const Enclosure& e) { return 0.5 * e.lo + 0.5 * e.hi; }
 
@@ -144,6 +104,29 @@ TEST(LeastGap, OfAllFindsThePairBehindTheWall) {
   EXPECT_EQ(least->t, 0);
 }
 
+// Disk 1 touches disk 0 at the start, goes to the wall and comes back; 2 and 3 meet at t = 1.
+TEST(LeastGap, OfDisksThatTouchBeforeTheyCollide) {
+  Watched w(scene_of(
+      10, 8,
+      {disk(0, 0, 1, 0, 0), disk(2, 0, 1, 2, 0), disk(-4, 4, 1, 1, 0), disk(0, 4, 1, -1, 0)}));
+  ASSERT_TRUE(w.run.complete);
+  const LeastGap pair = least_gap(w.paths, w.cursor, 0, 1, {0, 8});
+  EXPECT_EQ(pair.t, 0);
+  EXPECT_FALSE(pair.contact);
+  EXPECT_TRUE(gap_of(w.paths, pair).lo <= 0 && gap_of(w.paths, pair).hi >= 0);
+  const LeastGap later = least_gap(w.paths, w.cursor, 0, 1, {1, 8});
+  EXPECT_EQ(later.t, 7);
+  EXPECT_TRUE(later.contact);
+  for (const Rational& end : {Rational(1, 2), Rational(8)}) {
+    const auto all = least_gap_of_all(w.paths, w.cursor, {0, end});
+    EXPECT_EQ(std::pair(all->i, all->j), std::pair(0, 1));
+    EXPECT_EQ(all->t, 0);
+  }
+  const auto all = least_gap_of_all(w.paths, w.cursor, {Rational(1, 2), 8});
+  EXPECT_EQ(std::pair(all->i, all->j), std::pair(2, 3));
+  EXPECT_TRUE(all->contact);
+}
+
 TEST(NeighboursOver, AreThoseOfEveryInstant) {
   Watched w(crowd(8, 3));
   const Window window{Rational(1, 2), 12};
@@ -167,6 +150,21 @@ TEST(NeighboursOver, AreThoseOfEveryInstant) {
     }
   }
   EXPECT_GT(spells, 40u);
+}
+
+// Edges that go and come back at one recorded time part no spell.
+TEST(NeighboursOver, SpellsDoNotAbut) {
+  for (const char* name : {"close-roots/one-edge-1e-40", "configurations/fig15-there-and-back"}) {
+    Watched w(read_scene(std::string(VOROPROOF_CASES "/") + name + "/scene.scene.json"));
+    ASSERT_TRUE(w.run.complete);
+    for (GenId g = 0; g < w.size(); ++g) {
+      const auto all = neighbours_over(w.cursor, g, {0, w.run.scene.horizon});
+      for (std::size_t k = 1; k < all.size(); ++k) {
+        if (all[k].generator != all[k - 1].generator) continue;
+        EXPECT_LT(all[k - 1].to, all[k].from) << name << ": " << g << ", " << all[k].generator;
+      }
+    }
+  }
 }
 
 TEST(NeighboursOver, OfALoneDisk) {
@@ -295,6 +293,16 @@ TEST(Openings, OfALoneDisksTunnel) {
   EXPECT_EQ(openings[0].from.lo, 0);
   EXPECT_NEAR(openings[0].to.lo, 2.0 / 3, 1e-15);
   EXPECT_NEAR(openings[1].from.lo, 2, 1e-15);
+}
+
+// Disk 1 passes disk 0 at a distance at which the probe does not fit for some 5e-20 about t = 5.
+TEST(Openings, OfATunnelThatClosesForALittleWhile) {
+  Watched w(scene_of(100, 10, {disk(0, 0, 1, 0, 0), disk(-5, 4, 1, 1, 0)}));
+  const Rational probe = 1 + Rational(1, Integer("1" + std::string(40, '0')));
+  const auto openings = tunnel_openings(w.paths, w.cursor, 0, 1, probe, {0, 10});
+  ASSERT_EQ(openings.size(), 2u);
+  EXPECT_NEAR(openings[0].to.lo, 5, 1e-14);
+  EXPECT_NEAR(openings[1].from.lo, 5, 1e-14);
 }
 
 }  // namespace
