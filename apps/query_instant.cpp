@@ -1,5 +1,9 @@
 #include "apps/query_instant.h"
 
+#include <algorithm>
+#include <map>
+#include <utility>
+
 #include "queries/free_space.h"
 #include "queries/nearest.h"
 
@@ -129,9 +133,8 @@ Answer answer_voids(const InstantQuery& query, const Rational& probe) {
                                  {"closes", json_of(clearance.value(node))},
                                  {"at", json_of(node)}});
     }
-    const Enclosure widest = v.widest ? clearance.value(*v.widest)
-                                      : Enclosure{round_down(query.scene.container_radius),
-                                                  round_up(query.scene.container_radius)};
+    const Enclosure widest =
+        v.widest ? clearance.value(*v.widest) : enclosure(query.scene.container_radius);
     json["vanishes"] = json_of(widest);
     if (v.widest) json["at"] = json_of(*v.widest);
     rows.push_back({std::to_string(voids.size()), std::to_string(v.vertices.size()),
@@ -149,7 +152,8 @@ Answer answer_critical(const InstantQuery& query) {
   const Diagram& diagram = query.moment.diagram;
   Answer answer{head("critical", query), {}};
   Json& tunnels = answer.json["tunnels"] = Json::array();
-  Rows rows{{"radius", "what happens there", "at"}};
+  // In the table by radius.
+  std::vector<std::pair<double, std::vector<std::string>>> rows;
   std::map<Quad, Diagram::HalfEdge> edges;
   for (Diagram::HalfEdge h = 0; h < 2 * diagram.edges(); h += 2) {
     edges[canonical(diagram.quad(h))] = h;
@@ -159,15 +163,20 @@ Answer answer_critical(const InstantQuery& query) {
     const Enclosure radius = clearance.value(node);
     tunnels.push_back(
         {{"edge", json_of(quad)}, {"closes", json_of(radius)}, {"at", json_of(node)}});
-    rows.push_back({short_text(radius), "tunnel " + text_of(quad) + " closes", short_text(node)});
+    rows.push_back(
+        {radius.lo, {short_text(radius), "tunnel " + text_of(quad) + " closes", short_text(node)}});
   }
   Json& voids = answer.json["voids"] = Json::array();
   for (const ClearanceNode& node : widest_places(clearance)) {
     const Enclosure radius = clearance.value(node);
     voids.push_back({{"vanishes", json_of(radius)}, {"at", json_of(node)}});
-    rows.push_back({short_text(radius), "a void vanishes", short_text(node)});
+    rows.push_back({radius.lo, {short_text(radius), "a void vanishes", short_text(node)}});
   }
-  answer.table = table_of(rows);
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  Rows table{{"radius", "what happens there", "at"}};
+  for (auto& row : rows) table.push_back(std::move(row.second));
+  answer.table = table_of(table);
   return answer;
 }
 

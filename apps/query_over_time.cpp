@@ -77,4 +77,26 @@ Answer answer_void(const TimeQuery& query, const Triple& vertex, const Rational&
                        void_openings(query.paths, query.history, vertex, probe, query.window));
 }
 
+Answer answer_voids_over(const TimeQuery& query, const Rational& probe) {
+  Answer answer{head("voids-over", query), {}};
+  answer.json["probe"] = json_of(probe);
+  Json& all = answer.json["voids"] = Json::array();
+  Rows rows{{"void", "from", "to", "out of", "into", "at first at"}};
+  const auto list = [](const std::vector<std::size_t>& voids) {
+    std::string text;
+    for (const std::size_t v : voids) text += (text.empty() ? "" : " ") + std::to_string(v);
+    return text.empty() ? "-" : text;
+  };
+  for (const VoidLife& v : void_lives(query.paths, query.history, probe, query.window)) {
+    Json json = {
+        {"from", json_of(v.from)}, {"to", json_of(v.to)}, {"before", v.before}, {"after", v.after}};
+    if (v.at) json["at"] = json_of(*v.at);
+    rows.push_back({std::to_string(all.size()), short_text(v.from), short_text(v.to),
+                    list(v.before), list(v.after), v.at ? short_text(*v.at) : "centre"});
+    all.push_back(std::move(json));
+  }
+  answer.table = table_of(rows);
+  return answer;
+}
+
 }  // namespace voroproof

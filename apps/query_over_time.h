@@ -8,6 +8,7 @@
 #include "queries/openings.h"
 #include "queries/over_time.h"
 #include "queries/paths.h"
+#include "queries/void_lives.h"
 
 namespace voroproof {
 
@@ -24,5 +25,6 @@ Answer answer_gap_over(const TimeQuery& query, GenId i, GenId j);
 Answer answer_closest_over(const TimeQuery& query);
 Answer answer_tunnel(const TimeQuery& query, GenId i, GenId j, const Rational& probe);
 Answer answer_void(const TimeQuery& query, const Triple& vertex, const Rational& probe);
+Answer answer_voids_over(const TimeQuery& query, const Rational& probe);
 
 }  // namespace voroproof

@@ -10,6 +10,7 @@
 #include "apps/interruption.h"
 #include "apps/query_over_time.h"
 #include "apps/true_moment.h"
+#include "history/history_file.h"
 
 namespace voroproof {
 namespace {
@@ -34,22 +35,26 @@ void check_generators(const Scene& scene, const std::string& option,
   }
 }
 
+// What opens and closes does so between two times.
+void require_length(const Window& window) {
+  if (window.from == window.to) throw UsageError("--to: not after --from");
+}
+
 ExitCode ask(const Request& request, const std::string& option, const TimeAnswer& answer) {
   require_distinct({request.scene, request.history}, {request.output});
   Window window{time_argument("--from", request.from), 0};
-  const CooperativeInterruption interruption;
   const Scene scene = read_scene(request.scene);
-  window.to = request.to.empty() ? scene.horizon : time_argument("--to", request.to);
+  const int disks = static_cast<int>(scene.disks.size());
+  window.to = request.to.empty() ? HistoryReader(request.history, disks).header().horizon
+                                 : time_argument("--to", request.to);
   if (window.to < window.from) throw UsageError("--to: before --from");
   check_generators(scene, option, request.generators);
-  EngineOptions options;
-  options.monitor = [&](double, std::uint64_t) { return !interruption.requested(); };
   HistoryCursor history(
-      scene, request.history, [&] { return diagram_at(run_to(scene, 0, options)->motion(), 0); },
+      scene, request.history, [&] { return diagram_at(run_to(scene, 0, {})->motion(), 0); },
       window.to);
   const Paths paths(scene, history, request.history);
   const Answer given = answer({scene, history, paths, window}, request);
-  interruption.check();
+  const CooperativeInterruption interruption;
   give(given, request.output);
   return ExitCode::ok;
 }
@@ -63,7 +68,7 @@ CLI::App* add_over_time(CLI::App& query, Action& action, const std::shared_ptr<R
   add_file(*verb, "history", request->history, "a history of the scene")->required();
   add_text(*verb, "--from", request->from, "TIME", "from then on, as exact text")
       ->capture_default_str();
-  add_text(*verb, "--to", request->to, "TIME", "up to then (default: the scene's horizon)");
+  add_text(*verb, "--to", request->to, "TIME", "up to then (default: the history's horizon)");
   add_file(*verb, "-o,--output", request->output, "write the answer here, as JSON");
   if (generators > 0) {
     verb->add_option(option, request->generators, "their ids; -1 is the container")
@@ -113,6 +118,7 @@ void add_queries_over_time(CLI::App& query, Action& action) {
   verb = add_over_time(query, action, request, "tunnel",
                        "When a probe passes between two generators along a V-edge of theirs",
                        "--pair", 2, [](const TimeQuery& q, const Request& r) {
+                         require_length(q.window);
                          return answer_tunnel(q, r.generators[0], r.generators[1],
                                               time_argument("--probe", r.probe));
                        });
@@ -123,12 +129,22 @@ void add_queries_over_time(CLI::App& query, Action& action) {
   verb =
       add_over_time(query, action, request, "void", "When a probe fits at a V-vertex that is there",
                     "--vertex", 3, [](const TimeQuery& q, const Request& r) {
+                      require_length(q.window);
                       return answer_void(q, {r.generators[0], r.generators[1], r.generators[2]},
                                          time_argument("--probe", r.probe));
                     });
   add_probe(*verb, *request);
   verb->footer(
       "Example:\n  voroproof query void a.scene.json a.history.jsonl --vertex 1 2 3 --probe 1/2");
+
+  verb = add_over_time(query, action, request, "voids-over",
+                       "All voids: when they come about, part, join and vanish", "", 0,
+                       [](const TimeQuery& q, const Request& r) {
+                         require_length(q.window);
+                         return answer_voids_over(q, time_argument("--probe", r.probe));
+                       });
+  add_probe(*verb, *request);
+  verb->footer("Example:\n  voroproof query voids-over a.scene.json a.history.jsonl --probe 1/2");
 }
 
 }  // namespace voroproof

@@ -1,6 +1,7 @@
 // voroproof query and render --probe, as users meet them.
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
 
 #include "tests/apps/cli.h"
@@ -73,6 +74,33 @@ TEST_F(QueryCli, AWindowOfTime) {
   ASSERT_GE(open["open"].size(), 1u);
   expect_narrow(open["open"][0]["from"]);
   ask({"void", scene_, history_, "--vertex", "0", "1", "2", "--probe", "1"});
+  const Json voids = ask({"voids-over", scene_, history_, "--probe", "2"})["voids"];
+  ASSERT_GE(voids.size(), 1u);
+  EXPECT_EQ(voids[0]["from"], Json::parse("[0,0]"));
+  expect_narrow(voids[0]["to"]);
+}
+
+// A history of half the time: its own horizon is where questions end that name no other.
+TEST_F(QueryCli, UpToTheHistorysHorizon) {
+  const std::string half = file("half.history.jsonl");
+  must({"simulate", scene_, "--horizon", "10", "-o", half});
+  EXPECT_EQ(ask({"closest-over", scene_, half})["to"], 10);
+  refused({"query", "closest-over", scene_, half, "--to", "11"}, "horizon: ");
+}
+
+// The table of critical radii is in their order, the answer in that of the edges.
+TEST_F(QueryCli, CriticalRadiiInOrder) {
+  std::istringstream table(must({"query", "critical", scene_, "--at", "3"}).out);
+  std::string line;
+  std::getline(table, line);
+  double last = -1;
+  int rows = 0;
+  for (; std::getline(table, line); ++rows) {
+    const double radius = std::stod(line);
+    EXPECT_GE(radius, last);
+    last = radius;
+  }
+  EXPECT_GT(rows, 33);
 }
 
 TEST_F(QueryCli, Refusals) {
@@ -95,6 +123,10 @@ TEST_F(QueryCli, Refusals) {
            {{"query", "gap-over", scene_, history_, "--pair", "3", "12"}, "--pair: "},
            {{"query", "gap-over", scene_, history_, "--pair", "3", "4", "--to", "21"}, "horizon: "},
            {{"query", "closest-over", scene_, history_, "--from", "2", "--to", "1"}, "--to: "},
+           {{"query", "tunnel", scene_, history_, "--pair", "3", "4", "--probe", "1", "--from", "2",
+             "--to", "2"},
+            "--to: not after --from"},
+           {{"query", "voids-over", scene_, history_, "--probe", "-1"}, "--probe: -1: negative"},
            {{"query", "neighbours-over", scene_, history_, "--disk", "-1"}, "--disk: "}}) {
     refused(c.arguments, c.message);
   }
