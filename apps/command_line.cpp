@@ -124,4 +124,9 @@ void require_distinct(const std::vector<std::string>& inputs,
   }
 }
 
+void require_picture(const std::string& option, const std::string& path) {
+  if (path.ends_with(".svg") || path.ends_with(".png")) return;
+  throw UsageError(option + ": " + printable(path) + ": must end in .svg or .png");
+}
+
 }  // namespace voroproof

@@ -88,4 +88,7 @@ Rational time_argument(const std::string& option, const std::string& text);
 void require_distinct(const std::vector<std::string>& inputs,
                       const std::vector<std::string>& outputs);
 
+// Throws UsageError where a picture of this name could not be drawn: it must end in .svg or .png.
+void require_picture(const std::string& option, const std::string& path);
+
 }  // namespace voroproof

@@ -24,15 +24,10 @@ ExitCode explain(const Request& request) {
   const std::string picture =
       request.picture.empty() ? default_picture(request.report) : request.picture;
   require_distinct({request.report}, {picture});
+  require_picture("--output", picture);
   const Explanation explanation = explain_report(request.report);
   const bool drawn = !explanation.generators.empty();
-  if (drawn) {
-    try {
-      draw_witness(explanation.generators, picture);
-    } catch (const std::invalid_argument& e) {
-      throw UsageError(std::string("--output: ") + e.what());
-    }
-  }
+  if (drawn) draw_witness(explanation.generators, picture);
   std::cout << explanation.words;
   if (drawn) {
     std::cout << "\nDrawn in " << picture << ".\n";

@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
@@ -67,8 +66,18 @@ ExitCode report(const PlanResult& result) {
   return ExitCode::ok;
 }
 
+// Extreme ways and times may lead beyond the limits of a scene.
+void require_scene(const std::string& text, const std::string& path) {
+  try {
+    parse_scene(text, path);
+  } catch (const InputError& fault) {
+    throw UsageError("plan: gives no valid scene: " + fault.field() + ": " + fault.reason());
+  }
+}
+
 ExitCode plan(const Request& request) {
   require_distinct({request.task}, {request.scene, request.report, request.picture});
+  if (!request.picture.empty()) require_picture("--picture", request.picture);
   const CooperativeInterruption interruption;
   PlanTask task = requested_task(request);
   // Begun first, so that a path that cannot be written is known before the search.
@@ -85,16 +94,11 @@ ExitCode plan(const Request& request) {
     std::ostringstream text;
     write_scene(text, scene_of(result.plan));
     scene = std::move(text).str();
+    require_scene(scene, request.scene);
     run.scene_sha256 = sha256_hex(scene);
   }
   if (report_file) report_file->write(plan_report_text(run, result));
-  if (!request.picture.empty()) {
-    try {
-      draw_plan(result, request.picture, request.size);
-    } catch (const std::invalid_argument& fault) {
-      throw UsageError(printable(request.picture) + ": " + fault.what());
-    }
-  }
+  if (!request.picture.empty()) draw_plan(drawing_of(result), request.picture, request.size);
   if (result.found()) {
     scene_file.write(scene);
     scene_file.commit();

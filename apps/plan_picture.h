@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "planning/planner.h"
+#include "apps/plan_drawing.h"
 
 namespace voroproof {
 
 // Draws the plan into an SVG or a PNG: each vehicle at its start (outlined) and at its goal
-// (filled), its way as a dotted line, a dot where it changes its speed, and the nearest pair at its
-// nearest, in red, with the line between. Ids where there are at most 60 vehicles. Errors as for
-// write_picture.
-void draw_plan(const PlanResult& result, const std::string& path, int size);
+// (filled), its way as a dotted line, a dot where it changes its speed, a cross at each conjunction
+// that was predicted and is avoided, and the nearest pair at its nearest, in red, with the line
+// between. Ids where there are at most 60 vehicles. Errors as for write_picture.
+void draw_plan(const PlanDrawing& drawing, const std::string& path, int size);
 
 }  // namespace voroproof

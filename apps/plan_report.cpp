@@ -50,6 +50,8 @@ std::string plan_report_text(const PlanRun& run, const PlanResult& result) {
   json["found"] = result.found();
   if (!run.scene_sha256.empty()) json["scene_sha256"] = run.scene_sha256;
   json["assignment"] = run.assignment;
+  json["container"] = {{"center", point(task.container_center)},
+                       {"radius", number(task.container_radius)}};
   json["clearance"] = number(task.clearance);
   json["arrive"] = number(task.arrive);
   if (result.impossible) json["impossible"] = approach_json(*result.impossible);
@@ -59,6 +61,7 @@ std::string plan_report_text(const PlanRun& run, const PlanResult& result) {
   json["avoided"] = Json::array();
   for (const Avoidance& avoidance : result.avoided) {
     Json entry = approach_json(avoidance.predicted);
+    entry["place"] = {round_nearest(avoidance.place.x), round_nearest(avoidance.place.y)};
     entry["changed"] = avoidance.vehicle;
     entry["by"] = avoidance.slowed ? "slowing" : "rescheduling";
     json["avoided"].push_back(std::move(entry));

@@ -18,15 +18,10 @@
 namespace voroproof {
 namespace {
 
-struct Format {
-  std::string name;
-  std::int64_t line;
-};
-
 // The member "format" of the object that the text starts with. What comes after it may be anything.
-std::optional<Format> format_of(std::string_view text, const std::string& path) {
+std::optional<FileFormat> format_of(std::string_view text, const std::string& path) {
   JsonReader json(text, path);
-  std::optional<Format> format;
+  std::optional<FileFormat> format;
   json.any_object([&](std::string_view name) {
     if (name == "format") {
       format = {std::string(json.text()), json.line()};
@@ -36,24 +31,6 @@ std::optional<Format> format_of(std::string_view text, const std::string& path) 
     return true;
   });
   return format;
-}
-
-// As a rule the field comes first. Only if it does not, more than the beginning is looked at.
-Format find_format(const std::string& path) {
-  constexpr std::size_t beginning = 4096;
-  const std::string bytes = file_bytes(path, beginning, true);
-  if (bytes.size() == beginning) {
-    try {
-      if (const auto format = format_of(bytes, path)) return *format;
-    } catch (const InputError&) {
-      // The fault may be the cut.
-    }
-    const std::string more = file_bytes(path, max_scene_bytes, true);
-    if (const auto format = format_of(more, path)) return *format;
-  } else if (const auto format = format_of(bytes, path)) {
-    return *format;
-  }
-  throw InputError(path, 1, "format", "missing");
 }
 
 std::string count(std::int64_t number, const std::string& one, const std::string& several) {
@@ -90,13 +67,31 @@ std::string validate_event_sequence(const std::string& path) {
 
 }  // namespace
 
+// As a rule the field comes first. Only if it does not, more than the beginning is looked at.
+FileFormat format_of_file(const std::string& path) {
+  constexpr std::size_t beginning = 4096;
+  const std::string bytes = file_bytes(path, beginning, true);
+  if (bytes.size() == beginning) {
+    try {
+      if (const auto format = format_of(bytes, path)) return *format;
+    } catch (const InputError&) {
+      // The fault may be the cut.
+    }
+    const std::string more = file_bytes(path, max_scene_bytes, true);
+    if (const auto format = format_of(more, path)) return *format;
+  } else if (const auto format = format_of(bytes, path)) {
+    return *format;
+  }
+  throw InputError(path, 1, "format", "missing");
+}
+
 std::string validate_file(const std::string& path) {
   if (is_disk_file(path)) {
     // Both formats may begin with comments; an event sequence names its version in one.
     if (is_evtsq_file(path)) return validate_event_sequence(path);
     return "disk file: " + count(read_disk_file(path).ids, "disk", "disks");
   }
-  const Format format = find_format(path);
+  const FileFormat format = format_of_file(path);
   if (format.name == "voroproof-scene") {
     const Scene scene = read_scene(path);
     return "scene: " + count(scene.disks, "disk", "disks") + ", " +
@@ -115,7 +110,8 @@ std::string validate_file(const std::string& path) {
            count(diagram.vertices, "vertex", "vertices") + ", " +
            count(diagram.edges, "edge", "edges");
   }
-  throw InputError(path, format.line, "format", "none of this project: " + printable(format.name));
+  throw InputError(path, format.line, "format",
+                   "none that can be validated: " + printable(format.name));
 }
 
 }  // namespace voroproof

@@ -1,14 +1,25 @@
 // Whether a file is of one of the project's formats.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace voroproof {
 
-// Finds out by its field "format" which of scene, history and diagram the file claims to be, reads
-// it completely and returns a short description: "history: 12 flips, ...". A history need not be
-// complete in time: one that stopped early is valid, one without a last line is not; an end line
-// with wrong counts is not either. Throws InputError.
+// What a JSON file says that it is, in its field "format", and on which line.
+struct FileFormat {
+  std::string name;
+  std::int64_t line;
+};
+
+// Nothing else of the file is checked. Throws InputError, also where there is no such field.
+FileFormat format_of_file(const std::string& path);
+
+// Finds out which of scene, history, diagram, plan, disk file and event sequence (of which the
+// header alone is looked at) the file claims to be, reads it completely and returns a short
+// description: "history: 12 flips, ...". A history need not be complete in time: one that stopped
+// early is valid, one without a last line is not; an end line with wrong counts is not either.
+// Throws InputError.
 std::string validate_file(const std::string& path);
 
 }  // namespace voroproof

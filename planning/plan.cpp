@@ -5,6 +5,7 @@
 #include <utility>
 
 namespace voroproof {
+
 Timetable even_timetable() { return {{0, 0}, {time_steps, whole_way}}; }
 
 void drop_idle_knots(Timetable& timetable) {
@@ -30,6 +31,11 @@ Point2 place(const Vehicle& vehicle, const Rational& progress) {
   const Rational part = progress / whole_way;
   return {vehicle.start.x + part * (vehicle.goal.x - vehicle.start.x),
           vehicle.start.y + part * (vehicle.goal.y - vehicle.start.y)};
+}
+
+Point2 place_at(const Plan& plan, int i, const Rational& t) {
+  const Rational step = t * time_steps / plan.task.arrive;
+  return place(plan.task.vehicles[i], progress_at<Rational>(plan.timetables[i], step));
 }
 
 Plan even_plan(PlanTask task) {

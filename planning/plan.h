@@ -56,6 +56,9 @@ Rational time_of(const PlanTask& task, const Rational& step);
 // Where the vehicle is after so many parts of its way.
 Point2 place(const Vehicle& vehicle, const Rational& progress);
 
+// Where vehicle i is at the time t, from 0 to the time of arrival.
+Point2 place_at(const Plan& plan, int i, const Rational& t);
+
 // Everybody flies at one speed.
 Plan even_plan(PlanTask task);
 

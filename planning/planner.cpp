@@ -145,7 +145,11 @@ class Planner {
   }
 
   void accept(const Pair& pair, int vehicle, Timetable timetable, bool slowed) {
-    avoided_.push_back({nearest_approach(plan_, pair.first, pair.second), vehicle, slowed});
+    const Approach predicted = nearest_approach(plan_, pair.first, pair.second);
+    const Point2 a = place_at(plan_, pair.first, predicted.t);
+    const Point2 b = place_at(plan_, pair.second, predicted.t);
+    const Point2 middle{Rational((a.x + b.x) / 2), Rational((a.y + b.y) / 2)};
+    avoided_.push_back({predicted, middle, vehicle, slowed});
     plan_.timetables[vehicle] = std::move(timetable);
     predict(vehicle);
   }

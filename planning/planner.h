@@ -14,6 +14,7 @@ namespace voroproof {
 // A conjunction that was predicted and how it was avoided.
 struct Avoidance {
   Approach predicted;  // with the speeds before the change
+  Point2 place;        // then, midway between the centres of the two
   int vehicle;         // whose speed changed
   bool slowed;         // by slowing down before; otherwise by a new timetable
 };

@@ -54,6 +54,53 @@ TEST_F(PlanCli, ReadsPlanFiles) {
   EXPECT_EQ(json("a.scene.json")["horizon"], 20);
 }
 
+// From the report the picture of the plan.
+TEST_F(PlanCli, ReportsAreDrawn) {
+  const std::string scene = file("a.scene.json"), report = file("a.report.json");
+  must({"plan", plan_file(crossing), "-o", scene, "--report", report, "--picture", file("a.svg")});
+  must({"render", report, "-o", file("again.svg")});
+  EXPECT_EQ(directory_.read("again.svg"), directory_.read("a.svg"));
+  // The ways cross in the middle, about, where both would be at half the time.
+  const Json place = json("a.report.json")["avoided"][0]["place"];
+  EXPECT_NEAR(place[0], 0, 0.5);
+  EXPECT_NEAR(place[1], 0, 0.5);
+  Json changed = json("a.report.json");
+  changed["avoided"].clear();
+  directory_.write("b.report.json", changed.dump());
+  must({"render", file("b.report.json"), "-o", file("b.svg")});
+  EXPECT_NE(directory_.read("b.svg"), directory_.read("a.svg"));
+  for (const std::string vehicles :
+       {"", R"({"id": 0, "radius": 0, "start": [1, 1], "goal": [1, 1]})"}) {
+    must({"plan", plan_file(vehicles), "-o", scene, "--report", report});
+    must({"render", report, "-o", file("few.png")});
+  }
+  const auto bad = [&](const std::string& member, const Json& value, const std::string& message) {
+    Json json = changed;
+    if (value.is_null()) {
+      json.erase(member);
+    } else {
+      json[member] = value;
+    }
+    directory_.write("bad.json", json.dump());
+    refused({"render", file("bad.json"), "-o", file("bad.svg")}, message);
+  };
+  bad("container", {}, "bad.json: not a report of a plan");
+  bad("vehicles", "none", "bad.json: not a report of a plan");
+  bad("version", 2, "version 1");
+  bad("minimum_gap", Json::parse(R"({"pair": [0, 2], "t": 1})"), "no vehicle 2");
+  bad("avoided", Json::parse(R"([{"place": ["x", 0]}])"), "not a number: x");
+  bad("format", "voroproof-scene", "bad.json:1: format: neither a diagram nor a report of a plan");
+  refused({"render", report, "--probe", "1", "-o", file("bad.svg")}, "--probe: a plan has no");
+  refused({"render", report, "-o", file("bad.gif")}, "--output: ");
+}
+
+// A velocity of 1e-150 is none of a scene.
+TEST_F(PlanCli, WritesValidScenesOrNone) {
+  refused({"plan", plan_file(R"({"id": 0, "radius": 1, "start": [0, 0], "goal": ["1e-60", 0]})"),
+           "-o", file("a.scene.json"), "--arrive", "1e90"},
+          "plan: gives no valid scene: disks[0].velocity[0]: ");
+}
+
 TEST_F(PlanCli, SaysWhereThereIsNoPlan) {
   const std::string scene = file("a.scene.json");
   const std::string same_goal = plan_file(R"(
@@ -98,6 +145,7 @@ TEST_F(PlanCli, RefusesWhatIsNoPlan) {
   refused({"plan", "--preset", "five", "--arrive", "0", "-o", scene}, "--arrive");
   refused({"plan", "--preset", "five", "--clearance", "-1", "-o", scene}, "--clearance");
   refused({"plan", plan_file(crossing), "-o", file("a.plan.json")}, "input as well as an output");
+  refused({"plan", "--preset", "five", "-o", scene, "--picture", file("p.gif")}, "--picture: ");
 }
 
 }  // namespace
