@@ -23,11 +23,11 @@ class Browser : public Cli {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  // Opens the page at a place ("#t=1", or empty) in a window of 1000 x 700 pixels and returns what
+  // Opens the page at a place ("#t=1", or empty) in a window of so many pixels and returns what
   // `script`, the body of a function that runs when the page has been set up, returns. `errors`
   // of the result are what went wrong in the page.
   Json run_in_page(const std::string& page, const std::string& script,
-                   const std::string& place = "") const {
+                   const std::string& place = "", const std::string& window = "1000,700") const {
     std::string html = read_bytes(page);
     const std::string watch =
         "<script>window.errors = []; window.addEventListener('error', "
@@ -44,8 +44,8 @@ class Browser : public Cli {
     const std::string command =
         "timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage "
         "--user-data-dir=" +
-        streams_.file("profile") + " --window-size=1000,700 --dump-dom 'file://" + probed + place +
-        "' >" + streams_.file("dom") + " 2>/dev/null";
+        streams_.file("profile") + " --window-size=" + window + " --dump-dom 'file://" + probed +
+        place + "' >" + streams_.file("dom") + " 2>/dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     const std::string dom = streams_.read("dom");
     const auto begin = dom.find("BEGIN"), end = dom.find("END", begin);
