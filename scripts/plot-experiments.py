@@ -27,6 +27,11 @@ AXES = {"reference": ("n", "number of disks", 18), "speed": ("speed", "initial s
         "restitution": ("restitution", "restitution", 22)}
 
 
+def legend_below(axes, entries):
+    """Below the axis, where it covers no curve."""
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=entries, frameon=False)
+
+
 def occurred(member):
     collisions = member["collisions"]["disks"] + member["collisions"]["container"]
     return {"flips": member["flips"], "collisions": collisions, "events": member["flips"] + collisions}
@@ -42,7 +47,7 @@ def plot_counts(axes, x, counts, title):
         axes.plot(x, [c[key] for c in counts], "o-", color=color, label=label)
     axes.set_ylim(bottom=0)
     axes.set_title(title)
-    axes.legend()
+    legend_below(axes, len(SERIES))
 
 
 def plot_total_time(axes, x, members):
@@ -56,7 +61,7 @@ def plot_steps(axes, x, members):
         axes.plot(x, [m["seconds"][key] for m in members], "o-", color=color, label=label)
     axes.set_yscale("log")
     axes.set_title("seconds by step")
-    axes.legend()
+    legend_below(axes, 2)
 
 
 def plot_distribution(axes, x, distributions, title):
@@ -65,7 +70,7 @@ def plot_distribution(axes, x, distributions, title):
     quartiles = [d["five_numbers"] for d in distributions]
     axes.fill_between(x, [q[1] for q in quartiles], [q[3] for q in quartiles], alpha=0.2, label="quartiles")
     axes.set_title(title)
-    axes.legend()
+    legend_below(axes, 2)
 
 
 def plot_frequency(axes, members, key, title):
@@ -78,7 +83,7 @@ def plot_frequency(axes, members, key, title):
     axes.set_xlabel("time")
     axes.set_ylim(bottom=0)
     axes.set_title(title)
-    axes.legend()
+    legend_below(axes, len(members))
 
 
 def draw(experiment, directory):

@@ -45,6 +45,13 @@ def ellipse_around(p, q, margin):
                            fill=False, edgecolor=CHANGED, linewidth=1.2, zorder=4)
 
 
+def limits(report):
+    """What all panels show: the starts, the goals and what is between, with room for ellipses."""
+    room = 3 * max(float(Fraction(v["radius"])) for v in report["vehicles"])
+    ends = [end for v in report["vehicles"] for end in (numbers(v["start"]), numbers(v["goal"]))]
+    return [(float(min(values)) - room, float(max(values)) + room) for values in zip(*ends)]
+
+
 def draw_moment(axes, report, t, near):
     vehicles = {v["id"]: v for v in report["vehicles"]}
     radii = {i: float(Fraction(v["radius"])) for i, v in vehicles.items()}
@@ -61,7 +68,8 @@ def draw_moment(axes, report, t, near):
         p, q = (places[i] for i in a["pair"])
         axes.add_patch(ellipse_around(p, q, 2 * max(radii[i] for i in a["pair"])))
     axes.set_title(f"t = {float(t):g}", fontsize=9)
-    axes.margins(0.02, 0.04)
+    width, height = limits(report)
+    axes.set(xlim=width, ylim=height)
     axes.set_aspect("equal")
     axes.set_axis_off()
 
@@ -82,7 +90,9 @@ def main():
         sys.exit(f"plot-plan: {arguments.report}: not of voroproof plan, or without a plan")
     times = arguments.times or [Fraction(report["arrive"]) * i / 5 for i in range(6)]
     rows = -(-len(times) // COLUMNS)
-    figure, all_axes = pyplot.subplots(rows, COLUMNS, figsize=(4.4 * COLUMNS, 1.9 * rows), squeeze=False)
+    (left, right), (low, high) = limits(report)
+    height = min(4.4, 4.4 * (high - low) / max(right - left, 1e-9)) + 0.3
+    figure, all_axes = pyplot.subplots(rows, COLUMNS, figsize=(4.4 * COLUMNS, height * rows), squeeze=False)
     for axes in all_axes.flat[len(times):]:
         axes.set_axis_off()
     for axes, t in zip(all_axes.flat, times):
