@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "apps/command_line.h"
+#include "apps/interruption.h"
 #include "history/atomic_file.h"
 #include "history/claim.h"
 #include "history/disk_file.h"
@@ -32,6 +33,9 @@ void write_text(const std::string& path, const std::string& text) {
 
 // A disk file has no horizon and no restitution: they come from the command line.
 void disks_to_scene(const Request& request) {
+  if (!is_disk_file(request.input)) {
+    throw UsageError(printable(request.input) + ": no disk file: only these are made into scenes");
+  }
   DiskFile disks = read_disk_file(request.input);
   if (request.horizon.empty()) {
     throw UsageError("a disk file has no horizon: give --horizon");
@@ -87,9 +91,13 @@ void sequence_to_history(const Request& request) {
   const Claim claim = open_claim(request.scene, request.input);
   HistoryHeader header = claim.history->header();
   header.scene_sha256 = claim.scene.sha256;
+  const CooperativeInterruption interruption;
   HistoryWriter writer(request.output);
   writer.header(header);
-  while (const auto event = claim.history->next()) writer.write(*event);
+  while (const auto event = claim.history->next()) {
+    interruption.check();
+    writer.write(*event);
+  }
   if (!claim.history->counts_match()) {
     throw InputError(request.input, claim.history->line(), "number of events",
                      "is not that of the file");

@@ -32,11 +32,14 @@ class Recorder final : public EventSink {
   }
   void maneuver(double, GenId, const RoundedState&) override {}
 
-  // After the run, so that its time is the engine's own.
-  void count_predictions(const MotionInput& input) {
+  // After the run, so that its time is the engine's own. Not to the end where the monitor says so.
+  void count_predictions(const MotionInput& input, const ExperimentMonitor& monitor) {
     PredictionCounter counter(input);
     counter.begin(initial_);
+    std::uint64_t counted = 0;
     for (const auto& event : events_) {
+      const double t = std::visit([](const auto& e) { return e.t; }, event);
+      if (monitor && !monitor(t, counted++)) return;
       if (const auto* flip = std::get_if<FlipEvent>(&event)) {
         counter.flip(flip->t, flip->quad);
       } else {
@@ -121,7 +124,7 @@ Distribution distribution_of(std::vector<double> values) {
 }
 
 ExperimentRun run_experiment(const Scene& scene, bool predictions,
-                             const std::function<bool(double t, std::uint64_t events)>& monitor) {
+                             const ExperimentMonitor& monitor) {
   using Clock = std::chrono::steady_clock;
   ExperimentRun run;
   run.disks = static_cast<int>(scene.disks.size());
@@ -136,7 +139,9 @@ ExperimentRun run_experiment(const Scene& scene, bool predictions,
   run.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   run.stats = engine.stats();
   measure_end(run, engine.motion(), engine.diagram());
-  if (predictions && run.outcome.kind == Outcome::Kind::complete) recorder.count_predictions(input);
+  if (predictions && run.outcome.kind == Outcome::Kind::complete) {
+    recorder.count_predictions(input, monitor);
+  }
   return run;
 }
 

@@ -38,9 +38,12 @@ struct ExperimentRun {
   Distribution neighbor_distance, speed;
 };
 
-// `predictions` also counts predictions, which takes longer than the run. `monitor` as for the
-// engine.
+// As for the engine; false stops, and what is counted then is of no use.
+using ExperimentMonitor = std::function<bool(double t, std::uint64_t events)>;
+
+// `predictions` also counts predictions, which takes longer than the run; the monitor is called
+// again then, from the first event on.
 ExperimentRun run_experiment(const Scene& scene, bool predictions,
-                             const std::function<bool(double t, std::uint64_t events)>& monitor);
+                             const ExperimentMonitor& monitor);
 
 }  // namespace voroproof

@@ -49,6 +49,8 @@ ExitCode experiment(const Request& request) {
   require_distinct({}, {request.json, request.csv});
   if (!(request.scale > 0) || request.scale > 100) throw UsageError("--scale: not in (0, 100]");
   if (!(request.horizon > 0)) throw UsageError("--horizon: not positive");
+  // The frequencies of events have an entry for each 10 units.
+  if (request.horizon > 1e9) throw UsageError("--horizon: more than 1e9");
   const CooperativeInterruption interruption;
   AtomicFile json_file(request.json);
   std::optional<AtomicFile> csv_file;

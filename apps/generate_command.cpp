@@ -24,7 +24,6 @@ struct Request {
 
 template <class Options>
 ExitCode generate(const Request<Options>& request, Scene (*make)(const Options&)) {
-  const CooperativeInterruption interruption;
   std::ostringstream text;
   try {
     write_scene(text, make(request.options));
@@ -38,6 +37,7 @@ ExitCode generate(const Request<Options>& request, Scene (*make)(const Options&)
   } catch (const std::exception& refusal) {
     throw UsageError(refusal.what());
   }
+  const CooperativeInterruption interruption;
   AtomicFile file(request.output);
   file.write(text.view());
   interruption.check();

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <string_view>
 
 #include "apps/command_line.h"
 
@@ -17,6 +18,8 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void on_signal(int) {
   if (cooperative.load() && !noted.exchange(true)) return;
+  constexpr std::string_view message = "voroproof: interrupted\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
   _exit(static_cast<int>(ExitCode::interrupted));
 }
 

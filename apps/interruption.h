@@ -11,7 +11,8 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-// From here on SIGINT and SIGTERM end the process at once, with the exit code of an interruption.
+// From here on SIGINT and SIGTERM end the process at once, with a message and the exit code of an
+// interruption. That suits all work that has no file begun.
 void install_signal_handlers();
 
 // While it lives, the first signal is only noted, for the work to ask for; a second one ends the

@@ -13,6 +13,7 @@
 #include "filtered/collapse.h"
 #include "history/error.h"
 #include "history/history_file.h"
+#include "queries/followed_history.h"
 #include "topology/named_diagram.h"
 
 namespace voroproof {
@@ -39,11 +40,12 @@ class Follower {
 
   // Checks the instants of [now, t), or at the end of [now, t]. False where the check is over.
   bool advance(double t, bool end = false) {
-    if (options_.monitor && !options_.monitor(t)) return false;
     while (regular(next_) < t || (end && regular(next_) == t)) {
+      if (!go_on(regular(next_))) return false;
       ++result_.regular;
       if (!check(regular(next_++))) return false;
     }
+    if (!go_on(t)) return false;
     if (t > now_) {
       ++result_.midway;
       if (!check(now_ + (t - now_) / 2)) return false;
@@ -70,6 +72,8 @@ class Follower {
   const PaperCheckResult& result() const { return result_; }
 
  private:
+  bool go_on(double t) const { return !options_.monitor || options_.monitor(t); }
+
   double regular(std::int64_t k) const { return static_cast<double>(k) * options_.step; }
 
   void set(GenId id, double t, const std::optional<Vec2>& p, const std::optional<Vec2>& v,
@@ -149,29 +153,20 @@ class Follower {
   PaperCheckResult result_;
 };
 
-Diagram initial_diagram(const Scene& scene, const HistoryHeader& header, const std::string& path) {
-  const int disks = static_cast<int>(scene.disks.size());
-  if (!header.initial) {
-    Motion motion(motion_input(scene), {});
-    return diagram_of(disks, construct_initial(motion));
-  }
-  try {
-    return diagram_of(disks, *header.initial);
-  } catch (const std::invalid_argument& fault) {
-    throw InputError(path, 1, "initial", fault.what());
-  }
-}
-
 }  // namespace
 
 PaperCheckResult paper_check(const Scene& scene, const std::string& history_path,
                              const PaperCheckOptions& options) {
-  HistoryReader history(history_path, static_cast<int>(scene.disks.size()));
+  const int disks = static_cast<int>(scene.disks.size());
+  HistoryReader history(history_path, disks);
   const HistoryHeader& header = history.header();
   if (header.scene_sha256 != scene.sha256)
     throw InputError(history_path, 1, "scene_sha256", "not that of the scene, " + scene.sha256);
-  Follower follower(scene, history_path, NamedDiagram(initial_diagram(scene, header, history_path)),
-                    options);
+  Diagram initial = initial_diagram(header, disks, history_path, [&] {
+    Motion motion(motion_input(scene), {});
+    return diagram_of(disks, construct_initial(motion));
+  });
+  Follower follower(scene, history_path, NamedDiagram(std::move(initial)), options);
   while (const std::optional<Event> event = history.next()) {
     if (!follower.advance(time(*event))) return follower.result();
     std::visit([&](const auto& kind) { follower.follow(kind, history.line()); }, *event);

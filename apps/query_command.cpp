@@ -32,13 +32,10 @@ GenId disk_of(const Scene& scene, int disk) {
 ExitCode ask(const Request& request, const InstantAnswer& answer) {
   require_distinct({request.scene, request.history}, {request.output});
   const Rational t = time_argument("--at", request.t);
-  const CooperativeInterruption interruption;
   const Scene scene = read_scene(request.scene);
-  EngineOptions options;
-  options.monitor = [&](double, std::uint64_t) { return !interruption.requested(); };
-  TrueMoment moment = true_moment(scene, request.history, t, options);
+  TrueMoment moment = true_moment(scene, request.history, t, {});
   const Answer given = answer({scene, t, moment}, request);
-  interruption.check();
+  const CooperativeInterruption interruption;
   give(given, request.output);
   return ExitCode::ok;
 }
@@ -129,7 +126,7 @@ void add_query(CLI::App& app, Action& action) {
 
   add_queries_over_time(*query, action);
   query->footer(
-      "Answers as JSON: docs/formats.md, section 11. What is exact: docs/queries.md.\n"
+      "Answers as JSON: docs/formats.md, section 12. What is exact: docs/queries.md.\n"
       "Example:\n  voroproof query closest a.scene.json --at 12.5");
 }
 

@@ -25,14 +25,10 @@ ExitCode take_snapshot(const Request& request) {
   if (!request.construct.empty()) {
     way.construct = static_cast<Construct>(std::stoi(request.construct));
   }
-  const CooperativeInterruption interruption;
   const Scene scene = read_scene(request.scene);
-  EngineOptions options;
-  options.monitor = [&](double, std::uint64_t) { return !interruption.requested(); };
-  const DiagramFile diagram = request.history.empty()
-                                  ? snapshot(scene, t, options)
-                                  : snapshot(scene, request.history, t, options, way);
-  interruption.check();
+  const DiagramFile diagram =
+      request.history.empty() ? snapshot(scene, t) : snapshot(scene, request.history, t, {}, way);
+  const CooperativeInterruption interruption;
   write_diagram(request.output, diagram);
   return ExitCode::ok;
 }

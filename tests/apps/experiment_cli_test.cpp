@@ -34,6 +34,7 @@ TEST_F(ExperimentCli, RefusesOptionsWithoutMeaning) {
   refused({"experiment", "colour", "-o", file("r.json")}, "colour");
   refused({"experiment", "speed", "--scale", "0", "-o", file("r.json")}, "--scale");
   refused({"experiment", "speed", "--horizon", "0", "-o", file("r.json")}, "--horizon");
+  refused({"experiment", "speed", "--horizon", "1e300", "-o", file("r.json")}, "--horizon");
 }
 
 TEST_F(ExperimentCli, GeneratesMembersOfDataSets) {
