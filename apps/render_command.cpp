@@ -66,9 +66,7 @@ void add_render(CLI::App& app, Action& action) {
   add_text(*verb, "--probe", request->probe, "RADIUS",
            "the voids of a probe in colours, the tunnels it passes as strong lines and the\n"
            "offset of the disks and the container in red, instead of the cells");
-  verb->footer(
-      "Example:\n  voroproof render a.diagram.json -o a.svg\n"
-      "  voroproof render a.plan-report.json -o a.png");
+  verb->footer("Example:\n  voroproof render a.diagram.json -o a.svg");
   verb->callback([request, &action] { action = [request] { return render(*request); }; });
 }
 

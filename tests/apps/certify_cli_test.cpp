@@ -343,7 +343,7 @@ TEST_F(CertifyCli, ConversionsThatCannotBe) {
   refused({"convert", scene, "-o", file("a.svg")}, "--output");
   must({"convert", scene, "-o", file("a.disks.txt")});
   refused({"convert", file("a.disks.txt"), "-o", file("b.scene.json")}, "--horizon");
-  refused({"convert", path, "-o", file("b.scene.json"), "--horizon", "1"}, "number of circles");
+  refused({"convert", path, "-o", file("b.scene.json"), "--horizon", "1"}, "no disk file");
 }
 
 // Real output of the engine of the paper's authors, where it is at hand.
