@@ -177,12 +177,12 @@ close_row
 panel figure22.png 820 "Fig. 22, restitution: flips and collisions per 10 units of time" measured restitution 0.5 600
 
 figure "Figure 23: five vehicles" \
-  "Starts on the left, goals on the right, by \`voroproof plan --preset five --picture FILE\`. Vehicle 0 would meet 1, 2, 3 and 4 one after the other. At even speeds it hits 1 at t = 8; it waits at the orange dot instead, and all four are avoided by that. Red: the nearest any two come, with the certified gap in the report."
+  "Starts on the left, goals on the right, by \`voroproof plan --preset five --picture FILE\`. Vehicle 0 would meet 1, 2, 3 and 4 one after the other. At even speeds it hits 1 at t = 8; it waits at the orange dot instead, and all four are avoided by that. Violet cross: the conjunction that was predicted and is avoided. Red: the nearest any two come, with the certified gap in the report."
 panel figure23.png 480 "Five vehicles and their ways" ways five 600
 
 planned square-to-circle
 figure "Figure 24a: the ways from the square to the circle" \
-  "By \`voroproof plan --preset square-to-circle --picture FILE\`: which vehicle flies where, straight; orange dots are changes of speed, red is the nearest any two come."
+  "By \`voroproof plan --preset square-to-circle --picture FILE\`: which vehicle flies where, straight; orange dots are changes of speed, violet crosses the conjunctions that were predicted and are avoided, red is the nearest any two come. \`voroproof render REPORT\` draws the same from the report."
 panel figure24a.png 560 "Twenty straight ways" ways square-to-circle 720
 
 scene swarm formation --preset figure24
