@@ -11,6 +11,7 @@
 #include "filtered/double_roots.h"
 #include "filtered/edge_predicates.h"
 #include "filtered/flip_polynomial.h"
+#include "filtered/rough_judge.h"
 #include "filtered/subdivision.h"
 
 namespace voroproof {
@@ -158,10 +159,13 @@ std::optional<Collapse> CollapseSearch::filter(const Quad& q, const BernsteinFor
   std::optional<Collapse> answer;
   bool decided = true;
   const double reached = each_root(form, start, end, [&](const DoubleRoot& root) {
-    const DoubleBall hull = DoubleBall::hull(root.lo, root.hi);
-    const auto at_hull = sites(motion_, q, hull);
-    const auto after = [&] { return sites(motion_, q, DoubleBall(root.hi)); };
-    const Verdict verdict = judge(q, at_hull, after, cotangency_sign(root.after, form.degree == 4));
+    const Sign f = cotangency_sign(root.after, form.degree == 4);
+    Verdict verdict = judge_roughly(motion_, q, root.lo, root.hi, f);
+    if (verdict == Verdict::unknown) {
+      const auto at_hull = sites(motion_, q, DoubleBall::hull(root.lo, root.hi));
+      verdict = judge(
+          q, at_hull, [&] { return sites(motion_, q, DoubleBall(root.hi)); }, f);
+    }
     if (verdict == Verdict::stays) return true;
     decided = verdict == Verdict::collapses;
     if (decided) answer = Collapse{Collapse::Kind::root, root.lo, root.hi, nullptr};

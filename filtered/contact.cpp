@@ -4,6 +4,8 @@
 #include <limits>
 #include <optional>
 
+#include "filtered/rough_site.h"
+
 namespace voroproof {
 
 namespace {
@@ -45,6 +47,48 @@ bool are_points(const Motion& motion, GenId i, GenId j) {
   return motion.doubles(i).r == 0 && motion.doubles(j).r == 0;
 }
 
+// Two disks in plain doubles with error bounds, at a time or within h of it. Per coordinate the
+// offset d errs by eta, at most the errors of both centres and u R, R = |dx| + |dy|; the velocity w
+// by omega, likewise, with W. Roundings of the bounds are paid for by the last factors.
+struct RoughPair {
+  static constexpr double u = 0x1p-53, up = 1 + 0x1p-40, tiny = 0x1p-900;
+  double dx, dy, R, eta, reach, rho;
+
+  RoughPair(const DoubleMotion& mi, const DoubleMotion& mj, double t, double h) {
+    const RoughSite i = rough_site(mi, t, h), j = rough_site(mj, t, h);
+    dx = j.at.x - i.at.x;
+    dy = j.at.y - i.at.y;
+    R = std::fabs(dx) + std::fabs(dy);
+    eta = i.error + j.error + u * R;
+    reach = i.at.r + j.at.r;
+    rho = mi.er + mj.er + u * reach;
+  }
+  // |d|^2 - reach^2, from the inputs 2 (R + eta) eta + 2 (reach + rho) rho, from roundings 4 u of
+  // the sum of the squares.
+  double c() const { return dx * dx + dy * dy - reach * reach; }
+  double c_error() const {
+    return (2 * (R + eta) * eta + 2 * (reach + rho) * rho + 4 * u * (R * R + reach * reach)) * up +
+           tiny;
+  }
+  bool apart() const { return c() > c_error(); }
+
+  // Whether the two certainly have no contact after t: they do not approach (d.w > 0), or pass each
+  // other (the discriminant b^2 - a c is negative, with a = |w|^2 and b = d.w).
+  bool never_meet(const DoubleMotion& mi, const DoubleMotion& mj) const {
+    const double wx = mj.vx - mi.vx, wy = mj.vy - mi.vy, W = std::fabs(wx) + std::fabs(wy);
+    const double omega = mi.ev + mj.ev + u * W;
+    // From the inputs R omega + W eta + 2 eta omega; two products and a sum, 3 u R W.
+    const double b = dx * wx + dy * wy;
+    const double e_b = (R * omega + W * eta + 2 * eta * omega + 3 * u * R * W) * up + tiny;
+    if (b > e_b) return true;
+    const double a = wx * wx + wy * wy, k = c(), size = std::fabs(k);
+    const double e_a = (2 * (W + omega) * omega + 3 * u * W * W) * up + tiny, e_c = c_error();
+    const double e = (2 * std::fabs(b) + e_b) * e_b + a * e_c + size * e_a + e_a * e_c +
+                     4 * u * (b * b + a * size);
+    return b * b - a * k < -e * up - tiny;
+  }
+};
+
 Ball hull_of(double lo, double hi, int bits) {
   Ball t(Rational((to_rational(lo) + to_rational(hi)) / 2), bits);
   if (lo < hi) t.widen(Magnitude::of(hi - lo));
@@ -59,6 +103,13 @@ NextContact ContactSearch::from(GenId i, GenId j, const Instant& now, double end
   if (!wall && motion_.state_id(i) > 0 && motion_.state_id(i) == motion_.state_id(j)) return {};
   if (motion_.same_velocity(i, j)) return {};
   if (!motion_.options().filters) return slow(i, j, now, end);
+  if (!wall) {
+    const DoubleMotion &mi = motion_.doubles(i), &mj = motion_.doubles(j);
+    if (RoughPair(mi, mj, now.lo, 0).never_meet(mi, mj)) {
+      counts_.count(Predicate::contact_search, Tier::filter);
+      return {};
+    }
+  }
   const DoubleBall t(now.lo);
   const Contact<DoubleBall> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
   const auto d = delay(k, wall, are_points(motion_, i, j), DoubleBall());
@@ -184,6 +235,11 @@ NextContact ContactSearch::exactly(GenId i, GenId j, const Instant& now, double 
 bool ContactSearch::certainly_apart(GenId i, GenId j, const Instant& now) const {
   const Sign apart = i == container_id ? Sign::negative : Sign::positive;
   if (motion_.options().filters) {
+    if (i != container_id) {
+      const double t = 0.5 * (now.lo + now.hi);
+      const double h = std::fmax(now.hi - t, t - now.lo) * (1 + 0x1p-50);
+      if (RoughPair(motion_.doubles(i), motion_.doubles(j), t, h).apart()) return true;
+    }
     const DoubleBall t = DoubleBall::hull(now.lo, now.hi);
     return sign(Contact<DoubleBall>(motion_.moving_site(i, t), motion_.moving_site(j, t)).c) ==
            apart;

@@ -1,0 +1,112 @@
+// Verdicts in plain doubles against verdicts in balls of 300 bits, at all roots of flip
+// polynomials, from narrow and wide intervals, for motion as it is given and after collisions.
+#include "filtered/rough_judge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "apps/scene_motion.h"
+#include "filtered/double_roots.h"
+#include "filtered/flip_polynomial.h"
+#include "filtered/subdivision.h"
+#include "kinetic/engine.h"
+#include "tests/support/random_scenes.h"
+#include "tests/support/scene_run.h"
+
+namespace voroproof::testing {
+namespace {
+
+struct Silence : EventSink {
+  void begin(const std::vector<Quad>&) override {}
+  void flip(double, const Quad&) override {}
+  void collide(double, GenId, GenId, const RoundedState&, const RoundedState&) override {}
+  void maneuver(double, GenId, const RoundedState&) override {}
+};
+
+struct Tally {
+  int roots = 0, collapses = 0, stays = 0, unknown = 0;  // from the intervals of the search
+  int wide = 0;                                          // decided from wider ones
+};
+
+// The sign of f beyond the root does not matter here: whatever is said of it, the verdicts agree.
+void expect_same(const Motion& motion, const Quad& q, double lo, double hi, Tally& tally,
+                 bool narrow) {
+  const MakeBall make{300};
+  for (const Sign f : {Sign::positive, Sign::negative}) {
+    const Verdict rough = judge_roughly(motion, q, lo, hi, f);
+    if (narrow) {
+      ++tally.roots;
+      tally.collapses += rough == Verdict::collapses;
+      tally.stays += rough == Verdict::stays;
+      tally.unknown += rough == Verdict::unknown;
+    }
+    if (rough == Verdict::unknown) continue;
+    tally.wide += !narrow;
+    // At both ends and in the middle: a verdict is of the whole interval.
+    for (const double t : {lo, 0.5 * (lo + hi), hi}) {
+      const auto at = sites(motion, q, make(to_rational(t)));
+      const Verdict truth = judge(
+          q, at, [&] { return at; }, f);
+      if (truth != Verdict::unknown) ASSERT_EQ(truth, rough) << text(q) << " at " << t;
+    }
+  }
+}
+
+void expect_verdicts(const RandomScene& family, const char* horizon, Tally& tally) {
+  Random random(5);
+  for (int k = 0; k < 12; ++k) {
+    Scene scene = random_scene(family, random);
+    scene.horizon = Rational(horizon);
+    Engine<true> engine(motion_input(scene), {}, {});
+    Silence silence;
+    ASSERT_EQ(engine.run(silence).kind, Outcome::Kind::complete);
+    const Motion& motion = engine.motion();
+    const double start = round_up(scene.horizon), end = start + 8;
+    for (int e = 0; e < engine.diagram().edges(); ++e) {
+      const Quad q = engine.diagram().quad(2 * e);
+      BernsteinForm form;
+      if (q.s == q.e || form_flip_polynomial<true>(motion, q, start, end, form)) continue;
+      each_root(form, start, end, [&](const DoubleRoot& root) {
+        expect_same(motion, q, root.lo, root.hi, tally, true);
+        for (const double widen : {1e-9, 1e-6, 1e-3, 1e-1, 2.0}) {
+          expect_same(motion, q, root.lo - widen, root.hi + 3 * widen, tally, false);
+        }
+        return true;
+      });
+    }
+  }
+}
+
+void expect_most_decided(const Tally& tally) {
+  EXPECT_GT(tally.roots, 300);
+  EXPECT_GT(tally.collapses, 50);
+  EXPECT_GT(tally.stays, 50);
+  EXPECT_LT(tally.unknown, tally.roots / 10);
+  EXPECT_GT(tally.wide, 300);
+}
+
+TEST(RoughJudge, GivenMotion) {
+  Tally tally;
+  expect_verdicts({}, "0", tally);
+  expect_most_decided(tally);
+}
+
+TEST(RoughJudge, AfterCollisions) {
+  Tally tally;
+  expect_verdicts({}, "30", tally);
+  expect_most_decided(tally);
+}
+
+// Beyond one double the bound says nothing, but nothing wrong.
+TEST(RoughJudge, ManySizes) {
+  Tally tally;
+  expect_verdicts({.n = 12, .rmin = 1e-4, .rmax = 12}, "5", tally);
+  EXPECT_GT(tally.collapses, 50);
+  tally = {};
+  expect_verdicts({.n = 12, .rmin = 0, .rmax = 0}, "3", tally);
+  EXPECT_GT(tally.roots, 100);
+}
+
+}  // namespace
+}  // namespace voroproof::testing
