@@ -67,9 +67,10 @@ inline void place(const Motion& motion, const Quad& q, double a, double b, Ends&
 // |d0|^2 + |d1|^2, dr the difference of radii. The Bernstein coefficients of p are
 // |d0|^2 - dr^2, d0.d1 - dr^2, |d1|^2 - dr^2, all at most P = S + dr^2 in magnitude.
 // If every component of the offsets is within eta of the truth (both positions, and
-// one rounding of the difference, at most u sqrt(S)), then products of two offsets
-// err by at most eta (|d0x|+|d0y|+|d1x|+|d1y|) + 2 eta^2 <= (2 sqrt(S) + 2 eta) eta,
-// squares by (2 sqrt 2 sqrt(S) + 2 eta) eta; dr^2 errs by (2 |dr| + rho) rho for an
+// one rounding of the difference, at most u m), then products of two offsets
+// err by at most eta (|d0x|+|d0y|+|d1x|+|d1y|) + 2 eta^2, squares by 2 eta (|d0x|+|d0y|) + 2 eta^2,
+// both at most (2 m + 2 eta) eta for m the larger of |d0x|+|d0y| and |d1x|+|d1y|;
+// dr^2 errs by (2 |dr| + rho) rho for an
 // error rho of dr; evaluation adds at most 4u P. With error e_p and size P a product
 // of two such polynomials has coefficients (weighted means of products) of size at
 // most A = P P' and error e_a = P e' + P' e + e e' + 8u A. Finally f = (a-b-c)^2 - 4bc
@@ -104,11 +105,12 @@ inline void tangency_form(const Ends& e, Pairs& out) {
   out.p[1] = 2 * ((ax * bx + ay * by) - dr2);
   out.p[2] = q2 - dr2;
   if constexpr (certified) {
-    const Lanes s = q0 + q2, root = sqrt(s), width = abs(dr);
-    const Lanes eta = sum(e.err) + u * root;
+    const Lanes la = abs(ax) + abs(ay), lb = abs(bx) + abs(by), width = abs(dr);
+    const Lanes twice = la + lb + abs(la - lb);  // of the larger
+    const Lanes eta = sum(e.err) + u * twice;
     const Lanes rho = sum(e.rerr) + u * width;
-    out.size = s + dr2;
-    out.err = (3 * root + 2 * eta) * eta + (2 * width + rho) * rho + 4 * u * out.size;
+    out.size = q0 + q2 + dr2;
+    out.err = (twice + 2 * eta) * eta + (2 * width + rho) * rho + 4 * u * out.size;
   }
 }
 

@@ -398,7 +398,7 @@ bool Motion::raise_for(double t) {
   if (before >= options_.max_bits) return false;
   const double lost = before - goal_bits_;
   const double rate = t > 0 ? lost / t : 0;
-  slope_ = std::max({1.3 * rate, 1.4 * slope_, horizon_ > 0 ? 32 / horizon_ : 0});
+  slope_ = std::max({1.1 * rate, 1.4 * slope_, horizon_ > 0 ? 32 / horizon_ : 0});
   return true;
 }
 

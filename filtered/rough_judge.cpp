@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filtered/lanes.h"
 #include "filtered/rough_site.h"
 
 namespace voroproof {
@@ -32,88 +33,86 @@ Sign sign_beyond(double x, double bound) {
   return x > bound ? Sign::positive : x < -bound ? Sign::negative : Sign::unknown;
 }
 
-// The four generators at the middle of the interval.
-struct Rough {
-  std::array<Site<double>, 4> at;
-  double error = 0;
+// The triples of both ends of the edge in two lanes, start and end, and the generators opposite.
+struct RoughEnds {
+  TangentTriple<Lanes> triples;
+  Site<Lanes> opposite;
+  double r, theta;
 
-  Rough(const Motion& motion, const Quad& q, double lo, double hi) {
-    const double c = 0.5 * (lo + hi);
-    const double h = std::max(hi - c, c - lo) * (1 + 0x1p-50);
-    const GenId ids[4] = {q.l, q.r, q.s, q.e};
-    for (int k = 0; k < 4; ++k) {
-      const RoughSite site = rough_site(motion.doubles(ids[k]), c, h);
-      at[k] = site.at;
-      error = std::max(error, site.error);
+  // `start` and `end`: where base, j, k and the opposite are among the four sites.
+  RoughEnds(const std::array<RoughSite, 4>& sites, const std::array<int, 4>& start,
+            const std::array<int, 4>& end)
+      : triples(pick(sites, start[0], end[0]), pick(sites, start[1], end[1]),
+                pick(sites, start[2], end[2]), false),
+        opposite(pick(sites, start[3], end[3])) {
+    double error = 0;
+    for (const RoughSite& s : sites) error = std::max(error, s.error);
+    Lanes largest{};
+    for (int k = 1; k < 4; ++k) {
+      const Site<Lanes> s = pick(sites, start[k], end[k]);
+      const Lanes size =
+          abs(s.x - triples.base.x) + abs(s.y - triples.base.y) + abs(s.r - triples.base.r);
+      largest = 0.5 * (largest + size + abs(largest - size));
     }
-  }
-};
-
-// One end of the edge: its tangent circle and the generator opposite.
-struct RoughEnd {
-  TangentTriple<double> triple;
-  const Site<double>& opposite;
-  bool opposite_is_container;
-  double r2 = 0, theta = 1;  // R^2
-
-  RoughEnd(const TangentTriple<double>& t, const Site<double>& e, bool e_is_container,
-           const Rough& rough)
-      : triple(t), opposite(e), opposite_is_container(e_is_container) {
-    double r = 0;
-    for (const Site<double>& s : rough.at) {
-      r = std::max(
-          r, std::fabs(s.x - t.base.x) + std::fabs(s.y - t.base.y) + std::fabs(s.r - t.base.r));
-    }
-    r = (r + 6 * rough.error) * (1 + 0x1p-40);
-    if (!(r > 0x1p-100 && r < 0x1p100)) return;
-    r2 = r * r;
-    theta = (2 * rough.error + u * r) / r + 4 * u;
+    r = (std::max(largest[0], largest[1]) + 6 * error) * (1 + 0x1p-40);
+    theta = (2 * error + u * r) / r + 4 * u;
   }
 
-  bool usable() const { return theta <= 0x1p-20; }
-  double radius() const { return std::sqrt(r2) * (1 + 0x1p-50); }
+  bool usable() const { return r > 0x1p-100 && r < 0x1p100 && theta <= 0x1p-20; }
 
-  // As circle_exists() and incircle().
-  Sign exists() const {
-    const TangentTriple<double>& t = triple;
-    const Sign a = sign_beyond(t.xp * t.xs + t.yp * t.ys, 72 * r2 * r2 * radius() * theta);
-    const Sign xy = sign_beyond(t.xy, 6 * r2 * theta);
-    const Sign b = t.with_container ? -xy : xy;
-    if (a == b && a != Sign::unknown) return a;
-    return sign_with_root(
-        a, b, sign_beyond(t.xs * t.xs + t.ys * t.ys - t.xy * t.xy, 88 * r2 * r2 * theta));
-  }
-  Sign outside(Sign f) const {
-    const InCircleParts<double> parts(triple, opposite);
-    Sign sign = Sign::unknown;
-    if (f == Sign::positive) {
-      sign = sign_beyond(parts.g(), 340 * r2 * r2 * r2 * radius() * theta);
-    } else {
-      sign = sign_beyond(parts.c(), 44 * r2 * r2 * theta);
-      if (triple.with_container) sign = -sign;
-    }
-    return opposite_is_container ? -sign : sign;
+ private:
+  static Site<Lanes> pick(const std::array<RoughSite, 4>& sites, int start, int end) {
+    const Site<double>&a = sites[start].at, &b = sites[end].at;
+    return {Lanes{a.x, b.x, 0, 0}, Lanes{a.y, b.y, 0, 0}, Lanes{a.r, b.r, 0, 0}};
   }
 };
 
 }  // namespace
 
 Verdict judge_roughly(const Motion& motion, const Quad& q, double lo, double hi, Sign f) {
-  const Rough rough(motion, q, lo, hi);
-  const auto triples = EdgeTriples<double>::of(q, rough.at);
-  const RoughEnd start(triples.start, rough.at[3], q.e == container_id, rough);
-  const RoughEnd end(triples.end, rough.at[2], q.s == container_id, rough);
-  if (!start.usable() || !end.usable()) return Verdict::unknown;
-  const Sign start_exists = start.exists();
-  if (start_exists == Sign::negative) return Verdict::stays;
-  const Sign end_exists = end.exists();
-  if (end_exists == Sign::negative) return Verdict::stays;
-  if (start_exists != Sign::positive || end_exists != Sign::positive) return Verdict::unknown;
-  const Sign a = start.outside(f);
-  if (a == Sign::positive) return Verdict::stays;
-  const Sign b = end.outside(f);
-  if (b == Sign::positive) return Verdict::stays;
-  return a == Sign::negative && b == Sign::negative ? Verdict::collapses : Verdict::unknown;
+  const double c = 0.5 * (lo + hi);
+  const double h = std::max(hi - c, c - lo) * (1 + 0x1p-50);
+  const std::array<RoughSite, 4> sites{
+      rough_site(motion.doubles(q.l), c, h), rough_site(motion.doubles(q.r), c, h),
+      rough_site(motion.doubles(q.s), c, h), rough_site(motion.doubles(q.e), c, h)};
+  // The triples (l,s,r) and (r,e,l), a disk first: as tangent_triple().
+  using Places = std::array<int, 4>;
+  const RoughEnds ends(sites, q.l == container_id ? Places{2, 1, 0, 3} : Places{0, 2, 1, 3},
+                       q.r == container_id ? Places{3, 0, 1, 2} : Places{1, 3, 0, 2});
+  if (!ends.usable()) return Verdict::unknown;
+  const bool edge_of_container = q.l == container_id || q.r == container_id;
+  const bool with_container[2] = {edge_of_container || q.s == container_id,
+                                  edge_of_container || q.e == container_id};
+  const TangentTriple<Lanes>& t = ends.triples;
+  const double r2 = ends.r * ends.r, r4 = r2 * r2, theta = ends.theta;
+
+  // As circle_exists().
+  const Lanes direct = t.xp * t.xs + t.yp * t.ys;
+  const Lanes conjugate = t.xs * t.xs + t.ys * t.ys - t.xy * t.xy;
+  for (int k = 0; k < 2; ++k) {
+    const Sign a = sign_beyond(direct[k], 72 * r4 * ends.r * theta);
+    const Sign xy = sign_beyond(t.xy[k], 6 * r2 * theta);
+    const Sign b = with_container[k] ? -xy : xy;
+    const Sign exists = a == b && a != Sign::unknown
+                            ? a
+                            : sign_with_root(a, b, sign_beyond(conjugate[k], 88 * r4 * theta));
+    if (exists == Sign::negative) return Verdict::stays;
+    if (exists != Sign::positive) return Verdict::unknown;
+  }
+
+  // As incircle().
+  const InCircleParts<Lanes> parts(t, ends.opposite);
+  const Lanes part = f == Sign::positive ? parts.g() : parts.c();
+  const double bound = (f == Sign::positive ? 340 * r2 * ends.r : 44.0) * r4 * theta;
+  bool known = true;
+  for (int k = 0; k < 2; ++k) {
+    Sign outside = sign_beyond(part[k], bound);
+    if (f != Sign::positive && with_container[k]) outside = -outside;
+    if ((k == 0 ? q.e : q.s) == container_id) outside = -outside;
+    if (outside == Sign::positive) return Verdict::stays;
+    known = known && outside == Sign::negative;
+  }
+  return known ? Verdict::collapses : Verdict::unknown;
 }
 
 }  // namespace voroproof
