@@ -57,7 +57,7 @@ Certificate certify(const Scene& scene, const MotionInput& input, HistorySource&
     c = certify_in_parts(scene, input, history, options);
   } else {
     Motion motion(checked_input(input, history.header()), options.motion);
-    c = Checker(scene, motion, history, options).run();
+    c = Checker(scene, motion, history, options, Replay(scene, options)).run();
   }
   const auto told = history.remarks();
   c.remarks.insert(c.remarks.begin(), told.begin(), told.end());

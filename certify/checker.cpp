@@ -22,7 +22,7 @@ MotionInput checked_input(MotionInput input, const HistoryHeader& header) {
 }
 
 Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
-                 const CertifyOptions& options, std::optional<Checkpoint> begin)
+                 const CertifyOptions& options, Replay replay, std::optional<double> begin)
     : scene_(scene),
       history_(history),
       options_(options),
@@ -30,8 +30,8 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
       search_end_(round_up(last_instant_)),
       horizon_down_(round_down(last_instant_)),
       motion_(motion),
-      begin_(begin ? std::optional(begin->t) : std::nullopt),
-      replay_(begin ? std::move(begin->replay) : Replay(scene, options)),
+      begin_(begin),
+      replay_(std::move(replay)),
       diagram_(replay_.diagram()),
       collapses_(motion_, certificate_.tiers),
       contacts_(motion_, certificate_.tiers),
@@ -167,7 +167,7 @@ std::size_t Checker::earliest() {
 // The true time of a claim whose edge or pair is there.
 std::optional<Moment> Checker::probe(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) {
-    const HalfEdge h = replay_.look_up(f->quad).oriented;
+    const HalfEdge h = replay_.find(f->quad);
     if (h >= 0 && lives_[h / 2].pending) begin_pending_lives();
     if (h < 0 || lives_[h / 2].illegal || lives_[h / 2].due) return std::nullopt;
     const Quad q = diagram_.quad(h);

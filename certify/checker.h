@@ -32,12 +32,6 @@ inline constexpr int kMistimed = 1000;
 inline constexpr const char* constructed_initial_remark =
     "the history gives no initial diagram: that of the scene was constructed and proved";
 
-// What the claims before a time amount to, under the recorded truth.
-struct Checkpoint {
-  double t = 0;
-  Replay replay;
-};
-
 // Where a part that is not the last ends, and the diagram that the next one begins with.
 struct PartEnd {
   double t = 0;
@@ -50,9 +44,11 @@ MotionInput checked_input(MotionInput input, const HistoryHeader& header);
 class Checker {
  public:
   // `motion` is that of checked_input(), new or as an earlier part of the history has left it. The
-  // arguments outlive the checker. Of a part that is not the first, `begin` is where it begins.
+  // other references outlive the checker. `replay` is that of the claims before the history, or
+  // before the part of it that begins at `begin`; before the whole it may hold the diagram that the
+  // header gives, so that it need not be put together again.
   Checker(const Scene& scene, Motion& motion, HistorySource& history, const CertifyOptions& options,
-          std::optional<Checkpoint> begin = {});
+          Replay replay, std::optional<double> begin = {});
 
   // The whole history, or the part of it up to `end`: the verdict of a part that is not the last
   // is `certified` where all is right up to there and the diagram is the one given. Once only.

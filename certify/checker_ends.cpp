@@ -70,7 +70,7 @@ void Checker::take_initial_diagram() {
     return;
   }
   try {
-    diagram_ = diagram_of(motion_.size(), initial);
+    if (diagram_.edges() == 0) diagram_ = diagram_of(motion_.size(), initial);
   } catch (const std::invalid_argument& e) {
     refute(Fault::wrong_initial_diagram, e.what());
   }

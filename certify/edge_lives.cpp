@@ -168,11 +168,11 @@ Checker::Found Checker::collapse_for(const FlipEvent& claim, HalfEdge h) {
 void Checker::flip(const FlipEvent& claim) {
   require_maneuvers_before(time(*claim_));
   begin_pending_lives();
+  HalfEdge h = replay_.find(claim.quad);
   // A quadruplet whose two third generators are exchanged is that of an edge whose producer does
   // not orient its quadruplets, or a fault. One alone is a fault: the doubt is kept until enough
   // others show that orientation has no meaning in this file.
-  const auto [oriented, mirrored] = replay_.look_up(claim.quad);
-  HalfEdge h = oriented;
+  const HalfEdge mirrored = h < 0 ? replay_.find_mirrored(claim.quad) : -1;
   if (h < 0 && mirrored < 0) {
     refute(Fault::edge_not_present,
            "no edge of the diagram has the quadruplet " + text(claim.quad));
@@ -183,7 +183,7 @@ void Checker::flip(const FlipEvent& claim) {
       found = collapse_for(claim, h);
     } catch (const Refuted&) {
       // Both edges of Configuration I may be there, and the other one be meant.
-      h = mirrored;
+      h = replay_.find_mirrored(claim.quad);
       if (h < 0 || !bracket(diagram_.quad(h), lives_[h / 2].from, claim.t)) throw;
       resolve(h);
       found = collapse_for(claim, h);

@@ -32,6 +32,16 @@ class SitesAt {
     fine_ = DdBall(near, 0, error);
   }
 
+  // Whether doubles prove two signs positive: predicate(sites) gives both.
+  template <class F>
+  bool both_positive(F&& predicate) {
+    if (!motion_.options().filters) return false;
+    const std::array<Sign, 2> s = predicate([this](GenId g) { return motion_.site(g, rough_); });
+    if (s[0] != Sign::positive || s[1] != Sign::positive) return false;
+    for (const Sign one : s) counted(one, Tier::filter);
+    return true;
+  }
+
   // predicate(sites, root) gives a Sign; unknown asks for the next tier.
   template <class F>
   Sign decide(F&& predicate) {
@@ -127,6 +137,13 @@ class InitialProof {
 
   std::optional<InitialFault> edge_fault(const Quad& q) {
     if (q.s == q.e) return std::nullopt;
+    const bool legal = sites_.both_positive([&](auto at) -> std::array<Sign, 2> {
+      const auto l = at(q.l), r = at(q.r), s = at(q.s), e = at(q.e);
+      const Sign f = sign(cotangency(l, r, s, e));
+      const auto [start, end] = EdgeTriples<std::decay_t<decltype(l.x)>>::of(q, {l, r, s, e});
+      return {incircle(start, e, q.e == container_id, f), incircle(end, s, q.s == container_id, f)};
+    });
+    if (legal) return std::nullopt;
     const auto side = [&](bool at_start) {
       return sites_.decide([&](auto at, auto) {
         const auto l = at(q.l), r = at(q.r), s = at(q.s), e = at(q.e);

@@ -134,8 +134,9 @@ class PartwiseCertifier {
   struct Part {
     std::size_t number;
     std::unique_ptr<Section> section;
-    std::optional<Checkpoint> begin;  // none for the first part
-    std::optional<PartEnd> end;       // none for the last
+    Replay replay;                // before it
+    std::optional<double> begin;  // none for the first part
+    std::optional<PartEnd> end;   // none for the last
   };
   struct Result {
     bool good = false;  // proved right
@@ -156,7 +157,8 @@ class PartwiseCertifier {
   void read_parts(std::optional<Motion>& motion) {
     std::vector<ReadClaim> claims;
     std::optional<ReadClaim> next = read();
-    std::optional<Checkpoint> begin;  // of the present part
+    Replay before = replay_;      // the present part
+    std::optional<double> begin;  // of it
     // Collisions and maneuvers at t = 0 come before the initial diagram.
     bool clear = true;
     const auto take_next = [&] {
@@ -170,6 +172,7 @@ class PartwiseCertifier {
     }
     try {
       take_initial_diagram();
+      before.diagram() = replay_.diagram();
     } catch (const std::invalid_argument&) {
       clear = false;  // for the first part to say why
     } catch (const Undecided&) {
@@ -183,17 +186,19 @@ class PartwiseCertifier {
         section->set_next_line(next->line);
         claims.clear();
         claims.reserve(size_);
-        start({started_++, std::move(section), std::move(begin), PartEnd{until, replay_.diagram()}},
+        start({started_++, std::move(section), std::move(before), begin,
+               PartEnd{until, replay_.diagram()}},
               motion);
         if (stopped()) return;
-        begin = Checkpoint{until, replay_};
+        before = replay_;
+        begin = until;
       }
       take_next();
     }
     const bool ended = !next;
     if (next) claims.push_back(std::move(*next));
     start({started_++, std::make_unique<Section>(header_, std::move(claims), &history_, ended),
-           std::move(begin), std::nullopt},
+           std::move(before), begin, std::nullopt},
           motion);
   }
 
@@ -259,7 +264,8 @@ class PartwiseCertifier {
         // More bits than at first are forgotten, so that no part depends on those before it.
         if (!motion || motion->replays() > 0)
           motion.emplace(checked_input(input_, header_), options.motion);
-        Checker checker(scene_, *motion, *part.section, options, std::move(part.begin));
+        Checker checker(scene_, *motion, *part.section, options, std::move(part.replay),
+                        part.begin);
         result.certificate = checker.run(part.end ? &*part.end : nullptr);
       } catch (...) {
         result.error = std::current_exception();

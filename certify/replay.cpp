@@ -20,27 +20,32 @@ Replay::Replay(const Scene& scene, const CertifyOptions& options)
   }
 }
 
-Replay::Named Replay::look_up(const Quad& q) const {
-  Named found;
-  if (diagram_.edges() == 0) return found;
+// Visits the half-edges from l to r, until `visit` returns true.
+template <class Visit>
+void Replay::each_between(GenId l, GenId r, Visit&& visit) const {
+  if (diagram_.edges() == 0) return;
   // Around a disk: the container has many neighbours.
-  const bool wall = q.l == container_id;
-  const GenId other = wall ? q.l : q.r;
-  const HalfEdge first = diagram_.anchor(wall ? q.r : q.l);
+  const bool wall = l == container_id;
+  const GenId other = wall ? l : r;
+  const HalfEdge first = diagram_.anchor(wall ? r : l);
   HalfEdge h = first;
   do {
-    if (diagram_.dest(h) == other) {
-      const HalfEdge g = wall ? Diagram::twin(h) : h;
-      const GenId s = diagram_.apex(Diagram::twin(g)), e = diagram_.apex(g);
-      if (s == q.s && e == q.e) {
-        found.oriented = g;
-      } else if (s == q.e && e == q.s) {
-        found.mirrored = g;
-      }
-    }
+    if (diagram_.dest(h) == other && visit(wall ? Diagram::twin(h) : h)) return;
     h = diagram_.rotate(h);
   } while (h != first);
+}
+
+Diagram::HalfEdge Replay::find(const Quad& q) const {
+  HalfEdge found = -1;
+  each_between(q.l, q.r, [&](HalfEdge h) {
+    if (diagram_.quad(h) == q) found = h;
+    return found >= 0;
+  });
   return found;
+}
+
+Diagram::HalfEdge Replay::find_mirrored(const Quad& q) const {
+  return q.s == q.e ? -1 : find({q.l, q.r, q.e, q.s});
 }
 
 int Replay::adjacency(GenId i, GenId j) const {
@@ -184,13 +189,20 @@ void Replay::note_maneuver(std::size_t k, const ManeuverEvent& claim) {
 }
 
 bool Replay::flip(const FlipEvent& claim) {
-  const auto [oriented, mirrored] = look_up(claim.quad);
-  HalfEdge h = oriented;
-  if (oriented < 0 || (mirrored >= 0 &&
-                       means_mirrored(*this, *scene_, *options_, claim, diagram_.quad(mirrored)))) {
+  const Quad& q = claim.quad;
+  if (q.s == q.e) return false;
+  HalfEdge h = -1, mirrored = -1;
+  each_between(q.l, q.r, [&](HalfEdge g) {
+    const Quad found = diagram_.quad(g);
+    if (found.s == q.s && found.e == q.e) h = g;
+    if (found.s == q.e && found.e == q.s) mirrored = g;
+    return false;
+  });
+  if (h < 0 || (mirrored >= 0 &&
+                means_mirrored(*this, *scene_, *options_, claim, diagram_.quad(mirrored)))) {
     h = mirrored;
   }
-  if (h < 0 || claim.quad.s == claim.quad.e) return false;
+  if (h < 0) return false;
   diagram_.flip(h);
   return true;
 }

@@ -26,12 +26,10 @@ class Replay : public GivenMotion {
   // ---- The diagram. ----
   Diagram& diagram() { return diagram_; }
   const Diagram& diagram() const { return diagram_; }
-  // The half-edge with this quadruplet, and that of a quadruplet whose two third generators are
-  // exchanged; -1 where there is none.
-  struct Named {
-    HalfEdge oriented = -1, mirrored = -1;
-  };
-  Named look_up(const Quad& q) const;
+  // The half-edge with this quadruplet, or -1.
+  HalfEdge find(const Quad& q) const;
+  // The same of a quadruplet whose two third generators are exchanged.
+  HalfEdge find_mirrored(const Quad& q) const;
   // A V-edge between the two, or -1. With one disk there is one edge, 0, without incidences.
   int adjacency(GenId i, GenId j) const;
   // The generators on both sides of a V-edge, the smaller first.
@@ -87,6 +85,8 @@ class Replay : public GivenMotion {
   bool take(const Event& event);
 
  private:
+  template <class Visit>
+  void each_between(GenId l, GenId r, Visit&& visit) const;
   bool flip(const FlipEvent& claim);
 
   const Scene* scene_;
