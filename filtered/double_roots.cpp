@@ -112,10 +112,12 @@ bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleR
     }
   }
   const double width = p.u1 - p.u0;
-  double delta = 3 * err / std::fabs(slope) + 0x1p-42;
-  for (int attempt = 0; attempt < 3; ++attempt, delta *= 64) {
+  // Not as narrow as can be: after a flip the next search starts at the enclosure's end and must
+  // see the sign of the polynomial there.
+  double delta = 16 * err / std::fabs(slope) + 0x1p-42;
+  for (int attempt = 0; attempt < 2; ++attempt, delta *= 64 * 64) {
     // The narrower enclosure and, in case that it is none, a wider one.
-    const double wide = 8 * delta;
+    const double wide = 64 * delta;
     const Lanes at{std::fmax(x - delta, xl), std::fmin(x + delta, xr), std::fmax(x - wide, xl),
                    std::fmin(x + wide, xr)};
     Lanes f = values(degree, p.c.data(), at);
