@@ -3,7 +3,8 @@
 // It carries, for every V-edge and for every pair of neighbours, the life that is open (docs/
 // certificate.md, section 2). Each claim ends some lives and begins others; ending a life is where
 // the proofs are. One class, in files by subject:
-//   checker.cpp      reading, the order of claims, refutations
+//   checker.cpp      reading, the order of claims
+//   divergence.cpp   refutations
 //   checker_ends.cpp the start and the end of the history or of a part
 //   edge_lives.cpp   lives of edges, flips
 //   pair_lives.cpp   lives of pairs: contacts and overlaps
@@ -109,6 +110,8 @@ class Checker {
   void advance(const Moment& m);
   void leave_instant();
   bool in_time(const Moment& m);
+
+  // ---- divergence.cpp ----
   void prefix_until(double t);
   std::int64_t line_at(double t) const;
   Divergence divergence_at_claim(Fault fault, std::string truth) const;
@@ -119,6 +122,8 @@ class Checker {
   void refute_missing_contacts();
   Divergence first_event_missing(const Divergence& found);
   Divergence first_divergence(const Divergence& found);
+  std::optional<Divergence> maneuver_missing_by(double t);
+  bool is_claimed(const Maneuver& due);
 
   // ---- checker_ends.cpp ----
   void start();
@@ -161,8 +166,6 @@ class Checker {
   void collide_as_recorded(const CollideEvent& claim);
   void maneuver(const ManeuverEvent& claim);
   void require_maneuvers_before(double t);
-  std::optional<Divergence> maneuver_missing_by(double t);
-  bool is_claimed(const Maneuver& due);
   void collect_around(GenId i, GenId j);
   void end_around(const Moment& m);
   void require_no_contact_at_start(GenId g);

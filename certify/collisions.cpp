@@ -1,11 +1,9 @@
 // Collisions and maneuvers: the claimed changes of the motion, and what they change.
-#include <algorithm>
 #include <utility>
 
 #include "certify/checker.h"
 #include "certify/witness.h"
 #include "certify/wording.h"
-#include "history/error.h"
 
 namespace voroproof {
 
@@ -307,47 +305,6 @@ void Checker::require_maneuvers_before(double t) {
   if (t <= due.get_d()) return;  // which is rounded towards zero
   if (due > history_.header().horizon || due + options_.tolerance >= to_rational(t)) return;
   throw Refuted{missing_maneuver(next)};
-}
-
-// The first maneuver scheduled by t that the history lacks.
-std::optional<Divergence> Checker::maneuver_missing_by(double t) {
-  const HistoryHeader& header = history_.header();
-  const Rational last = std::min(to_rational(t), Rational(header.horizon - header.horizon_error));
-  for (std::size_t k = replay_.next_maneuver(); k < scene_.maneuvers.size(); ++k) {
-    if (scene_.maneuvers[k].t > last) break;
-    if (!replay_.maneuver_done(k) && !is_claimed(scene_.maneuvers[k])) return missing_maneuver(k);
-  }
-  return std::nullopt;
-}
-
-// Whether a claim that is not proved yet is of this maneuver, or may be for what the file says.
-// Reads on: no claim is checked after this.
-bool Checker::is_claimed(const Maneuver& due) {
-  const auto is_it = [&](const Event& event) {
-    const auto* m = std::get_if<ManeuverEvent>(&event);
-    return m != nullptr && m->disk == due.disk &&
-           abs(Rational(exact_time(event) - due.t)) <= options_.tolerance;
-  };
-  if (claim_ && is_it(*claim_)) return true;
-  for (const Claim& c : near_) {
-    if (is_it(c.event)) return true;
-  }
-  const double latest = round_up(Rational(due.t + options_.tolerance));
-  try {
-    while (near_.empty() || time(near_.back().event) <= latest) {
-      std::optional<Event> event = history_.next();
-      if (!event) {
-        // A file that stops early may stop before it.
-        const auto* stop = std::get_if<HistoryStop>(&history_.ending());
-        return stop != nullptr && stop->t <= latest;
-      }
-      near_.push_back({std::move(*event), history_.line()});
-      if (is_it(near_.back().event)) return true;
-    }
-    return false;
-  } catch (const InputError&) {
-    return true;
-  }
 }
 
 }  // namespace voroproof
