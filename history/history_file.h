@@ -12,6 +12,7 @@
 #include "history/events.h"
 #include "history/json_reader.h"
 #include "history/line_source.h"
+#include "history/plain_line.h"
 #include "history/scene.h"
 
 namespace voroproof {
@@ -119,6 +120,7 @@ class HistoryReader {
 
   std::string path_;
   LineSource lines_;
+  PlainLineReader plain_lines_;
   int last_id_;
   HistoryHeader header_;
   double horizon_ = 0;  // rounded to nearest

@@ -6,7 +6,6 @@
 #include "history/error.h"
 #include "history/history_file.h"
 #include "history/json_reader.h"
-#include "history/plain_line.h"
 
 namespace voroproof {
 namespace {
@@ -310,7 +309,7 @@ std::optional<Event> HistoryReader::next() {
   const auto text = lines_.next(max_event_line);
   if (!text)
     throw InputError(path_, lines_.number(), "", "incomplete: the file ends without an end line");
-  if (auto event = plain_event(*text, last_id_)) {
+  if (auto event = plain_lines_.event(*text, last_id_)) {
     check_time({time(*event), {}}, "t");
     counts_.flips += std::holds_alternative<FlipEvent>(*event);
     counts_.collisions += std::holds_alternative<CollideEvent>(*event);

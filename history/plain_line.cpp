@@ -1,135 +1,153 @@
 #include "history/plain_line.h"
 
+#include <simdjson.h>
+
 #include <array>
-#include <charconv>
-#include <cstring>
-#include <system_error>
+#include <string>
+#include <utility>
 
 #include "history/json_text.h"
 
 namespace voroproof {
 namespace {
 
-// Every function reads what it is named after, or says that it is not there: then the rest of the
-// line is not looked at.
-class PlainLine {
- public:
-  PlainLine(std::string_view line, int last_id)
-      : next_(line.data()), end_(line.data() + line.size()), last_id_(last_id) {}
+namespace json = simdjson::ondemand;
+using Value = simdjson::simdjson_result<json::value>;
 
-  template <std::size_t N>
-  bool literal(const char (&text)[N]) {
-    if (static_cast<std::size_t>(end_ - next_) < N - 1 || std::memcmp(next_, text, N - 1) != 0) {
-      return false;
-    }
-    next_ += N - 1;
-    return true;
-  }
+// Each says whether the value is what it is named after, and takes it over.
 
-  bool number(double& x) {
-    const char* const start = next_;
-    if (!skip_number()) return false;
-    const auto result = std::from_chars(start, next_, x);
-    // Zero is for the strict reader, but in its one usual form: it may be -0, or too small.
-    return result.ec == std::errc() && (x != 0 || (next_ - start == 1 && *start == '0'));
-  }
-
-  bool id(int lowest, int& out) {
-    const char* const start = next_;
-    const auto result = std::from_chars(start, end_, out);
-    const char* const digits = start + (start != end_ && *start == '-');
-    if (result.ec != std::errc() || (*digits == '0' && result.ptr != start + 1)) return false;
-    next_ = result.ptr;
-    return lowest <= out && out <= last_id_;
-  }
-
-  bool quad(Quad& q) {
-    return literal("[") && id(container_id, q.l) && literal(",") && id(container_id, q.r) &&
-           literal(",") && id(container_id, q.s) && literal(",") && id(container_id, q.e) &&
-           literal("]") && names_an_edge(q);
-  }
-
-  bool vector(std::optional<Vec2>& v) {
-    Vec2& out = v.emplace();
-    return literal("[") && number(out[0]) && literal(",") && number(out[1]) && literal("]");
-  }
-
-  // Of a collision: null for the container, and only for it.
-  bool vectors(GenId i, std::array<std::optional<Vec2>, 2>& v) {
-    return literal("[") && (i == container_id ? literal("null") : vector(v[0])) && literal(",") &&
-           vector(v[1]) && literal("]");
-  }
-
-  bool finished() const { return next_ == end_; }
-
- private:
-  bool digit() const { return next_ != end_ && *next_ >= '0' && *next_ <= '9'; }
-  bool digits() {
-    if (!digit()) return false;
-    while (digit()) ++next_;
-    return true;
-  }
-  // A token of JSON's grammar, which is narrower than that of std::from_chars.
-  bool skip_number() {
-    const char* const start = next_;
-    literal("-");
-    if (!literal("0") && !digits()) return false;
-    if (digit()) return false;  // after a leading zero
-    if (literal(".") && !digits()) return false;
-    if (literal("e") || literal("E")) {
-      if (!literal("+")) literal("-");
-      if (!digits()) return false;
-    }
-    return static_cast<std::size_t>(next_ - start) <= max_number_text;
-  }
-
-  const char* next_;
-  const char* end_;
-  int last_id_;
-};
-
-std::optional<Event> plain_flip(PlainLine& line, double t) {
-  FlipEvent flip{t, {}, {}};
-  if (!line.quad(flip.quad) || !line.literal("}") || !line.finished()) return std::nullopt;
-  flip.quad = canonical(flip.quad);
-  return flip;
+bool is_number(Value value, double& x) {
+  std::string_view token;
+  if (value.raw_json_token().get(token) || token.size() > max_number_text) return false;
+  if (value.get_double().get(x)) return false;
+  // Zero is for the strict reader, but in its one usual form: it may be -0, or too small.
+  return x != 0 || token == "0";
 }
 
-std::optional<Event> plain_collision(PlainLine& line, double t) {
-  std::optional<Event> event(std::in_place, std::in_place_type<CollideEvent>);
-  auto& c = std::get<CollideEvent>(*event);
-  c.t = t;
-  if (!line.literal("[") || !line.id(container_id, c.i) || !line.literal(",") ||
-      !line.id(container_id, c.j) || !line.literal("]") || c.i >= c.j) {
-    return std::nullopt;
-  }
-  if (line.literal(",\"v\":") && !line.vectors(c.i, c.v)) return std::nullopt;
-  if (line.literal(",\"p\":") && !line.vectors(c.i, c.p)) return std::nullopt;
-  if (!line.literal("}") || !line.finished()) return std::nullopt;
-  return event;
+bool is_id(Value value, int lowest, int last_id, int& out) {
+  std::string_view token;
+  std::int64_t id = 0;
+  if (value.raw_json_token().get(token) || value.get_int64().get(id)) return false;
+  out = static_cast<int>(id);
+  return lowest <= id && id <= last_id && (id != 0 || token == "0");
 }
 
-std::optional<Event> plain_maneuver(PlainLine& line, double t) {
-  std::optional<Event> event(std::in_place, std::in_place_type<ManeuverEvent>);
-  auto& m = std::get<ManeuverEvent>(*event);
-  m.t = t;
-  if (!line.id(0, m.disk)) return std::nullopt;
-  if (line.literal(",\"v\":") && !line.vector(m.v)) return std::nullopt;
-  if (line.literal(",\"p\":") && !line.vector(m.p)) return std::nullopt;
-  if (!line.literal("}") || !line.finished()) return std::nullopt;
-  return event;
+// `is_element(element, k)` for the elements of an array of n.
+template <class IsElement>
+bool is_array(Value value, int n, IsElement&& is_element) {
+  json::array array;
+  if (value.get_array().get(array)) return false;
+  int k = 0;
+  for (Value element : array) {
+    if (element.error() || k == n || !is_element(element, k)) return false;
+    ++k;
+  }
+  return k == n;
+}
+
+template <std::size_t n>
+bool are_ids(Value value, int last_id, std::array<int, n>& ids) {
+  return is_array(value, n,
+                  [&](Value id, int k) { return is_id(id, container_id, last_id, ids[k]); });
+}
+
+bool is_vector(Value value, std::optional<Vec2>& v) {
+  Vec2& out = v.emplace();
+  return is_array(value, 2, [&](Value x, int k) { return is_number(x, out[k]); });
+}
+
+// Of a collision: null for the container, and only for it.
+bool are_vectors(Value value, GenId i, std::array<std::optional<Vec2>, 2>& v) {
+  return is_array(value, 2, [&](Value element, int k) {
+    bool null = false;
+    if (k == 0 && i == container_id) return !element.is_null().get(null) && null;
+    return is_vector(element, v[k]);
+  });
+}
+
+bool is_flip(Value value, int last_id, FlipEvent& flip) {
+  std::array<int, 4> ids{};
+  if (!are_ids(value, last_id, ids)) return false;
+  const Quad quad{ids[0], ids[1], ids[2], ids[3]};
+  if (!names_an_edge(quad)) return false;
+  flip.quad = canonical(quad);
+  return true;
+}
+
+bool is_pair(Value value, int last_id, CollideEvent& c) {
+  std::array<int, 2> ids{};
+  if (!are_ids(value, last_id, ids) || ids[0] >= ids[1]) return false;
+  c.i = ids[0];
+  c.j = ids[1];
+  return true;
 }
 
 }  // namespace
 
-std::optional<Event> plain_event(std::string_view text, int last_id) {
-  PlainLine line(text, last_id);
-  double t = 0;
-  if (!line.literal("{\"t\":") || !line.number(t) || t < 0) return std::nullopt;
-  if (line.literal(",\"flip\":")) return plain_flip(line, t);
-  if (line.literal(",\"collide\":")) return plain_collision(line, t);
-  if (line.literal(",\"maneuver\":")) return plain_maneuver(line, t);
-  return std::nullopt;
+class PlainLineReader::Implementation {
+ public:
+  std::optional<Event> event(std::string_view line, int last_id) {
+    // simdjson reads beyond the end.
+    buffer_.assign(line);
+    buffer_.reserve(buffer_.size() + simdjson::SIMDJSON_PADDING);
+    json::document document;
+    json::object object;
+    if (parser_.iterate(buffer_.data(), line.size(), buffer_.capacity()).get(document) ||
+        document.get_object().get(object)) {
+      return std::nullopt;
+    }
+    double t = 0;
+    std::optional<Event> event;
+    int seen = 0;
+    for (auto field : object) {
+      json::raw_json_string key;
+      if (field.key().get(key)) return std::nullopt;
+      if (!take(key, field.value(), last_id, seen, t, event)) return std::nullopt;
+    }
+    // Nothing may follow the object.
+    if (!event || document.current_location().error() != simdjson::OUT_OF_BOUNDS) {
+      return std::nullopt;
+    }
+    std::visit([t](auto& e) { e.t = t; }, *event);
+    return event;
+  }
+
+ private:
+  // In the order of the writer: the time, what happened, then perhaps v, then perhaps p.
+  static bool take(json::raw_json_string key, Value value, int last_id, int& seen, double& t,
+                   std::optional<Event>& event) {
+    enum { nothing, time, what, velocities, centres };
+    if (seen == nothing) {
+      seen = time;
+      return key == "t" && is_number(value, t) && t >= 0;
+    }
+    if (seen == time) {
+      seen = what;
+      if (key == "flip") return is_flip(value, last_id, event.emplace().emplace<FlipEvent>());
+      if (key == "collide") return is_pair(value, last_id, event.emplace().emplace<CollideEvent>());
+      return key == "maneuver" &&
+             is_id(value, 0, last_id, event.emplace().emplace<ManeuverEvent>().disk);
+    }
+    const bool v = key == "v";
+    if (!(v && seen == what) && !(key == "p" && seen < centres)) return false;
+    seen = v ? velocities : centres;
+    if (auto* c = std::get_if<CollideEvent>(&*event))
+      return are_vectors(value, c->i, v ? c->v : c->p);
+    if (auto* m = std::get_if<ManeuverEvent>(&*event)) return is_vector(value, v ? m->v : m->p);
+    return false;
+  }
+
+  json::parser parser_;
+  std::string buffer_;
+};
+
+PlainLineReader::PlainLineReader() : implementation_(std::make_unique<Implementation>()) {}
+PlainLineReader::PlainLineReader(PlainLineReader&&) noexcept = default;
+PlainLineReader& PlainLineReader::operator=(PlainLineReader&&) noexcept = default;
+PlainLineReader::~PlainLineReader() = default;
+
+std::optional<Event> PlainLineReader::event(std::string_view line, int last_id) {
+  return implementation_->event(line, last_id);
 }
 
 }  // namespace voroproof

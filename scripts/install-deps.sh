@@ -6,7 +6,7 @@
 #   test:  what building the tests takes besides
 #   bench: what the benchmarks and the peers they measure take besides
 #   plots: what scripts/plot-experiments.py and scripts/plot-plan.py take
-#   ci:    the second compiler and the formatter besides
+#   ci:    the second compiler, the formatter and the counter of instructions besides
 #   browser: what testing and photographing the page of `movie` takes besides (large)
 #
 # Where nothing is missing it neither asks for root nor uses the network.
@@ -16,7 +16,8 @@ packages=(
   g++ cmake ninja-build pkg-config
   libgmp-dev libmpfr-dev             # exact numbers, balls
   libboost-dev libcgal-dev           # spatial sorting; oracles of the tests
-  nlohmann-json3-dev libcli11-dev    # files, command line
+  nlohmann-json3-dev libsimdjson-dev # files
+  libcli11-dev                       # command line
   libssl-dev libcairo2-dev           # SHA-256, pictures
   liblemon-dev                       # assignment of goals in plans
 )
@@ -25,7 +26,7 @@ for group in "$@"; do
     test) packages+=(libgtest-dev librapidcheck-dev python3) ;;
     bench) packages+=(libbenchmark-dev libmpfi-dev libflint-dev libflint-arb-dev) ;;
     plots) packages+=(python3-matplotlib) ;;
-    ci) packages+=(clang clang-format) ;;
+    ci) packages+=(clang clang-format valgrind) ;;
     browser) packages+=(chromium) ;;
     *)
       echo "install-deps: unknown group '$group' (test, bench, plots, ci, browser)" >&2
