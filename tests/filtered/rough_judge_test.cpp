@@ -48,7 +48,8 @@ void expect_same(const Motion& motion, const Quad& q, double lo, double hi, Tall
       const auto at = sites(motion, q, make(to_rational(t)));
       const Verdict truth = judge(
           q, at, [&] { return at; }, f);
-      if (truth != Verdict::unknown) ASSERT_EQ(truth, rough) << text(q) << " at " << t;
+      if (truth == Verdict::unknown) continue;
+      ASSERT_EQ(truth, rough) << text(q) << " at " << t;
     }
   }
 }
