@@ -10,8 +10,6 @@ namespace {
 
 static_assert(GMP_NUMB_BITS == 64);
 
-constexpr double kUp = 1.0 + 0x1p-51;
-
 Magnitude one_limb_at(std::int64_t top) { return Magnitude::power_of_two(64 * top); }
 
 }  // namespace

@@ -15,12 +15,14 @@
 //   G = D_xp A + D_yp B              24 R^7  340 R^7 theta    (296, roundings 48 u: 308)
 // Computing the bounds is rounded as well: the excess of the constants is at least 1 in 20. R is
 // kept where no power of it comes near the ends of the range of doubles.
+// Before the templates that are used with lanes: it says that they may be.
+#include "filtered/lanes.h"
+
 #include "filtered/rough_judge.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "filtered/lanes.h"
 #include "filtered/rough_site.h"
 
 namespace voroproof {
