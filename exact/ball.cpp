@@ -183,12 +183,6 @@ void Ball::to_double_double(double& hi, double& lo, double& err) const {
   if (ternary != 0 || mpfr_cmp_d(rest, lo) != 0) err = (err + left + DBL_MIN) * kUp;
 }
 
-void Ball::set(Ball& out, double x) {
-  out.set_precision(53);
-  mpfr_set_d(out.mid_, x, MPFR_RNDN);
-  out.radius_ = Magnitude();
-}
-
 void Ball::add(Ball& out, const Ball& a, const Ball& b, Precision bits) {
   if (out.precision_or(bits) != bits && (&out == &a || &out == &b)) {
     Ball r(bits);
@@ -231,38 +225,6 @@ void Ball::mul(Ball& out, const Ball& a, const Ball& b, Precision bits) {
   const int t = mpfr_mul(out.mid_, a.mid_, b.mid_, MPFR_RNDN);
   out.radius_ = radius;
   out.add_rounding(t);
-}
-
-void Ball::sqr(Ball& out, const Ball& a, Precision bits) {
-  if (out.precision_or(bits) != bits && &out == &a) {
-    Ball r(bits);
-    sqr(r, a, bits);
-    out = std::move(r);
-    return;
-  }
-  Magnitude radius;
-  if (!a.radius_.is_zero()) {
-    radius = a.radius_ * (magnitude_of(a.mid_).scaled(1) + a.radius_);
-  }
-  out.set_precision(bits);
-  const int t = mpfr_sqr(out.mid_, a.mid_, MPFR_RNDN);
-  out.radius_ = radius;
-  out.add_rounding(t);
-}
-
-void Ball::mul_d(Ball& out, const Ball& a, double b, Precision bits) {
-  const Magnitude radius = a.radius_.is_zero() ? Magnitude() : a.radius_ * Magnitude::of(b);
-  if (&out == &a && out.precision() == bits) {
-    const int t = mpfr_mul_d(out.mid_, out.mid_, b, MPFR_RNDN);
-    out.radius_ = radius;
-    out.add_rounding(t);
-    return;
-  }
-  Ball r(bits);
-  const int t = mpfr_mul_d(r.mid_, a.mid_, b, MPFR_RNDN);
-  r.radius_ = radius;
-  r.add_rounding(t);
-  out = std::move(r);
 }
 
 void Ball::div(Ball& out, const Ball& a, const Ball& b, Precision bits) {

@@ -156,15 +156,11 @@ class Ball {
   // The value as hi + lo with |value - hi - lo| <= err.
   void to_double_double(double& hi, double& lo, double& err) const;
 
-  // The double x, exactly.
-  static void set(Ball& out, double x);
   // Three-operand forms; `out` may be an operand. `bits` is the precision of the
   // result.
   static void add(Ball& out, const Ball& a, const Ball& b, Precision bits);
   static void sub(Ball& out, const Ball& a, const Ball& b, Precision bits);
   static void mul(Ball& out, const Ball& a, const Ball& b, Precision bits);
-  static void sqr(Ball& out, const Ball& a, Precision bits);
-  static void mul_d(Ball& out, const Ball& a, double b, Precision bits);
   // Division by a ball that contains zero gives an infinite radius.
   static void div(Ball& out, const Ball& a, const Ball& b, Precision bits);
   // Square root of the nonnegative part of the ball; a ball wholly below zero is

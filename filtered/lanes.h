@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cmath>
-#ifdef __AVX__
+#ifdef __FMA__
 #include <immintrin.h>
 #endif
 
@@ -17,14 +17,6 @@ using Lanes [[gnu::vector_size(32)]] = double;
 inline Lanes abs(const Lanes& a) {
   using Bits [[gnu::vector_size(32)]] = long long;
   return Lanes(Bits(a) & 0x7fffffffffffffffLL);
-}
-
-inline Lanes sqrt(const Lanes& a) {
-#ifdef __AVX__
-  return Lanes(_mm256_sqrt_pd(a));
-#else
-  return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
-#endif
 }
 
 // s + e = a + b, exactly: for doubles and for lanes.
