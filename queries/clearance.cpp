@@ -104,10 +104,9 @@ Sign Clearance::compare(const ClearanceNode& a, const ClearanceNode& b) {
 }
 
 Enclosure Clearance::value(const ClearanceNode& node) const {
-  Ball value =
+  const Ball twice =
       predicates_.ball([&](auto at, auto root) { return twice_clearance(at, root, node); });
-  Ball::mul_d(value, value, 0.5, value.precision());
-  return enclosure(value);
+  return enclosure(twice * Ball(Rational(1, 2), 2));
 }
 
 }  // namespace voroproof
