@@ -7,38 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "apps/scene_motion.h"
 #include "bench/data_sets.h"
 #include "bench/paired.h"
 #include "bench/predicates_bench.h"
-#include "kinetic/engine.h"
+#include "bench/tasks.h"
 
 namespace voroproof::bench {
 
 namespace {
-
-struct Hit {
-  double t;
-  GenId i, j;
-};
-
-struct HitRecorder : EventSink {
-  std::vector<Hit> hits;
-  void begin(const std::vector<Quad>&) override {}
-  void flip(double, const Quad&) override {}
-  void collide(double t, GenId i, GenId j, const RoundedState&, const RoundedState&) override {
-    hits.push_back({t, i, j});
-  }
-  void maneuver(double, GenId, const RoundedState&) override {}
-};
-
-std::vector<Hit> hits_of(Scene scene, double horizon) {
-  scene.horizon = to_rational(horizon);
-  Engine<true> engine(motion_input(scene), {}, {});
-  HitRecorder recorder;
-  engine.run(recorder);
-  return recorder.hits;
-}
 
 void certified(benchmark::State& state, const std::string& name) {
   // About a thousand collisions of the sparse scenes, some ten thousand of the dense ones.

@@ -6,6 +6,7 @@
 #include "bench/data_sets.h"
 #include "bench/paired.h"
 #include "bench/predicates_bench.h"
+#include "bench/tasks.h"
 #include "filtered/contact.h"
 #include "kinetic/static_diagram.h"
 
@@ -17,8 +18,7 @@ constexpr double kHorizon = 1000;
 
 void certified(benchmark::State& state, const std::string& name) {
   const DataSet& set = data_set(name);
-  std::vector<std::pair<GenId, GenId>> pairs;
-  for (const Quad& q : set.quads) pairs.push_back(std::minmax(q.l, q.r));
+  const std::vector<std::pair<GenId, GenId>> pairs = neighbours(set);
   TierCounts counts;
   ContactSearch search(*set.motion, counts);
   const Instant now = instant_at(0);

@@ -11,8 +11,8 @@
 #include "bench/flip_peer.h"
 #include "bench/paired.h"
 #include "bench/predicates_bench.h"
+#include "bench/tasks.h"
 #include "filtered/collapse.h"
-#include "filtered/contact.h"
 
 namespace voroproof::bench {
 
@@ -22,73 +22,33 @@ constexpr double kHorizons[] = {1, 10, 100, 1000};
 // Peers of some 100 microseconds a polynomial get this many, evenly spread.
 constexpr std::size_t kSlowSample = 100;
 
-struct Search {
-  Quad quad;
-  double end;
-};
-
-double first_contact(const Motion& motion, const Quad& q, double horizon) {
-  const GenId ids[4] = {q.l, q.r, q.s, q.e};
-  double end = horizon;
-  for (int a = 0; a < 4; ++a) {
-    for (int b = a + 1; b < 4; ++b) {
-      const auto [i, j] = std::minmax(ids[a], ids[b]);
-      const NextContact c = contact_in_doubles(motion, i, j, 0, end);
-      if (c.kind == NextContact::Kind::at) end = std::min(end, c.lo);
-    }
-  }
-  return end;
-}
-
-std::vector<Search> searches_of(const DataSet& set, double horizon) {
-  std::vector<Search> out;
-  for (const Quad& q : set.quads) {
-    const double end = first_contact(*set.motion, q, horizon);
-    if (end > 0) out.push_back({q, end});
-  }
-  return out;
-}
-
-std::vector<Search> sample_of(const std::vector<Search>& searches, std::size_t size) {
+std::vector<FlipTask> sample_of(const std::vector<FlipTask>& searches, std::size_t size) {
   if (searches.size() <= size) return searches;
-  std::vector<Search> out;
+  std::vector<FlipTask> out;
   for (std::size_t k = 0; k < size; ++k) out.push_back(searches[k * searches.size() / size]);
   return out;
 }
 
-// A search may answer for a part of the window only: asks on until the end.
-template <class After>
-Collapse through_window(const Search& s, After&& after) {
-  Collapse c = after(s.quad, 0.0, s.end);
-  while (c.kind == Collapse::Kind::none && c.lo < s.end) c = after(s.quad, c.lo, s.end);
-  return c;
-}
-
-Collapse plain_collapse(const Motion& motion, const Search& s) {
+Collapse plain_collapse(const Motion& motion, const FlipTask& s) {
   return through_window(s, [&](const Quad& q, double start, double end) {
     return collapse_in_doubles(motion, q, start, end);
   });
 }
 
-Collapse certified_collapse(CollapseSearch& search, const Search& s) {
-  return through_window(
-      s, [&](const Quad& q, double start, double end) { return search.after(q, start, end); });
-}
-
-double plain_pass(const Motion& motion, const std::vector<Search>& searches) {
+double plain_pass(const Motion& motion, const std::vector<FlipTask>& searches) {
   return seconds_of([&] {
-    for (const Search& s : searches) benchmark::DoNotOptimize(plain_collapse(motion, s));
+    for (const FlipTask& s : searches) benchmark::DoNotOptimize(plain_collapse(motion, s));
   });
 }
 
 // What the plain search gets wrong, in percent of the collapses there are: those that it
 // misses or finds at another root, and those that it makes up.
 void count_faults(benchmark::State& state, const DataSet& set,
-                  const std::vector<Search>& searches) {
+                  const std::vector<FlipTask>& searches) {
   TierCounts counts;
   CollapseSearch search(*set.motion, counts);
   long collapses = 0, missed = 0, invented = 0;
-  for (const Search& s : searches) {
+  for (const FlipTask& s : searches) {
     const Collapse truth = certified_collapse(search, s);
     const Collapse claim = plain_collapse(*set.motion, s);
     const bool claims = claim.kind == Collapse::Kind::root;
@@ -112,14 +72,14 @@ void count_faults(benchmark::State& state, const DataSet& set,
 
 void certified(benchmark::State& state, const std::string& name, double horizon) {
   const DataSet& set = data_set(name);
-  const std::vector<Search> searches = searches_of(set, horizon);
+  const std::vector<FlipTask> searches = flip_tasks(set, horizon);
   TierCounts counts;
   CollapseSearch search(*set.motion, counts);
   run_paired(
       state, searches.size(),
       [&] {
         return seconds_of([&] {
-          for (const Search& s : searches) {
+          for (const FlipTask& s : searches) {
             benchmark::DoNotOptimize(certified_collapse(search, s));
           }
         });
@@ -127,7 +87,7 @@ void certified(benchmark::State& state, const std::string& name, double horizon)
       [&] { return plain_pass(*set.motion, searches); });
   count_faults(state, set, searches);
   double window = 0;
-  for (const Search& s : searches) window += s.end;
+  for (const FlipTask& s : searches) window += s.end;
   state.counters["window"] = window / static_cast<double>(searches.size());
 }
 
@@ -136,9 +96,9 @@ using MakeIsolator = std::unique_ptr<RootIsolator> (*)(const std::vector<RootTas
 [[maybe_unused]] void isolator(benchmark::State& state, const std::string& name, double horizon,
                                MakeIsolator make) {
   const DataSet& set = data_set(name);
-  const std::vector<Search> searches = sample_of(searches_of(set, horizon), kSlowSample);
+  const std::vector<FlipTask> searches = sample_of(flip_tasks(set, horizon), kSlowSample);
   std::vector<RootTask> tasks;
-  for (const Search& s : searches) {
+  for (const FlipTask& s : searches) {
     tasks.push_back({flip_polynomial_of(set.scene, s.quad), s.end});
   }
   const std::unique_ptr<RootIsolator> peer = make(tasks);

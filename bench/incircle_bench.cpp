@@ -1,6 +1,5 @@
 // The in-circle predicate at one instant within the first time unit: in doubles with error
 // bounds, in CGAL's intervals and in rationals, each next to plain doubles.
-#include <random>
 #include <string>
 #include <vector>
 
@@ -8,22 +7,13 @@
 #include "bench/incircle_task.h"
 #include "bench/paired.h"
 #include "bench/predicates_bench.h"
+#include "bench/tasks.h"
 
 namespace voroproof::bench {
 
 namespace {
 
 constexpr std::size_t kSlowSample = 200;
-
-// Of 2^-53 z for a random 53-bit z: the times that a run asks for are not short.
-std::vector<IncircleTask> tasks_of(const DataSet& set) {
-  std::mt19937_64 random(1);
-  std::vector<IncircleTask> out;
-  for (const Quad& q : set.quads) {
-    out.push_back({q, static_cast<double>(random() >> 11) * 0x1p-53});
-  }
-  return out;
-}
 
 // All tasks in one number type; `site(g, t)` gives a generator. Returns the seconds.
 template <class SiteOf>
@@ -54,7 +44,7 @@ double plain_pass(const Motion& motion, const std::vector<IncircleTask>& tasks) 
 
 void with_bounds(benchmark::State& state, const std::string& name) {
   const DataSet& set = data_set(name);
-  const std::vector<IncircleTask> tasks = tasks_of(set);
+  const std::vector<IncircleTask> tasks = incircle_tasks(set);
   long undecided = 0;
   run_paired(
       state, tasks.size(),
@@ -68,7 +58,7 @@ void with_bounds(benchmark::State& state, const std::string& name) {
 
 void in_intervals(benchmark::State& state, const std::string& name) {
   const DataSet& set = data_set(name);
-  const std::vector<IncircleTask> tasks = tasks_of(set);
+  const std::vector<IncircleTask> tasks = incircle_tasks(set);
   long undecided = 0;
   run_paired(
       state, tasks.size(),
@@ -89,7 +79,7 @@ Site<Rational> exact_site(const Scene& scene, GenId g, const Rational& t) {
 
 void in_rationals(benchmark::State& state, const std::string& name) {
   const DataSet& set = data_set(name);
-  std::vector<IncircleTask> tasks = tasks_of(set);
+  std::vector<IncircleTask> tasks = incircle_tasks(set);
   tasks.resize(std::min(tasks.size(), kSlowSample));
   long undecided = 0;
   run_paired(

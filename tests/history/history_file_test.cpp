@@ -516,7 +516,7 @@ TEST(Validate, RefusesOtherFiles) {
   };
   EXPECT_EQ(message(""), "1: unexpected end of input, expected an object");
   EXPECT_EQ(message("{\"a\":1}"), "1: format: missing");
-  EXPECT_EQ(message("{\"a\":1,\n\"format\":\"x\"}"), "2: format: none of this project: x");
+  EXPECT_EQ(message("{\"a\":1,\n\"format\":\"x\"}"), "2: format: none that can be validated: x");
   EXPECT_EQ(message("{\"a\":[" + std::string(100'000, '1') + "]}"),
             "1: [0]: a number of more than 4096 characters");
   std::vector<std::string> lines = good_lines;
