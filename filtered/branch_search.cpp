@@ -163,7 +163,7 @@ Collapse search_branches(const Motion& motion, const Quad& q, double start, doub
       continue;
     }
     const double middle = 0.5 * (piece.lo + piece.hi);
-    if (looks == kMaxLooks || piece.hi - piece.lo < 0x1p-30 * (end - start) ||
+    if (looks >= kMaxLooks || piece.hi - piece.lo < 0x1p-30 * (end - start) ||
         !(piece.lo < middle && middle < piece.hi)) {
       return Collapse::none_until(piece.lo);
     }
