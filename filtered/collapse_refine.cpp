@@ -27,7 +27,9 @@ DdBall CollapseSearch::newton(const Quad& q, double lo, double hi) const {
 
 DdBall CollapseSearch::refine(const Quad& q, double lo, double hi) const {
   const DdBall root = newton(q, lo, hi);
-  return std::isfinite(root.rad) ? root : refine_branch(motion_, q, lo, hi);
+  if (root.rad < 0.25 * (hi - lo)) return root;
+  const DdBall by_branch = refine_branch(motion_, q, lo, hi);
+  return by_branch.rad < root.rad ? by_branch : root;
 }
 
 namespace {
