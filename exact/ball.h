@@ -169,7 +169,7 @@ class Ball {
   static void neg(Ball& out, const Ball& a);
 
  private:
-  friend class LimbBall;
+  friend class FixedArithmetic;
   void set_precision(Precision bits);
   // A moved-from ball has no precision: then `bits`.
   Precision precision_or(Precision bits) const {

@@ -16,9 +16,12 @@ constexpr int kInitialGoal = 112;
 // horizon may lose.
 constexpr int kHeadroom = 48;
 
+// Of zero.
+constexpr std::int64_t kNoExponent = -1000;
+
 std::int64_t exponent_of(const Rational& q) {
   const double d = std::fabs(round_nearest(q));
-  return d == 0 ? -1000 : std::ilogb(d) + 1;
+  return d == 0 ? kNoExponent : std::ilogb(d) + 1;
 }
 
 // The nearest double below in magnitude, and what is left of it.
@@ -63,9 +66,16 @@ Motion::Motion(MotionInput input, MotionOptions options)
   const double supply = options_.start_bits - goal_bits_ - kHeadroom;
   slope_ = supply > 0 && horizon_ > 0 ? supply / horizon_ : 0;
   x_scale_ = exponent_of(input_.container_radius);
-  v_scale_ = -1000;
+  v_scale_ = mass_scale_ = kNoExponent;
+  far_scale_ =
+      std::max({x_scale_, exponent_of(input_.container_x), exponent_of(input_.container_y)});
+  reach_scale_ = x_scale_;
   for (const DiskInput& d : input_.disks) {
     v_scale_ = std::max({v_scale_, exponent_of(d.vx), exponent_of(d.vy)});
+    mass_scale_ = std::max(mass_scale_, exponent_of(d.mass));
+    for (const Rational& reach : {d.radius, Rational(input_.container_radius - d.radius)}) {
+      if (sgn(reach) > 0) reach_scale_ = std::min(reach_scale_, exponent_of(reach));
+    }
   }
   const std::size_t n = input_.disks.size();
   state_.resize(n + 1);
@@ -98,10 +108,10 @@ void Motion::load_initial_states() {
   for (GenId g = container_id; g < size(); ++g) load_initial_state(g, bits);
   const Rational& e = input_.container_restitution;
   const bool whole = input_.whole_container_law;
-  disk_law_.set(dyadic_or_rounded(Rational(-(1 + input_.restitution)), bits));
+  disk_law_ = dyadic_or_rounded(Rational(-(1 + input_.restitution)), bits);
   const Rational wall = whole ? Rational(-2 * e) : Rational(-(1 + e));
-  wall_law_.set(dyadic_or_rounded(wall, bits));
-  wall_keep_.set(dyadic_or_rounded(Rational(e - 1), bits));
+  wall_law_ = dyadic_or_rounded(wall, bits);
+  wall_keep_ = dyadic_or_rounded(Rational(e - 1), bits);
 }
 
 void Motion::load_initial_state(GenId g, Ball::Precision bits) {
@@ -233,27 +243,49 @@ Motion::Origin Motion::origin(GenId g, int id) const {
   return {r.before_j, nullptr, r.i, r.before_i};
 }
 
+// For numbers in units of the scene: centres in 2^x_scale, velocities in 2^v_scale. Far away are
+// coordinates where the container is not about the origin, times where they are late, and the
+// inverse of a short reach; disks may become faster than any is at first.
+int Motion::integer_limbs() const {
+  constexpr std::int64_t kFaster = 16;
+  const std::int64_t last = horizon_ > 0 ? std::ilogb(horizon_) + 1 : kNoExponent;
+  const std::int64_t largest =
+      std::max({far_scale_ - x_scale_, last + v_scale_ - x_scale_, x_scale_ - reach_scale_});
+  return static_cast<int>((largest + 2 + kFaster) / 64) + 1;
+}
+
 const Motion::Response& Motion::respond(const Record& r) {
   const Ball::Precision bits = bits_at(r.t_ref);
   Workspace& m = workspace_;
-  LimbArithmetic& with = m.arithmetic;
-  with.set_precision(bits);
+  FixedArithmetic& with = m.arithmetic;
   const bool wall = r.i == container_id;
   const GenId ids[2] = {r.i, r.j};
-  m.now.set(r.t_ref);
+  const std::int64_t xs = x_scale_, vs = v_scale_, ts = xs - vs;
+  std::int64_t radius_exponent = -bits;
+  for (const GenId g : ids) {
+    const BallState& s = balls_[g + 1];
+    const auto look = [&](const Ball& b, std::int64_t scale) {
+      if (!b.is_exact()) radius_exponent = std::max(radius_exponent, b.radius().exponent() - scale);
+    };
+    look(s.x, xs);
+    look(s.y, xs);
+    look(s.vx, vs);
+    look(s.vy, vs);
+  }
+  with.set_format(bits, integer_limbs(), radius_exponent);
+  with.set(m.now, r.t_ref, ts);
   // Centres and velocities at the reference time; with the container at rest, the offset runs from
   // it to the disk j.
   for (int k = 0; k < 2; ++k) {
     const GenId g = ids[k];
     const BallState& s = balls_[g + 1];
-    m.x[k].set(s.x);
-    m.y[k].set(s.y);
-    m.vx[k].set(s.vx);
-    m.vy[k].set(s.vy);
+    with.set(m.x[k], s.x, xs);
+    with.set(m.y[k], s.y, xs);
+    with.set(m.vx[k], s.vx, vs);
+    with.set(m.vy[k], s.vy, vs);
     if (g == container_id) continue;
-    m.mass[k].set(mass_[g + 1]);
-    m.then.set(t_ref_[g + 1]);
-    with.sub(m.dt, m.now, m.then);
+    with.set(m.dt, t_ref_[g + 1], ts);
+    with.sub(m.dt, m.now, m.dt);
     with.mul(m.term, m.vx[k], m.dt);
     with.add(m.x[k], m.x[k], m.term);
     with.mul(m.term, m.vy[k], m.dt);
@@ -263,10 +295,10 @@ const Motion::Response& Motion::respond(const Record& r) {
   with.sub(m.dy, m.y[1], m.y[0]);
   with.sub(m.wx, m.vx[1], m.vx[0]);
   with.sub(m.wy, m.vy[1], m.vy[0]);
-  m.reach.set(radius_[r.i + 1]);
-  m.term.set(radius_[r.j + 1]);
+  with.set(m.reach, radius_[r.i + 1], xs);
+  with.set(m.term, radius_[r.j + 1], xs);
   with.add(m.reach, m.reach, m.term);
-  with.sqr(m.reach2, m.reach);
+  // a s^2 + 2 b s + c = 0 at the contact, s after the reference time.
   with.sqr(m.a, m.wx);
   with.sqr(m.term, m.wy);
   with.add(m.a, m.a, m.term);
@@ -276,7 +308,8 @@ const Motion::Response& Motion::respond(const Record& r) {
   with.sqr(m.c, m.dx);
   with.sqr(m.term, m.dy);
   with.add(m.c, m.c, m.term);
-  with.sub(m.c, m.c, m.reach2);
+  with.sqr(m.term, m.reach);
+  with.sub(m.c, m.c, m.term);
   with.sqr(m.root, m.b);
   with.mul(m.term, m.a, m.c);
   with.sub(m.root, m.root, m.term);
@@ -284,73 +317,70 @@ const Motion::Response& Motion::respond(const Record& r) {
   if (!wall) {
     with.sub(m.term, m.root, m.b);  // b < 0: they approach
     with.div(m.s, m.c, m.term);
-  } else if (m.b.sign() == Sign::positive) {
+  } else if (with.sign(m.b) == Sign::positive) {
     with.add(m.term, m.b, m.root);
     with.div(m.s, m.c, m.term);
-    m.s.negate();
+    with.negate(m.s);
   } else {
     with.sub(m.term, m.root, m.b);
     with.div(m.s, m.term, m.a);
   }
-  // n = d + w s; w.n is -root at the contact of two disks, +root at the wall.
+  // The normal n = (d + w s) / reach; w.n is -k at the contact of two disks, and k times the sign
+  // of reach at the wall, k = root / reach.
   with.mul(m.term, m.wx, m.s);
   with.add(m.nx, m.dx, m.term);
   with.mul(m.term, m.wy, m.s);
   with.add(m.ny, m.dy, m.term);
+  with.set(m.term, 1.0, 0);
+  with.div(m.inverse, m.term, m.reach);
+  with.mul(m.nx, m.nx, m.inverse);
+  with.mul(m.ny, m.ny, m.inverse);
+  with.mul(m.k, m.root, m.inverse);
+  with.set(m.law, wall ? wall_law_ : disk_law_, 0);
+  with.mul(m.k, m.k, m.law);
+  with.mul(m.nx, m.nx, m.k);
+  with.mul(m.ny, m.ny, m.k);
+  if (wall) {
+    // v' - v = -(1 + e) k n or, of the law of the whole velocity, (e - 1) v - 2 e k n.
+    if (input_.whole_container_law) {
+      with.set(m.law, wall_keep_, 0);
+      with.mul(m.term, m.vx[1], m.law);
+      with.add(m.nx, m.nx, m.term);
+      with.mul(m.term, m.vy[1], m.law);
+      with.add(m.ny, m.ny, m.term);
+    }
+  } else {
+    // v_i' - v_i = m_j / (m_i + m_j) K n, K = -(1 + sigma) k, and v_j' - v_j = that - K n.
+    with.set(m.share, mass_[r.j + 1], mass_scale_);
+    with.set(m.term, mass_[r.i + 1], mass_scale_);
+    with.add(m.term, m.term, m.share);
+    with.div(m.share, m.share, m.term);
+    with.mul(m.a, m.nx, m.share);
+    with.mul(m.b, m.ny, m.share);
+    with.sub(m.nx, m.a, m.nx);
+    with.sub(m.ny, m.b, m.ny);
+  }
   // New velocity, v + change; then the centre that the new line had or will have at the reference
   // time: x - change * s.
-  const auto restart = [&](int side, const LimbBall& cx, const LimbBall& cy, const LimbBall& cx_s,
-                           const LimbBall& cy_s) {
+  const auto restart = [&](int side, const FixedBall& change_x, const FixedBall& change_y) {
     BallState& state = balls_[ids[side] + 1];
-    with.add(m.vx[side], m.vx[side], cx);
-    with.add(m.vy[side], m.vy[side], cy);
-    with.sub(m.x[side], m.x[side], cx_s);
-    with.sub(m.y[side], m.y[side], cy_s);
-    m.x[side].get(state.x, bits);
-    m.y[side].get(state.y, bits);
-    m.vx[side].get(state.vx, bits);
-    m.vy[side].get(state.vy, bits);
+    with.add(m.vx[side], m.vx[side], change_x);
+    with.add(m.vy[side], m.vy[side], change_y);
+    with.mul(m.term, change_x, m.s);
+    with.sub(m.x[side], m.x[side], m.term);
+    with.mul(m.term, change_y, m.s);
+    with.sub(m.y[side], m.y[side], m.term);
+    with.get(state.x, m.x[side], xs, bits);
+    with.get(state.y, m.y[side], xs, bits);
+    with.get(state.vx, m.vx[side], vs, bits);
+    with.get(state.vy, m.vy[side], vs, bits);
     t_ref_[ids[side] + 1] = r.t_ref;
   };
-  if (wall) {
-    // v' - v = -(1 + e) (root / reach^2) n or, of the law of the whole velocity,
-    // (e - 1) v - 2 e (root / reach^2) n.
-    with.div(m.k, m.root, m.reach2);
-    with.mul(m.k, m.k, wall_law_);
-    with.mul(m.kx, m.k, m.nx);
-    with.mul(m.ky, m.k, m.ny);
-    if (input_.whole_container_law) {
-      with.mul(m.term, m.vx[1], wall_keep_);
-      with.add(m.kx, m.kx, m.term);
-      with.mul(m.term, m.vy[1], wall_keep_);
-      with.add(m.ky, m.ky, m.term);
-    }
-    with.mul(m.nx, m.kx, m.s);
-    with.mul(m.ny, m.ky, m.s);
-    restart(1, m.kx, m.ky, m.nx, m.ny);
-  } else {
-    // v_i += m_j K n, v_j -= m_i K n, K = -(1 + sigma) root / ((m_i + m_j) reach^2).
-    with.add(m.term, m.mass[0], m.mass[1]);
-    with.mul(m.term, m.term, m.reach2);
-    with.div(m.k, m.root, m.term);
-    with.mul(m.k, m.k, disk_law_);
-    with.mul(m.kx, m.k, m.nx);
-    with.mul(m.ky, m.k, m.ny);
-    with.mul(m.nx, m.kx, m.s);
-    with.mul(m.ny, m.ky, m.s);
-    for (int side = 0; side < 2; ++side) {
-      LimbBall& mass = m.mass[1 - side];
-      if (side == 1) mass.negate();
-      with.mul(m.a, m.kx, mass);
-      with.mul(m.b, m.ky, mass);
-      with.mul(m.dx, m.nx, mass);
-      with.mul(m.dy, m.ny, mass);
-      restart(side, m.a, m.b, m.dx, m.dy);
-    }
-  }
-  m.s.get(m.out.delay, bits);
+  if (!wall) restart(0, m.a, m.b);
+  restart(1, m.nx, m.ny);
+  with.get(m.out.delay, m.s, ts, bits);
   with.add(m.term, m.now, m.s);
-  m.term.get(m.out.time, bits);
+  with.get(m.out.time, m.term, ts, bits);
   return m.out;
 }
 

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "exact/ball.h"
+#include "exact/fixed_ball.h"
 #include "exact/generators.h"
-#include "exact/limb_ball.h"
 #include "exact/predicates.h"
 #include "exact/rational.h"
 #include "exact/tower.h"
@@ -191,13 +191,14 @@ class Motion {
 
   // What a collision computes with, kept so that no memory is allocated for it.
   struct Workspace {
-    LimbArithmetic arithmetic;
-    LimbBall now, then, dt, term, x[2], y[2], vx[2], vy[2], dx, dy, wx, wy, mass[2];
-    LimbBall reach, reach2, a, b, c, root, s, nx, ny, k, kx, ky;
+    FixedArithmetic arithmetic;
+    FixedBall now, dt, term, x[2], y[2], vx[2], vy[2], dx, dy, wx, wy, mass[2];
+    FixedBall reach, inverse, a, b, c, root, s, nx, ny, k, law, share;
     Response out;
   };
 
   int bits_at(double t) const;
+  int integer_limbs() const;
   void load_initial_states();
   void load_initial_state(GenId g, Ball::Precision bits);
   BallState initial_balls(GenId g, Ball::Precision bits) const;
@@ -219,7 +220,8 @@ class Motion {
   int goal_bits_;
   double slope_ = 0;  // further bits per unit of time before the horizon
   double horizon_ = 0;
-  std::int64_t x_scale_ = 0, v_scale_ = 0;  // exponents
+  std::int64_t x_scale_ = 0, v_scale_ = 0, mass_scale_ = 0;  // exponents
+  std::int64_t far_scale_ = 0, reach_scale_ = 0;  // of the farthest coordinate, the least reach
   std::uint64_t replays_ = 0;
   std::vector<Record> log_;
   std::vector<ManeuverRecord> maneuvers_;
@@ -232,7 +234,7 @@ class Motion {
   mutable std::vector<BallState> balls_;
   mutable std::vector<char> stale_;
   std::vector<Ball> radius_, mass_;
-  LimbBall disk_law_, wall_law_, wall_keep_;  // factors of the laws of collision
+  Ball disk_law_, wall_law_, wall_keep_;  // factors of the laws of collision
   Workspace workspace_;
   // Of the uncertified instance.
   std::vector<double> plain_mass_;

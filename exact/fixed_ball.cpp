@@ -1,0 +1,288 @@
+#include "exact/fixed_ball.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace voroproof {
+
+namespace {
+
+static_assert(GMP_NUMB_BITS == 64);
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Some ten roundings of a radius, each of 2^-53, are paid for by this factor.
+constexpr double kUp = 1 + 0x1p-48;
+// A radius that is not zero is not less, so that its products with what `upper` returns do not
+// underflow.
+constexpr double kLeastRadius = 0x1p-800;
+
+}  // namespace
+
+void FixedArithmetic::set_format(Ball::Precision bits, int integer_limbs,
+                                 std::int64_t radius_exponent) {
+  fraction_ = bits / 64;
+  size_ = fraction_ + integer_limbs;
+  radius_exponent_ = std::max<std::int64_t>(radius_exponent, -64 * fraction_);
+  const auto power = [](std::int64_t e) {
+    return e > 800 ? kInfinity : std::ldexp(1.0, static_cast<int>(std::max<std::int64_t>(e, -800)));
+  };
+  last_place_ = power(-64 * fraction_ - radius_exponent_);
+  radius_unit_ = power(radius_exponent_);
+}
+
+mp_limb_t* FixedArithmetic::room(FixedBall& a) const {
+  a.limbs_.resize(size_);
+  return a.limbs_.data();
+}
+
+mp_limb_t* FixedArithmetic::scratch(mp_size_t limbs) {
+  if (scratch_.size() < static_cast<std::size_t>(limbs)) scratch_.resize(limbs);
+  return scratch_.data();
+}
+
+// |a| in as many limbs as it needs: returns their number.
+mp_size_t FixedArithmetic::magnitude(mp_limb_t* to, const FixedBall& a) const {
+  if (is_negative(a)) {
+    mpn_neg(to, a.limbs_.data(), size_);
+  } else {
+    std::copy(a.limbs_.begin(), a.limbs_.begin() + size_, to);
+  }
+  mp_size_t size = size_;
+  while (size > 0 && to[size - 1] == 0) --size;
+  return size;
+}
+
+// A bound of |a| from above, never zero. Of a negative number the limbs are inverted, which gives
+// its magnitude less one in the last place. Below the first limb after the point nothing is read.
+double FixedArithmetic::upper(const FixedBall& a) const {
+  const mp_limb_t flip = is_negative(a) ? ~mp_limb_t{0} : 0;
+  double v = 0;
+  for (mp_size_t k = size_ - 1; k >= fraction_; --k) {
+    v = v * 0x1p64 + static_cast<double>(a.limbs_[k] ^ flip);
+  }
+  v += static_cast<double>(a.limbs_[fraction_ - 1] ^ flip) * 0x1p-64;
+  return v * (1 + 0x1p-50) + 0x1p-63;
+}
+
+// A bound of |a| from below, by the two leading limbs; zero where it would be less than 2^-800.
+double FixedArithmetic::lower(const FixedBall& a) const {
+  const mp_limb_t flip = is_negative(a) ? ~mp_limb_t{0} : 0;
+  mp_size_t k = size_ - 1;
+  while (k > 0 && (a.limbs_[k] ^ flip) == 0) --k;
+  const mp_size_t exponent = 64 * (k - fraction_);
+  if (exponent < -800) return 0;
+  double v = static_cast<double>(a.limbs_[k] ^ flip);
+  if (k > 0) v += static_cast<double>(a.limbs_[k - 1] ^ flip) * 0x1p-64;
+  return std::ldexp(v * (1 - 0x1p-50), static_cast<int>(exponent));
+}
+
+// Gives a number its radius; what is too large for a double, or no number at all, is unknown.
+void FixedArithmetic::finish(FixedBall& out, double radius) const {
+  if (radius != 0) radius = std::fmax(radius * kUp, kLeastRadius);
+  out.radius_ = radius < std::numeric_limits<double>::max() ? radius : kInfinity;
+}
+
+// Writes the number m 2^exponent, the integer m of `size` limbs of which the last has its first bit
+// set taken as a fraction in [1/2, 1); adds to the radius what is left out.
+void FixedArithmetic::place(FixedBall& out, const mp_limb_t* from, mp_size_t size,
+                            std::int64_t exponent, bool negative) {
+  mp_limb_t* to = room(out);
+  std::fill(to, to + size_, 0);
+  const std::int64_t top = exponent + 64 * fraction_;  // bits in units of the last place
+  if (top >= 64 * size_) {
+    out.radius_ = kInfinity;
+    return;
+  }
+  bool cut = true;
+  if (top > 0) {
+    const mp_size_t above = (top + 63) / 64;  // the limb below which the number ends
+    const auto shift = static_cast<unsigned>(64 * above - top);
+    mp_limb_t* d = scratch(size + 1);
+    d[0] = 0;
+    if (shift == 0) {
+      std::copy(from, from + size, d + 1);
+    } else {
+      d[0] = mpn_rshift(d + 1, from, size, shift);
+    }
+    const mp_size_t kept = std::min(size + 1, above), dropped = size + 1 - kept;
+    std::copy(d + dropped, d + size + 1, to + (above - kept));
+    cut = dropped > 0 && mpn_zero_p(d, dropped) == 0;
+    if (negative) mpn_neg(to, to, size_);
+  }
+  if (cut) out.radius_ = (out.radius_ + last_place_) * kUp;
+}
+
+void FixedArithmetic::set(FixedBall& out, double x, std::int64_t unit) {
+  out.radius_ = 0;
+  if (x == 0 || !std::isfinite(x)) {
+    std::fill_n(room(out), size_, 0);
+    if (x != 0) out.radius_ = kInfinity;
+    return;
+  }
+  int e = 0;
+  const auto m = static_cast<mp_limb_t>(std::frexp(std::fabs(x), &e) * 0x1p64);
+  place(out, &m, 1, e - unit, x < 0);
+}
+
+void FixedArithmetic::set(FixedBall& out, const Ball& x, std::int64_t unit) {
+  out.radius_ = 0;
+  if (!x.is_exact()) {
+    const double r = x.radius().scaled(-unit - radius_exponent_).to_double();
+    out.radius_ = std::max(r, kLeastRadius);
+  }
+  mpfr_srcptr mid = x.midpoint();
+  if (!mpfr_regular_p(mid)) {
+    std::fill_n(room(out), size_, 0);
+    if (!mpfr_zero_p(mid)) out.radius_ = kInfinity;
+    return;
+  }
+  place(out, static_cast<const mp_limb_t*>(mpfr_custom_get_significand(mid)),
+        (mpfr_get_prec(mid) + 63) / 64, mpfr_get_exp(mid) - unit, mpfr_signbit(mid) != 0);
+}
+
+void FixedArithmetic::get(Ball& out, const FixedBall& a, std::int64_t unit, Ball::Precision bits) {
+  out.set_precision(bits);
+  out.radius_ = std::isinf(a.radius_) ? Magnitude::infinite()
+                                      : Magnitude::of(a.radius_).scaled(radius_exponent_ + unit);
+  mp_limb_t* from = scratch(size_);
+  const mp_size_t size = magnitude(from, a);
+  if (size == 0) {
+    mpfr_set_zero(out.mid_, 1);
+    return;
+  }
+  auto* to = static_cast<mp_limb_t*>(mpfr_custom_get_significand(out.mid_));
+  const mp_size_t wanted = bits / 64;
+  const auto shift = static_cast<unsigned>(std::countl_zero(from[size - 1]));
+  if (shift > 0) mpn_lshift(from, from, size, shift);
+  const std::int64_t e = 64 * (size - fraction_) - shift + unit;
+  const mp_size_t kept = std::min(size, wanted), dropped = size - kept;
+  std::fill(to, to + (wanted - kept), 0);
+  std::copy(from + dropped, from + size, to + (wanted - kept));
+  if (dropped > 0 && mpn_zero_p(from, dropped) == 0) {
+    out.widen(Magnitude::power_of_two(e - bits));
+  }
+  mpfr_custom_init_set(out.mid_, is_negative(a) ? -MPFR_REGULAR_KIND : MPFR_REGULAR_KIND, e, bits,
+                       mpfr_custom_get_significand(out.mid_));
+}
+
+Sign FixedArithmetic::sign(const FixedBall& a) const {
+  const bool zero = mpn_zero_p(a.limbs_.data(), size_) != 0;
+  if (a.radius_ == 0) {
+    return zero ? Sign::zero : is_negative(a) ? Sign::negative : Sign::positive;
+  }
+  if (zero || std::isinf(a.radius_)) return Sign::unknown;
+  const Magnitude radius = Magnitude::of(a.radius_).scaled(radius_exponent_);
+  if (!(radius < Magnitude::of(lower(a)))) return Sign::unknown;
+  return is_negative(a) ? Sign::negative : Sign::positive;
+}
+
+void FixedArithmetic::negate(FixedBall& a) const {
+  const bool negative = is_negative(a);
+  mpn_neg(a.limbs_.data(), a.limbs_.data(), size_);
+  if (negative && is_negative(a)) a.radius_ = kInfinity;
+}
+
+void FixedArithmetic::add(FixedBall& out, const FixedBall& a, const FixedBall& b) const {
+  const bool same = is_negative(a) == is_negative(b), negative = is_negative(a);
+  const double radius = a.radius_ + b.radius_;
+  mpn_add_n(room(out), a.limbs_.data(), b.limbs_.data(), size_);
+  finish(out, same && is_negative(out) != negative ? kInfinity : radius);
+}
+
+void FixedArithmetic::sub(FixedBall& out, const FixedBall& a, const FixedBall& b) const {
+  const bool different = is_negative(a) != is_negative(b), negative = is_negative(a);
+  const double radius = a.radius_ + b.radius_;
+  mpn_sub_n(room(out), a.limbs_.data(), b.limbs_.data(), size_);
+  finish(out, different && is_negative(out) != negative ? kInfinity : radius);
+}
+
+// |a b - a0 b0| <= ra (|b0| + rb) + rb |a0|. Rounded down: less than one in the last place.
+void FixedArithmetic::mul(FixedBall& out, const FixedBall& a, const FixedBall& b) {
+  double radius = 0;
+  if (a.radius_ != 0) radius = a.radius_ * (upper(b) + b.radius_ * radius_unit_);
+  if (b.radius_ != 0) radius += b.radius_ * upper(a);
+  mp_limb_t* r = scratch(2 * size_);
+  if (&a == &b) {
+    mpn_sqr(r, a.limbs_.data(), size_);
+  } else {
+    mpn_mul_n(r, a.limbs_.data(), b.limbs_.data(), size_);
+  }
+  // Read as an unsigned number a negative one is larger by 2^(64 size).
+  mp_limb_t* high = r + size_;
+  if (is_negative(a)) mpn_sub_n(high, high, b.limbs_.data(), size_);
+  if (is_negative(b)) mpn_sub_n(high, high, a.limbs_.data(), size_);
+  if (mpn_zero_p(r, fraction_) == 0) radius += last_place_;
+  const mp_limb_t* from = r + fraction_;
+  const mp_limb_t sign = (from[size_ - 1] >> 63) != 0 ? ~mp_limb_t{0} : 0;
+  for (const mp_limb_t* k = from + size_; k != r + 2 * size_; ++k) {
+    if (*k != sign) radius = kInfinity;
+  }
+  std::copy(from, from + size_, room(out));
+  finish(out, radius);
+}
+
+// |a/b - a0/b0| <= (ra + |a0/b0| rb) / (|b0| - rb).
+void FixedArithmetic::div(FixedBall& out, const FixedBall& a, const FixedBall& b) {
+  const double least = lower(b) * (1 - 0x1p-50) - b.radius_ * radius_unit_;
+  if (!(least > 0)) {
+    std::fill_n(room(out), size_, 0);
+    out.radius_ = kInfinity;
+    return;
+  }
+  const double radius_a = a.radius_, radius_b = b.radius_;
+  const bool negative = is_negative(a) != is_negative(b);
+  // The quotient of |a| 2^(64 fraction) and |b|, as integers.
+  mp_limb_t* numerator = scratch(2 * (size_ + fraction_) + 2 * size_ + 1);
+  mp_limb_t* denominator = numerator + size_ + fraction_;
+  mp_limb_t* rest = denominator + size_;
+  mp_limb_t* q = rest + size_;
+  std::fill(numerator, numerator + fraction_, 0);
+  const mp_size_t size = magnitude(numerator + fraction_, a) + fraction_;
+  const mp_size_t size_b = magnitude(denominator, b);
+  mp_limb_t* to = room(out);
+  double radius = 0;
+  if (size < size_b) {
+    std::fill(to, to + size_, 0);
+    radius = mpn_zero_p(numerator, size) != 0 ? 0 : last_place_;
+  } else {
+    mpn_tdiv_qr(q, rest, 0, numerator, size, denominator, size_b);
+    if (mpn_zero_p(rest, size_b) == 0) radius = last_place_;
+    mp_size_t quotient = size - size_b + 1;
+    while (quotient > 0 && q[quotient - 1] == 0) --quotient;
+    const mp_size_t kept = std::min(quotient, size_);
+    std::copy(q, q + kept, to);
+    std::fill(to + kept, to + size_, 0);
+    if (quotient > size_ || is_negative(out)) radius = kInfinity;
+  }
+  if (negative) mpn_neg(to, to, size_);
+  if (radius_a != 0 || radius_b != 0) radius += (radius_a + upper(out) * radius_b) / least;
+  finish(out, radius);
+}
+
+// |sqrt(x) - sqrt(a0)| <= ra / sqrt(a0) for x >= 0.
+void FixedArithmetic::sqrt(FixedBall& out, const FixedBall& a) {
+  const Sign s = sign(a);
+  if (s != Sign::positive) {
+    std::fill_n(room(out), size_, 0);
+    out.radius_ = s == Sign::zero ? 0 : kInfinity;
+    return;
+  }
+  const double radius_a = a.radius_;
+  // The root of a 2^(64 fraction), as integers: the point is where it was.
+  mp_limb_t* square = scratch(2 * (size_ + fraction_) + 1);
+  mp_limb_t* root = square + size_ + fraction_;
+  std::fill(square, square + fraction_, 0);
+  const mp_size_t size = magnitude(square + fraction_, a) + fraction_;
+  const mp_size_t size_of_root = (size + 1) / 2;
+  double radius = mpn_sqrtrem(root, nullptr, square, size) != 0 ? last_place_ : 0;
+  mp_limb_t* to = room(out);
+  std::copy(root, root + size_of_root, to);
+  std::fill(to + size_of_root, to + size_, 0);
+  // The midpoint is not above the root of a's.
+  if (radius_a != 0) radius += radius_a / lower(out);
+  finish(out, radius);
+}
+
+}  // namespace voroproof
