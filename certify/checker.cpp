@@ -67,9 +67,9 @@ Certificate Checker::run(const PartEnd* end) {
   } catch (const Undecided& u) {
     certificate_.verdict = Verdict::undecided;
     certificate_.reason = u.what();
-    if (u.flip) certificate_.reason += "; edge " + text(canonical(*u.flip));
+    if (u.flip) certificate_.reason += "; edge " + text_of(canonical(*u.flip));
     if (u.contact) {
-      certificate_.reason += "; generators " + text(u.contact->first, u.contact->second);
+      certificate_.reason += "; generators " + text_of(u.contact->first, u.contact->second);
     }
     certificate_.reason_line = line_;
     prefix_until(frontier_.lo);

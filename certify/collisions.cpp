@@ -76,7 +76,7 @@ void Checker::collide(const CollideEvent& claim) {
   colliding_ = {claim.i, claim.j};
   const int edge = begun_ ? replay_.adjacency(claim.i, claim.j) : 0;
   if (edge < 0) {
-    refute(Fault::wrong_pair, "generators " + text(claim.i, claim.j) +
+    refute(Fault::wrong_pair, "generators " + text_of(claim.i, claim.j) +
                                   " are not adjacent in the diagram, so they do not touch");
   }
   if (options_.truth == Truth::exact) {
@@ -93,7 +93,7 @@ void Checker::collide_exactly(const CollideEvent& claim, int edge) {
   const NextContact c = next_contact(edge, i, j);
   if (c.kind == NextContact::Kind::none) {
     refute(Fault::spurious_event,
-           "generators " + text(i, j) + " do not touch under their present motion",
+           "generators " + text_of(i, j) + " do not touch under their present motion",
            motion_witness(motion_, {i, j}, exact_time(*claim_)));
   }
   Moment m = Moment::of(i, j, c);
@@ -101,7 +101,7 @@ void Checker::collide_exactly(const CollideEvent& claim, int edge) {
     const bool near = to_rational(c.lo) - exact_time(*claim_) <= kMistimed * options_.tolerance;
     Divergence d =
         divergence_at_claim(near ? Fault::wrong_time : Fault::spurious_event,
-                            "generators " + text(i, j) + " touch " + between(c.lo, c.hi));
+                            "generators " + text_of(i, j) + " touch " + between(c.lo, c.hi));
     d.true_contact = {i, j};
     d.true_time = {c.lo, c.hi};
     d.witness = contact_witness(motion_, i, j, to_rational(c.lo), to_rational(c.hi));

@@ -45,7 +45,7 @@ Divergence Checker::missing_flip(const Quad& q, const Collapse& root) {
   d.fault = Fault::missing_event;
   d.t = root.lo;
   d.line = line_at(root.lo);
-  d.truth = "edge " + text(canonical(q)) + " flips " + between(root.lo, root.hi);
+  d.truth = "edge " + text_of(canonical(q)) + " flips " + between(root.lo, root.hi);
   d.true_flip = canonical(q);
   d.true_time = {root.lo, root.hi};
   const auto [lo, hi] = interval_of(root);
@@ -58,7 +58,7 @@ Divergence Checker::missing_contact(GenId i, GenId j, double lo, double hi) {
   d.fault = options_.truth == Truth::recorded ? Fault::overlap : Fault::missing_event;
   d.t = lo;
   d.line = line_at(lo);
-  d.truth = "generators " + text(i, j) + " touch and approach " + between(lo, hi);
+  d.truth = "generators " + text_of(i, j) + " touch and approach " + between(lo, hi);
   d.true_contact = {i, j};
   d.true_time = {lo, hi};
   d.witness = contact_witness(motion_, i, j, to_rational(lo), to_rational(hi));

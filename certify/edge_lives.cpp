@@ -29,7 +29,7 @@ std::optional<Collapse> Checker::first_collapse(const Quad& q, double from, doub
     const Collapse c = collapses_.after(q, from, end);
     if (c.kind == Collapse::Kind::root) return c;
     if (!(c.lo > from)) {
-      throw Undecided("the life of edge " + text(canonical(q)) + " is not decided", q);
+      throw Undecided("the life of edge " + text_of(canonical(q)) + " is not decided", q);
     }
     from = c.lo;
   }
@@ -157,7 +157,7 @@ Checker::Found Checker::collapse_for(const FlipEvent& claim, HalfEdge h) {
     c = first_collapse(q, std::max(life.from, end), search_end_);
     if (c) mistimed(q, *c, t);
     refute(Fault::spurious_event,
-           "edge " + text(canonical(q)) + " does not collapse under its present motion",
+           "edge " + text_of(canonical(q)) + " does not collapse under its present motion",
            motion_witness(motion_, generators(q), t));
   }
   const Moment m = Moment::of(q, *c);
@@ -175,7 +175,7 @@ void Checker::flip(const FlipEvent& claim) {
   const HalfEdge mirrored = h < 0 ? replay_.find_mirrored(claim.quad) : -1;
   if (h < 0 && mirrored < 0) {
     refute(Fault::edge_not_present,
-           "no edge of the diagram has the quadruplet " + text(claim.quad));
+           "no edge of the diagram has the quadruplet " + text_of(claim.quad));
   }
   Found found;
   if (h >= 0) {
@@ -246,7 +246,7 @@ void Checker::mistimed(const Quad& q, const Collapse& c, const Rational& claimed
   const bool near = lo - claimed <= far && claimed - hi <= far;
   Divergence d =
       divergence_at_claim(near || hi < claimed ? Fault::wrong_time : Fault::spurious_event,
-                          "edge " + text(canonical(q)) + " flips " + between(c.lo, c.hi));
+                          "edge " + text_of(canonical(q)) + " flips " + between(c.lo, c.hi));
   d.true_flip = canonical(q);
   d.true_time = {c.lo, c.hi};
   d.witness = collapse_witness(motion_, q, lo, hi);
@@ -257,8 +257,8 @@ void Checker::mistimed(const Quad& q, const Collapse& c, const Rational& claimed
 void Checker::resolve(HalfEdge h) {
   if (certificate_.resolved++ > 0) return;
   const Quad q = canonical(diagram_.quad(h));
-  Divergence d =
-      divergence_at_claim(Fault::wrong_quadruple, "the edge with these generators is " + text(q));
+  Divergence d = divergence_at_claim(Fault::wrong_quadruple,
+                                     "the edge with these generators is " + text_of(q));
   d.true_flip = q;
   d.witness = motion_witness(motion_, generators(diagram_.quad(h)), to_rational(d.t));
   certificate_.first_resolved = d;

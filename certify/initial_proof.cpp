@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "certify/edge_signs.h"
+#include "exact/names.h"
 #include "filtered/collapse.h"
 
 namespace voroproof {
@@ -12,14 +13,6 @@ namespace voroproof {
 namespace {
 
 using HalfEdge = Diagram::HalfEdge;
-
-std::string name(const Triple& v) {
-  return "[" + std::to_string(v[0]) + "," + std::to_string(v[1]) + "," + std::to_string(v[2]) + "]";
-}
-std::string name(const Quad& q) {
-  return "[" + std::to_string(q.l) + "," + std::to_string(q.r) + "," + std::to_string(q.s) + "," +
-         std::to_string(q.e) + "]";
-}
 
 // The sites at one time in all tiers, and a predicate's way through them.
 class SitesAt {
@@ -127,12 +120,12 @@ class InitialProof {
         sites_.decide([&](auto at, auto) { return circle_exists(triple_at(at, a, b, c)); });
     if (s == Sign::positive) return std::nullopt;
     const Triple v = canonical(Triple{a, b, c});
-    return InitialFault{
-        "no circle touches the generators of vertex " + name(v) + " counterclockwise in this order",
-        {},
-        v,
-        {},
-        {}};
+    return InitialFault{"no circle touches the generators of vertex " + text_of(v) +
+                            " counterclockwise in this order",
+                        {},
+                        v,
+                        {},
+                        {}};
   }
 
   std::optional<InitialFault> edge_fault(const Quad& q) {
@@ -156,7 +149,7 @@ class InitialProof {
       const bool first = start == Sign::negative;
       const Triple v = first ? start_vertex(q) : end_vertex(q);
       const GenId inside = first ? q.e : q.s;
-      return InitialFault{"the circle of vertex " + name(v) + " contains a point of generator " +
+      return InitialFault{"the circle of vertex " + text_of(v) + " contains a point of generator " +
                               std::to_string(inside),
                           q,
                           v,
@@ -174,7 +167,7 @@ class InitialProof {
     now.exact = [t](ExactMotion&) { return ExactTime(t); };
     CollapseSearch search(motion_, counts_);
     if (search.from(q, now, now.hi).kind != Collapse::Kind::now) return std::nullopt;
-    return InitialFault{"the four generators of edge " + name(q) +
+    return InitialFault{"the four generators of edge " + text_of(q) +
                             " are cotangent and the edge is not legal just after",
                         q,
                         {},

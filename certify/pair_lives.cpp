@@ -60,8 +60,8 @@ void Checker::end_pair(int edge, const Moment& m, bool closed) {
     // They touch as something else happens. If they still approach after it, that is for their
     // next life; but of collisions at one instant the smallest pair comes first.
     if (colliding_ && std::pair(i, j) < *colliding_) {
-      refute(Fault::wrong_order,
-             "generators " + text(i, j) + " touch and approach at the same instant and come first");
+      refute(Fault::wrong_order, "generators " + text_of(i, j) +
+                                     " touch and approach at the same instant and come first");
     }
     return;
   }
@@ -225,7 +225,7 @@ void Checker::check_recorded_contact(const CollideEvent& claim, const BallPair& 
     (Ball(t, kBits) + contact).to_interval(lo, hi);
     const bool near = std::fabs(lo - round_nearest(t)) <= kMistimed * tolerance_up_;
     Divergence d = divergence_at_claim(near ? Fault::wrong_time : Fault::spurious_event,
-                                       "generators " + text(i, j) + " touch " + between(lo, hi));
+                                       "generators " + text_of(i, j) + " touch " + between(lo, hi));
     d.true_contact = {i, j};
     d.true_time = {lo, hi};
     d.witness = contact_witness(motion_, i, j, to_rational(lo), to_rational(hi));
@@ -239,7 +239,7 @@ void Checker::check_recorded_contact(const CollideEvent& claim, const BallPair& 
     const Rational reach = law_.reach(i, j) + tol * to_rational(std::sqrt(round_up(k.a)));
     if (distance2 <= square(reach)) return;
   }
-  refute(Fault::spurious_event, "generators " + text(i, j) + " do not touch",
+  refute(Fault::spurious_event, "generators " + text_of(i, j) + " do not touch",
          motion_witness(motion_, {i, j}, t));
 }
 

@@ -1,4 +1,4 @@
-// The names of V-edges and V-vertices as files and messages write them.
+// The names of V-edges, V-vertices and pairs of generators as files and messages write them.
 #pragma once
 
 #include <string>
@@ -16,6 +16,11 @@ inline std::string text_of(const Quad& q) {
 // "[i,j,k]"
 inline std::string text_of(const Triple& v) {
   return "[" + std::to_string(v[0]) + "," + std::to_string(v[1]) + "," + std::to_string(v[2]) + "]";
+}
+
+// "[i,j]"
+inline std::string text_of(GenId i, GenId j) {
+  return "[" + std::to_string(i) + "," + std::to_string(j) + "]";
 }
 
 }  // namespace voroproof
