@@ -6,18 +6,12 @@
 #include <cmath>
 #include <random>
 
+#include "tests/exact/powers.h"
+
 namespace voroproof {
 namespace {
 
-Rational power_of_two(long exponent) {
-  Rational q = 1;
-  if (exponent >= 0) {
-    q <<= static_cast<unsigned long>(exponent);
-  } else {
-    q >>= static_cast<unsigned long>(-exponent);
-  }
-  return q;
-}
+using testing::power_of_two;
 
 // A number of `bits` bits, the first of them 1, the others in runs of zeros and ones: of the length
 // of a limb, of the parts into which the conversion cuts it, and less.

@@ -1,22 +1,11 @@
 // Balls as rational numbers, for tests.
 #pragma once
 
-#include <cstdint>
-
 #include "exact/ball.h"
 #include "exact/rational.h"
+#include "tests/exact/powers.h"
 
 namespace voroproof {
-
-inline Rational power_of_two(std::int64_t exponent) {
-  Rational q = 1;
-  if (exponent >= 0) {
-    q <<= static_cast<unsigned long>(exponent);
-  } else {
-    q >>= static_cast<unsigned long>(-exponent);
-  }
-  return q;
-}
 
 inline Rational midpoint_of(const Ball& b) {
   Rational q;

@@ -13,22 +13,16 @@
 #include <random>
 #include <string>
 
+#include "tests/exact/powers.h"
+
 namespace voroproof {
 namespace {
+
+using testing::power_of_two;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
-
-Rational power_of_two(long exponent) {
-  Rational q = 1;
-  if (exponent >= 0) {
-    q <<= static_cast<unsigned long>(exponent);
-  } else {
-    q >>= static_cast<unsigned long>(-exponent);
-  }
-  return q;
-}
 
 std::uint64_t bits_of(double x) {
   std::uint64_t bits;

@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "exact/algebraic.h"
+#include "tests/exact/powers.h"
 
 namespace voroproof {
 namespace {
+
+using testing::power_of_two;
 
 using RationalPolynomial = Polynomial<Rational>;
 using TowerPolynomial = Polynomial<Tower>;
@@ -24,16 +27,6 @@ Polynomial<T> linear(const T& root) {
 Rational fraction(long n, long d) {
   Rational q(n, d);
   q.canonicalize();
-  return q;
-}
-
-Rational power_of_two(long exponent) {
-  Rational q = 1;
-  if (exponent >= 0) {
-    q <<= static_cast<unsigned long>(exponent);
-  } else {
-    q >>= static_cast<unsigned long>(-exponent);
-  }
   return q;
 }
 

@@ -6,21 +6,12 @@
 
 #include <cmath>
 
-#include "apps/scene_motion.h"
 #include "filtered/collapse.h"
-#include "kinetic/engine.h"
-#include "tests/support/random_scenes.h"
+#include "tests/filtered/end_of_runs.h"
 #include "tests/support/scene_run.h"
 
 namespace voroproof::testing {
 namespace {
-
-struct Silence : EventSink {
-  void begin(const std::vector<Quad>&) override {}
-  void flip(double, const Quad&) override {}
-  void collide(double, GenId, GenId, const RoundedState&, const RoundedState&) override {}
-  void maneuver(double, GenId, const RoundedState&) override {}
-};
 
 struct Tally {
   int roots = 0, unknown = 0;
@@ -30,14 +21,8 @@ struct Tally {
 
 // All flips to come of the edges at the end of a run.
 void expect_bounds(const RandomScene& family, const char* horizon, Tally& tally) {
-  Random random(3);
-  for (int k = 0; k < 12; ++k) {
-    Scene scene = random_scene(family, random);
-    scene.horizon = Rational(horizon);
-    Engine<true> engine(motion_input(scene), {}, {});
-    Silence silence;
-    ASSERT_EQ(engine.run(silence).kind, Outcome::Kind::complete);
-    const double start = round_up(scene.horizon);
+  at_end_of_runs(family, horizon, 3, [&](Engine<true>& engine) {
+    const double start = round_up(Rational(horizon));
     TierCounts counts;
     CollapseSearch search(engine.motion(), counts);
     for (int e = 0; e < engine.diagram().edges(); ++e) {
@@ -61,7 +46,7 @@ void expect_bounds(const RandomScene& family, const char* horizon, Tally& tally)
         if (widen == 0) tally.widest = std::fmax(tally.widest, step.rad / (1 + step.hi));
       }
     }
-  }
+  });
 }
 
 TEST(NewtonStep, GivenMotion) {

@@ -6,23 +6,14 @@
 
 #include <cmath>
 
-#include "apps/scene_motion.h"
 #include "filtered/double_roots.h"
 #include "filtered/flip_polynomial.h"
 #include "filtered/subdivision.h"
-#include "kinetic/engine.h"
-#include "tests/support/random_scenes.h"
+#include "tests/filtered/end_of_runs.h"
 #include "tests/support/scene_run.h"
 
 namespace voroproof::testing {
 namespace {
-
-struct Silence : EventSink {
-  void begin(const std::vector<Quad>&) override {}
-  void flip(double, const Quad&) override {}
-  void collide(double, GenId, GenId, const RoundedState&, const RoundedState&) override {}
-  void maneuver(double, GenId, const RoundedState&) override {}
-};
 
 struct Tally {
   int roots = 0, collapses = 0, stays = 0, unknown = 0;  // from the intervals of the search
@@ -55,15 +46,9 @@ void expect_same(const Motion& motion, const Quad& q, double lo, double hi, Tall
 }
 
 void expect_verdicts(const RandomScene& family, const char* horizon, Tally& tally) {
-  Random random(5);
-  for (int k = 0; k < 12; ++k) {
-    Scene scene = random_scene(family, random);
-    scene.horizon = Rational(horizon);
-    Engine<true> engine(motion_input(scene), {}, {});
-    Silence silence;
-    ASSERT_EQ(engine.run(silence).kind, Outcome::Kind::complete);
+  at_end_of_runs(family, horizon, 5, [&](Engine<true>& engine) {
     const Motion& motion = engine.motion();
-    const double start = round_up(scene.horizon), end = start + 8;
+    const double start = round_up(Rational(horizon)), end = start + 8;
     for (int e = 0; e < engine.diagram().edges(); ++e) {
       const Quad q = engine.diagram().quad(2 * e);
       BernsteinForm form;
@@ -76,7 +61,7 @@ void expect_verdicts(const RandomScene& family, const char* horizon, Tally& tall
         return true;
       });
     }
-  }
+  });
 }
 
 void expect_most_decided(const Tally& tally) {
