@@ -1,35 +1,32 @@
 #include "apps/explanation.h"
 
-#include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "exact/rational.h"
-#include "history/error.h"
-#include "history/file_bytes.h"
+#include "apps/json_field.h"
 #include "history/json_text.h"
+#include "history/scene.h"
 
 namespace voroproof {
 
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::size_t max_report = std::size_t{1} << 26;
 
 // A number of the evidence: exact, or the middle of its enclosure.
-double value_of(const Json& number) {
-  if (number.is_string()) {
-    const auto q = parse_rational(number.get<std::string>());
-    if (!q) throw std::invalid_argument("not a number: " + number.get<std::string>());
-    return round_nearest(*q);
-  }
-  return 0.5 *
-         (std::stod(number.at(0).get<std::string>()) + std::stod(number.at(1).get<std::string>()));
+double value_of(const JsonField& number) {
+  if (number.json().is_string()) return number.number();
+  return 0.5 * (number[0].number() + number[1].number());
 }
 
-std::string text_of(const Json& number) {
-  if (number.is_string()) return number.get<std::string>();
-  return "in [" + number.at(0).get<std::string>() + ", " + number.at(1).get<std::string>() + "]";
+std::string text_of(const JsonField& number) {
+  if (number.json().is_string()) return number.text();
+  return "in [" + number[0].text() + ", " + number[1].text() + "]";
+}
+
+GenId id_of(const JsonField& field) {
+  const std::int64_t id = field.integer();
+  if (id < container_id || id >= max_disks) field.fail("no generator");
+  return static_cast<GenId>(id);
 }
 
 std::string name_of(GenId id) {
@@ -54,95 +51,91 @@ std::string meaning_of(const std::string& kind) {
 
 class Explainer {
  public:
-  explicit Explainer(const Json& report) : report_(report) {}
+  explicit Explainer(const JsonField& report) : report_(report) {}
 
   Explanation explain() {
-    const std::string verdict = report_.at("verdict");
+    const std::string verdict = report_["verdict"].text();
     found_.verdict = verdict;
-    found_.truth = report_.at("truth");
-    found_.reason = report_.at("reason");
-    found_.scene_sha256 = report_.at("scene_sha256");
-    out_ << report_.at("history").get<std::string>() << " against "
-         << report_.at("scene").get<std::string>() << ", truth "
-         << report_.at("truth").get<std::string>() << ": " << verdict << ".\n";
-    const Json& prefix = report_.at("certified_prefix");
-    found_.prefix_events = prefix.at("events");
-    found_.prefix_t = prefix.at("t");
-    out_ << "The first " << prefix.at("events")
+    found_.truth = report_["truth"].text();
+    found_.reason = report_["reason"].text();
+    found_.scene_sha256 = report_["scene_sha256"].text();
+    out_ << report_["history"].text() << " against " << report_["scene"].text() << ", truth "
+         << report_["truth"].text() << ": " << verdict << ".\n";
+    const JsonField prefix = report_["certified_prefix"];
+    found_.prefix_events = prefix["events"].integer();
+    found_.prefix_t = prefix["t"].number();
+    out_ << "The first " << found_.prefix_events
          << " events are proved right, and nothing is missing "
-         << "before t = " << prefix.at("t") << ".\n";
-    if (report_.contains("divergence")) {
-      explain_divergence(report_.at("divergence"));
+         << "before t = " << prefix["t"].json() << ".\n";
+    if (report_.has("divergence")) {
+      explain_divergence(report_["divergence"]);
     } else if (verdict != "CERTIFIED") {
-      out_ << report_.at("reason").get<std::string>() << '\n';
+      out_ << report_["reason"].text() << '\n';
     }
-    for (const Json& remark : report_.at("remarks")) {
-      out_ << "Note: " << remark.get<std::string>() << ".\n";
+    for (const JsonField& remark : report_["remarks"].elements()) {
+      out_ << "Note: " << remark.text() << ".\n";
     }
     found_.words = out_.str();
     return std::move(found_);
   }
 
  private:
-  void explain_divergence(const Json& d) {
-    const std::string kind = d.at("kind");
-    found_.fault = FirstFault{kind, d.at("line"), d.at("t"), d.at("truth")};
-    out_ << "\nLine " << d.at("line") << ", " << kind << ". " << meaning_of(kind) << '\n';
-    if (d.at("claim").is_null()) {
+  void explain_divergence(const JsonField& d) {
+    const std::string kind = d["kind"].text();
+    found_.fault = FirstFault{kind, d["line"].integer(), d["t"].number(), d["truth"].text()};
+    out_ << "\nLine " << found_.fault->line << ", " << kind << ". " << meaning_of(kind) << '\n';
+    if (d["claim"].json().is_null()) {
       out_ << "  claim: none\n";
     } else {
-      out_ << "  claim: " << d.at("claim").dump() << '\n';
+      out_ << "  claim: " << d["claim"].json().dump() << '\n';
     }
-    out_ << "  truth: " << d.at("truth").get<std::string>() << '\n';
-    explain_witness(d.at("witness"), d.at("t").get<double>());
+    out_ << "  truth: " << d["truth"].text() << '\n';
+    explain_witness(d["witness"], d["t"].number());
   }
 
-  void explain_witness(const Json& w, double t) {
-    if (!w.contains("generators")) return;
-    if (w.contains("isolating_interval")) {
-      t = 0.5 *
-          (value_of(w.at("isolating_interval").at(0)) + value_of(w.at("isolating_interval").at(1)));
+  void explain_witness(const JsonField& w, double t) {
+    if (!w.has("generators")) return;
+    if (w.has("isolating_interval")) {
+      t = 0.5 * (value_of(w["isolating_interval"][0]) + value_of(w["isolating_interval"][1]));
     }
-    if (w.contains("t")) t = value_of(w.at("t"));
+    if (w.has("t")) t = value_of(w["t"]);
     out_ << "\nTo check it by hand:\n";
     found_.generators_t = t;
-    for (const Json& g : w.at("generators")) {
-      const auto id = g.at("id").get<GenId>();
-      const Json& c = g.at("center");
-      const Json& v = g.at("velocity");
-      out_ << "  " << name_of(id) << ", signed radius " << text_of(g.at("signed_radius"))
-           << ", is at t0 = " << g.at("t0").get<std::string>()
-           << " at\n    x = " << text_of(c.at(0)) << "\n    y = " << text_of(c.at(1))
-           << "\n  and moves with\n    vx = " << text_of(v.at(0))
-           << "\n    vy = " << text_of(v.at(1)) << '\n';
-      const double dt = t - value_of(g.at("t0"));
-      const Vec2 velocity{value_of(v.at(0)), value_of(v.at(1))};
+    for (const JsonField& g : w["generators"].elements()) {
+      const GenId id = id_of(g["id"]);
+      const JsonField c = g["center"];
+      const JsonField v = g["velocity"];
+      out_ << "  " << name_of(id) << ", signed radius " << text_of(g["signed_radius"])
+           << ", is at t0 = " << g["t0"].text() << " at\n    x = " << text_of(c[0])
+           << "\n    y = " << text_of(c[1]) << "\n  and moves with\n    vx = " << text_of(v[0])
+           << "\n    vy = " << text_of(v[1]) << '\n';
+      const double dt = t - value_of(g["t0"]);
+      const Vec2 velocity{value_of(v[0]), value_of(v[1])};
       found_.generators.push_back(
           {id,
-           {value_of(c.at(0)) + dt * velocity[0], value_of(c.at(1)) + dt * velocity[1]},
+           {value_of(c[0]) + dt * velocity[0], value_of(c[1]) + dt * velocity[1]},
            velocity,
-           value_of(g.at("signed_radius"))});
+           value_of(g["signed_radius"])});
     }
-    if (w.contains("polynomial")) {
-      const Json& p = w.at("polynomial");
-      out_ << "  Their " << p.at("is").get<std::string>()
+    if (w.has("polynomial")) {
+      const JsonField p = w["polynomial"];
+      out_ << "  Their " << p["is"].text()
            << " at time t is the polynomial with the coefficients (of 1, t, t^2, ...)\n";
-      for (const Json& c : p.at("coefficients")) out_ << "    " << text_of(c) << '\n';
+      for (const JsonField& c : p["coefficients"].elements()) out_ << "    " << text_of(c) << '\n';
     }
-    if (w.contains("isolating_interval")) {
-      out_ << "  Exactly one root lies between\n    "
-           << w.at("isolating_interval").at(0).get<std::string>() << "\n  and\n    "
-           << w.at("isolating_interval").at(1).get<std::string>() << "\n  (about " << number_text(t)
-           << ").\n";
+    if (w.has("isolating_interval")) {
+      out_ << "  Exactly one root lies between\n    " << w["isolating_interval"][0].text()
+           << "\n  and\n    " << w["isolating_interval"][1].text() << "\n  (about "
+           << number_text(t) << ").\n";
     }
-    if (w.contains("vertex")) {
-      out_ << "  At t = " << w.at("t").get<std::string>() << " the circle of the vertex "
-           << w.at("vertex").dump() << " contains a point of "
-           << name_of(w.at("contains").get<GenId>()) << ".\n";
+    if (w.has("vertex")) {
+      out_ << "  At t = " << w["t"].text() << " the circle of the vertex "
+           << w["vertex"].json().dump() << " contains a point of " << name_of(id_of(w["contains"]))
+           << ".\n";
     }
   }
 
-  const Json& report_;
+  const JsonField report_;
   std::ostringstream out_;
   Explanation found_;
 };
@@ -150,18 +143,8 @@ class Explainer {
 }  // namespace
 
 Explanation explain_report(const std::string& path) {
-  const std::string bytes = file_bytes(path, max_report);
-  try {
-    const Json report = Json::parse(bytes);
-    if (report.at("format") != "voroproof-report" || report.at("version") != 1) {
-      throw InputError(path, 0, "format", "not a report of version 1");
-    }
-    return Explainer(report).explain();
-  } catch (const Json::exception& e) {
-    throw InputError(path, 0, "", std::string("not a report: ") + printable(e.what(), 200));
-  } catch (const std::logic_error& e) {  // a number that is none
-    throw InputError(path, 0, "", std::string("not a report: ") + printable(e.what(), 200));
-  }
+  const nlohmann::json report = read_report(path, "voroproof-report", max_report);
+  return Explainer(JsonField(report, path)).explain();
 }
 
 }  // namespace voroproof

@@ -158,10 +158,8 @@ class Follower {
 PaperCheckResult paper_check(const Scene& scene, const std::string& history_path,
                              const PaperCheckOptions& options) {
   const int disks = static_cast<int>(scene.disks.size());
-  HistoryReader history(history_path, disks);
+  HistoryReader history(history_path, disks, scene.sha256);
   const HistoryHeader& header = history.header();
-  if (header.scene_sha256 != scene.sha256)
-    throw InputError(history_path, 1, "scene_sha256", "not that of the scene, " + scene.sha256);
   Diagram initial = initial_diagram(header, disks, history_path, [&] {
     Motion motion(motion_input(scene), {});
     return diagram_of(disks, construct_initial(motion));

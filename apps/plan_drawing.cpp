@@ -1,64 +1,43 @@
 #include "apps/plan_drawing.h"
 
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "apps/diagram_geometry.h"
-#include "history/error.h"
-#include "history/file_bytes.h"
+#include "apps/json_field.h"
 
 namespace voroproof {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::size_t max_report = std::size_t{1} << 28;
 
 Vec2 vec(const Point2& p) { return {round_nearest(p.x), round_nearest(p.y)}; }
 
-// Of a report: numbers are JSON numbers or, where no double is exact, fractions as text.
-double number(const Json& json) {
-  double value = 0;
-  if (json.is_string()) {
-    const auto q = parse_rational(json.get<std::string>());
-    if (!q) throw std::invalid_argument("not a number: " + json.get<std::string>());
-    value = round_nearest(*q);
-  } else {
-    value = json.get<double>();
-  }
-  if (!std::isfinite(value)) throw std::invalid_argument("not a finite number");
-  return value;
-}
+Vec2 vec(const JsonField& point) { return {point[0].number(), point[1].number()}; }
 
-Vec2 vec(const Json& json) { return {number(json.at(0)), number(json.at(1))}; }
-
-PlanDrawing drawing_of(const Json& report) {
+PlanDrawing drawing_of(const JsonField& report) {
   PlanDrawing drawing;
-  const Json& container = report.at("container");
-  drawing.container_center = vec(container.at("center"));
-  drawing.container_radius = number(container.at("radius"));
-  for (const Json& vehicle : report.at("vehicles")) {
-    PlanDrawing::DrawnVehicle drawn{number(vehicle.at("radius")), {}};
-    for (const Json& knot : vehicle.at("way")) {
-      drawn.way.push_back({number(knot.at(0)), {number(knot.at(1)), number(knot.at(2))}});
+  drawing.container_center = vec(report["container"]["center"]);
+  drawing.container_radius = report["container"]["radius"].number();
+  for (const JsonField& vehicle : report["vehicles"].elements()) {
+    PlanDrawing::DrawnVehicle drawn{vehicle["radius"].number(), {}};
+    const JsonField way = vehicle["way"];
+    for (const JsonField& knot : way.elements()) {
+      drawn.way.push_back({knot[0].number(), {knot[1].number(), knot[2].number()}});
     }
-    if (drawn.way.size() < 2) throw std::invalid_argument("a way of fewer than two places");
+    if (drawn.way.size() < 2) way.fail("fewer than two places");
     drawing.vehicles.push_back(std::move(drawn));
   }
-  for (const Json& conjunction : report.at("avoided")) {
-    drawing.conjunctions.push_back(vec(conjunction.at("place")));
+  for (const JsonField& conjunction : report["avoided"].elements()) {
+    drawing.conjunctions.push_back(vec(conjunction["place"]));
   }
-  if (report.contains("minimum_gap")) {
-    const Json& gap = report.at("minimum_gap");
-    const PlanDrawing::Pair pair{gap.at("pair").at(0), gap.at("pair").at(1), number(gap.at("t"))};
-    for (const int i : {pair.i, pair.j}) {
-      if (i < 0 || i >= static_cast<int>(drawing.vehicles.size())) {
-        throw std::invalid_argument("minimum_gap: no vehicle " + std::to_string(i));
-      }
-    }
-    drawing.nearest = pair;
+  if (report.has("minimum_gap")) {
+    const JsonField gap = report["minimum_gap"];
+    const auto vehicle = [&](const JsonField& id) {
+      const std::int64_t i = id.integer();
+      if (i < 0 || i >= static_cast<std::int64_t>(drawing.vehicles.size())) id.fail("no vehicle");
+      return static_cast<int>(i);
+    };
+    drawing.nearest = {vehicle(gap["pair"][0]), vehicle(gap["pair"][1]), gap["t"].number()};
   }
   return drawing;
 }
@@ -96,21 +75,8 @@ PlanDrawing drawing_of(const PlanResult& result) {
 }
 
 PlanDrawing read_plan_report(const std::string& path) {
-  const std::string bytes = file_bytes(path, max_report);
-  const auto fault = [&](const std::exception& e) {
-    return InputError(path, 0, "", std::string("not a report of a plan: ") + e.what());
-  };
-  try {
-    const Json report = Json::parse(bytes);
-    if (report.at("format") != "voroproof-plan-report" || report.at("version") != 1) {
-      throw InputError(path, 0, "format", "not a report of a plan, version 1");
-    }
-    return drawing_of(report);
-  } catch (const Json::exception& e) {
-    throw fault(e);
-  } catch (const std::invalid_argument& e) {
-    throw fault(e);
-  }
+  const nlohmann::json report = read_report(path, "voroproof-plan-report", max_report);
+  return drawing_of(JsonField(report, path));
 }
 
 }  // namespace voroproof

@@ -45,8 +45,9 @@ ExitCode ask(const Request& request, const std::string& option, const TimeAnswer
   Window window{time_argument("--from", request.from), 0};
   const Scene scene = read_scene(request.scene);
   const int disks = static_cast<int>(scene.disks.size());
-  window.to = request.to.empty() ? HistoryReader(request.history, disks).header().horizon
-                                 : time_argument("--to", request.to);
+  window.to = request.to.empty()
+                  ? HistoryReader(request.history, disks, scene.sha256).header().horizon
+                  : time_argument("--to", request.to);
   if (window.to < window.from) throw UsageError("--to: before --from");
   check_generators(scene, option, request.generators);
   HistoryCursor history(

@@ -68,10 +68,8 @@ Claim open_claim(const std::string& scene_path, const std::string& history_path)
   Claim claim;
   claim.scene =
       is_disk_file(scene_path) ? read_disk_file(scene_path).scene : read_scene(scene_path);
-  claim.history = open_history(history_path, static_cast<int>(claim.scene.disks.size()));
-  if (claim.history->header().scene_sha256 != claim.scene.sha256) {
-    throw InputError(history_path, 1, "scene_sha256", "is not that of " + scene_path);
-  }
+  claim.history =
+      open_history(history_path, static_cast<int>(claim.scene.disks.size()), claim.scene.sha256);
   note_horizon(claim);
   return claim;
 }

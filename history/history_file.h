@@ -93,8 +93,10 @@ inline constexpr std::size_t max_event_line = std::size_t{1} << 20;
 // reader that threw is of no further use.
 class HistoryReader {
  public:
-  // Reads the header. Ids must be below disk_count, the number of disks of the scene if known.
-  explicit HistoryReader(const std::string& path, int disk_count = max_disks);
+  // Reads the header. If the scene is known: ids must be below its number of disks, and the
+  // history be one of a scene with this hash.
+  explicit HistoryReader(const std::string& path, int disk_count = max_disks,
+                         const std::string& scene_sha256 = {});
 
   const HistoryHeader& header() const { return header_; }
 
@@ -115,7 +117,7 @@ class HistoryReader {
   bool counts_match() const;
 
  private:
-  void read_header();
+  void read_header(const std::string& wanted_sha256);
   void check_time(const Number& t, const char* field);
 
   std::string path_;

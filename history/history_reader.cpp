@@ -254,12 +254,13 @@ ManeuverEvent maneuver_of(const Line& line) {
 
 }  // namespace
 
-HistoryReader::HistoryReader(const std::string& path, int disk_count)
+HistoryReader::HistoryReader(const std::string& path, int disk_count,
+                             const std::string& scene_sha256)
     : path_(path), lines_(path_), last_id_(disk_count - 1) {
-  read_header();
+  read_header(scene_sha256);
 }
 
-void HistoryReader::read_header() {
+void HistoryReader::read_header(const std::string& wanted_sha256) {
   const auto text = lines_.next(max_header_line);
   if (!text) throw InputError(path_, 1, "", "empty file");
   JsonReader json(*text, path_, lines_.number());
@@ -283,6 +284,9 @@ void HistoryReader::read_header() {
           if (c >= 'A' && c <= 'F') c = static_cast<char>(c - 'A' + 'a');
         if (hash.size() != 64 || hash.find_first_not_of("0123456789abcdef") != std::string::npos)
           json.fail("not 64 hexadecimal digits");
+        // Before the ids, which would be those of another scene.
+        if (!wanted_sha256.empty() && hash != wanted_sha256)
+          json.fail("the history is one of another scene");
         break;
       }
       case horizon:

@@ -6,7 +6,8 @@ namespace {
 
 class NativeHistory : public HistorySource {
  public:
-  NativeHistory(const std::string& path, int disk_count) : reader_(path, disk_count) {}
+  NativeHistory(const std::string& path, int disk_count, const std::string& scene_sha256)
+      : reader_(path, disk_count, scene_sha256) {}
   const HistoryHeader& header() const override { return reader_.header(); }
   std::optional<Event> next() override { return reader_.next(); }
   std::int64_t line() const override { return reader_.line(); }
@@ -24,8 +25,9 @@ class NativeHistory : public HistorySource {
 
 }  // namespace
 
-std::unique_ptr<HistorySource> open_history(const std::string& path, int disk_count) {
-  return std::make_unique<NativeHistory>(path, disk_count);
+std::unique_ptr<HistorySource> open_history(const std::string& path, int disk_count,
+                                            const std::string& scene_sha256) {
+  return std::make_unique<NativeHistory>(path, disk_count, scene_sha256);
 }
 
 }  // namespace voroproof

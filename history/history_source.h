@@ -26,7 +26,8 @@ class HistorySource {
   virtual std::optional<std::int64_t> shadow_line(const Quad& q, double lo, double hi) const = 0;
 };
 
-// Opens a history of this project's format; ids must be below disk_count. Throws InputError.
-std::unique_ptr<HistorySource> open_history(const std::string& path, int disk_count);
+// Opens a history of this project's format, as HistoryReader does. Throws InputError.
+std::unique_ptr<HistorySource> open_history(const std::string& path, int disk_count,
+                                            const std::string& scene_sha256 = {});
 
 }  // namespace voroproof

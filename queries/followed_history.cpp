@@ -27,11 +27,8 @@ void check_covered(const HistoryReader& history, const std::string& path, const 
 
 void follow_history(const Scene& scene, const std::string& path, const Rational& t,
                     const HistoryFollower& follower) {
-  HistoryReader history(path, static_cast<int>(scene.disks.size()));
+  HistoryReader history(path, static_cast<int>(scene.disks.size()), scene.sha256);
   const HistoryHeader& header = history.header();
-  if (header.scene_sha256 != scene.sha256) {
-    throw InputError(path, 1, "scene_sha256", "not that of the scene, " + scene.sha256);
-  }
   if (t > header.horizon) {
     throw InputError(path, 1, "horizon",
                      "the history covers [0, " + number_text(header.horizon) + "] only, and " +

@@ -125,9 +125,19 @@ TEST_F(CertifyCli, ReportsAreExplainedAndDrawn) {
   EXPECT_FALSE(std::filesystem::exists(file("good.svg")));
   Json cut = json("r.json");
   cut["divergence"]["witness"]["generators"][0]["center"] = Json::array();
-  refused({"explain", written("cut.json", cut.dump())}, "");
-  refused({"explain", scene}, "not a report");
-  refused({"explain", path}, "not a report");
+  const std::string cut_report = written("cut.json", cut.dump());
+  refused({"explain", cut_report},
+          cut_report + ": divergence.witness.generators[0].center: fewer than 1 elements");
+  cut["certified_prefix"]["events"] = "12";
+  refused({"explain", written("cut.json", cut.dump())},
+          ": certified_prefix.events: not an integer\n");
+  cut.erase("certified_prefix");
+  refused({"explain", written("cut.json", cut.dump())}, ": certified_prefix: missing\n");
+  const std::string half = written("half.json", directory_.read("r.json").substr(0, 200));
+  refused({"explain", half}, half + ":");
+  refused({"explain", half}, ": incomplete\n");
+  refused({"explain", scene}, scene + ":1: format: not \"voroproof-report\"\n");
+  refused({"explain", path}, path + ":1: format: not \"voroproof-report\"\n");
   refused({"explain", file("r.json"), "-o", file("r.gif")}, ".svg or .png");
 }
 

@@ -298,6 +298,19 @@ struct Bad {
 // What gtest calls the case.
 void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.message; }
 
+// With the ids of the other scene a reader would complain of these.
+TEST(HistoryReader, SaysThatAHistoryIsOfAnotherScene) {
+  TemporaryDirectory directory;
+  const std::string path = directory.write("h", joined(good_lines));
+  EXPECT_NO_THROW(HistoryReader(path, 10, hash));
+  try {
+    HistoryReader(path, 1, std::string(64, 'c'));
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.what(), path + ":1: scene_sha256: the history is one of another scene");
+  }
+}
+
 class BadHistory : public testing::TestWithParam<Bad> {};
 
 TEST_P(BadHistory, IsRefusedWithLineAndField) {
