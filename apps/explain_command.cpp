@@ -4,6 +4,7 @@
 
 #include "apps/command_line.h"
 #include "apps/explanation.h"
+#include "apps/interruption.h"
 #include "apps/witness_picture.h"
 
 namespace voroproof {
@@ -27,6 +28,7 @@ ExitCode explain(const Request& request) {
   require_picture("--output", picture);
   const Explanation explanation = explain_report(request.report);
   const bool drawn = !explanation.generators.empty();
+  const CooperativeInterruption interruption;
   if (drawn) draw_witness(explanation.generators, picture);
   std::cout << explanation.words;
   if (drawn) {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "apps/command_line.h"
+#include "apps/interruption.h"
 #include "apps/movie.h"
 #include "history/error.h"
 
@@ -36,6 +37,7 @@ ExitCode make_movie(const Request& request) {
   if (!request.report.empty()) report = read_report(request.report, claim.scene);
   const std::int64_t line = report && report->fault ? report->fault->line : 0;
   const MovieData data = movie_data(claim, request.history, until, line);
+  const CooperativeInterruption interruption;
   write_movie(request.output, claim, data, report ? &*report : nullptr,
               {.producer = producer(), .follow = request.follow});
   return ExitCode::ok;

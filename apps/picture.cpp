@@ -83,8 +83,9 @@ void write_picture(const std::string& path, int size, const std::function<void(c
     throw std::invalid_argument("picture: the name must end in .svg or .png");
   if (size < 16 || size > 20000)
     throw std::invalid_argument("picture: the size must lie between 16 and 20000 pixels");
+  const std::string bytes = is_svg ? svg(paint, size) : png(paint, size);
   AtomicFile file(path);
-  file.write(is_svg ? svg(paint, size) : png(paint, size));
+  file.write(bytes);
   file.commit();
 }
 

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "apps/command_line.h"
+#include "apps/interruption.h"
 #include "apps/plan_picture.h"
 #include "apps/render.h"
 #include "history/error.h"
@@ -22,6 +23,7 @@ void draw_diagram(const Request& request) {
     options.probe = round_nearest(time_argument("--probe", request.probe));
   }
   const DiagramFile diagram = read_diagram(request.input);
+  const CooperativeInterruption interruption;
   try {
     render_diagram(diagram, request.output, options);
   } catch (const std::invalid_argument& fault) {
@@ -31,7 +33,9 @@ void draw_diagram(const Request& request) {
 
 void draw_plan_report(const Request& request) {
   if (!request.probe.empty()) throw UsageError("--probe: a plan has no diagram");
-  draw_plan(read_plan_report(request.input), request.output, request.options.size);
+  const PlanDrawing drawing = read_plan_report(request.input);
+  const CooperativeInterruption interruption;
+  draw_plan(drawing, request.output, request.options.size);
 }
 
 ExitCode render(const Request& request) {
