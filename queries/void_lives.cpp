@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
 #include <variant>
 
 #include "queries/between_roots.h"
+#include "queries/changing_components.h"
 #include "queries/lines.h"
 
 namespace voroproof {
@@ -15,7 +17,7 @@ namespace {
 
 using HalfEdge = Diagram::HalfEdge;
 
-// What an edge has of the graph: nodes, and which two of them are joined along it.
+// What an edge has of the graph: nodes, and which two of them are joined along it; sorted.
 struct EdgeGraph {
   std::vector<ClearanceNode> nodes;
   std::vector<std::pair<ClearanceNode, ClearanceNode>> links;
@@ -34,6 +36,8 @@ EdgeGraph graph_of(const std::vector<Lines::Fit>& along) {
       last = fit.node;
     }
   }
+  std::sort(graph.nodes.begin(), graph.nodes.end());
+  std::sort(graph.links.begin(), graph.links.end());
   return graph;
 }
 
@@ -135,107 +139,145 @@ class EdgeWalk {
   std::vector<Rational> since_;  // the start of each edge's present life
 };
 
-// Sets of things that are found to belong together.
+// What the first list has and the second has not; both are sorted.
 template <class T>
-class Classes {
- public:
-  const T& find(const T& x) {
-    const auto at = parent_.emplace(x, x).first;
-    if (at->second == x) return at->first;
-    const T root = find(at->second);
-    return parent_.insert_or_assign(x, root).first->second;
-  }
-  // The smaller stands for both.
-  void join(const T& a, const T& b) {
-    const T x = find(a), y = find(b);
-    parent_.insert_or_assign(std::max(x, y), std::min(x, y));
-  }
+std::vector<T> without(const std::vector<T>& all, const std::vector<T>& others) {
+  std::vector<T> left;
+  std::set_difference(all.begin(), all.end(), others.begin(), others.end(),
+                      std::back_inserter(left));
+  return left;
+}
 
- private:
-  std::map<T, T> parent_;
-};
-
-// The voids as the graph changes.
+// The voids as the graph changes. A void is a component of it, and bears its number as a mark.
 class Lives {
  public:
   explicit Lives(std::size_t edges) : graphs_(edges) {}
 
-  void change(const Change& change) { graphs_[change.edge] = change.graph; }
-  void meet(const Meeting& meeting) {
-    for (const Triple& v : meeting.vertices) places_.join(meeting.vertices[0], v);
-  }
+  // Changes and meetings of one time; settle() makes them true.
+  void change(const Change& change) { changes_[change.edge] = change.graph; }
+  void meet(const Meeting& meeting) { meetings_.push_back(meeting.vertices); }
 
-  // After all changes and meetings of one time.
   void settle(const Enclosure& t) {
-    Classes<ClearanceNode> components;
-    std::set<ClearanceNode> nodes;
-    for (const EdgeGraph& graph : graphs_) {
-      nodes.insert(graph.nodes.begin(), graph.nodes.end());
-      for (const auto& [a, b] : graph.links) components.join(a, b);
+    const std::vector<MetPlace> met = met_places();
+    std::set<std::size_t> concerned;  // voids that may change or end
+    const auto concern = [&](const ClearanceNode& node) {
+      const auto there = voids_.of(node);
+      if (!there) return;
+      concerned.insert(voids_.marks(*there).begin(), voids_.marks(*there).end());
+      voids_.mark(*there, {});
+    };
+    for (const MetPlace& place : met) {
+      for (const Triple& v : place.vertices) concern(vertex_node(v));
     }
-    // Which voids there were at the nodes of each, by its smallest.
-    std::map<ClearanceNode, std::set<std::size_t>> before;
-    std::map<std::size_t, std::set<ClearanceNode>> after;
-    for (const ClearanceNode& node : nodes) {
-      std::set<std::size_t>& olds = before[components.find(node)];
-      const auto [first, last] = old_.equal_range(place(node));
-      for (auto at = first; at != last; ++at) olds.insert(at->second);
+    for (const auto& [edge, graph] : changes_) {
+      for (const ClearanceNode& node : graphs_[edge].nodes) concern(node);
+      for (const ClearanceNode& node : graph.nodes) concern(node);
     }
-    for (const auto& [component, olds] : before) {
-      for (const std::size_t v : olds) after[v].insert(component);
-    }
-    std::map<ClearanceNode, std::size_t> numbers;
-    for (const auto& [component, olds] : before) {
-      const bool same = olds.size() == 1 && after.at(*olds.begin()).size() == 1;
-      numbers[component] = same ? *olds.begin() : lives_.size();
-      if (!same) lives_.push_back({t, t, {olds.begin(), olds.end()}, {}, component});
-    }
-    for (const std::size_t v : present_) {
-      const auto into = after.find(v);
-      if (into != after.end() && into->second.size() == 1 &&
-          numbers.at(*into->second.begin()) == v) {
-        continue;
-      }
-      lives_[v].to = t;
-      if (into == after.end()) continue;
-      for (const ClearanceNode& component : into->second) {
-        lives_[v].after.push_back(numbers.at(component));
+    apply_changes();
+    for (const MetPlace& place : met) {
+      for (const Triple& v : place.vertices) {
+        if (const auto there = voids_.of(vertex_node(v))) voids_.mark(*there, place.voids);
       }
     }
-    present_.clear();
-    members_.clear();
-    for (const ClearanceNode& node : nodes) {
-      const std::size_t v = numbers.at(components.find(node));
-      present_.insert(v);
-      members_.emplace(node, v);
-    }
-    places_ = {};
-  }
-
-  // Before the changes and meetings of the next time; the meetings are noted.
-  void place_members() {
-    old_.clear();
-    for (const auto& [node, v] : members_) old_.emplace(place(node), v);
+    renumber(t, concerned);
   }
 
   std::vector<VoidLife> finish(const Enclosure& t) {
-    for (const std::size_t v : present_) lives_[v].to = t;
-    return std::move(lives_);
+    for (Life& life : lives_) {
+      if (!life.ended) life.to = t;
+    }
+    return {lives_.begin(), lives_.end()};
   }
 
  private:
-  // Vertices that meet are at one place.
-  ClearanceNode place(const ClearanceNode& node) {
-    if (node.kind != ClearanceNode::Kind::vertex) return node;
-    return vertex_node(places_.find(node.generators));
+  // A void that has not ended has no `to` yet.
+  struct Life : VoidLife {
+    bool ended = false;
+  };
+  // Vertices that are one point at this time, and the voids there were at them.
+  struct MetPlace {
+    std::set<Triple> vertices;
+    std::set<std::size_t> voids;
+  };
+
+  std::set<std::size_t> voids_at(const ClearanceNode& node) const {
+    const auto there = voids_.of(node);
+    return there ? voids_.marks(*there) : std::set<std::size_t>{};
+  }
+
+  // Meetings that share vertices are one place.
+  std::vector<MetPlace> met_places() {
+    std::vector<MetPlace> places;
+    for (const auto& vertices : meetings_) {
+      MetPlace joined{{vertices.begin(), vertices.end()}, {}};
+      std::erase_if(places, [&](MetPlace& place) {
+        const bool shares = std::any_of(vertices.begin(), vertices.end(), [&](const Triple& v) {
+          return place.vertices.contains(v);
+        });
+        if (shares) joined.vertices.merge(place.vertices);
+        return shares;
+      });
+      places.push_back(std::move(joined));
+    }
+    for (MetPlace& place : places) {
+      for (const Triple& v : place.vertices) place.voids.merge(voids_at(vertex_node(v)));
+    }
+    meetings_.clear();
+    return places;
+  }
+
+  // Nodes come before others go, and go before links come: so parts have nodes of all the voids
+  // whose marks they bear.
+  void apply_changes() {
+    for (const auto& [edge, graph] : changes_) {
+      for (const ClearanceNode& node : without(graph.nodes, graphs_[edge].nodes)) voids_.add(node);
+    }
+    for (const auto& [edge, graph] : changes_) {
+      for (const auto& [a, b] : without(graphs_[edge].links, graph.links)) voids_.cut(a, b);
+    }
+    for (const auto& [edge, graph] : changes_) {
+      for (const auto& node : without(graphs_[edge].nodes, graph.nodes)) voids_.remove(node);
+    }
+    for (auto& [edge, graph] : changes_) {
+      for (const auto& [a, b] : without(graph.links, graphs_[edge].links)) voids_.link(a, b);
+      graphs_[edge] = std::move(graph);
+    }
+    changes_.clear();
+  }
+
+  void renumber(const Enclosure& t, const std::set<std::size_t>& concerned) {
+    const std::vector<ChangingComponents::Id> touched = voids_.take_touched();
+    std::map<std::size_t, std::vector<ChangingComponents::Id>> after;
+    for (const auto now : touched) {
+      for (const std::size_t v : voids_.marks(now)) after[v].push_back(now);
+    }
+    for (const auto now : touched) {
+      const std::set<std::size_t>& olds = voids_.marks(now);
+      if (olds.size() == 1 && after.at(*olds.begin()).size() == 1) continue;
+      Life life{{t, t, {olds.begin(), olds.end()}, {}, voids_.smallest(now)}};
+      voids_.mark_anew(now, lives_.size());
+      lives_.push_back(std::move(life));
+    }
+    for (const std::size_t v : concerned) {
+      const auto into = after.find(v);
+      Life& life = lives_[v];
+      if (into != after.end()) {
+        for (const auto now : into->second) life.after.push_back(*voids_.marks(now).begin());
+        if (life.after == std::vector<std::size_t>{v}) {
+          life.after.clear();
+          continue;
+        }
+      }
+      life.to = t;
+      life.ended = true;
+    }
   }
 
   std::vector<EdgeGraph> graphs_;
-  Classes<Triple> places_;
-  std::map<ClearanceNode, std::size_t> members_;   // of the voids
-  std::multimap<ClearanceNode, std::size_t> old_;  // the same by their places
-  std::set<std::size_t> present_;
-  std::vector<VoidLife> lives_;
+  std::map<std::size_t, EdgeGraph> changes_;  // of edges
+  std::vector<std::array<Triple, 4>> meetings_;
+  ChangingComponents voids_;
+  std::vector<Life> lives_;
 };
 
 }  // namespace
@@ -257,10 +299,11 @@ std::vector<VoidLife> void_lives(const Paths& paths, HistoryCursor& history, con
   auto meeting = walk.meetings.begin();
   for (auto change = changes.begin(); change != changes.end();) {
     const AlgebraicTime t = change->t;
-    for (; meeting != walk.meetings.end() && compare(t, meeting->t) >= 0; ++meeting) {
-      lives.meet(*meeting);
+    for (; meeting != walk.meetings.end(); ++meeting) {
+      const auto order = compare(t, meeting->t);
+      if (order < 0) break;
+      if (order == 0) lives.meet(*meeting);
     }
-    lives.place_members();
     for (; change != changes.end() && compare(change->t, t) == 0; ++change) lives.change(*change);
     lives.settle(enclosure(t));
   }

@@ -35,7 +35,8 @@ struct VoidLife {
 // In the order in which they come about, at one time by their smallest nodes. Instants at which a
 // probe just fits and no longer are left out. The window is not empty. Moves the cursor. Throws
 // Undecided where a decision needs more than the budget. For k events and d changes of the graph:
-// O(k) isolations of roots and O(d n log n) steps.
+// O(k) isolations of roots and O(d log d) comparisons of them; and at each change steps as many as
+// the smaller part has nodes, or the way around the place of the change (changing_components.h).
 std::vector<VoidLife> void_lives(const Paths& paths, HistoryCursor& history, const Rational& probe,
                                  const Window& window);
 
