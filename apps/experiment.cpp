@@ -50,6 +50,7 @@ class Recorder final : public EventSink {
     counter.finish();
     run_.predicted_flips = counter.flips();
     run_.predicted_flips_before_contact = counter.flips_before_contact();
+    run_.predicted_roots = counter.roots();
     run_.predicted_collisions = counter.collisions();
   }
 

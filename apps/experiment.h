@@ -30,7 +30,8 @@ struct ExperimentRun {
   EngineStats stats;
   double seconds = 0;  // of the engine, without what is counted besides
   // By the rule of predictions.h.
-  std::uint64_t predicted_flips = 0, predicted_flips_before_contact = 0, predicted_collisions = 0;
+  std::uint64_t predicted_flips = 0, predicted_flips_before_contact = 0, predicted_roots = 0,
+                predicted_collisions = 0;
   // Events in [10 k, 10 (k + 1)); what happens exactly at the horizon counts in the last interval.
   std::vector<std::uint64_t> flip_frequency, collision_frequency;
   // When the run ended, in binary64, from states right to about 1e-12 of their size: of each disk

@@ -43,6 +43,7 @@ Json member_json(const ExperimentMember& member, bool predictions) {
   if (predictions && run.outcome.kind == Outcome::Kind::complete)
     json["predicted"] = {{"flips", run.predicted_flips},
                          {"flips_before_contact", run.predicted_flips_before_contact},
+                         {"roots", run.predicted_roots},
                          {"collisions", run.predicted_collisions}};
   json["searched"] = {{"flips", stats.flip_searches},
                       {"found_flips", stats.predicted_flips},
@@ -81,7 +82,8 @@ std::string experiment_json(const Experiment& experiment) {
 std::string experiment_csv(const Experiment& experiment) {
   std::string text =
       "set,k,n,speed,rmax,density,restitution,seed,horizon,outcome,t,flips,disk_collisions,"
-      "wall_collisions,predicted_flips,predicted_flips_before_contact,predicted_collisions,"
+      "wall_collisions,predicted_flips,predicted_flips_before_contact,predicted_roots,predicted_"
+      "collisions,"
       "neighbor_distance_mean,"
       "neighbor_distance_deviation,speed_mean,speed_deviation\n";
   for (const ExperimentMember& member : experiment.members) {
@@ -106,6 +108,7 @@ std::string experiment_csv(const Experiment& experiment) {
         count(run.stats.wall_collisions),
         predicted ? count(run.predicted_flips) : "",
         predicted ? count(run.predicted_flips_before_contact) : "",
+        predicted ? count(run.predicted_roots) : "",
         predicted ? count(run.predicted_collisions) : "",
         number_text(run.neighbor_distance.mean),
         number_text(run.neighbor_distance.deviation),

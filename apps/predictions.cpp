@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "filtered/root_presence.h"
 #include "kinetic/static_diagram.h"
 
 namespace voroproof {
@@ -74,6 +75,7 @@ void PredictionCounter::predict() {
 
 void PredictionCounter::predict_flip(const Quad& edge, const Instant& now) {
   if (edge.s == edge.e) return;
+  roots_ += flip_polynomial_has_root(motion_, edge, now.lo, horizon_);
   const double contact = first_contact(edge, now);
   if (flips_within(edge, now.lo, contact)) {
     ++flips_;

@@ -33,6 +33,9 @@ class PredictionCounter {
   // Those that no contact among the four generators precedes: after it they would have to pass
   // through each other.
   std::uint64_t flips_before_contact() const { return flips_before_contact_; }
+  // As flips(), but any root of the flip polynomial counts: the rule of Algorithm 2 as it is
+  // printed (line 9), by which roots that are no collapses are found only when their time comes.
+  std::uint64_t roots() const { return roots_; }
   std::uint64_t collisions() const { return collisions_; }
 
  private:
@@ -52,7 +55,7 @@ class PredictionCounter {
   // Since the last instant: half-edges of changed edges, of new adjacencies, disks that collided.
   std::set<Diagram::HalfEdge> changed_, adjacent_;
   std::set<GenId> moved_;
-  std::uint64_t flips_ = 0, flips_before_contact_ = 0, collisions_ = 0;
+  std::uint64_t flips_ = 0, flips_before_contact_ = 0, roots_ = 0, collisions_ = 0;
 };
 
 }  // namespace voroproof

@@ -12,6 +12,7 @@
 #include "apps/predictions.h"
 #include "apps/scene_motion.h"
 #include "corpus/paper_sets.h"
+#include "filtered/root_presence.h"
 #include "tests/support/scene_run.h"
 
 namespace voroproof {
@@ -113,7 +114,8 @@ TEST(Predictions, CoverWhatOccurs) {
     EXPECT_GE(run.predicted_flips_before_contact, run.stats.flip_count());
     EXPECT_GT(run.predicted_flips, run.predicted_flips_before_contact);
     EXPECT_GE(run.predicted_collisions, run.stats.disk_collisions + run.stats.wall_collisions);
-    EXPECT_LT(run.predicted_flips, 20 * run.stats.flip_count());
+    EXPECT_GT(run.predicted_roots, run.predicted_flips);
+    EXPECT_LT(run.predicted_roots, 20 * run.stats.flip_count());
   }
 }
 
@@ -130,7 +132,7 @@ TEST(Predictions, AskOfEveryEdgeThatIsNew) {
   CollapseSearch search(motion, counts);
   NamedDiagram diagram(diagram_of(motion.size(), record.initial));
   std::set<Quad> known;
-  std::uint64_t expected = 0, asked = 0;
+  std::uint64_t expected = 0, asked = 0, roots = 0;
   const auto ask = [&](double now, const std::set<GenId>& moved) {
     const double start = std::nextafter(now, std::numeric_limits<double>::infinity());
     const std::vector<Quad> quads = diagram.diagram().quads();
@@ -139,6 +141,7 @@ TEST(Predictions, AskOfEveryEdgeThatIsNew) {
           moved.contains(q.l) || moved.contains(q.r) || moved.contains(q.s) || moved.contains(q.e);
       if ((known.contains(q) && !is_moved) || q.s == q.e) continue;
       ++asked;
+      roots += flip_polynomial_has_root(motion, q, start, options.horizon);
       // Beyond a contact of the four an answer means nothing.
       double end = options.horizon, at = start;
       for (const auto& [i, j] :
@@ -176,6 +179,7 @@ TEST(Predictions, AskOfEveryEdgeThatIsNew) {
   }
   EXPECT_EQ(run.predicted_flips_before_contact, expected);
   EXPECT_GE(run.predicted_flips, expected);
+  EXPECT_EQ(run.predicted_roots, roots);
   EXPECT_GT(run.stats.flip_count(), 100u);
   EXPECT_GT(run.stats.disk_collisions, 5u);
   EXPECT_GT(asked, 2 * expected);  // not every edge says yes
