@@ -27,7 +27,7 @@ class Browser : public Cli {
   // `script`, the body of a function that runs when the page has been set up, returns. `errors`
   // of the result are what went wrong in the page.
   Json run_in_page(const std::string& page, const std::string& script,
-                   const std::string& place = "", const std::string& window = "1000,700") const {
+                   const std::string& place = "", const std::string& window = "1000,700") {
     std::string html = read_bytes(page);
     const std::string watch =
         "<script>window.errors = []; window.addEventListener('error', "
@@ -39,15 +39,17 @@ class Browser : public Cli {
         "document.body.textContent = 'BEGIN' + btoa(text) + 'END'; }</script>\n";
     html.insert(html.find("<body>"), watch);
     html.insert(html.find("</body>"), probe);
-    const std::string probed = streams_.write("probed.html", html);
+    // Everything anew each time: a browser that is still about to end must not answer for the next.
+    const std::string run = std::to_string(runs_++);
+    const std::string probed = streams_.write("probed" + run + ".html", html);
     // Browsers refuse to run as root, as containers do, with their sandbox on.
     const std::string command =
         "timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage "
         "--user-data-dir=" +
-        streams_.file("profile") + " --window-size=" + window + " --dump-dom 'file://" + probed +
-        place + "' >" + streams_.file("dom") + " 2>/dev/null";
+        streams_.file("profile" + run) + " --window-size=" + window + " --dump-dom 'file://" +
+        probed + place + "' >" + streams_.file("dom" + run) + " 2>/dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
-    const std::string dom = streams_.read("dom");
+    const std::string dom = streams_.read("dom" + run);
     const auto begin = dom.find("BEGIN"), end = dom.find("END", begin);
     if (begin == std::string::npos || end == std::string::npos) {
       ADD_FAILURE() << "the page said nothing: " << dom.substr(0, 500);
@@ -57,6 +59,8 @@ class Browser : public Cli {
   }
 
  private:
+  int runs_ = 0;
+
   static std::string from_base64(const std::string& text) {
     std::string bytes;
     unsigned group = 0, bits = 0;

@@ -72,7 +72,7 @@ class Movie : public Browser {
 
   // The same with the times put into the script.
   Json run_in_page(const std::string& page, const std::string& script,
-                   const std::vector<double>& times) const {
+                   const std::vector<double>& times) {
     return Browser::run_in_page(page, "const TIMES = " + Json(times).dump() + ";" + script);
   }
   using Browser::run_in_page;
