@@ -52,10 +52,16 @@ class PlanPainter {
       include(plan_.container_center, plan_.container_radius);
       side = std::max(x1 - x0, y1 - y0);
     }
-    const double half = 0.54 * side;
+    Vec2 middle{(x0 + x1) / 2, (y0 + y1) / 2};
+    double half = 0.54 * side;
+    // A container that is about as large is shown as a whole, not cut at its sides.
+    if (plan_.container_radius < 1.3 * half) {
+      middle = plan_.container_center;
+      half = 1.04 * plan_.container_radius;
+    }
     scale_ = size_ / (2 * half);
-    left_ = (x0 + x1) / 2 - half;
-    top_ = (y0 + y1) / 2 + half;
+    left_ = middle[0] - half;
+    top_ = middle[1] + half;
   }
 
   Vec2 pixel(const Vec2& p) const { return {(p[0] - left_) * scale_, (top_ - p[1]) * scale_}; }
@@ -106,9 +112,23 @@ class PlanPainter {
     if (plan_.vehicles.size() > 60) return;
     source(ink);
     const DigitPen pen(cairo_);
-    const double height = std::clamp(vehicle.radius * scale_, 6.0, 16.0);
-    pen.write(std::to_string(i), pixel(start), height);
-    pen.write(std::to_string(i), pixel(goal), height);
+    const std::string digits = std::to_string(i);
+    const double radius = vehicle.radius * scale_;
+    const double width = 0.7 * static_cast<double>(digits.size());  // of digits of height 1
+    const double inside = std::min(16.0, 1.6 * radius / std::hypot(width, 1.0));
+    if (inside >= 8) {
+      pen.write(digits, pixel(start), inside);
+      pen.write(digits, pixel(goal), inside);
+      return;
+    }
+    // Beside the ends, where no way leads.
+    const Vec2 from = pixel(start), way = pixel(goal) - from;
+    const double length = std::hypot(way[0], way[1]);
+    const Vec2 along = length > 0 ? (1 / length) * way : Vec2{0, 1};
+    constexpr double height = 9;
+    const double off = radius + 3 + 0.5 * height * std::hypot(width * along[0], along[1]);
+    pen.write(digits, from - off * along, height);
+    pen.write(digits, from + way + off * along, height);
   }
 
   void cross(const Vec2& place) {
