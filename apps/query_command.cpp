@@ -126,6 +126,8 @@ void add_query(CLI::App& app, Action& action) {
 
   add_queries_over_time(*query, action);
   query->footer(
+      "At an instant: of the true motion. Over time (a window, not --at): of the paths that the\n"
+      "history records, which after collisions are rounded.\n"
       "Answers as JSON: docs/formats.md, section 12. What is exact: docs/queries.md.\n"
       "Example:\n  voroproof query closest a.scene.json --at 12.5");
 }

@@ -60,6 +60,14 @@ ExitCode ask(const Request& request, const std::string& option, const TimeAnswer
   return ExitCode::ok;
 }
 
+// How the help of these queries ends; `arguments` are those of the example after its two files.
+std::string footer(const std::string& name, const std::string& arguments) {
+  return "About the paths that the history records: those of the true motion up to a disk's first\n"
+         "collision; from then on those from its recorded, rounded places and velocities.\n"
+         "Example:\n  voroproof query " +
+         name + " a.scene.json a.history.jsonl" + arguments;
+}
+
 // `option` names the generators that the query is about.
 CLI::App* add_over_time(CLI::App& query, Action& action, const std::shared_ptr<Request>& request,
                         const std::string& name, const std::string& description,
@@ -100,21 +108,19 @@ void add_queries_over_time(CLI::App& query, Action& action) {
                                      throw UsageError("--disk: the container is none");
                                    return answer_neighbours_over(q, r.generators[0]);
                                  });
-  verb->footer(
-      "Example:\n  voroproof query neighbours-over a.scene.json a.history.jsonl --disk 7 --to 20");
+  verb->footer(footer("neighbours-over", " --disk 7 --to 20"));
 
   verb =
       add_over_time(query, action, request, "gap-over", "The least gap of two generators, and when",
                     "--pair", 2, [](const TimeQuery& q, const Request& r) {
                       return answer_gap_over(q, r.generators[0], r.generators[1]);
                     });
-  verb->footer(
-      "Example:\n  voroproof query gap-over a.scene.json a.history.jsonl --pair 3 7 --to 20");
+  verb->footer(footer("gap-over", " --pair 3 7 --to 20"));
 
   verb = add_over_time(query, action, request, "closest-over",
                        "The least gap of any two disks, which two, and when", "", 0,
                        [](const TimeQuery& q, const Request&) { return answer_closest_over(q); });
-  verb->footer("Example:\n  voroproof query closest-over a.scene.json a.history.jsonl");
+  verb->footer(footer("closest-over", ""));
 
   verb = add_over_time(query, action, request, "tunnel",
                        "When a probe passes between two generators along a V-edge of theirs",
@@ -124,8 +130,7 @@ void add_queries_over_time(CLI::App& query, Action& action) {
                                               time_argument("--probe", r.probe));
                        });
   add_probe(*verb, *request);
-  verb->footer(
-      "Example:\n  voroproof query tunnel a.scene.json a.history.jsonl --pair 3 7 --probe 1/2");
+  verb->footer(footer("tunnel", " --pair 3 7 --probe 1/2"));
 
   verb =
       add_over_time(query, action, request, "void", "When a probe fits at a V-vertex that is there",
@@ -135,8 +140,7 @@ void add_queries_over_time(CLI::App& query, Action& action) {
                                          time_argument("--probe", r.probe));
                     });
   add_probe(*verb, *request);
-  verb->footer(
-      "Example:\n  voroproof query void a.scene.json a.history.jsonl --vertex 1 2 3 --probe 1/2");
+  verb->footer(footer("void", " --vertex 1 2 3 --probe 1/2"));
 
   verb = add_over_time(query, action, request, "voids-over",
                        "All voids: when they come about, part, join and vanish", "", 0,
@@ -145,7 +149,7 @@ void add_queries_over_time(CLI::App& query, Action& action) {
                          return answer_voids_over(q, time_argument("--probe", r.probe));
                        });
   add_probe(*verb, *request);
-  verb->footer("Example:\n  voroproof query voids-over a.scene.json a.history.jsonl --probe 1/2");
+  verb->footer(footer("voids-over", " --probe 1/2"));
 }
 
 }  // namespace voroproof
