@@ -165,7 +165,7 @@ for t in 0 40; do
 done
 
 figure "Figures 18 to 22: the experiments" \
-  "The paper's data sets with fewer disks and shorter horizons (the headings give both; scale 1 is the paper's), from \`voroproof experiment SET --scale S --horizon T -o FILE.json\` by \`scripts/plot-experiments.py FILE.json\`. Counts are small and curves rough at such scales. Seconds are those of one run, on whatever machine made this page and however busy it was, and no measurement: [docs/experiments.md](../experiments.md) and [docs/benchmarks.md](../benchmarks.md) have those."
+  "The paper's data sets with fewer disks and shorter horizons (the headings give both; scale 1 is the paper's), from \`voroproof experiment SET --scale S --horizon T -o FILE.json\` by \`scripts/plot-experiments.py FILE.json\`. Counts are small and curves rough at such scales. Roots are predictions by the rule that the paper prints: any root of a flip polynomial, collapse of its edge or not. Seconds are those of one run, on whatever machine made this page and however busy it was, and no measurement: [docs/experiments.md](../experiments.md) and [docs/benchmarks.md](../benchmarks.md) have those."
 panel figure18.png 820 "Fig. 18, number of disks: seconds of the run and of its steps" measured reference 0.2 200
 close_row
 panel figure19.png 820 "Fig. 19, initial speed: seconds, events that occur, events that are predicted" measured speed 0.05 200
@@ -185,16 +185,16 @@ figure "Figure 24a: the ways from the square to the circle" \
   "By \`voroproof plan --preset square-to-circle --picture FILE\`: which vehicle flies where, straight; orange dots are changes of speed, violet crosses the conjunctions that were predicted and are avoided, red is the nearest any two come. \`voroproof render REPORT\` draws the same from the report."
 panel figure24a.png 560 "Twenty straight ways" ways square-to-circle 720
 
-scene swarm formation --preset figure24
+"$program" simulate "$work/square-to-circle.scene.json" -o "$work/square-to-circle.history.jsonl" --quiet
 figure "Figure 24: from a square to a circle" \
-  "Twenty objects on a square frame (t = 0) fly to a circle (t = 16) on straight lines, and their diagrams."
-for t in 0 16; do
-  panel "figure24-t$t.png" 400 "The diagram at t = $t" diagram swarm "$t" 480
+  "The diagrams of the twenty vehicles at the start (t = 0) and at the goals (t = 60)."
+for t in 0 60; do
+  panel "figure24-t$t.png" 400 "The diagram at t = $t" diagram square-to-circle "$t" 480
 done
 
-figure "Figure 25: on the way" "The same flight at t = 4, 8 and 12."
-for t in 4 8 12; do
-  panel "figure25-t$t.png" 270 "The diagram at t = $t" diagram swarm "$t" 420
+figure "Figure 25: on the way" "The same flight at t = 22, 34 and 46."
+for t in 22 34 46; do
+  panel "figure25-t$t.png" 270 "The diagram at t = $t" diagram square-to-circle "$t" 420
 done
 
 figure "Figure 26: speeds change and ways do not" \

@@ -50,6 +50,12 @@ def plot_counts(axes, x, counts, title):
     legend_below(axes, len(SERIES))
 
 
+def plot_predicted(axes, x, counts):
+    axes.plot(x, [c["roots"] for c in counts], "o--", color="red", label="roots")
+    plot_counts(axes, x, counts, "events predicted")
+    legend_below(axes, len(SERIES) + 1)
+
+
 def plot_total_time(axes, x, members):
     axes.plot(x, [m["seconds"]["total"] for m in members], "ko-")
     axes.set_ylim(bottom=0)
@@ -98,7 +104,7 @@ def draw(experiment, directory):
     if name in ("speed", "size", "density"):
         panels.append(lambda axes: plot_counts(axes, x, [occurred(m) for m in members], "events occurring"))
     if name == "speed" and all("predicted" in m for m in members):
-        panels.append(lambda axes: plot_counts(axes, x, [predicted(m) for m in members], "events predicted"))
+        panels.append(lambda axes: plot_predicted(axes, x, [predicted(m) for m in members]))
     if name in ("size", "density"):
         panels.append(lambda axes: plot_distribution(axes, x, [m["neighbor_distance"] for m in members],
                                                      "distance to first neighbours"))
