@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <tuple>
 
 #include "apps/true_moment.h"
+#include "history/history_file.h"
 #include "queries/free_space.h"
 #include "queries/openings.h"
 #include "tests/queries/brute_moment.h"
@@ -43,6 +45,106 @@ TEST(LeastGap, OfPairsIsThatOfManyInstants) {
       }
     }
   }
+}
+
+// The way of a disk from its lines in the history, or of the container, in 100 digits.
+struct Way {
+  struct Piece {
+    Real t, x, y, vx, vy;
+  };
+  std::vector<Piece> pieces;
+  void turn(const Piece& piece) { pieces.push_back(piece); }
+  Piece at(const Real& t) const {
+    auto piece = pieces.rbegin();
+    while (piece->t > t) ++piece;
+    const Real passed = t - piece->t;
+    return {t, piece->x + piece->vx * passed, piece->y + piece->vy * passed, piece->vx, piece->vy};
+  }
+};
+
+std::vector<Way> ways_of(const Watched& w) {
+  const auto real = [](const Rational& q) { return oracle::rounded<Real>(q); };
+  const Scene& scene = w.run.scene;
+  std::vector<Way> ways(scene.disks.size() + 1);  // the last one is the container's
+  ways.back().turn({0, real(scene.cx), real(scene.cy), 0, 0});
+  for (std::size_t i = 0; i < scene.disks.size(); ++i) {
+    const DiskSpec& d = scene.disks[i];
+    ways[i].turn({0, real(d.x), real(d.y), real(d.vx), real(d.vy)});
+  }
+  HistoryReader history(w.run.history, w.size());
+  std::size_t maneuvers = 0;
+  while (const auto event = history.next()) {
+    if (const auto* c = std::get_if<CollideEvent>(&*event)) {
+      for (const int side : {0, 1}) {
+        const GenId g = side == 0 ? c->i : c->j;
+        if (g == container_id) continue;
+        ways[g].turn(
+            {c->t, (*c->p[side])[0], (*c->p[side])[1], (*c->v[side])[0], (*c->v[side])[1]});
+      }
+    } else if (std::holds_alternative<ManeuverEvent>(*event)) {
+      const Maneuver& m = scene.maneuvers[maneuvers++];
+      Way::Piece there = ways[m.disk].at(real(m.t));
+      there.vx = real(m.vx);
+      there.vy = real(m.vy);
+      ways[m.disk].turn(there);
+    }
+  }
+  return ways;
+}
+
+// Between two turns of either the squared distance is a quadratic in time.
+TEST(LeastGap, EnclosuresContainThatOfTheQuadratics) {
+  int touched = 0, compared = 0;
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    Watched w(crowd(7, seed));
+    const std::vector<Way> ways = ways_of(w);
+    const Window window{1, 13};
+    for (GenId j = 0; j < w.size(); ++j) {
+      for (GenId i = container_id; i < j; ++i) {
+        const LeastGap least = least_gap(w.paths, w.cursor, i, j, window);
+        if (least.contact) {
+          ++touched;
+          continue;
+        }
+        const Way &one = i == container_id ? ways.back() : ways[i], &other = ways[j];
+        std::set<Real> ends{1, 13};
+        for (const Way* way : {&one, &other}) {
+          for (const Way::Piece& piece : way->pieces) {
+            if (1 < piece.t && piece.t < 13) ends.insert(piece.t);
+          }
+        }
+        const auto radius = [&](GenId g) {
+          return oracle::rounded<Real>(g == container_id ? w.run.scene.container_radius
+                                                         : w.run.scene.disks[g].radius);
+        };
+        Real best = 1e9, when = 0;
+        for (auto from = ends.begin(), to = std::next(from); to != ends.end(); from = to++) {
+          const Way::Piece a = one.at(*from), b = other.at(*from);
+          const Real x = b.x - a.x, y = b.y - a.y, vx = b.vx - a.vx, vy = b.vy - a.vy;
+          const Real length = *to - *from, v2 = vx * vx + vy * vy;
+          std::vector<Real> times{0, length};
+          const Real turning = v2 > 0 ? Real(-(x * vx + y * vy) / v2) : Real(0);
+          if (0 < turning && turning < length) times.push_back(turning);
+          for (const Real& t : times) {
+            const Real d = sqrt((x + t * vx) * (x + t * vx) + (y + t * vy) * (y + t * vy));
+            const Real gap = i == container_id ? Real(radius(i) - radius(j) - d)
+                                               : Real(d - radius(i) - radius(j));
+            if (gap < best) {
+              best = gap;
+              when = *from + t;
+            }
+          }
+        }
+        const Enclosure gap = gap_of(w.paths, least);
+        EXPECT_TRUE(contains(gap, best)) << i << ' ' << j;
+        EXPECT_TRUE(is_narrow(gap, 200));
+        EXPECT_LT(abs(oracle::rounded<Real>(least.t) - when), Real(1e-60)) << i << ' ' << j;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 40);
+  EXPECT_GT(touched, 10);
 }
 
 void expect_least_of_all(Watched& w, const Window& window) {
