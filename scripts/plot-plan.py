@@ -19,6 +19,9 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import patches, pyplot  # noqa: E402
 
+# The same bytes each time.
+matplotlib.rcParams["svg.hashsalt"] = "voroproof"
+
 COLUMNS = 3
 CHANGED, KEPT, OTHER = "#d62728", "#2ca02c", "#bcd3ee"
 
@@ -98,7 +101,8 @@ def main():
     for axes, t in zip(all_axes.flat, times):
         draw_moment(axes, report, t, arguments.near)
     figure.tight_layout()
-    figure.savefig(arguments.picture, metadata={"Software": None}, dpi=100)
+    metadata = {"Date": None} if arguments.picture.suffix == ".svg" else {"Software": None}
+    figure.savefig(arguments.picture, metadata=metadata, dpi=100)
 
 
 if __name__ == "__main__":
