@@ -58,7 +58,7 @@ double JsonField::number() const {
   } else if (const auto exact = parse_rational(text())) {
     value = round_nearest(*exact);
   } else {
-    fail("not a number");
+    fail("not a number: " + printable(text()));
   }
   if (!std::isfinite(value)) fail("not a finite number");
   return value;

@@ -34,7 +34,8 @@ PlanDrawing drawing_of(const JsonField& report) {
     const JsonField gap = report["minimum_gap"];
     const auto vehicle = [&](const JsonField& id) {
       const std::int64_t i = id.integer();
-      if (i < 0 || i >= static_cast<std::int64_t>(drawing.vehicles.size())) id.fail("no vehicle");
+      if (i < 0 || i >= static_cast<std::int64_t>(drawing.vehicles.size()))
+        id.fail("no vehicle " + std::to_string(i));
       return static_cast<int>(i);
     };
     drawing.nearest = {vehicle(gap["pair"][0]), vehicle(gap["pair"][1]), gap["t"].number()};

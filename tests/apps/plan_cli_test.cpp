@@ -84,11 +84,12 @@ TEST_F(PlanCli, ReportsAreDrawn) {
     directory_.write("bad.json", json.dump());
     refused({"render", file("bad.json"), "-o", file("bad.svg")}, message);
   };
-  bad("container", {}, "bad.json: not a report of a plan");
-  bad("vehicles", "none", "bad.json: not a report of a plan");
-  bad("version", 2, "version 1");
-  bad("minimum_gap", Json::parse(R"({"pair": [0, 2], "t": 1})"), "no vehicle 2");
-  bad("avoided", Json::parse(R"([{"place": ["x", 0]}])"), "not a number: x");
+  bad("container", {}, "bad.json: container: missing");
+  bad("vehicles", "none", "bad.json: vehicles: not an array");
+  bad("version", 2, "bad.json: version: not 1");
+  bad("minimum_gap", Json::parse(R"({"pair": [0, 2], "t": 1})"),
+      "minimum_gap.pair[1]: no vehicle 2");
+  bad("avoided", Json::parse(R"([{"place": ["x", 0]}])"), "avoided[0].place[0]: not a number: x");
   bad("format", "voroproof-scene", "bad.json:1: format: neither a diagram nor a report of a plan");
   refused({"render", report, "--probe", "1", "-o", file("bad.svg")}, "--probe: a plan has no");
   refused({"render", report, "-o", file("bad.gif")}, "--output: ");
