@@ -12,6 +12,10 @@
 namespace voroproof {
 namespace {
 
+using testing::midpoint_of;
+using testing::power_of_two;
+using testing::radius_of;
+
 // A ball and a number inside it.
 struct Sample {
   Ball ball;
