@@ -137,7 +137,7 @@ class Checker {
 
   // ---- edge_lives.cpp ----
   void begin_life(int edge, const Moment& m, const Isolated* own, bool rootless);
-  void end_life(int edge, const Moment& m, bool closed, bool rootless);
+  void end_life(int edge, const Moment& m, bool closed, std::size_t k);
   void begin_lives(std::span<const int> edges, const Moment& m);
   void end_lives(std::span<const int> edges, const Moment& m, bool closed = false);
   std::optional<Collapse> first_collapse(const Quad& q, double from, double end);

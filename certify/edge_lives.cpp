@@ -68,8 +68,8 @@ void Checker::begin_life(int edge, const Moment& m, const Isolated* own, bool ro
 }
 
 // The life ends at m without a flip of the edge; `closed`: a collapse at m itself is missed too.
-// `rootless`: from its `from` to m its generators are proved to be cotangent at no time.
-void Checker::end_life(int edge, const Moment& m, bool closed, bool rootless) {
+// Its quadruplet, over the time from its `from` to m.hi, is the k-th of the batch.
+void Checker::end_life(int edge, const Moment& m, bool closed, std::size_t k) {
   ++certificate_.edge_lives;
   Life& life = lives_[edge];
   if (life.pending) return;
@@ -79,9 +79,10 @@ void Checker::end_life(int edge, const Moment& m, bool closed, bool rootless) {
     c.lo = c.hi = m.lo;
     throw Refuted{missing_flip(diagram_.quad(2 * edge), c)};
   }
-  if (!life.due && rootless) return;
+  if (!life.due && batch_.rootless(k)) return;
   const Quad q = diagram_.quad(2 * edge);
   if (!life.due) {
+    if (batch_.one_root(k) && proved_free_of_one(motion_, q, m.hi, batch_.end_sign(k))) return;
     if (proved_free(motion_, q, life.from, m.hi)) return;
     ++certificate_.beyond_filter;
     const auto c = first_collapse(q, life.from, m.hi);
@@ -96,7 +97,7 @@ void Checker::end_life(int edge, const Moment& m, bool closed, bool rootless) {
 void Checker::begin_lives(std::span<const int> edges, const Moment& m) {
   batch_.clear();
   for (const int e : edges) batch_.add(diagram_.quad(2 * e), m.lo, m.hi);
-  batch_.prove();
+  batch_.prove_instant();
   for (std::size_t k = 0; k < edges.size(); ++k)
     begin_life(edges[k], m, nullptr, batch_.rootless(k));
 }
@@ -105,7 +106,7 @@ void Checker::end_lives(std::span<const int> edges, const Moment& m, bool closed
   batch_.clear();
   for (const int e : edges) batch_.add(diagram_.quad(2 * e), lives_[e].from, m.hi);
   batch_.prove();
-  for (std::size_t k = 0; k < edges.size(); ++k) end_life(edges[k], m, closed, batch_.rootless(k));
+  for (std::size_t k = 0; k < edges.size(); ++k) end_life(edges[k], m, closed, k);
 }
 
 // The flip of q near the claimed time t, if that is easily proved. q is legal just after `from`.
@@ -230,7 +231,7 @@ void Checker::flip(const FlipEvent& claim) {
   begin_life(edge, m, root, false);
   batch_.clear();
   for (const int e : near) batch_.add(diagram_.quad(2 * e), m.lo, m.hi);
-  batch_.prove();
+  batch_.prove_instant();
   for (int k = 0; k < count; ++k) {
     // An edge of the same four generators has the same root, and is legal beyond it.
     const bool same = own && same_generators(diagram_.quad(2 * near[k]), q);

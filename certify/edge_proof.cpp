@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "certify/edge_signs.h"
+#include "certify/rootless.h"
 #include "filtered/bernstein.h"
 #include "filtered/de_casteljau.h"
 
@@ -38,6 +39,39 @@ bool legal_throughout(const Motion& m, const Quad& q, double a, double b) {
          idle(tangent_triple(q.r, r, q.e, e, q.l, l), q.s, s);
 }
 
+// Whether one of the edge's in-circle functions is positive throughout t: there it is not just
+// after a collapse. `f`: the sign of the cotangency.
+bool legal_over(const Motion& m, const Quad& q, const DoubleBall& t, Sign f) {
+  const std::array<Site<DoubleBall>, 4> at = sites(m, q, t);
+  const auto& [l, r, s, e] = at;
+  if (f == Sign::unknown) f = sign(cotangency(l, r, s, e));
+  return incircle(tangent_triple(q.l, l, q.s, s, q.r, r), e, q.e == container_id, f) ==
+             Sign::positive ||
+         incircle(tangent_triple(q.r, r, q.e, e, q.l, l), s, q.s == container_id, f) ==
+             Sign::positive;
+}
+
+// Whether the four are separated throughout [a, b]: the tangency of every two disks is positive,
+// that of a disk and the container negative, by the Bernstein coefficients of these quadratics.
+bool separated(const Motion& m, const Quad& q, double a, double b) {
+  const std::array<Site<DoubleBall>, 4> from = sites(m, q, DoubleBall(a));
+  const std::array<Site<DoubleBall>, 4> to = sites(m, q, DoubleBall(b));
+  const std::array<GenId, 4> ids{q.l, q.r, q.s, q.e};
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < i; ++j) {
+      const bool wall = ids[i] == container_id || ids[j] == container_id;
+      const DoubleBall ax = from[i].x - from[j].x, ay = from[i].y - from[j].y;
+      const DoubleBall bx = to[i].x - to[j].x, by = to[i].y - to[j].y;
+      const DoubleBall dr = from[i].r - from[j].r, dr2 = dr * dr;
+      for (const DoubleBall& p :
+           {ax * ax + ay * ay - dr2, ax * bx + ay * by - dr2, bx * bx + by * by - dr2}) {
+        if (sign(p) != (wall ? Sign::negative : Sign::positive)) return false;
+      }
+    }
+  }
+  return true;
+}
+
 // A polynomial in the Bernstein basis over a part of the life.
 struct Piece {
   double a, b;  // the part
@@ -46,114 +80,72 @@ struct Piece {
   double err;  // of each coefficient
 };
 
-// The sign of all coefficients, or unknown.
-Sign one_sign(const Piece& p) {
-  bool positive = true, negative = true;
+// How many roots a piece has at most: 0, 1, or 2 for more.
+int most_roots(const Piece& p) {
+  unsigned above = 0, below = 0;
   for (int k = 0; k <= p.degree; ++k) {
-    positive = positive && p.c[k] > p.err;
-    negative = negative && p.c[k] < -p.err;
+    above |= (p.c[k] >= -p.err ? 1U : 0U) << k;
+    below |= (p.c[k] <= p.err ? 1U : 0U) << k;
   }
-  return positive ? Sign::positive : negative ? Sign::negative : Sign::unknown;
+  return voroproof::most_roots(above, below);
 }
 
-// Splits a piece at s of its length, 0 < s < 1, at the time `at`, by de Casteljau's algorithm: left
-// of it, and right of it. Each of its at most 8 rounds computes (1 - s) c + s c', which errs by at
-// most 4u times the largest coefficient.
+// Of the cotangency at the end of the piece: for four equal radii the form is C, and f = -C^2.
+Sign end_sign(const Piece& p) {
+  const double last = p.c[p.degree];
+  if (!(std::fabs(last) > p.err)) return Sign::unknown;
+  return p.degree == 4 || last < 0 ? Sign::negative : Sign::positive;
+}
+
+// Halves a piece at the time `at` by de Casteljau's algorithm. Each of its at most 8 rounds
+// computes (c + c') / 2, which errs by at most 2u times the largest coefficient.
 template <int degree>
-void split(const Piece& p, double s, double at, Piece& left, Piece& right) {
+void halve(const Piece& p, double at, Piece& left, Piece& right) {
   double largest = 0;
   for (int k = 0; k <= degree; ++k) largest = std::max(largest, std::fabs(p.c[k]));
   const double err = (p.err + 32 * 0x1p-53 * largest) * (1 + 0x1p-40);
-  const double rest = 1 - s;
   std::array<double, 9> c = p.c;
   left = {p.a, at, degree, {}, err};
   right = {at, p.b, degree, {}, err};
   left.c[0] = c[0];
   right.c[degree] = c[degree];
   each_level<degree>(
-      c.data(), [&](double x, double y) { return rest * x + s * y; },
+      c.data(), [](double x, double y) { return 0.5 * x + 0.5 * y; },
       [&](auto last) {
         left.c[degree - last] = c[0];
         right.c[last] = c[last];
       });
 }
 
-void split(const Piece& p, double s, double at, Piece& left, Piece& right) {
-  p.degree == 8 ? split<8>(p, s, at, left, right) : split<4>(p, s, at, left, right);
-}
-
-// Where in [0, 1] a polynomial whose first and last coefficient differ in sign vanishes, roughly:
-// a hint.
-template <int degree>
-double near_root(const Piece& p) {
-  double lo = 0, hi = 1, s = p.c[0] / (p.c[0] - p.c[degree]);
-  for (int step = 0; step < 6; ++step) {
-    std::array<double, 9> c = p.c;
-    double slope = 0;
-    each_level<degree>(
-        c.data(), [&](double x, double y) { return x + s * (y - x); },
-        [&](auto last) {
-          if constexpr (last == 1) slope = degree * (c[1] - c[0]);
-        });
-    const double value = c[0];
-    ((value > 0) == (p.c[0] > 0) ? lo : hi) = s;
-    const double next = s - value / slope;
-    const double moved = std::fabs(next - s);
-    s = lo < next && next < hi ? next : 0.5 * (lo + hi);
-    if (moved < 0x1p-12) break;
-  }
-  return s;
-}
-
-// Around a root so much of a piece is looked at by its circles, on both sides.
-constexpr double kAround = 0x1p-8;
-
-// Pieces are cut at most this often one within the other.
+// Pieces are halved at most this often one within the other.
 constexpr int kMaxCuts = 12;
 
-// `around_root`: the piece has been cut out around a root. There the circles tell nearly always, in
-// other pieces nearly never while they can be cut.
-bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts, bool around_root) {
-  if (one_sign(p) != Sign::unknown) return true;
-  const bool crosses =
-      (p.c[0] > p.err && p.c[p.degree] < -p.err) || (p.c[0] < -p.err && p.c[p.degree] > p.err);
-  if (around_root || (!crosses && cuts > 0) || cuts == kMaxCuts) {
-    // The times of a piece are rounded: each cut within one adds at most 16u of the greatest.
-    const double slop = 0x1p-45 * std::fmax(std::fabs(p.a), std::fabs(p.b));
-    if (legal_throughout(m, q, p.a - slop, p.b + slop)) return true;
+// Pieces this often halved are looked at by their circles over all of their time.
+constexpr int kShort = 7;
+
+bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts) {
+  const int roots = most_roots(p);
+  if (roots == 0) return true;
+  // The times of a piece are rounded: each cut within one adds at most 16u of the greatest. With
+  // one root at most, what is positive at the end has been so throughout, or since the root.
+  const double slop = 0x1p-45 * std::fmax(std::fabs(p.a), std::fabs(p.b));
+  const double a = p.a - slop, b = p.b + slop;
+  if (roots == 1 && legal_over(m, q, DoubleBall::hull(p.b - slop, b), end_sign(p)) &&
+      separated(m, q, a, b)) {
+    return true;
   }
-  if (cuts == kMaxCuts) return false;
-  const double length = p.b - p.a;
-  const auto time_at = [&](double s) { return p.a + s * length; };
+  if (cuts >= kShort && legal_throughout(m, q, a, b)) return true;
+  const double half = 0.5 * (p.a + p.b);
+  if (cuts == kMaxCuts || !(p.a < half && half < p.b)) return false;
   Piece left, right;
-  if (crosses) {
-    const double s = p.degree == 8 ? near_root<8>(p) : near_root<4>(p);
-    const double s0 = s - kAround, s1 = s + kAround;
-    // What is left beside the root may be nothing much.
-    const bool at_left = s0<kAround, at_right = s1> 1 - kAround;
-    Piece middle = p;
-    if (!at_right) {
-      split(middle, s1, time_at(s1), left, right);
-      if (!piece_free(m, q, right, cuts + 1, false)) return false;
-      middle = left;
-    }
-    if (!at_left) {
-      split(middle, at_right ? s0 : s0 / s1, time_at(s0), left, right);
-      if (!piece_free(m, q, left, cuts + 1, false)) return false;
-      middle = right;
-    }
-    return piece_free(m, q, middle, cuts + 1, true);
-  }
-  const double half = time_at(0.5);
-  if (!(p.a < half && half < p.b)) return false;
-  split(p, 0.5, half, left, right);
-  return piece_free(m, q, left, cuts + 1, false) && piece_free(m, q, right, cuts + 1, false);
+  p.degree == 8 ? halve<8>(p, half, left, right) : halve<4>(p, half, left, right);
+  return piece_free(m, q, left, cuts + 1) && piece_free(m, q, right, cuts + 1);
 }
 
 bool free_in(const Motion& m, const Quad& q, double a, double b, int depth) {
   BernsteinForm form;
   if (form_flip_polynomial<true>(m, q, a, b, form)) return true;
-  if (piece_free(m, q, {a, b, form.degree, form.c, form.err}, 0, false)) return true;
+  if (piece_free(m, q, {a, b, form.degree, form.c, form.err}, 0)) return true;
   const double middle = 0.5 * (a + b);
   if (depth == kMaxDepth || !(a < middle && middle < b)) return false;
   // From both halves' own ends, so that the error bound shrinks with the part.
@@ -179,6 +171,10 @@ bool collapses_at_root(const Motion& motion, const Quad& q, double a, double b, 
 
 bool proved_free(const Motion& motion, const Quad& q, double a, double b) {
   return q.s == q.e || !(a < b) || free_in(motion, q, a, b, 0);  // Lemma 8: s = e never collapses
+}
+
+bool proved_free_of_one(const Motion& motion, const Quad& q, double b, Sign f) {
+  return q.s == q.e || legal_over(motion, q, DoubleBall(b), f);
 }
 
 bool proved_collapse(const Motion& motion, const Quad& q, double a, double b) {

@@ -5,7 +5,11 @@
 //   - its flip polynomial has no root in the part (its Bernstein coefficients have one sign);
 //   - one of its two in-circle functions is positive throughout the part: a collapse makes both
 //     negative just after it (paper, section 4.3);
-//   - one of its circles exists at no time of the part.
+//   - one of its circles exists at no time of the part;
+//   - its flip polynomial has one root in the part at most, no tangency of two of the four vanishes
+//     in it, and at its end one of the in-circle functions is positive. (Then Gamma is positive in
+//     the part, so that the in-circle functions are continuous, and they vanish only where the flip
+//     polynomial does: one that is negative after a collapse is so at the end.)
 // That is another argument than the engine's, which isolates roots one by one and reads a verdict
 // off each. Both answers below are proofs when true and say nothing when false.
 #pragma once
@@ -20,6 +24,11 @@ namespace voroproof {
 // Whether q, legal just after a, provably does not collapse in (a, b], under the present motion of
 // its generators.
 bool proved_free(const Motion& motion, const Quad& q, double a, double b);
+
+// The same, given that the flip polynomial has at most one root in [a, b] and that the four are
+// separated throughout (RootlessBatch::one_root). `f`: the sign of their cotangency at b, or
+// unknown.
+bool proved_free_of_one(const Motion& motion, const Quad& q, double b, Sign f);
 
 // Whether q provably has exactly one root of its flip polynomial in [a, b], not at an end, and
 // collapses there.

@@ -1,6 +1,7 @@
 #include "certify/rootless.h"
 
 #include <algorithm>
+#include <bit>
 
 // Vectors never leave this file, so that how they would be passed does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -29,18 +30,76 @@ inline void multiply(const Lanes* p, const Lanes* q, Lanes* r) {
   r[4] = p[2] * q[2];
 }
 
+// Where the pairs of the four generators l, r, s, e stand, so that the products of the first two,
+// of the next and of the last are A, B and C.
+constexpr int I[6] = {0, 2, 0, 1, 0, 1};
+constexpr int J[6] = {1, 3, 2, 3, 3, 2};
+
+// Of one generator of each of four edges: its motion.
+struct Generators {
+  Lanes t, x, y, vx, vy, radius, ex, ev, radius_error;
+
+  Generators(const DoubleMotion& a, const DoubleMotion& b, const DoubleMotion& c,
+             const DoubleMotion& d)
+      : t{a.t, b.t, c.t, d.t},
+        x{a.x, b.x, c.x, d.x},
+        y{a.y, b.y, c.y, d.y},
+        vx{a.vx, b.vx, c.vx, d.vx},
+        vy{a.vy, b.vy, c.vy, d.vy},
+        radius{a.r, b.r, c.r, d.r},
+        ex{a.ex, b.ex, c.ex, d.ex},
+        ev{a.ev, b.ev, c.ev, d.ev},
+        radius_error{a.er, b.er, c.er, d.er} {}
+};
+
+// The error of all coefficients of f where those of the six tangencies are at most `size` and err
+// by at most `err`.
+inline Lanes cotangency_error(const Lanes* size, const Lanes* err) {
+  Lanes bound[3], e[3];
+  for (int k = 0; k < 3; ++k) {
+    const int i = 2 * k, j = i + 1;
+    bound[k] = size[i] * size[j];
+    e[k] = size[i] * err[j] + size[j] * err[i] + err[i] * err[j] + 8 * u * bound[k];
+  }
+  const Lanes s = bound[0] + bound[1] + bound[2], es = e[0] + e[1] + e[2];
+  return (2 * s * es + es * es + 4 * (bound[1] * e[2] + bound[2] * e[1] + e[1] * e[2]) +
+          40 * u * (s * s + 4 * bound[1] * bound[2])) *
+             (1 + 0x1p-40) +
+         1e-290;
+}
+
+inline bool any(const Mask& m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
+
+// The bits of a set strictly between its lowest and its highest.
+unsigned inside(unsigned bits) {
+  return bits == 0 ? 0 : (std::bit_floor(bits) - 1) & ~((bits & -bits) * 2 - 1);
+}
+
 }  // namespace
 
+int most_roots(unsigned above, unsigned below) {
+  if (above == 0 || below == 0) return 0;
+  return ((above & inside(below)) | (below & inside(above))) != 0 ? 2 : 1;
+}
+
 void RootlessBatch::prove() {
-  proved_.resize(spans_.size());
+  found_.assign(spans_.size(), Found::nothing);
+  end_signs_.resize(spans_.size());
   for (std::size_t k = 0; k < spans_.size(); k += kLanes) {
     prove_lanes(k, std::min(kLanes, spans_.size() - k));
   }
 }
 
+void RootlessBatch::prove_instant() {
+  found_.assign(spans_.size(), Found::nothing);
+  for (std::size_t k = 0; k < spans_.size(); k += kLanes) {
+    prove_lanes_at_instant(k, std::min(kLanes, spans_.size() - k));
+  }
+}
+
 // The cotangency polynomial f = (A - B - C)^2 - 4BC, A, B and C being products of two tangencies
 // p_ij p_kl, in the Bernstein basis of degree 8 over [a, b]: without a root where all coefficients
-// have one sign.
+// have one sign, and with one at most where they change it once.
 //
 // Error bound. A coordinate at an end of the interval is x + v dt: dt, the product and the sum are
 // rounded once each, which is below 4u times all the magnitudes together, and the motion's own
@@ -61,27 +120,20 @@ void RootlessBatch::prove_lanes(std::size_t first, std::size_t count) {
   Lanes x0[4], y0[4], x1[4], y1[4], radius[4], error[4], radius_error[4];
   constexpr GenId Quad::*roles[4] = {&Quad::l, &Quad::r, &Quad::s, &Quad::e};
   for (int i = 0; i < 4; ++i) {
-    const DoubleMotion& m0 = motion_.doubles(span[0]->q.*roles[i]);
-    const DoubleMotion& m1 = motion_.doubles(span[1]->q.*roles[i]);
-    const DoubleMotion& m2 = motion_.doubles(span[2]->q.*roles[i]);
-    const DoubleMotion& m3 = motion_.doubles(span[3]->q.*roles[i]);
-    const Lanes t{m0.t, m1.t, m2.t, m3.t};
-    const Lanes x{m0.x, m1.x, m2.x, m3.x}, vx{m0.vx, m1.vx, m2.vx, m3.vx};
-    const Lanes y{m0.y, m1.y, m2.y, m3.y}, vy{m0.vy, m1.vy, m2.vy, m3.vy};
-    const Lanes ex{m0.ex, m1.ex, m2.ex, m3.ex}, ev{m0.ev, m1.ev, m2.ev, m3.ev};
-    const Lanes ta = a - t, tb = b - t;
-    x0[i] = x + vx * ta;
-    y0[i] = y + vy * ta;
-    x1[i] = x + vx * tb;
-    y1[i] = y + vy * tb;
-    radius[i] = Lanes{m0.r, m1.r, m2.r, m3.r};
-    radius_error[i] = Lanes{m0.er, m1.er, m2.er, m3.er};
-    const Lanes size = magnitude(x) + magnitude(y) + magnitude(x0[i]) + magnitude(y0[i]) +
+    const Generators g(motion_.doubles(span[0]->q.*roles[i]), motion_.doubles(span[1]->q.*roles[i]),
+                       motion_.doubles(span[2]->q.*roles[i]),
+                       motion_.doubles(span[3]->q.*roles[i]));
+    const Lanes ta = a - g.t, tb = b - g.t;
+    x0[i] = g.x + g.vx * ta;
+    y0[i] = g.y + g.vy * ta;
+    x1[i] = g.x + g.vx * tb;
+    y1[i] = g.y + g.vy * tb;
+    radius[i] = g.radius;
+    radius_error[i] = g.radius_error;
+    const Lanes size = magnitude(g.x) + magnitude(g.y) + magnitude(x0[i]) + magnitude(y0[i]) +
                        magnitude(x1[i]) + magnitude(y1[i]);
-    error[i] = 4 * u * size + ex + ev * (magnitude(ta) + magnitude(tb));
+    error[i] = 4 * u * size + g.ex + g.ev * (magnitude(ta) + magnitude(tb));
   }
-  constexpr int I[6] = {0, 2, 0, 1, 0, 1};
-  constexpr int J[6] = {1, 3, 2, 3, 3, 2};
   Lanes p[6][3], size[6], err[6];
   for (int k = 0; k < 6; ++k) {
     const int i = I[k], j = J[k];
@@ -105,18 +157,7 @@ void RootlessBatch::prove_lanes(std::size_t first, std::size_t count) {
   for (int i = 0; i < 5; ++i) {
     for (int j = 0; j < 5; ++j) f[i + j] += g[i] * g[j] - 4 * (B[i] * C[j]);
   }
-  Lanes bound[3], e[3];
-  for (int k = 0; k < 3; ++k) {
-    const int i = 2 * k, j = i + 1;
-    bound[k] = size[i] * size[j];
-    e[k] = size[i] * err[j] + size[j] * err[i] + err[i] * err[j] + 8 * u * bound[k];
-  }
-  const Lanes s = bound[0] + bound[1] + bound[2], es = e[0] + e[1] + e[2];
-  const Lanes total =
-      (2 * s * es + es * es + 4 * (bound[1] * e[2] + bound[2] * e[1] + e[1] * e[2]) +
-       40 * u * (s * s + 4 * bound[1] * bound[2])) *
-          (1 + 0x1p-40) +
-      1e-290;
+  const Lanes total = cotangency_error(size, err);
   constexpr double binomials[9] = {1, 8, 28, 56, 70, 56, 28, 8, 1};
   Mask positive = f[0] > total, negative = f[0] < -total;
   for (int k = 1; k < 9; ++k) {
@@ -125,7 +166,72 @@ void RootlessBatch::prove_lanes(std::size_t first, std::size_t count) {
     negative &= f[k] < -limit;
   }
   const Mask proved = positive | negative;
-  for (std::size_t k = 0; k < count; ++k) proved_[first + k] = proved[k] != 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (proved[k] != 0) found_[first + k] = Found::rootless;
+  }
+  if (!any(~proved)) return;
+  // Separated: every tangency positive, between a disk and the container negative.
+  Mask separated = ~Mask{};
+  for (int k = 0; k < 6; ++k) {
+    const Mask wall = (radius[I[k]] < 0) ^ (radius[J[k]] < 0);
+    for (int i = 0; i < 3; ++i) {
+      const Lanes limit = i == 1 ? 2 * err[k] : err[k];
+      separated &= (wall & (p[k][i] < -limit)) | (~wall & (p[k][i] > limit));
+    }
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    if (proved[k] != 0 || separated[k] == 0) continue;
+    unsigned above = 0, below = 0;
+    for (int i = 0; i < 9; ++i) {
+      const double limit = total[k] * binomials[i];
+      above |= (f[i][k] >= -limit ? 1U : 0U) << i;
+      below |= (f[i][k] <= limit ? 1U : 0U) << i;
+    }
+    if (most_roots(above, below) > 1) continue;
+    found_[first + k] = Found::one_root;
+    const bool up = (above >> 8) != 0, down = (below >> 8) != 0;
+    end_signs_[first + k] = up && down ? Sign::unknown : up ? Sign::positive : Sign::negative;
+  }
+}
+
+// As above, at one time with an uncertainty: the polynomials are constants. A coordinate moves by
+// at most |v| + ev times half the interval from where it is at the middle.
+void RootlessBatch::prove_lanes_at_instant(std::size_t first, std::size_t count) {
+  const Quad* q[kLanes];
+  for (std::size_t k = 0; k < kLanes; ++k) q[k] = &spans_[first + std::min(k, count - 1)].q;
+  const DoubleBall hull = DoubleBall::hull(spans_[first].a, spans_[first].b);
+  Lanes x[4], y[4], radius[4], error[4], radius_error[4];
+  constexpr GenId Quad::*roles[4] = {&Quad::l, &Quad::r, &Quad::s, &Quad::e};
+  for (int i = 0; i < 4; ++i) {
+    const Generators g(motion_.doubles(q[0]->*roles[i]), motion_.doubles(q[1]->*roles[i]),
+                       motion_.doubles(q[2]->*roles[i]), motion_.doubles(q[3]->*roles[i]));
+    const Lanes dt = hull.mid - g.t;
+    x[i] = g.x + g.vx * dt;
+    y[i] = g.y + g.vy * dt;
+    radius[i] = g.radius;
+    radius_error[i] = g.radius_error;
+    const Lanes size = magnitude(g.x) + magnitude(g.y) + magnitude(x[i]) + magnitude(y[i]);
+    const Lanes speed = magnitude(g.vx) + magnitude(g.vy) + g.ev;
+    error[i] =
+        (4 * u * size + g.ex + g.ev * magnitude(dt) + speed * hull.rad) * (1 + 0x1p-40) + 1e-290;
+  }
+  Lanes p[6], size[6], err[6];
+  for (int k = 0; k < 6; ++k) {
+    const int i = I[k], j = J[k];
+    const Lanes dx = x[i] - x[j], dy = y[i] - y[j];
+    const Lanes dr = radius[i] - radius[j], dr2 = dr * dr;
+    p[k] = dx * dx + dy * dy - dr2;
+    const Lanes d = magnitude(dx) + magnitude(dy);
+    const Lanes eta = error[i] + error[j] + u * d;
+    const Lanes rho = radius_error[i] + radius_error[j] + u * magnitude(dr);
+    size[k] = d * d + dr2;
+    err[k] = 2 * eta * (d + eta) + rho * (2 * magnitude(dr) + rho) + 4 * u * size[k];
+  }
+  const Lanes B = p[2] * p[3], C = p[4] * p[5], g = p[0] * p[1] - B - C;
+  const Mask proved = magnitude(g * g - 4 * (B * C)) > cotangency_error(size, err);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (proved[k] != 0) found_[first + k] = Found::rootless;
+  }
 }
 
 }  // namespace voroproof

@@ -1,4 +1,4 @@
-// Flip polynomials without roots, several at once: what proves most lives of edges.
+// Flip polynomials without roots, or with one, several at once: what proves most lives of edges.
 #pragma once
 
 #include <vector>
@@ -16,22 +16,39 @@ class RootlessBatch {
   void clear() { spans_.clear(); }
   // Adds the edge q over [a, b]; the first is numbered 0.
   void add(const Quad& q, double a, double b) { spans_.push_back({q, a, b}); }
+  // What is asked for below, of all edges.
   void prove();
+  // The same, of edges that were all added over one interval that is short: more rarely successful
+  // and sooner done. Nothing is found out but whether they are rootless.
+  void prove_instant();
   // Whether the flip polynomial of the k-th provably has no root in its [a, b]: its four generators
   // are cotangent at no time of it, the ends included. False says nothing.
-  bool rootless(std::size_t k) const { return proved_[k] != 0; }
+  bool rootless(std::size_t k) const { return found_[k] == Found::rootless; }
+  // Whether provably it has at most one, and the four are separated throughout [a, b]: no disk
+  // touches the inside of another, or leaves the container. False says nothing.
+  bool one_root(std::size_t k) const { return found_[k] == Found::one_root; }
+  // Of such an edge: the sign of the flip polynomial at b.
+  Sign end_sign(std::size_t k) const { return end_signs_[k]; }
 
  private:
   struct Span {
     Quad q;
     double a, b;
   };
+  enum class Found : char { nothing, one_root, rootless };
   static constexpr std::size_t kLanes = 4;
   void prove_lanes(std::size_t first, std::size_t count);
+  void prove_lanes_at_instant(std::size_t first, std::size_t count);
 
   const Motion& motion_;
   std::vector<Span> spans_;
-  std::vector<char> proved_;
+  std::vector<Found> found_;
+  std::vector<Sign> end_signs_;
 };
+
+// How many roots at most a polynomial has by Descartes' rule, where of its Bernstein coefficients,
+// in order from the lowest bit, those in `above` may be positive and those in `below` negative: 0,
+// 1, or 2 for more. (At an end of the interval too: a coefficient that may be both may be zero.)
+int most_roots(unsigned above, unsigned below);
 
 }  // namespace voroproof
