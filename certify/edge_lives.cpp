@@ -212,29 +212,45 @@ void Checker::flip(const FlipEvent& claim) {
   if (options_.truth == Truth::exact && own) count_ulps(m, claim.t);
   ++certificate_.flips;
 
-  const int around[4] = {diagram_.next(h) / 2, diagram_.previous(h) / 2, diagram_.next(h ^ 1) / 2,
-                         diagram_.previous(h ^ 1) / 2};
+  const std::array<HalfEdge, 4> ring{diagram_.next(h), diagram_.previous(h), diagram_.next(h ^ 1),
+                                     diagram_.previous(h ^ 1)};
   std::array<int, 4> others{};
+  std::array<GenId, 4> outer{};
   int count = 0;
-  for (const int e : around) {
-    if (e == edge ||
-        std::find(others.begin(), others.begin() + count, e) != others.begin() + count) {
+  for (const HalfEdge g : ring) {
+    if (g / 2 == edge ||
+        std::find(others.begin(), others.begin() + count, g / 2) != others.begin() + count) {
       continue;
     }
-    others[count++] = e;
+    outer[count] = diagram_.apex(g ^ 1);
+    others[count++] = g / 2;
   }
   const std::span<const int> near(others.data(), count);
   end_pair(edge, m);
-  end_lives(near, m);
+  if (count == 4) {
+    batch_.prove_around(q, outer,
+                        {lives_[others[0]].from, lives_[others[1]].from, lives_[others[2]].from,
+                         lives_[others[3]].from},
+                        m.hi);
+    for (int k = 0; k < 4; ++k) end_life(near[k], m, false, k);
+  } else {
+    end_lives(near, m);
+  }
   diagram_.flip(h);
   const Isolated* const root = own ? &found.root : nullptr;
   begin_life(edge, m, root, false);
-  batch_.clear();
-  for (const int e : near) batch_.add(diagram_.quad(2 * e), m.lo, m.hi);
-  batch_.prove_instant();
+  if (count == 4) {
+    batch_.prove_around_flipped(q, outer, m.lo, m.hi);
+  } else {
+    batch_.clear();
+    for (const int e : near) batch_.add(diagram_.quad(2 * e), m.lo, m.hi);
+    batch_.prove_instant();
+  }
   for (int k = 0; k < count; ++k) {
     // An edge of the same four generators has the same root, and is legal beyond it.
-    const bool same = own && same_generators(diagram_.quad(2 * near[k]), q);
+    const GenId g = outer[k];
+    const bool same = own && (g == q.l || g == q.r || g == q.s || g == q.e) &&
+                      same_generators(diagram_.quad(2 * near[k]), q);
     begin_life(near[k], m, same ? root : nullptr, batch_.rootless(k));
   }
   begin_pair(edge, m);

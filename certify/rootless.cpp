@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
 
 // Vectors never leave this file, so that how they would be passed does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -35,22 +38,55 @@ inline void multiply(const Lanes* p, const Lanes* q, Lanes* r) {
 constexpr int I[6] = {0, 2, 0, 1, 0, 1};
 constexpr int J[6] = {1, 3, 2, 3, 3, 2};
 
+inline Lanes splat(double x) { return Lanes{x, x, x, x}; }
+
+}  // namespace
+
 // Of one generator of each of four edges: its motion.
-struct Generators {
+struct RootlessBatch::Generators {
   Lanes t, x, y, vx, vy, radius, ex, ev, radius_error;
 
   Generators(const DoubleMotion& a, const DoubleMotion& b, const DoubleMotion& c,
              const DoubleMotion& d)
-      : t{a.t, b.t, c.t, d.t},
-        x{a.x, b.x, c.x, d.x},
-        y{a.y, b.y, c.y, d.y},
-        vx{a.vx, b.vx, c.vx, d.vx},
-        vy{a.vy, b.vy, c.vy, d.vy},
-        radius{a.r, b.r, c.r, d.r},
-        ex{a.ex, b.ex, c.ex, d.ex},
-        ev{a.ev, b.ev, c.ev, d.ev},
-        radius_error{a.er, b.er, c.er, d.er} {}
+      : radius_error{a.er, b.er, c.er, d.er} {
+    transpose(&a.t, &b.t, &c.t, &d.t, t, x, y, vx);
+    transpose(&a.vy, &b.vy, &c.vy, &d.vy, vy, radius, ex, ev);
+  }
+  // The same one of all four.
+  explicit Generators(const DoubleMotion& m)
+      : t(splat(m.t)),
+        x(splat(m.x)),
+        y(splat(m.y)),
+        vx(splat(m.vx)),
+        vy(splat(m.vy)),
+        radius(splat(m.r)),
+        ex(splat(m.ex)),
+        ev(splat(m.ev)),
+        radius_error(splat(m.er)) {}
+
+ private:
+  // From four doubles that follow each other, of four motions, to the lanes of each.
+  static void transpose(const double* a, const double* b, const double* c, const double* d,
+                        Lanes& first, Lanes& second, Lanes& third, Lanes& fourth) {
+    Lanes r[4];
+    const double* from[4] = {a, b, c, d};
+    for (int k = 0; k < 4; ++k) std::memcpy(&r[k], from[k], sizeof r[k]);
+    const Lanes ab0 = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6);
+    const Lanes ab1 = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
+    const Lanes cd0 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6);
+    const Lanes cd1 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
+    first = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    second = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    third = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    fourth = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+  }
+  static_assert(std::is_standard_layout_v<DoubleMotion> && offsetof(DoubleMotion, x) == 8 &&
+                offsetof(DoubleMotion, y) == 16 && offsetof(DoubleMotion, vx) == 24 &&
+                offsetof(DoubleMotion, vy) == 32 && offsetof(DoubleMotion, r) == 40 &&
+                offsetof(DoubleMotion, ex) == 48 && offsetof(DoubleMotion, ev) == 56);
 };
+
+namespace {
 
 // The error of all coefficients of f where those of the six tangencies are at most `size` and err
 // by at most `err`.
@@ -86,15 +122,65 @@ void RootlessBatch::prove() {
   found_.assign(spans_.size(), Found::nothing);
   end_signs_.resize(spans_.size());
   for (std::size_t k = 0; k < spans_.size(); k += kLanes) {
-    prove_lanes(k, std::min(kLanes, spans_.size() - k));
+    const std::size_t count = std::min(kLanes, spans_.size() - k);
+    const std::array<const Span*, kLanes> of = lanes(k, count);
+    std::array<double, kLanes> a{}, b{};
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      a[i] = of[i]->a;
+      b[i] = of[i]->b;
+    }
+    judge(gather(of), a, b, k, count);
   }
 }
 
 void RootlessBatch::prove_instant() {
   found_.assign(spans_.size(), Found::nothing);
   for (std::size_t k = 0; k < spans_.size(); k += kLanes) {
-    prove_lanes_at_instant(k, std::min(kLanes, spans_.size() - k));
+    const std::size_t count = std::min(kLanes, spans_.size() - k);
+    judge_at(gather(lanes(k, count)), spans_[k].a, spans_[k].b, k, count);
   }
+}
+
+// The cotangency is the same function in whatever order the four are.
+
+void RootlessBatch::prove_around(const Quad& q, const std::array<GenId, 4>& outer,
+                                 const std::array<double, 4>& from, double b) {
+  found_.assign(kLanes, Found::nothing);
+  end_signs_.resize(kLanes);
+  const DoubleMotion &s = motion_.doubles(q.s), &e = motion_.doubles(q.e);
+  const std::array<Generators, 4> g{
+      Generators(motion_.doubles(q.l)), Generators(motion_.doubles(q.r)), Generators(e, e, s, s),
+      Generators(motion_.doubles(outer[0]), motion_.doubles(outer[1]), motion_.doubles(outer[2]),
+                 motion_.doubles(outer[3]))};
+  judge(g, from, {b, b, b, b}, 0, kLanes);
+}
+
+void RootlessBatch::prove_around_flipped(const Quad& q, const std::array<GenId, 4>& outer, double a,
+                                         double b) {
+  found_.assign(kLanes, Found::nothing);
+  const DoubleMotion &l = motion_.doubles(q.l), &r = motion_.doubles(q.r);
+  const std::array<Generators, 4> g{
+      Generators(motion_.doubles(q.s)), Generators(motion_.doubles(q.e)), Generators(r, l, l, r),
+      Generators(motion_.doubles(outer[0]), motion_.doubles(outer[1]), motion_.doubles(outer[2]),
+                 motion_.doubles(outer[3]))};
+  judge_at(g, a, b, 0, kLanes);
+}
+
+// The last of them again where there are fewer.
+std::array<const RootlessBatch::Span*, RootlessBatch::kLanes> RootlessBatch::lanes(
+    std::size_t first, std::size_t count) const {
+  std::array<const Span*, kLanes> of{};
+  for (std::size_t k = 0; k < kLanes; ++k) of[k] = &spans_[first + std::min(k, count - 1)];
+  return of;
+}
+
+std::array<RootlessBatch::Generators, 4> RootlessBatch::gather(
+    const std::array<const Span*, kLanes>& of) const {
+  const auto role = [&](GenId Quad::*id) {
+    return Generators(motion_.doubles(of[0]->q.*id), motion_.doubles(of[1]->q.*id),
+                      motion_.doubles(of[2]->q.*id), motion_.doubles(of[3]->q.*id));
+  };
+  return {role(&Quad::l), role(&Quad::r), role(&Quad::s), role(&Quad::e)};
 }
 
 // The cotangency polynomial f = (A - B - C)^2 - 4BC, A, B and C being products of two tangencies
@@ -112,17 +198,14 @@ void RootlessBatch::prove_instant() {
 // most A = P P' and error e_A = P e' + P' e + e e' + 8u A. Finally f errs by 2 S e_S + e_S^2 +
 // 4 (B e_C + C e_B + e_B e_C), S = A + B + C, and evaluation adds at most 40u (S^2 + 4BC). The last
 // factor pays for the roundings of the bound itself, the last summand for underflow.
-void RootlessBatch::prove_lanes(std::size_t first, std::size_t count) {
-  const Span* span[kLanes];
-  for (std::size_t k = 0; k < kLanes; ++k) span[k] = &spans_[first + std::min(k, count - 1)];
-  const Lanes a{span[0]->a, span[1]->a, span[2]->a, span[3]->a};
-  const Lanes b{span[0]->b, span[1]->b, span[2]->b, span[3]->b};
+void RootlessBatch::judge(const std::array<Generators, 4>& generators,
+                          const std::array<double, kLanes>& from,
+                          const std::array<double, kLanes>& to, std::size_t first,
+                          std::size_t count) {
+  const Lanes a{from[0], from[1], from[2], from[3]}, b{to[0], to[1], to[2], to[3]};
   Lanes x0[4], y0[4], x1[4], y1[4], radius[4], error[4], radius_error[4];
-  constexpr GenId Quad::*roles[4] = {&Quad::l, &Quad::r, &Quad::s, &Quad::e};
   for (int i = 0; i < 4; ++i) {
-    const Generators g(motion_.doubles(span[0]->q.*roles[i]), motion_.doubles(span[1]->q.*roles[i]),
-                       motion_.doubles(span[2]->q.*roles[i]),
-                       motion_.doubles(span[3]->q.*roles[i]));
+    const Generators& g = generators[i];
     const Lanes ta = a - g.t, tb = b - g.t;
     x0[i] = g.x + g.vx * ta;
     y0[i] = g.y + g.vy * ta;
@@ -196,15 +279,12 @@ void RootlessBatch::prove_lanes(std::size_t first, std::size_t count) {
 
 // As above, at one time with an uncertainty: the polynomials are constants. A coordinate moves by
 // at most |v| + ev times half the interval from where it is at the middle.
-void RootlessBatch::prove_lanes_at_instant(std::size_t first, std::size_t count) {
-  const Quad* q[kLanes];
-  for (std::size_t k = 0; k < kLanes; ++k) q[k] = &spans_[first + std::min(k, count - 1)].q;
-  const DoubleBall hull = DoubleBall::hull(spans_[first].a, spans_[first].b);
+void RootlessBatch::judge_at(const std::array<Generators, 4>& generators, double a, double b,
+                             std::size_t first, std::size_t count) {
+  const DoubleBall hull = DoubleBall::hull(a, b);
   Lanes x[4], y[4], radius[4], error[4], radius_error[4];
-  constexpr GenId Quad::*roles[4] = {&Quad::l, &Quad::r, &Quad::s, &Quad::e};
   for (int i = 0; i < 4; ++i) {
-    const Generators g(motion_.doubles(q[0]->*roles[i]), motion_.doubles(q[1]->*roles[i]),
-                       motion_.doubles(q[2]->*roles[i]), motion_.doubles(q[3]->*roles[i]));
+    const Generators& g = generators[i];
     const Lanes dt = hull.mid - g.t;
     x[i] = g.x + g.vx * dt;
     y[i] = g.y + g.vy * dt;

@@ -1,6 +1,7 @@
 // Flip polynomials without roots, or with one, several at once: what proves most lives of edges.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "filtered/motion.h"
@@ -21,6 +22,13 @@ class RootlessBatch {
   // The same, of edges that were all added over one interval that is short: more rarely successful
   // and sooner done. Nothing is found out but whether they are rootless.
   void prove_instant();
+  // prove() of the four edges around the V-edge q, no two of which are the same, numbered in the
+  // order (r,e), (e,l), (l,s), (s,r): outer[k] is the third generator of the k-th on the side where
+  // q is not, and its interval is [from[k], b].
+  void prove_around(const Quad& q, const std::array<GenId, 4>& outer,
+                    const std::array<double, 4>& from, double b);
+  // prove_instant() of the same edges as they are after q has flipped.
+  void prove_around_flipped(const Quad& q, const std::array<GenId, 4>& outer, double a, double b);
   // Whether the flip polynomial of the k-th provably has no root in its [a, b]: its four generators
   // are cotangent at no time of it, the ends included. False says nothing.
   bool rootless(std::size_t k) const { return found_[k] == Found::rootless; }
@@ -37,8 +45,13 @@ class RootlessBatch {
   };
   enum class Found : char { nothing, one_root, rootless };
   static constexpr std::size_t kLanes = 4;
-  void prove_lanes(std::size_t first, std::size_t count);
-  void prove_lanes_at_instant(std::size_t first, std::size_t count);
+  struct Generators;
+  std::array<const Span*, kLanes> lanes(std::size_t first, std::size_t count) const;
+  std::array<Generators, 4> gather(const std::array<const Span*, kLanes>& of) const;
+  void judge(const std::array<Generators, 4>& generators, const std::array<double, kLanes>& from,
+             const std::array<double, kLanes>& to, std::size_t first, std::size_t count);
+  void judge_at(const std::array<Generators, 4>& generators, double a, double b, std::size_t first,
+                std::size_t count);
 
   const Motion& motion_;
   std::vector<Span> spans_;
