@@ -37,7 +37,8 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
       law_(scene, options.law_tolerance),
       tolerance_up_(round_up(options.tolerance)),
       near_tolerance_(ball(options.tolerance)),
-      batch_(motion_) {}
+      batch_(motion_),
+      apart_(motion_) {}
 
 Certificate Checker::run(const PartEnd* end) {
   try {

@@ -21,6 +21,7 @@
 
 #include "certify/certifier.h"
 #include "certify/collision_law.h"
+#include "certify/contact_proof.h"
 #include "certify/moment.h"
 #include "certify/replay.h"
 #include "certify/rootless.h"
@@ -151,7 +152,8 @@ class Checker {
   // ---- pair_lives.cpp ----
   void begin_pair(int edge, const Moment& m);
   void go_on_with_pair(int edge, const Moment& m);
-  void end_pair(int edge, const Moment& m, bool closed = false);
+  void end_pair(int edge, const Moment& m, bool closed = false, bool apart = false);
+  void end_pairs(std::span<const int> edges, const Moment& m, bool closed = false);
   NextContact next_contact(int edge, GenId i, GenId j);
   Contact<Rational> recorded_contact(GenId i, GenId j, const Rational& at) const;
   void check_parting(GenId i, GenId j, double from, const Moment& m);
@@ -214,6 +216,7 @@ class Checker {
   std::vector<Life> lives_;
   std::vector<Adjacency> pairs_;
   RootlessBatch batch_;
+  ApartBatch apart_;
   std::vector<int> illegal_;                          // edges that have to flip at this instant
   std::vector<int> pending_;                          // edges whose lives are pending
   std::optional<std::pair<GenId, GenId>> colliding_;  // by the claim being checked

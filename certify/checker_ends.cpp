@@ -129,7 +129,9 @@ void Checker::resume(double t) {
 
 // `closed`: nothing may be left that has to happen at m itself either.
 void Checker::end_all_lives(const Moment& m, bool closed) {
-  for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) end_pair(e, m, closed);
+  std::vector<int> edges(pairs_.size());
+  std::iota(edges.begin(), edges.end(), 0);
+  end_pairs(edges, m, closed);
   end_lives(all_edges(), m, closed);
 }
 

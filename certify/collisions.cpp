@@ -43,9 +43,7 @@ void Checker::collect_around(GenId i, GenId j) {
 
 // All lives around the disks end at m, but that of the pair that collides.
 void Checker::end_around(const Moment& m) {
-  for (const int e : spokes_) {
-    if (!colliding_ || replay_.pair_of(e) != *colliding_) end_pair(e, m);
-  }
+  end_pairs(spokes_, m);
   end_lives(around_, m);
 }
 

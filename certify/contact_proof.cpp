@@ -1,5 +1,9 @@
 #include "certify/contact_proof.h"
 
+#include <algorithm>
+
+#include "certify/motion_lanes.h"
+
 namespace voroproof {
 
 bool proved_apart(const Motion& motion, GenId i, GenId j, double a, double b) {
@@ -19,6 +23,31 @@ bool proved_apart(const Motion& motion, GenId i, GenId j, double a, double b) {
   if (sign(discriminant) == Sign::negative) return true;
   const DoubleBall delay = k.c / (sqrt(discriminant) - k.b);
   return sign(delay - (end - start)) == Sign::positive;
+}
+
+void ApartBatch::prove(double b) {
+  constexpr std::size_t lanes = 4;
+  apart_.resize(pairs_.size());
+  for (std::size_t first = 0; first < pairs_.size(); first += lanes) {
+    const std::size_t count = std::min(lanes, pairs_.size() - first);
+    const Pair* p[lanes];
+    for (std::size_t k = 0; k < lanes; ++k) p[k] = &pairs_[first + std::min(k, count - 1)];
+    const MotionLanes i(motion_.doubles(p[0]->i), motion_.doubles(p[1]->i),
+                        motion_.doubles(p[2]->i), motion_.doubles(p[3]->i));
+    const MotionLanes j(motion_.doubles(p[0]->j), motion_.doubles(p[1]->j),
+                        motion_.doubles(p[2]->j), motion_.doubles(p[3]->j));
+    const BallLanes start{{p[0]->a, p[1]->a, p[2]->a, p[3]->a}, {}}, end{splat(b), {}};
+    const Contact<BallLanes> before(i.moving_site(start), j.moving_site(start));
+    const Contact<BallLanes> after(i.moving_site(end), j.moving_site(end));
+    // Of two disks: apart at a, and then parting, or never within reach, or still approaching at b.
+    // In the container: inside at b, as at a.
+    const LaneMask never = negative(before.b * before.b - before.a * before.c);
+    const LaneMask not_yet = positive(after.c) & negative(after.b);
+    const LaneMask disks = positive(before.c) & (positive(before.b) | never | not_yet);
+    const LaneMask wall = i.r < 0;
+    const LaneMask apart = (wall & negative(after.c)) | (~wall & disks);
+    for (std::size_t k = 0; k < count; ++k) apart_[first + k] = apart[k] != 0;
+  }
 }
 
 }  // namespace voroproof

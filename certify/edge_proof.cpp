@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certify/edge_signs.h"
+#include "certify/edge_circles.h"
 #include "certify/rootless.h"
 #include "filtered/bernstein.h"
 #include "filtered/de_casteljau.h"
+#include "filtered/edge_predicates.h"
 
 namespace voroproof {
 
@@ -15,40 +16,26 @@ namespace {
 // Parts are halved at most this often: what is left then is near a root or a degeneracy.
 constexpr int kMaxDepth = 14;
 
-// `f`: the sign of the cotangency.
-EdgeSigns signs_over(const Motion& m, const Quad& q, const DoubleBall& t, Sign f) {
-  const Site<DoubleBall> l = m.site(q.l, t), r = m.site(q.r, t), s = m.site(q.s, t),
-                         e = m.site(q.e, t);
-  return edge_signs(q, l, r, s, e, f);
-}
-
 // Whether the edge collapses at no time of [a, b], where its flip polynomial may have roots: one
 // of its circles exists at no time of it, or exists and is free of the other's third generator.
 bool legal_throughout(const Motion& m, const Quad& q, double a, double b) {
-  const DoubleBall t = DoubleBall::hull(a, b);
-  const Site<DoubleBall> l = m.site(q.l, t), r = m.site(q.r, t), s = m.site(q.s, t),
-                         e = m.site(q.e, t);
-  const auto idle = [](const TangentTriple<DoubleBall>& circle, GenId id,
-                       const Site<DoubleBall>& other) {
-    const Sign exists = circle_exists(circle);
-    if (exists == Sign::negative) return true;
-    return exists == Sign::positive &&
-           incircle(circle, other, id == container_id, Sign::unknown) == Sign::positive;
+  const EdgeCircles circles(m, q, DoubleBall::hull(a, b));
+  const auto idle = [](Sign exists, Sign free) {
+    return exists == Sign::negative || (exists == Sign::positive && free == Sign::positive);
   };
-  return idle(tangent_triple(q.l, l, q.s, s, q.r, r), q.e, e) ||
-         idle(tangent_triple(q.r, r, q.e, e, q.l, l), q.s, s);
+  return idle(circles.start_exists(), circles.end_in_start(Sign::unknown)) ||
+         idle(circles.end_exists(), circles.start_in_end(Sign::unknown));
 }
 
 // Whether one of the edge's in-circle functions is positive throughout t: there it is not just
 // after a collapse. `f`: the sign of the cotangency.
 bool legal_over(const Motion& m, const Quad& q, const DoubleBall& t, Sign f) {
-  const std::array<Site<DoubleBall>, 4> at = sites(m, q, t);
-  const auto& [l, r, s, e] = at;
-  if (f == Sign::unknown) f = sign(cotangency(l, r, s, e));
-  return incircle(tangent_triple(q.l, l, q.s, s, q.r, r), e, q.e == container_id, f) ==
-             Sign::positive ||
-         incircle(tangent_triple(q.r, r, q.e, e, q.l, l), s, q.s == container_id, f) ==
-             Sign::positive;
+  if (f == Sign::unknown) {
+    const auto [l, r, s, e] = sites(m, q, t);
+    f = sign(cotangency(l, r, s, e));
+  }
+  const EdgeCircles circles(m, q, t);
+  return circles.end_in_start(f) == Sign::positive || circles.start_in_end(f) == Sign::positive;
 }
 
 // Whether the four are separated throughout [a, b]: the tangency of every two disks is positive,
@@ -155,16 +142,17 @@ bool free_in(const Motion& m, const Quad& q, double a, double b, int depth) {
 // Whether the edge collapses at the one root in [a, b], `after` being the sign of the cotangency
 // just after it.
 bool collapses_at_root(const Motion& motion, const Quad& q, double a, double b, Sign after) {
-  EdgeSigns s = signs_over(motion, q, DoubleBall::hull(a, b), after);
-  if (s.start_exists != Sign::positive || s.end_exists != Sign::positive) return false;
-  if (s.end_in_start == Sign::unknown || s.start_in_end == Sign::unknown) {
-    const DoubleBall t = DoubleBall::hull(a, b);
-    const std::array<Site<DoubleBall>, 4> sites{motion.site(q.l, t), motion.site(q.r, t),
-                                                motion.site(q.s, t), motion.site(q.e, t)};
-    if (!keeps_tangencies(sites)) return false;
-    s = signs_over(motion, q, DoubleBall(b), after);
+  const DoubleBall hull = DoubleBall::hull(a, b);
+  const EdgeCircles over(motion, q, hull);
+  if (over.start_exists() != Sign::positive || over.end_exists() != Sign::positive) return false;
+  const Sign start = over.end_in_start(after), end = over.start_in_end(after);
+  if (start != Sign::unknown && end != Sign::unknown) {
+    return start == Sign::negative && end == Sign::negative;
   }
-  return s.end_in_start == Sign::negative && s.start_in_end == Sign::negative;
+  if (!keeps_tangencies(sites(motion, q, hull))) return false;
+  const EdgeCircles at_end(motion, q, DoubleBall(b));
+  return at_end.end_in_start(after) == Sign::negative &&
+         at_end.start_in_end(after) == Sign::negative;
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ void Checker::go_on_with_pair(int edge, const Moment& m) {
 }
 
 // The pair's adjacency, or its motion, ends at m without a collision of the two; `closed`: a
-// contact at m itself is missed too.
-void Checker::end_pair(int edge, const Moment& m, bool closed) {
+// contact at m itself is missed too; `apart`: the two are proved to be apart until m.hi.
+void Checker::end_pair(int edge, const Moment& m, bool closed, bool apart) {
   const auto [i, j] = replay_.pair_of(edge);
   if (replay_.partners(i, j)) {
     pairs_[edge].overlap = 0;
@@ -39,7 +39,7 @@ void Checker::end_pair(int edge, const Moment& m, bool closed) {
     check_at_rest(edge, m);
     return;
   }
-  if (proved_apart(motion_, i, j, from, m.hi)) {
+  if (apart || proved_apart(motion_, i, j, from, m.hi)) {
     pairs_[edge].overlap = 0;
     return;
   }
@@ -66,6 +66,20 @@ void Checker::end_pair(int edge, const Moment& m, bool closed) {
     return;
   }
   throw Refuted{missing_contact(i, j, c.lo, c.hi)};
+}
+
+void Checker::end_pairs(std::span<const int> edges, const Moment& m, bool closed) {
+  apart_.clear();
+  for (const int e : edges) {
+    const auto [i, j] = replay_.pair_of(e);
+    apart_.add(i, j, pairs_[e].from);
+  }
+  apart_.prove(m.hi);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    if (!colliding_ || replay_.pair_of(edges[k]) != *colliding_) {
+      end_pair(edges[k], m, closed, apart_.apart(k));
+    }
+  }
 }
 
 // Exact truth: when the two touch next; `edge` is one between them. Before the lives begin: from

@@ -2,27 +2,14 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstddef>
-#include <cstring>
-#include <type_traits>
 
-// Vectors never leave this file, so that how they would be passed does not matter.
-#pragma GCC diagnostic ignored "-Wpsabi"
+#include "certify/motion_lanes.h"
 
 namespace voroproof {
 
 namespace {
 
 constexpr double u = 0x1p-53;
-
-// Four doubles, one an edge: every operation is that of binary64, on each.
-using Lanes = double __attribute__((vector_size(32)));
-using Mask = long long __attribute__((vector_size(32)));
-
-inline Lanes magnitude(const Lanes& x) {
-  constexpr long long all_but_sign = 0x7fffffffffffffff;
-  return reinterpret_cast<Lanes>(reinterpret_cast<Mask>(x) & all_but_sign);
-}
 
 // Products in the scaled Bernstein basis (coefficients times binomials) are plain convolutions.
 inline void multiply(const Lanes* p, const Lanes* q, Lanes* r) {
@@ -37,56 +24,6 @@ inline void multiply(const Lanes* p, const Lanes* q, Lanes* r) {
 // of the next and of the last are A, B and C.
 constexpr int I[6] = {0, 2, 0, 1, 0, 1};
 constexpr int J[6] = {1, 3, 2, 3, 3, 2};
-
-inline Lanes splat(double x) { return Lanes{x, x, x, x}; }
-
-}  // namespace
-
-// Of one generator of each of four edges: its motion.
-struct RootlessBatch::Generators {
-  Lanes t, x, y, vx, vy, radius, ex, ev, radius_error;
-
-  Generators(const DoubleMotion& a, const DoubleMotion& b, const DoubleMotion& c,
-             const DoubleMotion& d)
-      : radius_error{a.er, b.er, c.er, d.er} {
-    transpose(&a.t, &b.t, &c.t, &d.t, t, x, y, vx);
-    transpose(&a.vy, &b.vy, &c.vy, &d.vy, vy, radius, ex, ev);
-  }
-  // The same one of all four.
-  explicit Generators(const DoubleMotion& m)
-      : t(splat(m.t)),
-        x(splat(m.x)),
-        y(splat(m.y)),
-        vx(splat(m.vx)),
-        vy(splat(m.vy)),
-        radius(splat(m.r)),
-        ex(splat(m.ex)),
-        ev(splat(m.ev)),
-        radius_error(splat(m.er)) {}
-
- private:
-  // From four doubles that follow each other, of four motions, to the lanes of each.
-  static void transpose(const double* a, const double* b, const double* c, const double* d,
-                        Lanes& first, Lanes& second, Lanes& third, Lanes& fourth) {
-    Lanes r[4];
-    const double* from[4] = {a, b, c, d};
-    for (int k = 0; k < 4; ++k) std::memcpy(&r[k], from[k], sizeof r[k]);
-    const Lanes ab0 = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6);
-    const Lanes ab1 = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
-    const Lanes cd0 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6);
-    const Lanes cd1 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
-    first = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    second = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    third = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    fourth = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-  }
-  static_assert(std::is_standard_layout_v<DoubleMotion> && offsetof(DoubleMotion, x) == 8 &&
-                offsetof(DoubleMotion, y) == 16 && offsetof(DoubleMotion, vx) == 24 &&
-                offsetof(DoubleMotion, vy) == 32 && offsetof(DoubleMotion, r) == 40 &&
-                offsetof(DoubleMotion, ex) == 48 && offsetof(DoubleMotion, ev) == 56);
-};
-
-namespace {
 
 // The error of all coefficients of f where those of the six tangencies are at most `size` and err
 // by at most `err`.
@@ -103,8 +40,6 @@ inline Lanes cotangency_error(const Lanes* size, const Lanes* err) {
              (1 + 0x1p-40) +
          1e-290;
 }
-
-inline bool any(const Mask& m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
 
 // The bits of a set strictly between its lowest and its highest.
 unsigned inside(unsigned bits) {
@@ -148,10 +83,10 @@ void RootlessBatch::prove_around(const Quad& q, const std::array<GenId, 4>& oute
   found_.assign(kLanes, Found::nothing);
   end_signs_.resize(kLanes);
   const DoubleMotion &s = motion_.doubles(q.s), &e = motion_.doubles(q.e);
-  const std::array<Generators, 4> g{
-      Generators(motion_.doubles(q.l)), Generators(motion_.doubles(q.r)), Generators(e, e, s, s),
-      Generators(motion_.doubles(outer[0]), motion_.doubles(outer[1]), motion_.doubles(outer[2]),
-                 motion_.doubles(outer[3]))};
+  const std::array<MotionLanes, 4> g{
+      MotionLanes(motion_.doubles(q.l)), MotionLanes(motion_.doubles(q.r)), MotionLanes(e, e, s, s),
+      MotionLanes(motion_.doubles(outer[0]), motion_.doubles(outer[1]), motion_.doubles(outer[2]),
+                  motion_.doubles(outer[3]))};
   judge(g, from, {b, b, b, b}, 0, kLanes);
 }
 
@@ -159,10 +94,10 @@ void RootlessBatch::prove_around_flipped(const Quad& q, const std::array<GenId, 
                                          double b) {
   found_.assign(kLanes, Found::nothing);
   const DoubleMotion &l = motion_.doubles(q.l), &r = motion_.doubles(q.r);
-  const std::array<Generators, 4> g{
-      Generators(motion_.doubles(q.s)), Generators(motion_.doubles(q.e)), Generators(r, l, l, r),
-      Generators(motion_.doubles(outer[0]), motion_.doubles(outer[1]), motion_.doubles(outer[2]),
-                 motion_.doubles(outer[3]))};
+  const std::array<MotionLanes, 4> g{
+      MotionLanes(motion_.doubles(q.s)), MotionLanes(motion_.doubles(q.e)), MotionLanes(r, l, l, r),
+      MotionLanes(motion_.doubles(outer[0]), motion_.doubles(outer[1]), motion_.doubles(outer[2]),
+                  motion_.doubles(outer[3]))};
   judge_at(g, a, b, 0, kLanes);
 }
 
@@ -174,11 +109,10 @@ std::array<const RootlessBatch::Span*, RootlessBatch::kLanes> RootlessBatch::lan
   return of;
 }
 
-std::array<RootlessBatch::Generators, 4> RootlessBatch::gather(
-    const std::array<const Span*, kLanes>& of) const {
+std::array<MotionLanes, 4> RootlessBatch::gather(const std::array<const Span*, kLanes>& of) const {
   const auto role = [&](GenId Quad::*id) {
-    return Generators(motion_.doubles(of[0]->q.*id), motion_.doubles(of[1]->q.*id),
-                      motion_.doubles(of[2]->q.*id), motion_.doubles(of[3]->q.*id));
+    return MotionLanes(motion_.doubles(of[0]->q.*id), motion_.doubles(of[1]->q.*id),
+                       motion_.doubles(of[2]->q.*id), motion_.doubles(of[3]->q.*id));
   };
   return {role(&Quad::l), role(&Quad::r), role(&Quad::s), role(&Quad::e)};
 }
@@ -198,24 +132,23 @@ std::array<RootlessBatch::Generators, 4> RootlessBatch::gather(
 // most A = P P' and error e_A = P e' + P' e + e e' + 8u A. Finally f errs by 2 S e_S + e_S^2 +
 // 4 (B e_C + C e_B + e_B e_C), S = A + B + C, and evaluation adds at most 40u (S^2 + 4BC). The last
 // factor pays for the roundings of the bound itself, the last summand for underflow.
-void RootlessBatch::judge(const std::array<Generators, 4>& generators,
+void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
                           const std::array<double, kLanes>& from,
                           const std::array<double, kLanes>& to, std::size_t first,
                           std::size_t count) {
   const Lanes a{from[0], from[1], from[2], from[3]}, b{to[0], to[1], to[2], to[3]};
   Lanes x0[4], y0[4], x1[4], y1[4], radius[4], error[4], radius_error[4];
   for (int i = 0; i < 4; ++i) {
-    const Generators& g = generators[i];
+    const MotionLanes& g = generators[i];
     const Lanes ta = a - g.t, tb = b - g.t;
     x0[i] = g.x + g.vx * ta;
     y0[i] = g.y + g.vy * ta;
     x1[i] = g.x + g.vx * tb;
     y1[i] = g.y + g.vy * tb;
-    radius[i] = g.radius;
-    radius_error[i] = g.radius_error;
-    const Lanes size = magnitude(g.x) + magnitude(g.y) + magnitude(x0[i]) + magnitude(y0[i]) +
-                       magnitude(x1[i]) + magnitude(y1[i]);
-    error[i] = 4 * u * size + g.ex + g.ev * (magnitude(ta) + magnitude(tb));
+    radius[i] = g.r;
+    radius_error[i] = g.er;
+    const Lanes size = abs(g.x) + abs(g.y) + abs(x0[i]) + abs(y0[i]) + abs(x1[i]) + abs(y1[i]);
+    error[i] = 4 * u * size + g.ex + g.ev * (abs(ta) + abs(tb));
   }
   Lanes p[6][3], size[6], err[6];
   for (int k = 0; k < 6; ++k) {
@@ -225,11 +158,11 @@ void RootlessBatch::judge(const std::array<Generators, 4>& generators,
     p[k][0] = ax * ax + ay * ay - dr2;
     p[k][1] = 2 * (ax * bx + ay * by - dr2);
     p[k][2] = bx * bx + by * by - dr2;
-    const Lanes d = magnitude(ax) + magnitude(ay) + magnitude(bx) + magnitude(by);
+    const Lanes d = abs(ax) + abs(ay) + abs(bx) + abs(by);
     const Lanes eta = error[i] + error[j] + u * d;
-    const Lanes rho = radius_error[i] + radius_error[j] + u * magnitude(dr);
+    const Lanes rho = radius_error[i] + radius_error[j] + u * abs(dr);
     size[k] = d * d + dr2;
-    err[k] = 2 * eta * (d + eta) + rho * (2 * magnitude(dr) + rho) + 4 * u * size[k];
+    err[k] = 2 * eta * (d + eta) + rho * (2 * abs(dr) + rho) + 4 * u * size[k];
   }
   Lanes A[5], B[5], C[5], g[5], f[9];
   multiply(p[0], p[1], A);
@@ -242,21 +175,21 @@ void RootlessBatch::judge(const std::array<Generators, 4>& generators,
   }
   const Lanes total = cotangency_error(size, err);
   constexpr double binomials[9] = {1, 8, 28, 56, 70, 56, 28, 8, 1};
-  Mask positive = f[0] > total, negative = f[0] < -total;
+  LaneMask positive = f[0] > total, negative = f[0] < -total;
   for (int k = 1; k < 9; ++k) {
     const Lanes limit = total * binomials[k];
     positive &= f[k] > limit;
     negative &= f[k] < -limit;
   }
-  const Mask proved = positive | negative;
+  const LaneMask proved = positive | negative;
   for (std::size_t k = 0; k < count; ++k) {
     if (proved[k] != 0) found_[first + k] = Found::rootless;
   }
   if (!any(~proved)) return;
   // Separated: every tangency positive, between a disk and the container negative.
-  Mask separated = ~Mask{};
+  LaneMask separated = ~LaneMask{};
   for (int k = 0; k < 6; ++k) {
-    const Mask wall = (radius[I[k]] < 0) ^ (radius[J[k]] < 0);
+    const LaneMask wall = (radius[I[k]] < 0) ^ (radius[J[k]] < 0);
     for (int i = 0; i < 3; ++i) {
       const Lanes limit = i == 1 ? 2 * err[k] : err[k];
       separated &= (wall & (p[k][i] < -limit)) | (~wall & (p[k][i] > limit));
@@ -279,21 +212,20 @@ void RootlessBatch::judge(const std::array<Generators, 4>& generators,
 
 // As above, at one time with an uncertainty: the polynomials are constants. A coordinate moves by
 // at most |v| + ev times half the interval from where it is at the middle.
-void RootlessBatch::judge_at(const std::array<Generators, 4>& generators, double a, double b,
+void RootlessBatch::judge_at(const std::array<MotionLanes, 4>& generators, double a, double b,
                              std::size_t first, std::size_t count) {
   const DoubleBall hull = DoubleBall::hull(a, b);
   Lanes x[4], y[4], radius[4], error[4], radius_error[4];
   for (int i = 0; i < 4; ++i) {
-    const Generators& g = generators[i];
+    const MotionLanes& g = generators[i];
     const Lanes dt = hull.mid - g.t;
     x[i] = g.x + g.vx * dt;
     y[i] = g.y + g.vy * dt;
-    radius[i] = g.radius;
-    radius_error[i] = g.radius_error;
-    const Lanes size = magnitude(g.x) + magnitude(g.y) + magnitude(x[i]) + magnitude(y[i]);
-    const Lanes speed = magnitude(g.vx) + magnitude(g.vy) + g.ev;
-    error[i] =
-        (4 * u * size + g.ex + g.ev * magnitude(dt) + speed * hull.rad) * (1 + 0x1p-40) + 1e-290;
+    radius[i] = g.r;
+    radius_error[i] = g.er;
+    const Lanes size = abs(g.x) + abs(g.y) + abs(x[i]) + abs(y[i]);
+    const Lanes speed = abs(g.vx) + abs(g.vy) + g.ev;
+    error[i] = (4 * u * size + g.ex + g.ev * abs(dt) + speed * hull.rad) * (1 + 0x1p-40) + 1e-290;
   }
   Lanes p[6], size[6], err[6];
   for (int k = 0; k < 6; ++k) {
@@ -301,14 +233,14 @@ void RootlessBatch::judge_at(const std::array<Generators, 4>& generators, double
     const Lanes dx = x[i] - x[j], dy = y[i] - y[j];
     const Lanes dr = radius[i] - radius[j], dr2 = dr * dr;
     p[k] = dx * dx + dy * dy - dr2;
-    const Lanes d = magnitude(dx) + magnitude(dy);
+    const Lanes d = abs(dx) + abs(dy);
     const Lanes eta = error[i] + error[j] + u * d;
-    const Lanes rho = radius_error[i] + radius_error[j] + u * magnitude(dr);
+    const Lanes rho = radius_error[i] + radius_error[j] + u * abs(dr);
     size[k] = d * d + dr2;
-    err[k] = 2 * eta * (d + eta) + rho * (2 * magnitude(dr) + rho) + 4 * u * size[k];
+    err[k] = 2 * eta * (d + eta) + rho * (2 * abs(dr) + rho) + 4 * u * size[k];
   }
   const Lanes B = p[2] * p[3], C = p[4] * p[5], g = p[0] * p[1] - B - C;
-  const Mask proved = magnitude(g * g - 4 * (B * C)) > cotangency_error(size, err);
+  const LaneMask proved = abs(g * g - 4 * (B * C)) > cotangency_error(size, err);
   for (std::size_t k = 0; k < count; ++k) {
     if (proved[k] != 0) found_[first + k] = Found::rootless;
   }

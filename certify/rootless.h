@@ -8,6 +8,8 @@
 
 namespace voroproof {
 
+struct MotionLanes;
+
 // A set of V-edges, each over an interval of its own. The motion of their generators is that at the
 // time of prove().
 class RootlessBatch {
@@ -45,12 +47,11 @@ class RootlessBatch {
   };
   enum class Found : char { nothing, one_root, rootless };
   static constexpr std::size_t kLanes = 4;
-  struct Generators;
   std::array<const Span*, kLanes> lanes(std::size_t first, std::size_t count) const;
-  std::array<Generators, 4> gather(const std::array<const Span*, kLanes>& of) const;
-  void judge(const std::array<Generators, 4>& generators, const std::array<double, kLanes>& from,
+  std::array<MotionLanes, 4> gather(const std::array<const Span*, kLanes>& of) const;
+  void judge(const std::array<MotionLanes, 4>& generators, const std::array<double, kLanes>& from,
              const std::array<double, kLanes>& to, std::size_t first, std::size_t count);
-  void judge_at(const std::array<Generators, 4>& generators, double a, double b, std::size_t first,
+  void judge_at(const std::array<MotionLanes, 4>& generators, double a, double b, std::size_t first,
                 std::size_t count);
 
   const Motion& motion_;

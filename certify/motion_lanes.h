@@ -1,0 +1,102 @@
+// The motion of four generators side by side, and intervals of four numbers: how the certifier
+// looks at several edges or pairs in one evaluation.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+
+#include "exact/predicates.h"
+#include "filtered/double_ball.h"
+#include "filtered/lanes.h"
+#include "filtered/motion.h"
+
+namespace voroproof {
+
+using LaneMask [[gnu::vector_size(32)]] = long long;
+
+inline Lanes splat(double x) { return Lanes{x, x, x, x}; }
+inline bool any(const LaneMask& m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
+
+// As DoubleBall, on each lane.
+struct BallLanes {
+  Lanes mid, rad;
+};
+
+inline BallLanes operator+(const BallLanes& a, const BallLanes& b) {
+  using namespace double_ball_detail;
+  const Lanes m = a.mid + b.mid;
+  return {m, (a.rad + b.rad + abs(m) * u) * kUp};
+}
+inline BallLanes operator-(const BallLanes& a, const BallLanes& b) {
+  using namespace double_ball_detail;
+  const Lanes m = a.mid - b.mid;
+  return {m, (a.rad + b.rad + abs(m) * u) * kUp};
+}
+inline BallLanes operator*(const BallLanes& a, const BallLanes& b) {
+  using namespace double_ball_detail;
+  const Lanes m = a.mid * b.mid;
+  return {m, (abs(a.mid) * b.rad + a.rad * (abs(b.mid) + b.rad) + abs(m) * u + kTiny) * kUp};
+}
+inline LaneMask positive(const BallLanes& a) { return a.mid > a.rad; }
+inline LaneMask negative(const BallLanes& a) { return a.mid < -a.rad; }
+inline Sign sign(const BallLanes& a, int lane) {
+  return sign(DoubleBall(a.mid[lane], a.rad[lane]));
+}
+
+// Four of DoubleMotion.
+struct MotionLanes {
+  Lanes t, x, y, vx, vy, r, ex, ev, er;
+
+  MotionLanes(const DoubleMotion& a, const DoubleMotion& b, const DoubleMotion& c,
+              const DoubleMotion& d)
+      : er{a.er, b.er, c.er, d.er} {
+    transpose(&a.t, &b.t, &c.t, &d.t, t, x, y, vx);
+    transpose(&a.vy, &b.vy, &c.vy, &d.vy, vy, r, ex, ev);
+  }
+  // The same one four times.
+  explicit MotionLanes(const DoubleMotion& m)
+      : t(splat(m.t)),
+        x(splat(m.x)),
+        y(splat(m.y)),
+        vx(splat(m.vx)),
+        vy(splat(m.vy)),
+        r(splat(m.r)),
+        ex(splat(m.ex)),
+        ev(splat(m.ev)),
+        er(splat(m.er)) {}
+
+  // As Motion::moving_site and Motion::site.
+  MovingSite<BallLanes> moving_site(const BallLanes& time) const {
+    const BallLanes dt = time - BallLanes{t, Lanes{}};
+    const BallLanes v{vx, ev}, w{vy, ev};
+    return {BallLanes{x, ex} + v * dt, BallLanes{y, ex} + w * dt, v, w, {r, er}};
+  }
+  Site<BallLanes> site(const BallLanes& time) const {
+    const MovingSite<BallLanes> s = moving_site(time);
+    return {s.x, s.y, s.r};
+  }
+
+ private:
+  // From four doubles that follow each other, of four motions, to the lanes of each.
+  static void transpose(const double* a, const double* b, const double* c, const double* d,
+                        Lanes& first, Lanes& second, Lanes& third, Lanes& fourth) {
+    Lanes r[4];
+    const double* from[4] = {a, b, c, d};
+    for (int k = 0; k < 4; ++k) std::memcpy(&r[k], from[k], sizeof r[k]);
+    const Lanes ab0 = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6);
+    const Lanes ab1 = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
+    const Lanes cd0 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6);
+    const Lanes cd1 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
+    first = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    second = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    third = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    fourth = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+  }
+  static_assert(std::is_standard_layout_v<DoubleMotion> && offsetof(DoubleMotion, x) == 8 &&
+                offsetof(DoubleMotion, y) == 16 && offsetof(DoubleMotion, vx) == 24 &&
+                offsetof(DoubleMotion, vy) == 32 && offsetof(DoubleMotion, r) == 40 &&
+                offsetof(DoubleMotion, ex) == 48 && offsetof(DoubleMotion, ev) == 56);
+};
+
+}  // namespace voroproof
