@@ -8,6 +8,8 @@
 #include "filtered/bernstein.h"
 #include "filtered/de_casteljau.h"
 #include "filtered/edge_predicates.h"
+#include "filtered/rough_circles.h"
+#include "filtered/rough_judge.h"
 
 namespace voroproof {
 
@@ -27,9 +29,17 @@ bool legal_throughout(const Motion& m, const Quad& q, double a, double b) {
          idle(circles.end_exists(), circles.start_in_end(Sign::unknown));
 }
 
-// Whether one of the edge's in-circle functions is positive throughout t: there it is not just
+// Whether one of the edge's in-circle functions is positive throughout [a, b]: there it is not just
 // after a collapse. `f`: the sign of the cotangency.
-bool legal_over(const Motion& m, const Quad& q, const DoubleBall& t, Sign f) {
+bool legal_over(const Motion& m, const Quad& q, double a, double b, Sign f) {
+  if (f != Sign::unknown) {
+    const RoughCircles circles(m, q, a, b);
+    if (circles.usable()) {
+      const auto [e, s] = circles.in_circle(f);
+      if (e == Sign::positive || s == Sign::positive) return true;
+    }
+  }
+  const DoubleBall t = DoubleBall::hull(a, b);
   if (f == Sign::unknown) {
     const auto [l, r, s, e] = sites(m, q, t);
     f = sign(cotangency(l, r, s, e));
@@ -117,8 +127,7 @@ bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts) {
   // one root at most, what is positive at the end has been so throughout, or since the root.
   const double slop = 0x1p-45 * std::fmax(std::fabs(p.a), std::fabs(p.b));
   const double a = p.a - slop, b = p.b + slop;
-  if (roots == 1 && legal_over(m, q, DoubleBall::hull(p.b - slop, b), end_sign(p)) &&
-      separated(m, q, a, b)) {
+  if (roots == 1 && legal_over(m, q, p.b - slop, b, end_sign(p)) && separated(m, q, a, b)) {
     return true;
   }
   if (cuts >= kShort && legal_throughout(m, q, a, b)) return true;
@@ -142,6 +151,7 @@ bool free_in(const Motion& m, const Quad& q, double a, double b, int depth) {
 // Whether the edge collapses at the one root in [a, b], `after` being the sign of the cotangency
 // just after it.
 bool collapses_at_root(const Motion& motion, const Quad& q, double a, double b, Sign after) {
+  if (judge_roughly(motion, q, a, b, after) == Verdict::collapses) return true;
   const DoubleBall hull = DoubleBall::hull(a, b);
   const EdgeCircles over(motion, q, hull);
   if (over.start_exists() != Sign::positive || over.end_exists() != Sign::positive) return false;
@@ -162,7 +172,7 @@ bool proved_free(const Motion& motion, const Quad& q, double a, double b) {
 }
 
 bool proved_free_of_one(const Motion& motion, const Quad& q, double b, Sign f) {
-  return q.s == q.e || legal_over(motion, q, DoubleBall(b), f);
+  return q.s == q.e || legal_over(motion, q, b, b, f);
 }
 
 bool proved_collapse(const Motion& motion, const Quad& q, double a, double b) {

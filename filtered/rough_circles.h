@@ -1,0 +1,127 @@
+// The two circles of a V-edge in plain doubles with one error bound.
+//
+// Derivation of the bounds. u = 2^-53.
+//
+// Coordinates and radii are within `error` of the truth (rough_site.h).
+//
+// Offsets to the base of a triple, in x, y and radius: within eta = 2 error + u R, for R a bound of
+// |x| + |y| + |s| of all of them, computed and true. Let theta = eta / R + 4 u <= 2^-20. Then, each
+// with its largest size and error; roundings, a few u of the size, are in the 4 u of theta,
+// products of two errors in the excess of the constants:
+//   p = x^2 + y^2 - s^2              R^2     3 R^2 theta      (inputs 2 R eta, roundings 3 u R^2)
+//   D_xp = x_j p_k - p_j x_k         2 R^3   10 R^3 theta     (4 + 4, roundings 4 u: 9)
+//   D_xs, D_xy                       2 R^2   6 R^2 theta      (4, roundings 4 u: 5)
+//   D_xp D_xs + D_yp D_ys            8 R^5   72 R^5 theta     (64, roundings 16 u: 68)
+//   D_xs^2 + D_ys^2 - D_xy^2         12 R^4  88 R^4 theta     (72, roundings 32 u: 80)
+//   C = x D_yp - y D_xp + p D_xy     6 R^4   44 R^4 theta     (36, roundings 16 u: 40); so A and B
+//   G = D_xp A + D_yp B              24 R^7  340 R^7 theta    (296, roundings 48 u: 308)
+// Computing the bounds is rounded as well: the excess of the constants is at least 1 in 20. R is
+// kept where no power of it comes near the ends of the range of doubles.
+#pragma once
+
+// Before the templates that are used with lanes: it says that they may be.
+#include "filtered/lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "filtered/edge_predicates.h"
+#include "filtered/rough_site.h"
+
+namespace voroproof {
+
+// Of the edge q = [l,r,s,e] over an interval of time: the signs of circle_exists() and incircle()
+// for its circles, the start (l,s,r) and the end (r,e,l), side by side. unknown where the bound is
+// too coarse.
+class RoughCircles {
+ public:
+  RoughCircles(const Motion& motion, const Quad& q, double lo, double hi)
+      : RoughCircles(q, sites(motion, q, lo, hi)) {}
+
+  // Nothing may be asked unless the bounds hold.
+  bool usable() const { return r_ > 0x1p-100 && r_ < 0x1p100 && theta_ <= 0x1p-20; }
+
+  struct Signs {
+    Sign start, end;
+  };
+  Signs exist() const {
+    const Lanes direct = t_.xp * t_.xs + t_.yp * t_.ys;
+    const Lanes conjugate = t_.xs * t_.xs + t_.ys * t_.ys - t_.xy * t_.xy;
+    const auto exists = [&](int k) {
+      const Sign a = beyond(direct[k], 72 * r4_ * r_ * theta_);
+      const Sign xy = beyond(t_.xy[k], 6 * r2_ * theta_);
+      const Sign b = with_container_[k] ? -xy : xy;
+      return a == b && a != Sign::unknown
+                 ? a
+                 : sign_with_root(a, b, beyond(conjugate[k], 88 * r4_ * theta_));
+    };
+    return {exists(0), exists(1)};
+  }
+  // Where e lies to the first and s to the second, given that they exist. `f`: the sign of the
+  // cotangency, not zero.
+  Signs in_circle(Sign f) const {
+    const InCircleParts<Lanes> parts(t_, opposite_);
+    const Lanes part = f == Sign::positive ? parts.g() : parts.c();
+    const double bound = (f == Sign::positive ? 340 * r2_ * r_ : 44.0) * r4_ * theta_;
+    const auto outside = [&](int k) {
+      const Sign s = beyond(part[k], bound);
+      const bool turned = f != Sign::positive && with_container_[k];
+      return turned != other_is_container_[k] ? -s : s;
+    };
+    return {outside(0), outside(1)};
+  }
+
+ private:
+  using Places = std::array<int, 4>;
+
+  static std::array<RoughSite, 4> sites(const Motion& motion, const Quad& q, double lo, double hi) {
+    const double c = 0.5 * (lo + hi);
+    const double h = std::max(hi - c, c - lo) * (1 + 0x1p-50);
+    return {rough_site(motion.doubles(q.l), c, h), rough_site(motion.doubles(q.r), c, h),
+            rough_site(motion.doubles(q.s), c, h), rough_site(motion.doubles(q.e), c, h)};
+  }
+  static Site<Lanes> pick(const std::array<RoughSite, 4>& sites, int start, int end) {
+    const Site<double>&a = sites[start].at, &b = sites[end].at;
+    return {Lanes{a.x, b.x, 0, 0}, Lanes{a.y, b.y, 0, 0}, Lanes{a.r, b.r, 0, 0}};
+  }
+  static Sign beyond(double x, double bound) {
+    return x > bound ? Sign::positive : x < -bound ? Sign::negative : Sign::unknown;
+  }
+
+  // The triples (l,s,r) and (r,e,l), a disk first: as tangent_triple().
+  RoughCircles(const Quad& q, const std::array<RoughSite, 4>& sites)
+      : RoughCircles(q, sites, q.l == container_id ? Places{2, 1, 0, 3} : Places{0, 2, 1, 3},
+                     q.r == container_id ? Places{3, 0, 1, 2} : Places{1, 3, 0, 2}) {}
+  // `start` and `end`: where base, j, k and the opposite are among the four sites.
+  RoughCircles(const Quad& q, const std::array<RoughSite, 4>& sites, const Places& start,
+               const Places& end)
+      : t_(pick(sites, start[0], end[0]), pick(sites, start[1], end[1]),
+           pick(sites, start[2], end[2]), false),
+        opposite_(pick(sites, start[3], end[3])),
+        other_is_container_{q.e == container_id, q.s == container_id} {
+    const bool edge_of_container = q.l == container_id || q.r == container_id;
+    with_container_[0] = edge_of_container || q.s == container_id;
+    with_container_[1] = edge_of_container || q.e == container_id;
+    double error = 0;
+    for (const RoughSite& s : sites) error = std::max(error, s.error);
+    Lanes largest{};
+    for (int k = 1; k < 4; ++k) {
+      const Site<Lanes> s = pick(sites, start[k], end[k]);
+      const Lanes size = abs(s.x - t_.base.x) + abs(s.y - t_.base.y) + abs(s.r - t_.base.r);
+      largest = 0.5 * (largest + size + abs(largest - size));
+    }
+    constexpr double u = 0x1p-53;
+    r_ = (std::max(largest[0], largest[1]) + 6 * error) * (1 + 0x1p-40);
+    theta_ = (2 * error + u * r_) / r_ + 4 * u;
+    r2_ = r_ * r_;
+    r4_ = r2_ * r2_;
+  }
+
+  TangentTriple<Lanes> t_;
+  Site<Lanes> opposite_;
+  bool with_container_[2], other_is_container_[2];
+  double r_, theta_, r2_, r4_;
+};
+
+}  // namespace voroproof
