@@ -76,16 +76,14 @@ class Checker {
     double from = 0;
     long born = 0;         // the instant at which it began
     bool illegal = false;  // it has to flip at that instant
-    bool due = false;      // it collapses at `root`, next
+    bool due = false;      // it collapses at its root in due_, next
     bool pending = false;  // it begins when all that turns at that instant has turned
-    Collapse root;
   };
 
   // The pair of a V-edge likewise: apart or parting, no contact until `from`. Under the recorded
   // truth it may overlap then: since `overlap` before.
   struct Adjacency {
     double from = 0;
-    long born = 0;
     double overlap = 0;
   };
 
@@ -214,6 +212,7 @@ class Checker {
   Moment frontier_;   // the last event proved
   long instant_ = 0;  // numbers the instants at which events were proved
   std::vector<Life> lives_;
+  std::unordered_map<int, Collapse> due_;  // the roots of edges whose lives are due, and old ones
   std::vector<Adjacency> pairs_;
   RootlessBatch batch_;
   ApartBatch apart_;

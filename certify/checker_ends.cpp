@@ -97,6 +97,7 @@ namespace {
 
 // Edges have the same numbers in both as a rule, though not where claims were swapped.
 bool same_edges(const Diagram& a, const Diagram& b) {
+  if (a == b) return true;
   if (a.edges() != b.edges()) return false;
   for (int e = 0; e < a.edges(); ++e) {
     if (canonical(a.quad(2 * e)) != canonical(b.quad(2 * e))) return a.quads() == b.quads();

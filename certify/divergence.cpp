@@ -135,7 +135,7 @@ Divergence Checker::first_event_missing(const Divergence& found) {
     if (life.illegal || life.pending) continue;
     std::optional<Collapse> c;
     if (life.due) {
-      c = life.root;
+      c = due_.at(e);
     } else if (!proved_free(motion_, q, life.from, limit)) {
       c = search(q, life.from);
     }

@@ -57,7 +57,7 @@ void Checker::begin_life(int edge, const Moment& m, const Isolated* own, bool ro
       break;
     case Collapse::Kind::root:
       life.due = true;
-      life.root = c;
+      due_[edge] = c;
       break;
     case Collapse::Kind::now:
       life.illegal = true;
@@ -88,10 +88,11 @@ void Checker::end_life(int edge, const Moment& m, bool closed, std::size_t k) {
     const auto c = first_collapse(q, life.from, m.hi);
     if (!c) return;
     life.due = true;
-    life.root = *c;
+    due_[edge] = *c;
   }
-  const int order = chronology_.compare(Moment::of(q, life.root), m);
-  if (order < 0 || (order == 0 && closed)) throw Refuted{missing_flip(q, life.root)};
+  const Collapse& root = due_.at(edge);
+  const int order = chronology_.compare(Moment::of(q, root), m);
+  if (order < 0 || (order == 0 && closed)) throw Refuted{missing_flip(q, root)};
 }
 
 void Checker::begin_lives(std::span<const int> edges, const Moment& m) {
@@ -153,7 +154,7 @@ Checker::Found Checker::collapse_for(const FlipEvent& claim, HalfEdge h) {
   }
   const double end = round_up(Rational(t + options_.tolerance));
   std::optional<Collapse> c =
-      life.due ? std::optional(life.root) : first_collapse(q, life.from, end);
+      life.due ? std::optional(due_.at(h / 2)) : first_collapse(q, life.from, end);
   if (!c) {
     c = first_collapse(q, std::max(life.from, end), search_end_);
     if (c) mistimed(q, *c, t);

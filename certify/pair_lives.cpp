@@ -16,12 +16,12 @@ namespace {
 constexpr int kBits = 512;
 }  // namespace
 
-void Checker::begin_pair(int edge, const Moment& m) { pairs_[edge] = {m.lo, instant_}; }
+void Checker::begin_pair(int edge, const Moment& m) { pairs_[edge] = {m.lo}; }
 
 // As only the motion of the pair changes: an overlap goes on.
 void Checker::go_on_with_pair(int edge, const Moment& m) {
   const bool collided = colliding_ && replay_.pair_of(edge) == *colliding_;
-  pairs_[edge] = {m.lo, instant_, collided ? 0 : pairs_[edge].overlap};
+  pairs_[edge] = {m.lo, collided ? 0 : pairs_[edge].overlap};
 }
 
 // The pair's adjacency, or its motion, ends at m without a collision of the two; `closed`: a

@@ -104,7 +104,7 @@ class PartwiseCertifier {
         header_(history.header()),
         replay_(scene, options),
         gap_(8 * round_up(options.tolerance)),
-        size_(std::max(options.least_part, options.least_part / 1024 * scene.disks.size())) {}
+        size_(std::max(options.least_part, options.least_part / 4096 * scene.disks.size())) {}
 
   Certificate run() {
     std::exception_ptr unreadable;
@@ -247,7 +247,13 @@ class PartwiseCertifier {
   }
 
   void help() {
+    // Made while the first part is read. Where it cannot be made, the first part says why.
     std::optional<Motion> motion;
+    try {
+      motion.emplace(checked_input(input_, header_), options_.motion);
+    } catch (...) {
+      motion.reset();
+    }
     while (std::optional<Part> part = take(true)) prove(*part, motion);
   }
 

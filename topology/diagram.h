@@ -52,6 +52,8 @@ class Diagram {
   // The next half-edge counterclockwise around org(h).
   HalfEdge rotate(HalfEdge h) const { return previous(h) ^ 1; }
 
+  // Whether also the numbers of all half-edges are the same.
+  bool operator==(const Diagram&) const = default;
   // Canonical quads of all edges, sorted.
   std::vector<Quad> quads() const;
   // Whether the incidences are those of a triangulation of the sphere by all

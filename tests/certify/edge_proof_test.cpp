@@ -9,7 +9,10 @@
 #include <iostream>
 #include <vector>
 
+#include "certify/contact_proof.h"
+#include "certify/edge_circles.h"
 #include "certify/edge_signs.h"
+#include "certify/rootless.h"
 #include "tests/support/random_scenes.h"
 
 namespace voroproof::testing {
@@ -49,6 +52,20 @@ class FourDisks {
       }
     }
     return true;
+  }
+
+  // Whether the two do not touch at t.
+  bool apart(GenId i, GenId j, double t) const {
+    const Site<Rational> a = site(i, t), b = site(j, t);
+    const Rational x = a.x - b.x, y = a.y - b.y, reach = a.r + b.r;
+    const Rational beyond = x * x + y * y - reach * reach;
+    return i == container_id ? sgn(beyond) < 0 : sgn(beyond) > 0;
+  }
+  // The sign of the cotangency, and those of the circles.
+  std::pair<Sign, EdgeSigns> signs(const Quad& q, double t) const {
+    const Site<Rational> l = site(q.l, t), r = site(q.r, t), s = site(q.s, t), e = site(q.e, t);
+    const Sign f = sign(cotangency(l, r, s, e));
+    return {f, edge_signs(q, l, r, s, e, f)};
   }
 
   struct State {
@@ -99,7 +116,7 @@ std::vector<double> telling_times(const FourDisks& disks, const Quad& q, double 
 
 TEST(EdgeProof, NoCollapseIsLost) {
   Random random(8);
-  int proved = 0, with_roots = 0, collapsing = 0, collapses = 0;
+  int proved = 0, with_roots = 0, collapsing = 0, collapses = 0, one_root = 0, proved_of_one = 0;
   for (int k = 0; k < 1500; ++k) {
     const FourDisks disks(k % 2 == 0 ? 40 : 4, k % 5 == 0, random);
     const GenId last = k % 3 == 0 ? container_id : 3;
@@ -120,7 +137,19 @@ TEST(EdgeProof, NoCollapseIsLost) {
         std::find_if(times.begin(), times.end(), [&](double t) { return disks.at(q, t).illegal; });
     collapsing += bad != times.end();
     const Motion motion(disks.input(), {});
-    if (proved_free(motion, q, a, b)) {
+    RootlessBatch batch(motion);
+    batch.add(q, a, b);
+    batch.prove();
+    const bool of_one = batch.one_root(0) && proved_free_of_one(motion, q, b, batch.end_sign(0));
+    if (batch.one_root(0)) {
+      ++one_root;
+      ASSERT_LE(changes, 1);
+      if (batch.end_sign(0) != Sign::unknown) {
+        ASSERT_EQ(static_cast<int>(batch.end_sign(0)), disks.at(q, b).f);
+      }
+    }
+    proved_of_one += of_one;
+    if (proved_free(motion, q, a, b) || of_one) {
       ++proved;
       with_roots += changes > 0;
       ASSERT_EQ(bad, times.end()) << "at " << *bad << " in [" << a << ", " << b << "]";
@@ -139,8 +168,79 @@ TEST(EdgeProof, NoCollapseIsLost) {
   EXPECT_GT(with_roots, 50);
   EXPECT_GT(collapsing, 50);
   EXPECT_GT(collapses, 50);
+  EXPECT_GT(one_root, 100);
+  EXPECT_GT(proved_of_one, 50);
+  EXPECT_LT(proved_of_one, one_root);
   std::cout << proved << " proved free, " << with_roots << " of them with roots; " << collapsing
-            << " collapse, " << collapses << " of them proved\n";
+            << " collapse, " << collapses << " of them proved; " << one_root
+            << " with one root at most, " << proved_of_one << " of them free\n";
+}
+
+// The signs of both circles side by side, at instants, are those in rationals.
+TEST(EdgeProof, CirclesSideBySide) {
+  Random random(9);
+  int known = 0, asked = 0;
+  for (int k = 0; k < 400; ++k) {
+    const FourDisks disks(k % 2 == 0 ? 40 : 4, k % 5 == 0, random);
+    std::array<GenId, 4> ids{0, 1, 2, k % 3 == 0 ? container_id : 3};
+    std::shuffle(ids.begin(), ids.end(), random);
+    const Quad q{ids[0], ids[1], ids[2], ids[3]};
+    const double t = uniform(random, 0, 20);
+    const auto [f, truth] = disks.signs(q, t);
+    const Motion motion(disks.input(), {});
+    const EdgeCircles circles(motion, q, DoubleBall(t));
+    const auto same = [&](Sign found, Sign expected) {
+      ++asked;
+      known += found != Sign::unknown;
+      return found == Sign::unknown || found == expected;
+    };
+    ASSERT_TRUE(same(circles.start_exists(), truth.start_exists));
+    ASSERT_TRUE(same(circles.end_exists(), truth.end_exists));
+    if (truth.start_exists == Sign::positive) {
+      ASSERT_TRUE(same(circles.end_in_start(f), truth.end_in_start));
+    }
+    if (truth.end_exists == Sign::positive) {
+      ASSERT_TRUE(same(circles.start_in_end(f), truth.start_in_end));
+    }
+  }
+  EXPECT_GT(known, asked * 9 / 10);
+}
+
+// Pairs four at a time: what is proved is true on a grid of times, and one by one hardly more is
+// proved. Disks that overlap at first are not asked about.
+TEST(ContactProof, ManyPairsAtOnce) {
+  Random random(10);
+  int proved = 0, made = 0, touching = 0;
+  for (int k = 0; k < 400; ++k) {
+    const FourDisks disks(k % 2 == 0 ? 40 : 4, k % 5 == 0, random);
+    const Motion motion(disks.input(), {});
+    const double a = uniform(random, 0, 20), b = a + uniform(random, 0, 40);
+    ApartBatch batch(motion);
+    std::vector<std::array<GenId, 2>> pairs;
+    for (GenId i = container_id; i < 4; ++i) {
+      for (GenId j = std::max(i + 1, 0); j < 4; ++j) {
+        if (!disks.apart(i, j, a)) continue;
+        pairs.push_back({i, j});
+        batch.add(i, j, a);
+      }
+    }
+    batch.prove(b);
+    for (std::size_t n = 0; n < pairs.size(); ++n) {
+      const auto [i, j] = pairs[n];
+      ++made;
+      bool apart = true;
+      for (int part = 0; part <= 64; ++part) {
+        apart = apart && disks.apart(i, j, part == 64 ? b : a + (b - a) * part / 64);
+      }
+      touching += !apart;
+      if (!batch.apart(n)) continue;
+      ++proved;
+      ASSERT_TRUE(apart) << i << " and " << j << " in [" << a << ", " << b << "]";
+      ASSERT_TRUE(proved_apart(motion, i, j, a, b));
+    }
+  }
+  EXPECT_GT(touching, 100);
+  EXPECT_GT(proved, (made - touching) * 9 / 10);
 }
 
 }  // namespace

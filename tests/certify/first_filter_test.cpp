@@ -102,6 +102,68 @@ TEST(RootlessBatch, NoRootIsLost) {
   EXPECT_LT(proved, made - with_root);
 }
 
+// The edges around a flip, and short intervals: what is proved of them is so.
+TEST(RootlessBatch, AroundAFlip) {
+  Random random(5);
+  int proved = 0, proved_after = 0, same = 0;
+  for (int k = 0; k < 300; ++k) {
+    MotionInput in = random_input(100, k % 2 == 0 ? 40 : 5, k % 3 == 0 ? 3 : 1, random);
+    const MotionInput more = random_input(100, 20, 1, random);
+    in.disks.insert(in.disks.end(), more.disks.begin(), more.disks.end());
+    const Motion motion(in, {});
+    Quad q{0, 1, 2, 3};
+    if (k % 4 == 0) q.e = container_id;
+    const std::array<GenId, 4> outer{4, 5, 6, 7};
+    std::array<double, 4> from{};
+    const double b = uniform(random, 1, 20);
+    for (double& a : from)
+      a = b - std::ldexp(uniform(random, 0, 1), static_cast<int>(random() % 8));
+    const std::array<std::array<GenId, 2>, 4> ring{
+        {{q.r, q.e}, {q.e, q.l}, {q.l, q.s}, {q.s, q.r}}};
+    const std::array<GenId, 4> before{q.l, q.r, q.r, q.l}, after{q.s, q.s, q.e, q.e};
+    RootlessBatch around(motion), alone(motion);
+    around.prove_around(q, outer, from, b);
+    for (int n = 0; n < 4; ++n) {
+      alone.add({ring[n][0], ring[n][1], outer[n], before[n]}, from[n], b);
+    }
+    alone.prove();
+    for (int n = 0; n < 4; ++n) {
+      proved += around.rootless(n);
+      same += around.rootless(n) == alone.rootless(n) && around.one_root(n) == alone.one_root(n);
+    }
+    const double c = b + std::ldexp(1, -static_cast<int>(random() % 30));
+    around.prove_around_flipped(q, outer, b, c);
+    for (int n = 0; n < 4; ++n) {
+      if (!around.rootless(n)) continue;
+      ++proved_after;
+      const Quad now{ring[n][0], ring[n][1], outer[n], after[n]};
+      const int sign = cotangency_sign(in, now, b);
+      ASSERT_NE(sign, 0);
+      for (int part = 1; part <= 8; ++part) {
+        ASSERT_EQ(cotangency_sign(in, now, part == 8 ? c : b + (c - b) * 0.125 * part), sign);
+      }
+    }
+  }
+  // In another order of the four the last bits of a bound may be others.
+  EXPECT_GE(same, 1190);
+  EXPECT_GT(proved, 600);
+  EXPECT_GT(proved_after, 600);
+}
+
+TEST(MostRoots, ByDescartesRule) {
+  EXPECT_EQ(most_roots(0b111111111, 0), 0);
+  EXPECT_EQ(most_roots(0, 0b111111111), 0);
+  EXPECT_EQ(most_roots(0b000011111, 0b111100000), 1);
+  EXPECT_EQ(most_roots(0b000011111, 0b111110000), 1);  // one may be both, where the sign changes
+  EXPECT_EQ(most_roots(0b111111111, 0b000000001), 1);  // or at an end
+  EXPECT_EQ(most_roots(0b111111111, 0b100000000), 1);
+  EXPECT_EQ(most_roots(0b111111111, 0b000000010), 2);
+  EXPECT_EQ(most_roots(0b111111111, 0b000000011), 2);
+  EXPECT_EQ(most_roots(0b000011111, 0b111111000), 2);
+  EXPECT_EQ(most_roots(0b000011111, 0b111100001), 2);
+  EXPECT_EQ(most_roots(0b111111111, 0b111111111), 2);
+}
+
 // A sum as long as a disk's path, with every kind of number.
 TEST(DyadicSum, IsExact) {
   Random random(4);
