@@ -35,6 +35,13 @@ class SitesAt {
     return true;
   }
 
+  // For a proof in doubles alone, where they may be used, and how many signs it found.
+  bool may_be_rough() const { return motion_.options().filters; }
+  Site<DoubleBall> rough(GenId g) const { return motion_.site(g, rough_); }
+  void count_rough(int signs) {
+    for (int k = 0; k < signs; ++k) counted(Sign::positive, Tier::filter);
+  }
+
   // predicate(sites, root) gives a Sign; unknown asks for the next tier.
   template <class F>
   Sign decide(F&& predicate) {
@@ -175,9 +182,48 @@ class InitialProof {
                         {}};
   }
 
+  // From g to its vertex with i and j.
+  template <class Sites, class Root>
+  static auto direction(Sites& at, Root& root, GenId g, GenId i, GenId j) {
+    const auto base = at(g);
+    using Vec = std::array<std::decay_t<decltype(base.x)>, 2>;
+    const auto v = triple_at(at, g, i, j);
+    if (g != container_id) return Vec(circle_direction(v, root));
+    const auto z = tangent_circle(v, root);
+    return Vec{z[0] - base.x, z[1] - base.y};
+  }
+
+  // Whether doubles prove what cell_fault() asks for; each direction is computed once.
+  bool turns_once(GenId g) {
+    if (!sites_.may_be_rough()) return false;
+    const auto at = [this](GenId i) { return sites_.rough(i); };
+    const OwnRoot root;
+    const HalfEdge first = diagram_.anchor(g);
+    const auto vertex = [&](HalfEdge h) {
+      return direction(at, root, g, diagram_.dest(h), diagram_.apex(h));
+    };
+    int falls = 0, steps = 0;
+    auto d = vertex(first);
+    HalfEdge h = first;
+    do {
+      h = diagram_.rotate(h);
+      const auto e = vertex(h);
+      // Around the container the vertices run clockwise.
+      const Sign step = g == container_id ? angle_order(e, d) : angle_order(d, e);
+      if (step == Sign::unknown) return false;
+      falls += step == Sign::negative;
+      ++steps;
+      d = e;
+    } while (h != first);
+    if (falls != 1) return false;
+    sites_.count_rough(steps);
+    return true;
+  }
+
   // The vertices around g must turn exactly once: among the steps from each to the next exactly
   // one falls back in angle.
   std::optional<InitialFault> cell_fault(GenId g) {
+    if (turns_once(g)) return std::nullopt;
     const HalfEdge first = diagram_.anchor(g);
     int falls = 0;
     bool turns = false;
@@ -186,15 +232,7 @@ class InitialProof {
       const HalfEdge next = diagram_.rotate(h);
       const GenId a = diagram_.dest(h), b = diagram_.apex(h), c = diagram_.apex(next);
       const Sign step = sites_.decide([&](auto at, auto root) {
-        const auto base = at(g);
-        using T = std::decay_t<decltype(base.x)>;
-        const auto direction = [&](GenId i, GenId j) -> std::array<T, 2> {
-          const auto v = triple_at(at, g, i, j);
-          if (g != container_id) return circle_direction(v, root);
-          const auto z = tangent_circle(v, root);
-          return {z[0] - base.x, z[1] - base.y};
-        };
-        const auto d = direction(a, b), e = direction(b, c);
+        const auto d = direction(at, root, g, a, b), e = direction(at, root, g, b, c);
         // Around the container the vertices run clockwise.
         return g == container_id ? angle_order(e, d) : angle_order(d, e);
       });
