@@ -46,6 +46,7 @@ void Checker::start() {
   collected_.assign(edges, 0);
   pairs_.assign(motion_.size() == 1 ? 1 : edges, {});
   const Moment now = Moment::at(Rational(0));
+  chronology_.note_collisions(now);
   begin_lives(all_edges(), now);
   for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) begin_pair(e, now);
   begun_ = true;

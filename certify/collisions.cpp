@@ -63,6 +63,7 @@ void Checker::begin_around(const Moment& m) {
 
 void Checker::begin_pending_lives() {
   if (pending_.empty()) return;
+  chronology_.note_collisions(frontier_);
   const std::vector<int> edges = std::exchange(pending_, {});
   begin_lives(edges, frontier_);
 }

@@ -63,6 +63,8 @@ class Chronology {
   void begin_present();
   void note_present(const Moment& m);
   void note_flip(const Quad& q);
+  // After its collisions: what they have to do with each other.
+  void note_collisions(const Moment& m);
   // The same of a moment at the present instant, with what is known to happen at it.
   Instant present(const Moment& m) const;
 

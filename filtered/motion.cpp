@@ -243,6 +243,16 @@ Motion::Origin Motion::origin(GenId g, int id) const {
   return {r.before_j, nullptr, r.i, r.before_i};
 }
 
+int Motion::right_angle(int a, int b) const {
+  const auto it = right_angles_.find(std::minmax(a, b));
+  if (it == right_angles_.end()) return 0;
+  return a < b ? it->second : -it->second;
+}
+
+void Motion::note_right_angle(int a, int b, int turn) {
+  right_angles_[std::minmax(a, b)] = a < b ? turn : -turn;
+}
+
 // For numbers in units of the scene: centres in 2^x_scale, velocities in 2^v_scale. Far away are
 // coordinates where the container is not about the origin, times where they are late, and the
 // inverse of a short reach; disks may become faster than any is at first.

@@ -11,11 +11,13 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "exact/ball.h"
@@ -169,6 +171,13 @@ class Motion {
     int partner_before;
   };
   Origin origin(GenId g, int id) const;
+  // The two generators of the collision with this id, the smaller first; a maneuver's disk twice.
+  std::pair<GenId, GenId> generators_of(int id) const { return {log_[id - 1].i, log_[id - 1].j}; }
+  // Two collisions of one disk at one instant with normals at right angles: 1 where that of id b,
+  // seen from the disk, is to the left of that of a, -1 to the right, 0 where nothing was noted.
+  int right_angle(int a, int b) const;
+  // Notes such a turn, which the caller has proved.
+  void note_right_angle(int a, int b, int turn);
   // When the initial state of a disk holds: 0 unless it was restarted.
   double initial_time(GenId g) const { return start_[g]; }
 
@@ -225,6 +234,7 @@ class Motion {
   std::uint64_t replays_ = 0;
   std::vector<Record> log_;
   std::vector<ManeuverRecord> maneuvers_;
+  std::map<std::pair<int, int>, int> right_angles_;
   std::vector<int> state_;     // per generator
   std::vector<double> t_ref_;  // per generator
   std::vector<double> start_;  // per disk: when its initial state holds

@@ -1,69 +1,12 @@
 #include "filtered/symmetry.h"
 
 #include <algorithm>
-#include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "filtered/edge_predicates.h"
 
 namespace voroproof {
-
-namespace {
-
-// Pairs of states looked at in one proof: bounds the cost where pasts are long.
-constexpr std::size_t kMaxPairs = std::size_t{1} << 18;
-
-}  // namespace
-
-std::vector<Isometry> Symmetry::carry(std::span<const DiskState> from,
-                                      std::span<const DiskState> to) const {
-  using Pair = std::tuple<GenId, int, GenId, int>;
-  const MotionInput& in = motion_.input();
-  std::vector<Image> points, vectors;
-  std::set<Pair> seen;
-  std::vector<Pair> open;
-  const auto look_at = [&](DiskState a, DiskState b) {
-    const Pair p{a.g, a.id, b.g, b.id};
-    if (seen.insert(p).second) open.push_back(p);
-  };
-  for (std::size_t k = 0; k < from.size(); ++k) look_at(from[k], to[k]);
-  while (!open.empty()) {
-    if (seen.size() > kMaxPairs) return {};
-    const auto [ga, ida, gb, idb] = open.back();
-    open.pop_back();
-    if ((ga == container_id) != (gb == container_id)) return {};
-    if (ga == container_id) {
-      const Vector o{in.container_x, in.container_y};
-      points.push_back({o, o});
-      continue;
-    }
-    if ((ida > 0) != (idb > 0)) return {};
-    if (ida <= 0) {
-      const DiskInput& a = in.disks[ga];
-      const DiskInput& b = in.disks[gb];
-      if (a.radius != b.radius || a.mass != b.mass ||
-          motion_.initial_time(ga) != motion_.initial_time(gb)) {
-        return {};
-      }
-      points.push_back({{a.x, a.y}, {b.x, b.y}});
-      vectors.push_back({{a.vx, a.vy}, {b.vx, b.vy}});
-      continue;
-    }
-    const Motion::Origin a = motion_.origin(ga, ida), b = motion_.origin(gb, idb);
-    if (a.maneuver != nullptr || b.maneuver != nullptr) {
-      if (a.maneuver == nullptr || b.maneuver == nullptr || a.maneuver->t != b.maneuver->t) {
-        return {};
-      }
-      vectors.push_back({{a.maneuver->vx, a.maneuver->vy}, {b.maneuver->vx, b.maneuver->vy}});
-    } else {
-      look_at({a.partner, a.partner_before}, {b.partner, b.partner_before});
-    }
-    look_at({ga, a.before}, {gb, b.before});
-  }
-  return isometries(points, vectors);
-}
 
 Rational Symmetry::radius(const DiskState& s) const {
   const MotionInput& in = motion_.input();
@@ -156,11 +99,6 @@ bool Symmetry::turned_about_a_point(const QuadStates& q) const {
     }
   }
   return false;
-}
-
-DiskState Symmetry::before(DiskState s, const Coincidence& known) const {
-  while (s.id > known.records) s.id = motion_.origin(s.g, s.id).before;
-  return s;
 }
 
 // Whether an isometry certainly carries q onto four of the others. Sites at the instant tell

@@ -14,25 +14,14 @@
 // false.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
-#include "exact/isometry.h"
 #include "exact/roots.h"
+#include "filtered/carry.h"
 #include "filtered/motion.h"
 
 namespace voroproof {
-
-// A state of a generator: the motion since a record of the log, or the initial one
-// (Motion::state_id). The container has only the initial one.
-struct DiskState {
-  GenId g;
-  int id;
-  bool operator==(const DiskState&) const = default;
-};
-using QuadStates = std::array<DiskState, 4>;
-using PairStates = std::array<DiskState, 2>;
 
 // What is known to happen at one instant. States are those in force just before it, or since
 // an earlier event of the same instant.
@@ -57,9 +46,11 @@ class Symmetry {
   }
   PairStates states(GenId i, GenId j) const { return {state(i), state(j)}; }
 
-  // Isometries that certainly carry the motion of from[k] onto that of to[k], for every k:
-  // of each kind one, if there are any. Precondition: as many states in both, at least one.
-  std::vector<Isometry> carry(std::span<const DiskState> from, std::span<const DiskState> to) const;
+  // As carry() of filtered/carry.h.
+  std::vector<Isometry> carry(std::span<const DiskState> from,
+                              std::span<const DiskState> to) const {
+    return voroproof::carry(motion_, from, to);
+  }
 
   // Whether the four certainly touch one circle as long as they move like this, namely
   // every circle that three of them touch; `t` is some time at which they are where the states in
@@ -97,7 +88,9 @@ class Symmetry {
   Rational radius(const DiskState& s) const;  // signed
   bool mirrored_in_pairs(const QuadStates& q, const DoubleBall& t) const;
   bool turned_about_a_point(const QuadStates& q) const;
-  DiskState before(DiskState s, const Coincidence& known) const;
+  DiskState before(DiskState s, const Coincidence& known) const {
+    return state_before(motion_, s, known.records);
+  }
   bool carried_into(const QuadStates& q, const std::vector<DiskState>& others,
                     const DoubleBall& now) const;
   std::vector<DiskState> near_circle(const QuadStates& flip, const Coincidence& known,

@@ -1,0 +1,37 @@
+// Which isometries carry the states of some disks onto those of others, by the pasts they came of.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "exact/isometry.h"
+#include "filtered/motion.h"
+
+namespace voroproof {
+
+// A state of a generator: the motion since a record of the log, or the initial one
+// (Motion::state_id). The container has only the initial one.
+struct DiskState {
+  GenId g;
+  int id;
+  bool operator==(const DiskState&) const = default;
+};
+using QuadStates = std::array<DiskState, 4>;
+using PairStates = std::array<DiskState, 2>;
+
+// Isometries that certainly carry the motion of from[k] onto that of to[k], for every k: of each
+// kind one, if there are any. Precondition: as many states in both, at least one.
+std::vector<Isometry> carry(const Motion& motion, std::span<const DiskState> from,
+                            std::span<const DiskState> to);
+
+// The state in which generator g was just before the log's records beyond the first `records`.
+DiskState state_before(const Motion& motion, DiskState s, int records);
+
+// Of the collisions beyond the log's first `records`, all of one instant between lo and hi: finds
+// those that share a disk and whose normals certainly are at right angles, because a quarter turn
+// carries the one pair onto the other, and notes them in the motion. From then on outcomes of such
+// collisions are carried in whichever order these were processed.
+void note_right_angles(Motion& motion, int records, double lo, double hi);
+
+}  // namespace voroproof
