@@ -182,7 +182,7 @@ std::optional<Moment> Checker::probe(const Event& event) {
     if (e < 0) return std::nullopt;
     const NextContact next = next_contact(e, c->i, c->j);
     if (next.kind == NextContact::Kind::none) return std::nullopt;
-    return Moment::of(c->i, c->j, next);
+    return moment_of(c->i, c->j, next);
   }
   return std::nullopt;
 }

@@ -84,6 +84,7 @@ class Checker {
   // truth it may overlap then: since `overlap` before.
   struct Adjacency {
     double from = 0;
+    long born = 0;  // the instant at which that was
     double overlap = 0;
   };
 
@@ -152,6 +153,8 @@ class Checker {
   void go_on_with_pair(int edge, const Moment& m);
   void end_pair(int edge, const Moment& m, bool closed = false, bool apart = false);
   void end_pairs(std::span<const int> edges, const Moment& m, bool closed = false);
+  Instant since(const Adjacency& pair) const;
+  Moment moment_of(GenId i, GenId j, const NextContact& c) const;
   NextContact next_contact(int edge, GenId i, GenId j);
   Contact<Rational> recorded_contact(GenId i, GenId j, const Rational& at) const;
   void check_parting(GenId i, GenId j, double from, const Moment& m);

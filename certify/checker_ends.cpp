@@ -20,7 +20,7 @@ bool Checker::turns_at_start(const Event& event) {
   const auto& claim = std::get<CollideEvent>(event);
   const NextContact c = next_contact(0, claim.i, claim.j);
   return c.kind == NextContact::Kind::none ||
-         chronology_.compare(Moment::of(claim.i, claim.j, c), frontier_) <= 0;
+         chronology_.compare(moment_of(claim.i, claim.j, c), frontier_) <= 0;
 }
 
 void Checker::start() {

@@ -95,7 +95,7 @@ void Checker::collide_exactly(const CollideEvent& claim, int edge) {
            "generators " + text_of(i, j) + " do not touch under their present motion",
            motion_witness(motion_, {i, j}, exact_time(*claim_)));
   }
-  Moment m = Moment::of(i, j, c);
+  Moment m = moment_of(i, j, c);
   if (!in_time(m)) {
     const bool near = to_rational(c.lo) - exact_time(*claim_) <= kMistimed * options_.tolerance;
     Divergence d =
@@ -120,6 +120,8 @@ void Checker::collide_exactly(const CollideEvent& claim, int edge) {
   }
   const Impact impact = motion_.collide(i, j, 0.5 * (m.lo + m.hi));
   m.kind = Moment::Kind::state;
+  m.i = i;
+  m.j = j;
   m.state = motion_.state_id(j);
   m.dd = impact.time_dd;
   frontier_ = m;

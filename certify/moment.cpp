@@ -134,6 +134,8 @@ int Chronology::compare(const Moment& a, const Moment& b) {
     const Rational s = a.exact(), t = b.exact();
     return s < t ? -1 : s > t ? 1 : 0;
   }
+  const bool states = a.kind == Moment::Kind::state && b.kind == Moment::Kind::state;
+  if (states && a.state == b.state) return 0;
   const Sign s = sign(narrow(a) - narrow(b));
   if (s == Sign::negative || s == Sign::positive) return static_cast<int>(s);
   ++beyond_filter_;

@@ -16,12 +16,26 @@ namespace {
 constexpr int kBits = 512;
 }  // namespace
 
-void Checker::begin_pair(int edge, const Moment& m) { pairs_[edge] = {m.lo}; }
+void Checker::begin_pair(int edge, const Moment& m) { pairs_[edge] = {m.lo, instant_}; }
 
 // As only the motion of the pair changes: an overlap goes on.
 void Checker::go_on_with_pair(int edge, const Moment& m) {
   const bool collided = colliding_ && replay_.pair_of(edge) == *colliding_;
-  pairs_[edge] = {m.lo, collided ? 0 : pairs_[edge].overlap};
+  pairs_[edge] = {m.lo, instant_, collided ? 0 : pairs_[edge].overlap};
+}
+
+// When the life of a pair began, or a time just before. At the present instant itself two may touch
+// and approach that did not before: what is known of the instant tells.
+Instant Checker::since(const Adjacency& pair) const {
+  if (pair.born == instant_ && frontier_.kind != Moment::Kind::flip) {
+    return chronology_.present(frontier_);
+  }
+  return chronology_.instant(Moment::at(pair.from));
+}
+
+// When i and j touch: `c` is not `none`.
+Moment Checker::moment_of(GenId i, GenId j, const NextContact& c) const {
+  return c.kind == NextContact::Kind::now ? frontier_ : Moment::of(i, j, c);
 }
 
 // The pair's adjacency, or its motion, ends at m without a collision of the two; `closed`: a
@@ -48,10 +62,9 @@ void Checker::end_pair(int edge, const Moment& m, bool closed, bool apart) {
     check_overlap(edge, m);
     return;
   }
-  const NextContact c =
-      contacts_.from(i, j, chronology_.instant(Moment::at(from)), std::nextafter(m.hi, HUGE_VAL));
+  const NextContact c = contacts_.from(i, j, since(pairs_[edge]), std::nextafter(m.hi, HUGE_VAL));
   if (c.kind == NextContact::Kind::none) return;
-  const int order = chronology_.compare(Moment::of(i, j, c), m);
+  const int order = chronology_.compare(moment_of(i, j, c), m);
   if (order > 0) return;
   // Collisions come before maneuvers; with the velocities between two maneuvers nothing moves.
   const bool averted = maneuvering_ && (i == *maneuvering_ || j == *maneuvering_) &&
@@ -86,8 +99,8 @@ void Checker::end_pairs(std::span<const int> edges, const Moment& m, bool closed
 // t = 0 on.
 NextContact Checker::next_contact(int edge, GenId i, GenId j) {
   if (replay_.partners(i, j)) return {};
-  const Moment from = Moment::at(begun_ ? pairs_[edge].from : 0.0);
-  NextContact c = contacts_.from(i, j, chronology_.instant(from), search_end_);
+  const Instant from = begun_ ? since(pairs_[edge]) : chronology_.instant(Moment::at(0.0));
+  NextContact c = contacts_.from(i, j, from, search_end_);
   if (c.kind != NextContact::Kind::at) return c;
   const DdBall dd = contacts_.refine(i, j, 0.5 * (c.lo + c.hi));
   if (std::isfinite(dd.rad)) {
