@@ -91,7 +91,7 @@ void Chronology::note_present(const Moment& m) {
 void Chronology::note_flip(const Quad& q) { present_.flips.push_back(Symmetry(motion_).states(q)); }
 
 void Chronology::note_collisions(const Moment& m) {
-  note_right_angles(motion_, present_.records, m.lo, m.hi);
+  note_relations(motion_, present_.records, m.lo, m.hi);
 }
 
 Instant Chronology::present(const Moment& m) const {

@@ -29,9 +29,11 @@ std::vector<Isometry> carry(const Motion& motion, std::span<const DiskState> fro
 DiskState state_before(const Motion& motion, DiskState s, int records);
 
 // Of the collisions beyond the log's first `records`, all of one instant between lo and hi: finds
-// those that share a disk and whose normals certainly are at right angles, because a quarter turn
-// carries the one pair onto the other, and notes them in the motion. From then on outcomes of such
-// collisions are carried in whichever order these were processed.
-void note_right_angles(Motion& motion, int records, double lo, double hi);
+// those that share a disk and whose outcome certainly does not depend on their order, and notes
+// them in the motion; from then on the outcome is carried in whichever order they were processed.
+//   - Their normals are at right angles, because a quarter turn carries the one pair onto the
+//   other.
+//   - They make a cradle (Motion::Cradle), as a half turn about the middle shows.
+void note_relations(Motion& motion, int records, double lo, double hi);
 
 }  // namespace voroproof

@@ -253,6 +253,16 @@ void Motion::note_right_angle(int a, int b, int turn) {
   right_angles_[std::minmax(a, b)] = a < b ? turn : -turn;
 }
 
+const Motion::Cradle* Motion::cradle(int id) const {
+  const auto it = cradle_.find(id);
+  return it == cradle_.end() ? nullptr : &cradles_[it->second];
+}
+
+void Motion::note_cradle(const Cradle& c) {
+  for (const int id : c.ids) cradle_[id] = static_cast<int>(cradles_.size());
+  cradles_.push_back(c);
+}
+
 // For numbers in units of the scene: centres in 2^x_scale, velocities in 2^v_scale. Far away are
 // coordinates where the container is not about the origin, times where they are late, and the
 // inverse of a short reach; disks may become faster than any is at first.

@@ -176,7 +176,17 @@ class Motion {
   // Two collisions of one disk at one instant with normals at right angles: 1 where that of id b,
   // seen from the disk, is to the left of that of a, -1 to the right, 0 where nothing was noted.
   int right_angle(int a, int b) const;
-  // Notes such a turn, which the caller has proved.
+  // Three disks of one mass in a row, and three elastic collisions of theirs at one instant: of an
+  // end and the middle, of the middle and the other end, and again of the first two. Together they
+  // exchange the velocities of the ends along the row and leave the middle as it was.
+  struct Cradle {
+    GenId end, middle, far_end;
+    std::array<int, 3> ids;
+  };
+  // The one that the collision with this id belongs to, or null; valid until another is noted.
+  const Cradle* cradle(int id) const;
+  // Notes what the caller has proved. Precondition: none of its collisions belongs to another.
+  void note_cradle(const Cradle& c);
   void note_right_angle(int a, int b, int turn);
   // When the initial state of a disk holds: 0 unless it was restarted.
   double initial_time(GenId g) const { return start_[g]; }
@@ -235,6 +245,8 @@ class Motion {
   std::vector<Record> log_;
   std::vector<ManeuverRecord> maneuvers_;
   std::map<std::pair<int, int>, int> right_angles_;
+  std::vector<Cradle> cradles_;
+  std::map<int, int> cradle_;  // by the ids of their collisions: which
   std::vector<int> state_;     // per generator
   std::vector<double> t_ref_;  // per generator
   std::vector<double> start_;  // per disk: when its initial state holds

@@ -568,7 +568,7 @@ class Engine<certified>::Implementation {
         break;
       }
     }
-    if constexpr (certified) note_right_angles(motion_, coincidence_.records, now_.lo, now_.hi);
+    if constexpr (certified) note_relations(motion_, coincidence_.records, now_.lo, now_.hi);
     // Only now: with some of the instant's velocities most searches would be for nothing, and
     // harder than those that count.
     ++stamp_now_;
