@@ -69,8 +69,7 @@ def symmetry():
         SQUARE, ONE, SQUARE_HORIZONS, ["mirror", "rotation", "permanent"], deepest=3)
     yield Case(
         "quarter-turn-ring", """Two disks and their images under quarter turns, of which four meet in a ring about the centre at t = 7.47, behind six
-        instants of collisions: four contacts at one instant, each sharing a disk with the next. The law takes them one after the other, so the
-        symmetry ends there, though disks that did not take part are images of each other still.""",
+        instants of collisions: four contacts at one instant, each sharing a disk with the next. The law takes them one after the other by
+        number; but neighbours in the ring are at right angles, so the order makes no difference, and the symmetry goes on.""",
         scene(8, 8, images(QUARTER_TURNS, ((3, F(5, 2), F(5, 4), 1, F(-1, 2)), (6, -1, 1, -1, F(2, 3))))), [0, 2],
-        ["rotation", "tie", "collision", "shared-disk"], [drops_tied_collision()], truths=("exact",),
-        awaits="a proof of ties between flips at the instant of collisions that share a disk")
+        ["rotation", "tie", "collision", "shared-disk"], [drops_tied_collision()], truths=("exact",))
