@@ -174,6 +174,20 @@ std::vector<Isometry> carry(const Motion& motion, std::span<const DiskState> fro
   return out;
 }
 
+bool at_rest(const Motion& motion, DiskState s) {
+  while (s.id > 0) {
+    const Past past = past_of(motion, s);
+    if (past.maneuver != nullptr) {
+      return sgn(past.maneuver->vx) == 0 && sgn(past.maneuver->vy) == 0;
+    }
+    if (!past.blows.empty()) return false;
+    s = past.before;
+  }
+  if (s.g == container_id) return true;
+  const DiskInput& d = motion.input().disks[s.g];
+  return sgn(d.vx) == 0 && sgn(d.vy) == 0;
+}
+
 DiskState state_before(const Motion& motion, DiskState s, int records) {
   while (s.id > records) s.id = motion.origin(s.g, s.id).before;
   return s;

@@ -25,6 +25,10 @@ using PairStates = std::array<DiskState, 2>;
 std::vector<Isometry> carry(const Motion& motion, std::span<const DiskState> from,
                             std::span<const DiskState> to);
 
+// Whether a generator in this state certainly is at rest: it was when it last had a rational
+// velocity, and has been no more than the middle of cradles since.
+bool at_rest(const Motion& motion, DiskState s);
+
 // The state in which generator g was just before the log's records beyond the first `records`.
 DiskState state_before(const Motion& motion, DiskState s, int records);
 

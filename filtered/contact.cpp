@@ -185,12 +185,17 @@ NextContact ContactSearch::slow(GenId i, GenId j, const Instant& now, double end
   }
 }
 
-// Where symmetry proves that the pair touches now, and the signs say that it approaches, or that
-// two disks part.
+// Where symmetry proves that neither moves; or that the pair touches now, and the signs say that it
+// approaches, or that two disks part.
 std::optional<NextContact> ContactSearch::by_symmetry(GenId i, GenId j, const Instant& now) {
   const bool wall = i == container_id;
-  if (!now.known || (motion_.is_rational(i) && motion_.is_rational(j))) return std::nullopt;
+  if (motion_.is_rational(i) && motion_.is_rational(j)) return std::nullopt;
   const Symmetry symmetry(motion_);
+  if (at_rest(motion_, symmetry.state(i)) && at_rest(motion_, symmetry.state(j))) {
+    counts_.count(Predicate::contact_search, Tier::symmetry);
+    return NextContact{};
+  }
+  if (!now.known) return std::nullopt;
   if (!symmetry.touch(symmetry.states(i, j), now.known())) return std::nullopt;
   const Ball t = hull_of(now.lo, now.hi, motion_.goal_bits() + 32);
   const Sign b = sign(Contact<Ball>(motion_.moving_site(i, t), motion_.moving_site(j, t)).b);

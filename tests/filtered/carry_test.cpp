@@ -157,16 +157,30 @@ const std::vector<Pair> kCradle{{0, 1}, {0, 2}, {0, 1}};
 TEST(Carry, ACradle) {
   Motion motion = after(row(), kCradle, hit());
   EXPECT_TRUE(carried(motion, {1, 2}, {2, 1}).empty());
+  EXPECT_FALSE(at_rest(motion, {0, motion.state_id(0)}));
   note(motion, hit());
   const auto found = carried(motion, {0, 1, 2}, {0, 2, 1});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_FALSE(found[0].reflects);
   EXPECT_TRUE(found[0]({1, 0}) == (Vector{-1, 0}));
-  // The middle is as it was: any isometry that fixes it.
+  // The middle is as it was, at rest: any isometry that fixes it will do.
+  EXPECT_TRUE(at_rest(motion, {0, motion.state_id(0)}));
+  EXPECT_FALSE(at_rest(motion, {1, motion.state_id(1)}));
   EXPECT_EQ(carried(motion, {0}, {0}).size(), 2u);
   EXPECT_TRUE(carried(motion, {1}, {1}).size() == 1u);
   const MovingSite<Ball> at = motion.moving_site(0, Ball(Rational(3), 150));
   for (const Ball& x : {at.x, at.y, at.vx, at.vy}) EXPECT_EQ(sign(x), Sign::unknown);
+}
+
+TEST(Carry, ACradleThatMoves) {
+  // The middle turns out as fast as it was, by whatever little that is.
+  for (const Rational& v : {Rational(0), kTiny}) {
+    std::vector<DiskSpec> disks = row();
+    for (DiskSpec& d : disks) d.vx += v;
+    Motion motion = after(disks, kCradle, hit());
+    note(motion, hit());
+    EXPECT_EQ(at_rest(motion, {0, motion.state_id(0)}), v == 0);
+  }
 }
 
 TEST(Carry, ACradleThatIsNotOver) {
@@ -187,6 +201,7 @@ TEST(Carry, NoCradleBesideATinyFault) {
     Motion motion = after(disks, kCradle, hit());
     note(motion, hit());
     EXPECT_EQ(motion.cradle(1), nullptr) << what;
+    EXPECT_FALSE(at_rest(motion, {0, motion.state_id(0)})) << what;
     EXPECT_TRUE(carried(motion, {1}, {2}).empty()) << what;
   }
   Scene soft = scene_of(30, 10, row());
