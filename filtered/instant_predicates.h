@@ -56,10 +56,11 @@ class InstantPredicates {
   const Site<DoubleBall>& rough(GenId g) const { return doubles_[g + 1]; }
 
   // Runs a predicate, given as a template over (sites, square root), through the tiers until it
-  // gives a value. It must give one over exact numbers. Throws Undecided where those need more than
-  // the budget.
-  template <class F>
-  auto decide(F&& predicate) {
+  // gives a value. It must give one over exact numbers. `proof` gives the value where something
+  // else than arithmetic proves it, and is asked before exact numbers are. Throws Undecided where
+  // those need more than the budget.
+  template <class F, class Proof>
+  auto decide(F&& predicate, Proof&& proof) {
     if (motion_.options().filters) {
       if (const auto r = predicate(SitesAt<DoubleBall>(doubles_, double_constants_), OwnRoot{})) {
         counts_.count(Predicate::incircle, Tier::filter);
@@ -74,6 +75,10 @@ class InstantPredicates {
       counts_.count(Predicate::incircle, Tier::ball);
       return *r;
     }
+    if (const auto r = proof()) {
+      counts_.count(Predicate::incircle, Tier::symmetry);
+      return *r;
+    }
     ExactMotion exact(motion_);
     try {
       const auto r = predicate(ExactSites(*this, exact),
@@ -83,6 +88,11 @@ class InstantPredicates {
     } catch (const BudgetExceeded& e) {
       throw Undecided(std::string("a predicate at an instant: ") + e.what());
     }
+  }
+
+  template <class F>
+  auto decide(F&& predicate) {
+    return decide(predicate, [&] { return decltype(predicate(BallSites(*this), OwnRoot{}))(); });
   }
 
   // The sign of such an expression.

@@ -184,17 +184,32 @@ class Construction {
     return {ux * scale - dx, uy * scale - dy};
   }
 
+  // Where symmetry proves that every circle that touches three of them touches the fourth, too: no
+  // conflict.
+  std::optional<bool> certainly_touches(const Quad& q) const {
+    const Motion& motion = predicates_.motion();
+    const bool rational = motion.is_rational(q.l) && motion.is_rational(q.r) &&
+                          motion.is_rational(q.s) && motion.is_rational(q.e);
+    const Symmetry symmetry(motion);
+    const DoubleBall t = DoubleBall::hull(round_down(predicates_.t()), round_up(predicates_.t()));
+    if (rational || !symmetry.always_cotangent(symmetry.states(q), t)) return std::nullopt;
+    return false;
+  }
+
   bool absorbs(GenId i, const LinkEdge& edge) {
     const HalfEdge t = Diagram::twin(edge.h);
     const GenId l = diagram_.org(edge.h), r = diagram_.dest(edge.h), x = diagram_.apex(t);
     if (x == i) return false;
-    const bool conflict = predicates_.decide([&](auto at, auto) -> std::optional<bool> {
+    const auto in_circle = [&](auto at, auto) -> std::optional<bool> {
       const auto site = at(i);
       const auto v = triple(at, r, l, x);
       const Sign f = sign(cotangency(at(r), at(l), at(x), site));
       const Sign s = incircle(v, site, false, f);
       if (s == Sign::unknown) return std::nullopt;
       return s == Sign::negative;
+    };
+    const bool conflict = predicates_.decide(in_circle, [&] {
+      return certainly_touches({l, r, x, i});
     });
     if (!conflict) return false;
     // Both ends of the edge are in conflict. All of it is, unless both circles of (l,

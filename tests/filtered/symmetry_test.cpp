@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/scene_motion.h"
+#include "kinetic/static_diagram.h"
 #include "tests/certify/claimed_history.h"
 #include "tests/oracle/brute_force.h"
 #include "tests/support/history_check.h"
@@ -85,6 +86,25 @@ TEST(Symmetry, PairsOfMirrorImagesStayCotangent) {
                               motion.site(3, now))),
               Sign::unknown);
   }
+}
+
+// From scratch, where no exact arithmetic is allowed.
+Diagram diagram_after_collisions(const Rational& fault, TierCounts& counts) {
+  MotionOptions options;
+  options.max_radicals = 0;
+  Motion motion(motion_input(mirrored_pairs(fault)), options);
+  motion.collide(0, 1, 1.8);
+  motion.collide(2, 3, 1.8);
+  return static_diagram(motion, 5, counts);
+}
+
+TEST(Symmetry, ADiagramFromScratchBehindCollisions) {
+  TierCounts counts;
+  EXPECT_EQ(diagram_after_collisions(0, counts).edges(), 9);
+  EXPECT_GT(counts.decided[static_cast<int>(Predicate::incircle)][static_cast<int>(Tier::symmetry)],
+            0u);
+  // Beyond what balls tell: it must not be taken for nothing.
+  EXPECT_THROW(diagram_after_collisions(Rational(1, Integer(1) << 200), counts), Undecided);
 }
 
 TEST(Symmetry, FourOnACircleAboutAFixedPoint) {
