@@ -144,6 +144,34 @@ TEST(Carry, ANearlyRightAngleIsNone) {
   EXPECT_EQ(noted(disks(0, Rational(1, 8)), collisions, t, 1, 2), 0);
 }
 
+// A disk at rest in the origin, one that hits it, and the image of that by the rotation (a, b).
+std::vector<DiskSpec> turned(const Rational& a, const Rational& b) {
+  const Rational spin(1, 4);
+  return {disk(0, 0, 1, 0, 0), disk(4, 0, 1, -1, spin),
+          disk(4 * a, 4 * b, 1, -a - b * spin, -b + a * spin)};
+}
+
+TEST(Carry, NearlyAQuarterTurnOrAHalf) {
+  // Rotations by rational sines and cosines, as near as that to a right angle and to two.
+  const Rational m = 1 / kTiny, d = m * m + 1;
+  const Rational small = 2 * m / d, large = (m * m - 1) / d;
+  const double t = (4 - std::sqrt(16 - 12 * 1.0625)) / 1.0625;
+  const std::vector<Pair> two{{0, 1}, {0, 2}}, three{{0, 1}, {0, 2}, {0, 1}};
+  EXPECT_EQ(noted(turned(0, 1), two, t, 1, 2), 1);
+  EXPECT_EQ(noted(turned(0, -1), two, t, 1, 2), -1);
+  for (const Rational& a : {small, Rational(-small)}) {
+    EXPECT_EQ(noted(turned(a, large), two, t, 1, 2), 0);
+  }
+  const auto is_cradle = [&](const Rational& a, const Rational& b) {
+    Motion motion = after(turned(a, b), three, t);
+    note(motion, t);
+    return motion.cradle(1) != nullptr;
+  };
+  EXPECT_TRUE(is_cradle(-1, 0));
+  EXPECT_FALSE(is_cradle(-large, small));
+  EXPECT_FALSE(is_cradle(-large, -small));
+}
+
 // Disk 0 at rest in the origin, and two that hit it at once, images by a half turn.
 std::vector<DiskSpec> row() {
   return {disk(0, 0, 1, 0, 0), disk(4, 0, 1, -1, kSpin), disk(-4, 0, 1, 1, -kSpin)};
