@@ -18,6 +18,13 @@ constexpr double kUp = 1 + 0x1p-48;
 // underflow.
 constexpr double kLeastRadius = 0x1p-800;
 
+// How many limbs from the least on are zero, at most `most`.
+mp_size_t trailing_zeros(const mp_limb_t* limbs, mp_size_t most) {
+  mp_size_t k = 0;
+  while (k < most && limbs[k] == 0) ++k;
+  return k;
+}
+
 }  // namespace
 
 void FixedArithmetic::set_format(Ball::Precision bits, int integer_limbs,
@@ -203,11 +210,18 @@ void FixedArithmetic::mul(FixedBall& out, const FixedBall& a, const FixedBall& b
   double radius = 0;
   if (a.radius_ != 0) radius = a.radius_ * (upper(b) + b.radius_ * radius_unit_);
   if (b.radius_ != 0) radius += b.radius_ * upper(a);
+  // Short numbers (times, masses, factors of the law) end with limbs that are zero.
+  const mp_limb_t *x = a.limbs_.data(), *y = b.limbs_.data();
+  const mp_size_t zeros_x = trailing_zeros(x, size_ - 1), zeros_y = trailing_zeros(y, size_ - 1);
+  const mp_size_t zeros = zeros_x + zeros_y, size_x = size_ - zeros_x, size_y = size_ - zeros_y;
   mp_limb_t* r = scratch(2 * size_);
+  std::fill(r, r + zeros, 0);
   if (&a == &b) {
-    mpn_sqr(r, a.limbs_.data(), size_);
+    mpn_sqr(r + zeros, x + zeros_x, size_x);
+  } else if (size_x >= size_y) {
+    mpn_mul(r + zeros, x + zeros_x, size_x, y + zeros_y, size_y);
   } else {
-    mpn_mul_n(r, a.limbs_.data(), b.limbs_.data(), size_);
+    mpn_mul(r + zeros, y + zeros_y, size_y, x + zeros_x, size_x);
   }
   // Read as an unsigned number a negative one is larger by 2^(64 size).
   mp_limb_t* high = r + size_;
@@ -239,8 +253,14 @@ void FixedArithmetic::div(FixedBall& out, const FixedBall& a, const FixedBall& b
   mp_limb_t* rest = denominator + size_;
   mp_limb_t* q = rest + size_;
   std::fill(numerator, numerator + fraction_, 0);
-  const mp_size_t size = magnitude(numerator + fraction_, a) + fraction_;
-  const mp_size_t size_b = magnitude(denominator, b);
+  mp_size_t size = magnitude(numerator + fraction_, a) + fraction_;
+  mp_size_t size_b = magnitude(denominator, b);
+  // Both without as many zeros: divisors are short, mostly.
+  const mp_size_t zeros = trailing_zeros(denominator, std::min(size_b - 1, fraction_));
+  numerator += zeros;
+  size -= zeros;
+  denominator += zeros;
+  size_b -= zeros;
   mp_limb_t* to = room(out);
   double radius = 0;
   if (size < size_b) {

@@ -66,13 +66,12 @@ Motion::Motion(MotionInput input, MotionOptions options)
   const double supply = options_.start_bits - goal_bits_ - kHeadroom;
   slope_ = supply > 0 && horizon_ > 0 ? supply / horizon_ : 0;
   x_scale_ = exponent_of(input_.container_radius);
-  v_scale_ = mass_scale_ = kNoExponent;
+  v_scale_ = kNoExponent;
   far_scale_ =
       std::max({x_scale_, exponent_of(input_.container_x), exponent_of(input_.container_y)});
   reach_scale_ = x_scale_;
   for (const DiskInput& d : input_.disks) {
     v_scale_ = std::max({v_scale_, exponent_of(d.vx), exponent_of(d.vy)});
-    mass_scale_ = std::max(mass_scale_, exponent_of(d.mass));
     for (const Rational& reach : {d.radius, Rational(input_.container_radius - d.radius)}) {
       if (sgn(reach) > 0) reach_scale_ = std::min(reach_scale_, exponent_of(reach));
     }
@@ -264,8 +263,8 @@ void Motion::note_cradle(const Cradle& c) {
 }
 
 // For numbers in units of the scene: centres in 2^x_scale, velocities in 2^v_scale. Far away are
-// coordinates where the container is not about the origin, times where they are late, and the
-// inverse of a short reach; disks may become faster than any is at first.
+// coordinates where the container is not about the origin, times where they are late, and speeds
+// divided by a short reach; disks may become faster than any is at first.
 int Motion::integer_limbs() const {
   constexpr std::int64_t kFaster = 16;
   const std::int64_t last = horizon_ > 0 ? std::ilogb(horizon_) + 1 : kNoExponent;
@@ -345,59 +344,69 @@ const Motion::Response& Motion::respond(const Record& r) {
     with.sub(m.term, m.root, m.b);
     with.div(m.s, m.term, m.a);
   }
-  // The normal n = (d + w s) / reach; w.n is -k at the contact of two disks, and k times the sign
-  // of reach at the wall, k = root / reach.
+  // n = d + w s; w.n is -root at the contact of two disks, +root at the wall.
   with.mul(m.term, m.wx, m.s);
   with.add(m.nx, m.dx, m.term);
   with.mul(m.term, m.wy, m.s);
   with.add(m.ny, m.dy, m.term);
-  with.set(m.term, 1.0, 0);
-  with.div(m.inverse, m.term, m.reach);
-  with.mul(m.nx, m.nx, m.inverse);
-  with.mul(m.ny, m.ny, m.inverse);
-  with.mul(m.k, m.root, m.inverse);
-  with.set(m.law, wall ? wall_law_ : disk_law_, 0);
-  with.mul(m.k, m.k, m.law);
-  with.mul(m.nx, m.nx, m.k);
-  with.mul(m.ny, m.ny, m.k);
-  if (wall) {
-    // v' - v = -(1 + e) k n or, of the law of the whole velocity, (e - 1) v - 2 e k n.
-    if (input_.whole_container_law) {
-      with.set(m.law, wall_keep_, 0);
-      with.mul(m.term, m.vx[1], m.law);
-      with.add(m.nx, m.nx, m.term);
-      with.mul(m.term, m.vy[1], m.law);
-      with.add(m.ny, m.ny, m.term);
-    }
-  } else {
-    // v_i' - v_i = m_j / (m_i + m_j) K n, K = -(1 + sigma) k, and v_j' - v_j = that - K n.
-    with.set(m.share, mass_[r.j + 1], mass_scale_);
-    with.set(m.term, mass_[r.i + 1], mass_scale_);
-    with.add(m.term, m.term, m.share);
-    with.div(m.share, m.share, m.term);
-    with.mul(m.a, m.nx, m.share);
-    with.mul(m.b, m.ny, m.share);
-    with.sub(m.nx, m.a, m.nx);
-    with.sub(m.ny, m.b, m.ny);
+  if (!wall) {
+    // The masses in units of the larger one.
+    const std::int64_t ms =
+        std::max(mpfr_get_exp(mass_[r.i + 1].midpoint()), mpfr_get_exp(mass_[r.j + 1].midpoint()));
+    with.set(m.mass[0], mass_[r.i + 1], ms);
+    with.set(m.mass[1], mass_[r.j + 1], ms);
   }
+  // K = -(1 + e) root / (reach^2 (m_i + m_j)), at the wall without masses. One after the other the
+  // quotients keep to the size of the numbers, and divisors are short.
+  with.div(m.k, m.root, m.reach);
+  if (!wall) {
+    with.add(m.term, m.mass[0], m.mass[1]);
+    with.mul(m.reach, m.reach, m.term);
+  }
+  with.div(m.k, m.k, m.reach);
+  with.set(m.term, wall ? wall_law_ : disk_law_, 0);
+  with.mul(m.k, m.k, m.term);
+  with.mul(m.kx, m.k, m.nx);
+  with.mul(m.ky, m.k, m.ny);
+  if (wall && input_.whole_container_law) {
+    with.set(m.k, wall_keep_, 0);
+    with.mul(m.term, m.vx[1], m.k);
+    with.add(m.kx, m.kx, m.term);
+    with.mul(m.term, m.vy[1], m.k);
+    with.add(m.ky, m.ky, m.term);
+  }
+  with.mul(m.sx, m.kx, m.s);
+  with.mul(m.sy, m.ky, m.s);
   // New velocity, v + change; then the centre that the new line had or will have at the reference
   // time: x - change * s.
-  const auto restart = [&](int side, const FixedBall& change_x, const FixedBall& change_y) {
+  const auto restart = [&](int side, const FixedBall& change_x, const FixedBall& change_y,
+                           const FixedBall& shift_x, const FixedBall& shift_y) {
     BallState& state = balls_[ids[side] + 1];
     with.add(m.vx[side], m.vx[side], change_x);
     with.add(m.vy[side], m.vy[side], change_y);
-    with.mul(m.term, change_x, m.s);
-    with.sub(m.x[side], m.x[side], m.term);
-    with.mul(m.term, change_y, m.s);
-    with.sub(m.y[side], m.y[side], m.term);
+    with.sub(m.x[side], m.x[side], shift_x);
+    with.sub(m.y[side], m.y[side], shift_y);
     with.get(state.x, m.x[side], xs, bits);
     with.get(state.y, m.y[side], xs, bits);
     with.get(state.vx, m.vx[side], vs, bits);
     with.get(state.vy, m.vy[side], vs, bits);
     t_ref_[ids[side] + 1] = r.t_ref;
   };
-  if (!wall) restart(0, m.a, m.b);
-  restart(1, m.nx, m.ny);
+  if (wall) {
+    // v += K n or, of the law of the whole velocity, v += (e - 1) v - 2 e (root / reach^2) n.
+    restart(1, m.kx, m.ky, m.sx, m.sy);
+  } else {
+    // v_i += m_j K n, v_j -= m_i K n.
+    with.negate(m.mass[0]);
+    for (int side = 0; side < 2; ++side) {
+      const FixedBall& mass = m.mass[1 - side];
+      with.mul(m.a, m.kx, mass);
+      with.mul(m.b, m.ky, mass);
+      with.mul(m.nx, m.sx, mass);
+      with.mul(m.ny, m.sy, mass);
+      restart(side, m.a, m.b, m.nx, m.ny);
+    }
+  }
   with.get(m.out.delay, m.s, ts, bits);
   with.add(m.term, m.now, m.s);
   with.get(m.out.time, m.term, ts, bits);

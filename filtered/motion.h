@@ -212,7 +212,7 @@ class Motion {
   struct Workspace {
     FixedArithmetic arithmetic;
     FixedBall now, dt, term, x[2], y[2], vx[2], vy[2], dx, dy, wx, wy, mass[2];
-    FixedBall reach, inverse, a, b, c, root, s, nx, ny, k, law, share;
+    FixedBall reach, a, b, c, root, s, nx, ny, k, kx, ky, sx, sy;
     Response out;
   };
 
@@ -239,7 +239,7 @@ class Motion {
   int goal_bits_;
   double slope_ = 0;  // further bits per unit of time before the horizon
   double horizon_ = 0;
-  std::int64_t x_scale_ = 0, v_scale_ = 0, mass_scale_ = 0;  // exponents
+  std::int64_t x_scale_ = 0, v_scale_ = 0;        // exponents
   std::int64_t far_scale_ = 0, reach_scale_ = 0;  // of the farthest coordinate, the least reach
   std::uint64_t replays_ = 0;
   std::vector<Record> log_;
