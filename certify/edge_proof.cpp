@@ -79,10 +79,10 @@ struct Piece {
 
 // How many roots a piece has at most: 0, 1, or 2 for more.
 int most_roots(const Piece& p) {
-  unsigned above = 0, below = 0;
+  unsigned above = 0, below = 0;  // what is not a number may be both
   for (int k = 0; k <= p.degree; ++k) {
-    above |= (p.c[k] >= -p.err ? 1U : 0U) << k;
-    below |= (p.c[k] <= p.err ? 1U : 0U) << k;
+    above |= (p.c[k] < -p.err ? 0U : 1U) << k;
+    below |= (p.c[k] > p.err ? 0U : 1U) << k;
   }
   return voroproof::most_roots(above, below);
 }

@@ -32,11 +32,11 @@ inline Lanes cotangency_error(const Lanes* size, const Lanes* err) {
   for (int k = 0; k < 3; ++k) {
     const int i = 2 * k, j = i + 1;
     bound[k] = size[i] * size[j];
-    e[k] = size[i] * err[j] + size[j] * err[i] + err[i] * err[j] + 8 * u * bound[k];
+    e[k] = size[i] * err[j] + size[j] * err[i] + err[i] * err[j] + u * (8 * bound[k]);
   }
   const Lanes s = bound[0] + bound[1] + bound[2], es = e[0] + e[1] + e[2];
   return (2 * s * es + es * es + 4 * (bound[1] * e[2] + bound[2] * e[1] + e[1] * e[2]) +
-          40 * u * (s * s + 4 * bound[1] * bound[2])) *
+          0.5 * u * (80 * (s * s + 4 * bound[1] * bound[2]))) *
              (1 + 0x1p-40) +
          1e-290;
 }
@@ -131,7 +131,9 @@ std::array<MotionLanes, 4> RootlessBatch::gather(const std::array<const Span*, k
 // 4u P. A product of two such polynomials has coefficients (weighted means of products) of size at
 // most A = P P' and error e_A = P e' + P' e + e e' + 8u A. Finally f errs by 2 S e_S + e_S^2 +
 // 4 (B e_C + C e_B + e_B e_C), S = A + B + C, and evaluation adds at most 40u (S^2 + 4BC). The last
-// factor pays for the roundings of the bound itself, the last summand for underflow.
+// factor pays for the roundings of the bound itself, the last summand for underflow. Sizes are
+// multiplied before they are scaled down by u, by more than the binomials: where a coefficient
+// overflows, its bound has done so, and nothing is beyond it.
 void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
                           const std::array<double, kLanes>& from,
                           const std::array<double, kLanes>& to, std::size_t first,
@@ -162,7 +164,7 @@ void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
     const Lanes eta = error[i] + error[j] + u * d;
     const Lanes rho = radius_error[i] + radius_error[j] + u * abs(dr);
     size[k] = d * d + dr2;
-    err[k] = 2 * eta * (d + eta) + rho * (2 * abs(dr) + rho) + 4 * u * size[k];
+    err[k] = 2 * eta * (d + eta) + rho * (2 * abs(dr) + rho) + u * (4 * size[k]);
   }
   Lanes A[5], B[5], C[5], g[5], f[9];
   multiply(p[0], p[1], A);
@@ -197,11 +199,11 @@ void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
   }
   for (std::size_t k = 0; k < count; ++k) {
     if (proved[k] != 0 || separated[k] == 0) continue;
-    unsigned above = 0, below = 0;
+    unsigned above = 0, below = 0;  // what is not a number may be both
     for (int i = 0; i < 9; ++i) {
       const double limit = total[k] * binomials[i];
-      above |= (f[i][k] >= -limit ? 1U : 0U) << i;
-      below |= (f[i][k] <= limit ? 1U : 0U) << i;
+      above |= (f[i][k] < -limit ? 0U : 1U) << i;
+      below |= (f[i][k] > limit ? 0U : 1U) << i;
     }
     if (most_roots(above, below) > 1) continue;
     found_[first + k] = Found::one_root;
@@ -237,7 +239,7 @@ void RootlessBatch::judge_at(const std::array<MotionLanes, 4>& generators, doubl
     const Lanes eta = error[i] + error[j] + u * d;
     const Lanes rho = radius_error[i] + radius_error[j] + u * abs(dr);
     size[k] = d * d + dr2;
-    err[k] = 2 * eta * (d + eta) + rho * (2 * abs(dr) + rho) + 4 * u * size[k];
+    err[k] = 2 * eta * (d + eta) + rho * (2 * abs(dr) + rho) + u * (4 * size[k]);
   }
   const Lanes B = p[2] * p[3], C = p[4] * p[5], g = p[0] * p[1] - B - C;
   const LaneMask proved = abs(g * g - 4 * (B * C)) > cotangency_error(size, err);

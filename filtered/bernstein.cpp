@@ -78,7 +78,8 @@ inline void place(const Motion& motion, const Quad& q, double a, double b, Ends&
 // evaluation adds at most 40u (S3^2 + 4BC). What is made of it later is paid for here: at most 24
 // subdivisions, each adding at most 8u times the largest coefficient, and one evaluation, 40u
 // (three roundings on each of eight levels; the weight 1 - x errs by u, the value by 8u). 320u in
-// all. The last factor pays for the roundings of this bound itself.
+// all. The last factor pays for the roundings of this bound itself. Sizes are multiplied by these
+// numbers before they are scaled down by u: where a coefficient overflows, its bound has done so.
 //
 // In lanes: first the pairs lr, ls, le, then se, re, rs, so that their products are a, b and c.
 struct Pairs {
@@ -110,7 +111,7 @@ inline void tangency_form(const Ends& e, Pairs& out) {
     const Lanes eta = sum(e.err) + u * twice;
     const Lanes rho = sum(e.rerr) + u * width;
     out.size = q0 + q2 + dr2;
-    out.err = (twice + 2 * eta) * eta + (2 * width + rho) * rho + 4 * u * out.size;
+    out.err = (twice + 2 * eta) * eta + (2 * width + rho) * rho + u * (4 * out.size);
   }
 }
 
@@ -142,13 +143,13 @@ inline double cotangency_form(const Ends& e, double* f) {
   if constexpr (certified) {
     const Lanes bound = with_l.size * others.size;
     const Lanes error = with_l.size * others.err + others.size * with_l.err +
-                        with_l.err * others.err + 8 * u * bound;
+                        with_l.err * others.err + u * (8 * bound);
     const double A = bound[0], B = bound[1], C = bound[2];
     const double ea = error[0], eb = error[1], ec = error[2];
     const double s3 = A + B + C;
     const double es = ea + eb + ec;
     return (2 * s3 * es + es * es + 4 * (B * ec + C * eb + eb * ec) +
-            320 * u * (s3 * s3 + 4 * B * C)) *
+            u * (320 * (s3 * s3 + 4 * B * C))) *
                (1 + 0x1p-40) +
            1e-290;
   }
@@ -190,7 +191,7 @@ inline double cocircularity_form(const Ends& e, double* f) {
       const double size = root[i] * root[j];
       const double ex = 2 * (root[i] * eta[j] + root[j] * eta[i] + eta[i] * eta[j]) + 4 * u * size;
       const double s = root[k] * root[k];
-      error += s * ex + size * ep + ep * ex + 128 * u * s * size;
+      error += s * ex + size * ep + ep * ex + u * (128 * (s * size));
     }
   }
   return certified ? error * (1 + 0x1p-40) + 1e-290 : 0;

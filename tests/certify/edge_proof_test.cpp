@@ -20,13 +20,14 @@ namespace {
 
 class FourDisks {
  public:
-  FourDisks(double largest_radius, bool equal, Random& random) {
-    input_.container_radius = 300;
+  // Lengths are multiplied by `unit`, a power of two.
+  FourDisks(double largest_radius, bool equal, Random& random, double unit = 1) : unit_(unit) {
+    input_.container_radius = 300 * unit;
     input_.horizon = 100;
-    const auto any = [&](double size) { return Rational(uniform(random, -size, size)); };
-    const Rational one(uniform(random, 0, largest_radius));
+    const auto any = [&](double size) { return Rational(unit * uniform(random, -size, size)); };
+    const Rational one(unit * uniform(random, 0, largest_radius));
     for (int k = 0; k < 4; ++k) {
-      const Rational radius = equal ? one : Rational(uniform(random, 0, largest_radius));
+      const Rational radius = equal ? one : Rational(unit * uniform(random, 0, largest_radius));
       input_.disks.push_back({any(100), any(100), radius, any(3), any(3), 1});
     }
   }
@@ -38,7 +39,7 @@ class FourDisks {
       const DiskInput& d = input_.disks[i];
       for (const double t : {a, b}) {
         const double x = d.x.get_d() + t * d.vx.get_d(), y = d.y.get_d() + t * d.vy.get_d();
-        if (std::hypot(x, y) + d.radius.get_d() > 299) return false;
+        if (std::hypot(x, y) + d.radius.get_d() > 299 * unit_) return false;
       }
       for (int j = 0; j < i; ++j) {
         const DiskInput& o = input_.disks[j];
@@ -46,9 +47,8 @@ class FourDisks {
         const double dx = Rational(d.x - o.x).get_d(), dy = Rational(d.y - o.y).get_d();
         const double nearest = -(dx * wx + dy * wy) / (wx * wx + wy * wy);
         const double t = std::clamp(nearest, a, b);
-        if (std::hypot(dx + t * wx, dy + t * wy) < Rational(d.radius + o.radius).get_d() + 1e-6) {
-          return false;
-        }
+        const double reach = Rational(d.radius + o.radius).get_d() + 1e-6 * unit_;
+        if (std::hypot(dx + t * wx, dy + t * wy) < reach) return false;
       }
     }
     return true;
@@ -91,6 +91,7 @@ class FourDisks {
     return {d.x + d.vx * s, d.y + d.vy * s, d.radius};
   }
   MotionInput input_;
+  double unit_;
 };
 
 // The times of a grid over [a, b], and one just after each sign change of f that it shows.
@@ -114,11 +115,15 @@ std::vector<double> telling_times(const FourDisks& disks, const Quad& q, double 
   return times;
 }
 
-TEST(EdgeProof, NoCollapseIsLost) {
-  Random random(8);
+struct Tally {
   int proved = 0, with_roots = 0, collapsing = 0, collapses = 0, one_root = 0, proved_of_one = 0;
-  for (int k = 0; k < 1500; ++k) {
-    const FourDisks disks(k % 2 == 0 ? 40 : 4, k % 5 == 0, random);
+};
+
+// What is proved of edges of random disks, which is checked, and how much.
+void prove_edges(int edges, double unit, Tally& tally) {
+  Random random(8);
+  for (int k = 0; k < edges; ++k) {
+    const FourDisks disks(k % 2 == 0 ? 40 : 4, k % 5 == 0, random, unit);
     const GenId last = k % 3 == 0 ? container_id : 3;
     const double a = uniform(random, 0, 20);
     // The first way to pair the four that is legal.
@@ -135,45 +140,61 @@ TEST(EdgeProof, NoCollapseIsLost) {
     const std::vector<double> times = telling_times(disks, q, a, b, changes);
     const auto bad =
         std::find_if(times.begin(), times.end(), [&](double t) { return disks.at(q, t).illegal; });
-    collapsing += bad != times.end();
+    tally.collapsing += bad != times.end();
     const Motion motion(disks.input(), {});
     RootlessBatch batch(motion);
     batch.add(q, a, b);
     batch.prove();
     const bool of_one = batch.one_root(0) && proved_free_of_one(motion, q, b, batch.end_sign(0));
     if (batch.one_root(0)) {
-      ++one_root;
+      ++tally.one_root;
       ASSERT_LE(changes, 1);
       if (batch.end_sign(0) != Sign::unknown) {
         ASSERT_EQ(static_cast<int>(batch.end_sign(0)), disks.at(q, b).f);
       }
     }
-    proved_of_one += of_one;
+    tally.proved_of_one += of_one;
     if (proved_free(motion, q, a, b) || of_one) {
-      ++proved;
-      with_roots += changes > 0;
+      ++tally.proved;
+      tally.with_roots += changes > 0;
       ASSERT_EQ(bad, times.end()) << "at " << *bad << " in [" << a << ", " << b << "]";
     }
     if (bad == times.end()) continue;
     // The collapse lies between this time and the one before it in the list.
     const double pad = 1e-7, root = *bad;
     const bool there = proved_collapse(motion, q, root - pad, root + pad);
-    collapses += there;
+    tally.collapses += there;
     if (there) {
       ASSERT_FALSE(disks.at(q, root - pad).illegal);
       ASSERT_TRUE(disks.at(q, root + pad).illegal);
     }
   }
-  EXPECT_GT(proved, 500);
-  EXPECT_GT(with_roots, 50);
-  EXPECT_GT(collapsing, 50);
-  EXPECT_GT(collapses, 50);
-  EXPECT_GT(one_root, 50);
-  EXPECT_GT(proved_of_one, 30);
-  EXPECT_LT(proved_of_one, one_root);
-  std::cout << proved << " proved free, " << with_roots << " of them with roots; " << collapsing
-            << " collapse, " << collapses << " of them proved; " << one_root
-            << " with one root at most, " << proved_of_one << " of them free\n";
+}
+
+TEST(EdgeProof, NoCollapseIsLost) {
+  Tally of;
+  prove_edges(1500, 1, of);
+  EXPECT_GT(of.proved, 500);
+  EXPECT_GT(of.with_roots, 50);
+  EXPECT_GT(of.collapsing, 50);
+  EXPECT_GT(of.collapses, 50);
+  EXPECT_GT(of.one_root, 50);
+  EXPECT_GT(of.proved_of_one, 30);
+  EXPECT_LT(of.proved_of_one, of.one_root);
+  std::cout << of.proved << " proved free, " << of.with_roots << " of them with roots; "
+            << of.collapsing << " collapse, " << of.collapses << " of them proved; " << of.one_root
+            << " with one root at most, " << of.proved_of_one << " of them free\n";
+}
+
+// Where polynomials of degree eight in the lengths overflow and underflow, in part or all.
+TEST(EdgeProof, NoCollapseIsLostAtTheEndsOfTheRange) {
+  for (const int exponent : {-330, -130, -120, 112, 116, 120, 124, 128, 132, 160, 240, 320}) {
+    SCOPED_TRACE(exponent);
+    Tally of;
+    prove_edges(200, std::ldexp(1.0, exponent), of);
+    if (HasFatalFailure()) return;
+    EXPECT_GT(of.collapsing, 10);
+  }
 }
 
 // The signs of both circles side by side, at instants, are those in rationals.

@@ -342,7 +342,7 @@ std::optional<ClaimedHistory> mutate(const Scene& scene, const ClaimedHistory& r
     case Mutation::center_off: {
       const auto k = any(hits, random);
       if (!k) return std::nullopt;
-      (*hit_at(*k).p[1])[random() % 2] += 1e-3;
+      (*hit_at(*k).p[1])[random() % 2] += 1e-5 * scene.container_radius.get_d();
       break;
     }
     case Mutation::wrong_initial_diagram: {

@@ -22,6 +22,16 @@ CertifyOptions options_for(Truth truth, double tolerance = 1e-6) {
   return o;
 }
 
+// The scene with all lengths multiplied by a power of two.
+Scene scaled(Scene scene, int exponent) {
+  const Rational unit = to_rational(std::ldexp(1.0, exponent));
+  for (Rational* x : {&scene.cx, &scene.cy, &scene.container_radius}) *x *= unit;
+  for (DiskSpec& d : scene.disks) {
+    for (Rational* x : {&d.x, &d.y, &d.radius, &d.vx, &d.vy}) *x *= unit;
+  }
+  return scene;
+}
+
 // Scenes of all families, small enough for thousands of certificates.
 std::vector<Scene> some_scenes(Random& random, int rounds) {
   std::vector<Scene> scenes;
@@ -33,6 +43,10 @@ std::vector<Scene> some_scenes(Random& random, int rounds) {
         random_scene({.n = 10, .rmin = 0.1, .rmax = 20, .horizon = 10, .density = 0.3}, random));
     scenes.push_back(random_scene({.n = 5, .rmin = 3, .rmax = 3 + 1e-9, .horizon = 15}, random));
     scenes.push_back(random_scene({.n = 2, .horizon = 30}, random));
+    // Where polynomials of degree eight in the lengths leave the range of doubles.
+    constexpr std::array exponents{-320, -120, 118, 122, 126, 130, 320};
+    scenes.push_back(scaled(random_scene({.n = 8, .horizon = 15}, random),
+                            exponents.at(random() % exponents.size())));
     const std::uint64_t seed = random() % 1000;
     for (const auto motion : {GridOptions::Motion::random, GridOptions::Motion::shear}) {
       scenes.push_back(generate_grid({.n = 9, .seed = seed, .motion = motion, .horizon = 12}));
