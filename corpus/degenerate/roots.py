@@ -220,7 +220,7 @@ def late_clocks():
         [million], ["late", "maneuver", "near-tie"], [of_scene("maneuver-lost", "missing event", lambda s: s.maneuvers.clear())], events=(0, 0, 1))
 
 
-@family("wide-scales", "sizes and speeds from 10^-6 to 10^6 in one scene")
+@family("wide-scales", "sizes and speeds from 10^-6 to 10^6 in one scene, or far from 1")
 def wide_scales():
     yield Case(
         "radii", """Radii 10^-6, 10^-3, 1, 10^3 and 10^6 side by side in a container of radius 4 * 10^6. Differences of squared radii have 24 digits;
@@ -255,3 +255,12 @@ def wide_scales():
         scene(100, 4, [*square_closing(-50, F(2), r=4, half=10, v=F(5, 2)),
                        *[disk(d.x / 10**6 + 50, d.y / 10**6, d.r / 10**6, d.vx / 10**6, d.vy / 10**6) for d in square_closing(0, F(2), r=F(1, 4))]]),
         [0, 2, 4], ["scales", "tie", "equal-radii"], [drops_tied_flip()])
+    for name, power in (("lengths-of-10-to-60", 60), ("lengths-of-10-to-minus-60", -60)):
+        unit = F(10) ** power
+        yield Case(
+            name, f"""Six disks that pass each other in a scene whose lengths are all of the order 10^{power}, within the range of binary64.
+            The flip polynomial has degree eight in the lengths and leaves that range: its coefficients become infinite, not a number, or zero,
+            and a comparison with one of these is false whichever way it is written.""",
+            scene(20 * unit, 12, [disk(*(x * unit for x in d)) for d in (
+                (-10, 1, 1, 2, 0), (9, 0, 2, -1, 0), (0, 9, 1, 0, -1), (1, -11, 3, 0, 1), (-8, -8, F(3, 2), 1, F(3, 2)), (7, 8, F(1, 2), -1, -1))]),
+            [0, 6, 12], ["scales"], [dropped("flip", 0), dropped("flip", -1, "stops-early")])
