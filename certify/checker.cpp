@@ -20,7 +20,8 @@ MotionInput checked_input(MotionInput input, const HistoryHeader& header) {
 }
 
 Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
-                 const CertifyOptions& options, Replay replay, std::optional<double> begin)
+                 const CertifyOptions& options, Replay replay, std::optional<double> begin,
+                 std::vector<HalfEdge> places)
     : scene_(scene),
       history_(history),
       options_(options),
@@ -37,6 +38,7 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
       law_(scene, options.law_tolerance),
       tolerance_up_(round_up(options.tolerance)),
       near_tolerance_(ball(options.tolerance)),
+      places_(std::move(places)),
       batch_(motion_),
       apart_(motion_) {}
 
@@ -93,17 +95,44 @@ bool Checker::refill() {
       ended_ = true;
       break;
     }
-    near_.push_back({std::move(*event), history_.line()});
+    const std::size_t k = times_.size();
+    near_.push_back({std::move(*event), history_.line(), k < places_.size() ? places_[k] : -1});
     times_.push_back(time(near_.back().event));
     lines_.push_back(history_.line());
+    if (begun_) fetch_ahead();
   }
   return !near_.empty();
+}
+
+// Asks for the memory of claims that are soon to be checked: large diagrams do not fit into the
+// nearest caches. First the half-edges themselves, later what they lead to.
+void Checker::fetch_ahead() const {
+  constexpr std::size_t far = 8, near = 4;
+  const std::size_t k = times_.size();
+  if (k + far < places_.size() && places_[k + far] >= 0) {
+    const HalfEdge h = places_[k + far];
+    diagram_.prefetch(h);
+    __builtin_prefetch(&lives_[h / 2]);
+    __builtin_prefetch(&pairs_[h / 2]);
+  }
+  if (k + near < places_.size() && places_[k + near] >= 0) {
+    const HalfEdge h = places_[k + near], a = diagram_.previous(h), b = diagram_.previous(h ^ 1);
+    for (const GenId g : {diagram_.org(h), diagram_.dest(h), diagram_.org(a), diagram_.org(b)}) {
+      __builtin_prefetch(&motion_.doubles(g).t);
+      __builtin_prefetch(&motion_.doubles(g).er);
+    }
+    for (const HalfEdge side : {a, b, diagram_.previous(a), diagram_.previous(b)}) {
+      diagram_.prefetch(side);
+      __builtin_prefetch(&lives_[side / 2]);
+    }
+  }
 }
 
 // Makes the k-th of the near claims the one being checked.
 void Checker::take(std::size_t k) {
   claim_ = std::move(near_[k].event);
   line_ = near_[k].line;
+  place_ = near_[k].place;
   if (k == 0) {
     near_.pop_front();
   } else {

@@ -48,9 +48,12 @@ class Checker {
   // `motion` is that of checked_input(), new or as an earlier part of the history has left it. The
   // other references outlive the checker. `replay` is that of the claims before the history, or
   // before the part of it that begins at `begin`; before the whole it may hold the diagram that the
-  // header gives, so that it need not be put together again.
+  // header gives, so that it need not be put together again. `places`: for the claims in their
+  // order, as far as somebody knows, the half-edge that a claim is about, or -1. Whoever is wrong
+  // there makes the checker slower.
   Checker(const Scene& scene, Motion& motion, HistorySource& history, const CertifyOptions& options,
-          Replay replay, std::optional<double> begin = {});
+          Replay replay, std::optional<double> begin = {},
+          std::vector<Diagram::HalfEdge> places = {});
 
   // The whole history, or the part of it up to `end`: the verdict of a part that is not the last
   // is `certified` where all is right up to there and the diagram is the one given. Once only.
@@ -68,6 +71,7 @@ class Checker {
   struct Claim {
     Event event;
     std::int64_t line;
+    HalfEdge place = -1;
   };
 
   // What is known of a V-edge since its quadruplet or the motion of its generators last changed: it
@@ -102,6 +106,7 @@ class Checker {
 
   // ---- checker.cpp ----
   bool refill();
+  void fetch_ahead() const;
   void process_next();
   std::size_t earliest();
   std::optional<Moment> probe(const Event& event);
@@ -143,6 +148,7 @@ class Checker {
   std::optional<Collapse> first_collapse(const Quad& q, double from, double end);
   std::optional<Isolated> bracket(const Quad& q, double from, double t) const;
   Found collapse_for(const FlipEvent& claim, HalfEdge h);
+  HalfEdge claimed(const Quad& q) const;
   void flip(const FlipEvent& claim);
   void resolve(HalfEdge h);
   void count_ulps(const Moment& m, double claimed);
@@ -206,8 +212,10 @@ class Checker {
   bool ended_ = false;               // no more to read
   std::vector<double> times_;        // of the claims read
   std::vector<std::int64_t> lines_;  // theirs
+  std::vector<HalfEdge> places_;     // of the claims, read or not
   std::optional<Event> claim_;       // being checked
   std::int64_t line_ = 1;
+  HalfEdge place_ = -1;
   std::int64_t processed_ = 0;
 
   // Of the lives.

@@ -167,10 +167,16 @@ Checker::Found Checker::collapse_for(const FlipEvent& claim, HalfEdge h) {
   return {{m, m.lo, m.hi}};
 }
 
+// The half-edge with the quadruplet of the claim being checked, or -1.
+Diagram::HalfEdge Checker::claimed(const Quad& q) const {
+  if (place_ >= 0 && place_ < 2 * diagram_.edges() && diagram_.quad(place_) == q) return place_;
+  return replay_.find(q);
+}
+
 void Checker::flip(const FlipEvent& claim) {
   require_maneuvers_before(time(*claim_));
   begin_pending_lives();
-  HalfEdge h = replay_.find(claim.quad);
+  HalfEdge h = claimed(claim.quad);
   // A quadruplet whose two third generators are exchanged is that of an edge whose producer does
   // not orient its quadruplets, or a fault. One alone is a fault: the doubt is kept until enough
   // others show that orientation has no meaning in this file.

@@ -104,7 +104,7 @@ class PartwiseCertifier {
         header_(history.header()),
         replay_(scene, options),
         gap_(8 * round_up(options.tolerance)),
-        size_(std::max(options.least_part, options.least_part / 4096 * scene.disks.size())) {}
+        size_(std::max(options.least_part, options.least_part / 1024 * scene.disks.size())) {}
 
   Certificate run() {
     std::exception_ptr unreadable;
@@ -134,9 +134,10 @@ class PartwiseCertifier {
   struct Part {
     std::size_t number;
     std::unique_ptr<Section> section;
-    Replay replay;                // before it
-    std::optional<double> begin;  // none for the first part
-    std::optional<PartEnd> end;   // none for the last
+    std::vector<Diagram::HalfEdge> places;  // of its claims, as reading took them
+    Replay replay;                          // before it
+    std::optional<double> begin;            // none for the first part
+    std::optional<PartEnd> end;             // none for the last
   };
   struct Result {
     bool good = false;  // proved right
@@ -156,13 +157,16 @@ class PartwiseCertifier {
 
   void read_parts(std::optional<Motion>& motion) {
     std::vector<ReadClaim> claims;
+    std::vector<Diagram::HalfEdge> places;  // theirs
     std::optional<ReadClaim> next = read();
     Replay before = replay_;      // the present part
     std::optional<double> begin;  // of it
     // Collisions and maneuvers at t = 0 come before the initial diagram.
     bool clear = true;
     const auto take_next = [&] {
-      clear = clear && replay_.take(next->event);
+      const auto place = clear ? replay_.take(next->event) : std::nullopt;
+      clear = place.has_value();
+      places.push_back(place.value_or(-1));
       claims.push_back(std::move(*next));
       next = read();
     };
@@ -182,14 +186,14 @@ class PartwiseCertifier {
       const double last = claims.empty() ? 0 : time(claims.back().event);
       if (claims.size() >= size_ && time(next->event) - last > gap_) {
         const double until = last + 0.5 * (time(next->event) - last);
-        auto section = std::make_unique<Section>(header_, std::move(claims), nullptr, true);
+        auto section = std::make_unique<Section>(header_, std::exchange(claims, {}), nullptr, true);
         section->set_next_line(next->line);
-        claims.clear();
-        claims.reserve(size_);
-        start({started_++, std::move(section), std::move(before), begin,
+        start({started_++, std::move(section), std::exchange(places, {}), std::move(before), begin,
                PartEnd{until, replay_.diagram()}},
               motion);
         if (stopped()) return;
+        claims.reserve(size_);
+        places.reserve(size_);
         before = replay_;
         begin = until;
       }
@@ -198,7 +202,7 @@ class PartwiseCertifier {
     const bool ended = !next;
     if (next) claims.push_back(std::move(*next));
     start({started_++, std::make_unique<Section>(header_, std::move(claims), &history_, ended),
-           std::move(before), begin, std::nullopt},
+           std::move(places), std::move(before), begin, std::nullopt},
           motion);
   }
 
@@ -270,8 +274,8 @@ class PartwiseCertifier {
         // More bits than at first are forgotten, so that no part depends on those before it.
         if (!motion || motion->replays() > 0)
           motion.emplace(checked_input(input_, header_), options.motion);
-        Checker checker(scene_, *motion, *part.section, options, std::move(part.replay),
-                        part.begin);
+        Checker checker(scene_, *motion, *part.section, options, std::move(part.replay), part.begin,
+                        std::move(part.places));
         result.certificate = checker.run(part.end ? &*part.end : nullptr);
       } catch (...) {
         result.error = std::current_exception();

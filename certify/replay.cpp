@@ -188,9 +188,9 @@ void Replay::note_maneuver(std::size_t k, const ManeuverEvent& claim) {
   last_change_[claim.disk + 1] = ++changes_;
 }
 
-bool Replay::flip(const FlipEvent& claim) {
+std::optional<Diagram::HalfEdge> Replay::flip(const FlipEvent& claim) {
   const Quad& q = claim.quad;
-  if (q.s == q.e) return false;
+  if (q.s == q.e) return std::nullopt;
   HalfEdge h = -1, mirrored = -1;
   each_between(q.l, q.r, [&](HalfEdge g) {
     const Quad found = diagram_.quad(g);
@@ -202,12 +202,12 @@ bool Replay::flip(const FlipEvent& claim) {
                 means_mirrored(*this, *scene_, *options_, claim, diagram_.quad(mirrored)))) {
     h = mirrored;
   }
-  if (h < 0) return false;
+  if (h < 0) return std::nullopt;
   diagram_.flip(h);
-  return true;
+  return h;
 }
 
-bool Replay::take(const Event& event) {
+std::optional<Diagram::HalfEdge> Replay::take(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) return flip(*f);
   if (const auto* c = std::get_if<CollideEvent>(&event)) {
     ExactPair computed;
@@ -215,20 +215,20 @@ bool Replay::take(const Event& event) {
       try {
         computed = computed_velocities(*c, positions(c->i, c->j, exact_time(event)));
       } catch (const Undecided&) {
-        return false;
+        return std::nullopt;
       }
     }
     note_collision(*c, computed);
     if (c->i != container_id) turn(c->i, event);
     turn(c->j, event);
-    return true;
+    return diagram_.anchor(c->j);
   }
   const auto& m = std::get<ManeuverEvent>(event);
   const auto k = scheduled(m, exact_time(event));
-  if (!k) return false;
+  if (!k) return std::nullopt;
   note_maneuver(*k, m);
   turn(m.disk, event);
-  return true;
+  return diagram_.anchor(m.disk);
 }
 
 }  // namespace voroproof

@@ -81,13 +81,14 @@ class Replay : public GivenMotion {
   std::size_t next_maneuver() const { return next_maneuver_; }
   void note_maneuver(std::size_t k, const ManeuverEvent& claim);
 
-  // Recorded truth: takes the claim for true. False where it makes no sense on what is known.
-  bool take(const Event& event);
+  // Recorded truth: takes the claim for true. What it is about: the half-edge that flips, or one of
+  // a disk that turns, -1 where it has none. Nothing where it makes no sense on what is known.
+  std::optional<HalfEdge> take(const Event& event);
 
  private:
   template <class Visit>
   void each_between(GenId l, GenId r, Visit&& visit) const;
-  bool flip(const FlipEvent& claim);
+  std::optional<HalfEdge> flip(const FlipEvent& claim);
 
   const Scene* scene_;
   const CertifyOptions* options_;

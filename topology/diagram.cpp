@@ -6,19 +6,18 @@
 namespace voroproof {
 
 Diagram::HalfEdge Diagram::new_edge(GenId a, GenId b) {
-  const auto h = static_cast<HalfEdge>(org_.size());
-  org_.push_back(a);
-  org_.push_back(b);
-  next_.resize(next_.size() + 2, -1);
+  const auto h = static_cast<HalfEdge>(halves_.size());
+  halves_.push_back({a, -1});
+  halves_.push_back({b, -1});
   anchor_[a + 1] = h;
   anchor_[b + 1] = h + 1;
   return h;
 }
 
 void Diagram::link(HalfEdge a, HalfEdge b, HalfEdge c) {
-  next_[a] = b;
-  next_[b] = c;
-  next_[c] = a;
+  halves_[b].previous = a;
+  halves_[c].previous = b;
+  halves_[a].previous = c;
 }
 
 void Diagram::start(GenId a, GenId b) {
@@ -35,8 +34,8 @@ std::array<Diagram::HalfEdge, 2> Diagram::insert_in_edge(HalfEdge h, GenId g) {
   // The old edge keeps its triangle with the old apex(h); a second copy takes the
   // other triangle, and g goes in between.
   const HalfEdge lower = twin(h);
-  const HalfEdge a = next_[lower];
-  const HalfEdge b = next_[a];
+  const HalfEdge b = previous(lower);
+  const HalfEdge a = previous(b);
   const HalfEdge copy = new_edge(l, r);
   const HalfEdge lg = new_edge(l, g);
   const HalfEdge gr = new_edge(g, r);
@@ -48,23 +47,21 @@ std::array<Diagram::HalfEdge, 2> Diagram::insert_in_edge(HalfEdge h, GenId g) {
 
 void Diagram::flip(HalfEdge h) {
   const HalfEdge t = twin(h);
-  const HalfEdge re = next_[h], el = next_[re];  // triangle l r e
-  const HalfEdge ls = next_[t], sr = next_[ls];  // triangle r l s
-  const GenId l = org_[h], r = org_[t], e = org_[el], s = org_[sr];
+  const HalfEdge el = previous(h), re = previous(el);  // triangle l r e
+  const HalfEdge sr = previous(t), ls = previous(sr);  // triangle r l s
+  const GenId l = org(h), r = org(t), e = org(el), s = org(sr);
   if (anchor_[l + 1] == h) anchor_[l + 1] = ls;
   if (anchor_[r + 1] == t) anchor_[r + 1] = re;
-  org_[h] = s;
-  org_[t] = e;
+  halves_[h].org = s;
+  halves_[t].org = e;
   link(h, el, ls);  // s e l
   link(t, sr, re);  // e s r
 }
 
 std::vector<Quad> Diagram::quads() const {
   std::vector<Quad> all;
-  all.reserve(org_.size() / 2);
-  for (HalfEdge h = 0; h < static_cast<HalfEdge>(org_.size()); h += 2) {
-    all.push_back(canonical(quad(h)));
-  }
+  all.reserve(halves_.size() / 2);
+  for (int edge = 0; edge < edges(); ++edge) all.push_back(canonical(quad(2 * edge)));
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -74,23 +71,25 @@ bool Diagram::is_valid(std::string* why) const {
     if (why != nullptr) *why = reason;
     return false;
   };
-  const auto halves = static_cast<HalfEdge>(org_.size());
+  const auto halves = static_cast<HalfEdge>(halves_.size());
   if (disks_ < 2) {
     return halves == 0 ? true : fail("a diagram of fewer than two disks has no edges");
   }
   if (edges() != 3 * (disks_ + 1) - 6) return fail("wrong number of edges");
   std::vector<int> degree(disks_ + 1, 0);
   for (HalfEdge h = 0; h < halves; ++h) {
-    if (next_[h] < 0 || next_[h] >= halves) return fail("a half-edge has no successor");
-    if (next_[next_[next_[h]]] != h) return fail("a dual face is not a triangle");
-    if (org_[next_[h]] != dest(h)) return fail("consecutive half-edges do not meet");
-    if (org_[h] < container_id || org_[h] >= disks_) return fail("a generator does not exist");
-    if (org_[h] == dest(h)) return fail("an edge has one generator on both sides");
-    ++degree[org_[h] + 1];
+    if (previous(h) < 0 || previous(h) >= halves) return fail("a half-edge has no predecessor");
+  }
+  for (HalfEdge h = 0; h < halves; ++h) {
+    if (previous(next(h)) != h) return fail("a dual face is not a triangle");
+    if (dest(previous(h)) != org(h)) return fail("consecutive half-edges do not meet");
+    if (org(h) < container_id || org(h) >= disks_) return fail("a generator does not exist");
+    if (org(h) == dest(h)) return fail("an edge has one generator on both sides");
+    ++degree[org(h) + 1];
   }
   for (GenId g = container_id; g < disks_; ++g) {
     const HalfEdge first = anchor_[g + 1];
-    if (first < 0 || org_[first] != g) return fail("generator " + std::to_string(g) + " is lost");
+    if (first < 0 || org(first) != g) return fail("generator " + std::to_string(g) + " is lost");
     int seen = 0;
     HalfEdge h = first;
     do {
@@ -157,7 +156,7 @@ Diagram diagram_of(int disks, const std::vector<Quad>& edges) {
       fail("vertex " + name(t) + " lacks an edge between " + std::to_string(t[1]) + " and " +
            std::to_string(t[2]));
     }
-    d.next_[h] = it->second;
+    d.halves_[it->second].previous = h;
   }
   std::string why;
   if (!d.is_valid(&why)) fail(why);
