@@ -146,7 +146,8 @@ void select(std::vector<CorpusCase>& cases, const std::vector<std::string>& word
   for (const std::string& word : words) {
     if (std::none_of(cases.begin(), cases.end(),
                      [&](const CorpusCase& c) { return matches(c, word); })) {
-      throw CorpusError(std::string("no case ") + what + " " + printable(word));
+      throw CorpusError(std::string("no case ") + what + " " + printable(word) +
+                        " (`corpus list` shows all)");
     }
   }
   std::erase_if(cases, [&](const CorpusCase& c) {

@@ -168,7 +168,7 @@ void add_list(CLI::App& corpus, Action& action) {
   CLI::App* verb = corpus.add_subcommand("list", "A table of the cases");
   add_selection(*verb, *request);
   add_corpus_folder(*verb, *request);
-  verb->footer("Example:\n  voroproof corpus list --family grids");
+  verb->footer("Example:\n  voroproof corpus list --family lattices");
   verb->callback([request, &action] { action = [request] { return list_cases(*request); }; });
 }
 
@@ -181,7 +181,7 @@ void add_show(CLI::App& corpus, Action& action) {
       ->expected(1)
       ->required();
   add_corpus_folder(*verb, *request);
-  verb->footer("Example:\n  voroproof corpus show grids/square-3");
+  verb->footer("Example:\n  voroproof corpus show cradles/cradle-02");
   verb->callback([request, &action] { action = [request] { return show_case(*request); }; });
 }
 

@@ -156,6 +156,19 @@ TEST_F(CorpusCli, ListsAndShows) {
   }
 }
 
+TEST_F(CorpusCli, ExamplesInHelpTextsNameCasesThatExist) {
+  for (const char* verb : {"list", "show"}) {
+    const std::string help = must({"corpus", verb, "--help"}).out;
+    std::istringstream example(lines_of(help).back());
+    std::string program;
+    example >> program;
+    Arguments words;
+    for (std::string word; example >> word;) words.push_back(word);
+    words.insert(words.end(), {"--corpus", VOROPROOF_CASES});
+    must(words);
+  }
+}
+
 TEST_F(CorpusCli, HoldsTheCorpusAgainstItself) {
   const Result result = run_corpus({"--jobs", "2"});
   EXPECT_EQ(result.code, 0) << result.out;
