@@ -128,7 +128,14 @@ void history_to_sequence(const Request& request) {
   file.commit();
 }
 
-ExitCode convert(const Request& request) {
+// An option that the file to be written has no use for would be passed over in silence.
+void require_use(const CLI::App& verb, const std::string& option, bool used, const char* written) {
+  if (!used && verb.count(option) > 0) {
+    throw UsageError(option + ": only where " + written + " is written");
+  }
+}
+
+ExitCode convert(const CLI::App& verb, const Request& request) {
   require_distinct({request.input, request.scene}, {request.output});
   const bool to_json = names(request.output, ".json"), to_disks = names(request.output, ".txt");
   const bool to_history = names(request.output, ".jsonl");
@@ -136,6 +143,11 @@ ExitCode convert(const Request& request) {
   if (!to_json && !to_disks && !to_history && !to_sequence) {
     throw UsageError("--output: none of .scene.json, .disks.txt, .history.jsonl and .evtsq");
   }
+  require_use(verb, "--scene", to_history || to_sequence, "a history or event sequence");
+  require_use(verb, "--horizon", to_json, "a scene");
+  require_use(verb, "--restitution", to_json, "a scene");
+  require_use(verb, "--numbers", to_sequence, "an event sequence");
+  require_use(verb, "--evtsq-version", to_sequence, "an event sequence");
   if (to_json) {
     disks_to_scene(request);
   } else if (to_disks) {
@@ -169,7 +181,8 @@ void add_convert(CLI::App& app, Action& action) {
   verb->footer(
       "Example:\n  voroproof convert a.disks.txt --horizon 1000 -o a.scene.json\n"
       "  voroproof convert a.evtsq --scene a.scene.json -o a.history.jsonl");
-  verb->callback([request, &action] { action = [request] { return convert(*request); }; });
+  verb->callback(
+      [request, verb, &action] { action = [request, verb] { return convert(*verb, *request); }; });
 }
 
 }  // namespace voroproof

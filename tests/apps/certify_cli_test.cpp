@@ -356,6 +356,31 @@ TEST_F(CertifyCli, ConversionsThatCannotBe) {
   refused({"convert", path, "-o", file("b.scene.json"), "--horizon", "1"}, "no disk file");
 }
 
+TEST_F(CertifyCli, OptionsOfConvertThatTheOutputHasNoUseForAreRefused) {
+  const std::string scene = reference(5, "5"), path = history(scene);
+  must({"convert", scene, "-o", file("a.disks.txt")});
+  must({"convert", path, "--scene", scene, "-o", file("a.evtsq")});
+  const Arguments to_scene{"convert", file("a.disks.txt"), "-o", file("b.scene.json"), "--horizon",
+                           "5"};
+  const Arguments to_disks{"convert", scene, "-o", file("b.disks.txt")};
+  const Arguments to_history{"convert", file("a.evtsq"),        "--scene", scene,
+                             "-o",      file("b.history.jsonl")};
+  const Arguments to_sequence{"convert", path, "--scene", scene, "-o", file("b.evtsq")};
+  const Arguments of_a_scene[] = {{"--horizon", "1"}, {"--restitution", "1/2"}};
+  const Arguments of_a_sequence[] = {{"--numbers", "hexadecimal"}, {"--evtsq-version", "1.1"}};
+  const auto refuse = [&](Arguments words, const Arguments& option) {
+    words.insert(words.end(), option.begin(), option.end());
+    refused(words, option[0] + ": only where ");
+  };
+  for (const Arguments& option : of_a_scene) {
+    for (const Arguments& words : {to_disks, to_history, to_sequence}) refuse(words, option);
+  }
+  for (const Arguments& option : of_a_sequence) {
+    for (const Arguments& words : {to_scene, to_disks, to_history}) refuse(words, option);
+  }
+  for (const Arguments& words : {to_scene, to_disks}) refuse(words, {"--scene", scene});
+}
+
 // Real output of the engine of the paper's authors, where it is at hand.
 TEST_F(CertifyCli, SamplesOfTheAuthorsEngine) {
   const std::filesystem::path samples =
