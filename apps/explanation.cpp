@@ -64,9 +64,11 @@ class Explainer {
     const JsonField prefix = report_["certified_prefix"];
     found_.prefix_events = prefix["events"].integer();
     found_.prefix_t = prefix["t"].number();
-    out_ << "The first " << found_.prefix_events
-         << " events are proved right, and nothing is missing "
-         << "before t = " << prefix["t"].json() << ".\n";
+    out_ << (found_.prefix_events == 1
+                 ? "The first event is"
+                 : "The first " + std::to_string(found_.prefix_events) + " events are")
+         << " proved right, and nothing is missing before t = " << number_text(found_.prefix_t)
+         << ".\n";
     if (report_.has("divergence")) {
       explain_divergence(report_["divergence"]);
     } else if (verdict != "CERTIFIED") {

@@ -113,7 +113,8 @@ class DiskFileReader {
 bool is_disk_file(const std::string& path) {
   const std::string beginning = file_bytes(path, 4096, true);
   const std::size_t first = beginning.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && beginning[first] != '{';
+  return first != std::string::npos &&
+         (beginning[first] == '#' || (beginning[first] >= '0' && beginning[first] <= '9'));
 }
 
 DiskFile read_disk_file(const std::string& path) {

@@ -18,7 +18,8 @@ struct DiskFile {
   std::vector<std::int64_t> ids;  // ids[k]: what the file calls disk k; ascending
 };
 
-// Whether the file is no JSON text, judged by its first character that is not white space.
+// Whether the file begins as disk files and event sequences do, after white space: with a comment
+// or a number. Whatever else is no JSON object is for the reader of JSON to refuse.
 bool is_disk_file(const std::string& path);
 
 // Reads and checks a disk file as read_scene does a scene. Throws InputError.

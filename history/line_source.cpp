@@ -57,7 +57,7 @@ bool LineSource::fill() {
     const ssize_t got = read(descriptor_, buffer_.data() + end_, buffer_.size() - end_);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0)
-      throw InputError(path_, number_ + 1, "", std::string("cannot read: ") + std::strerror(errno));
+      throw InputError(path_, 0, "", std::string("cannot read: ") + std::strerror(errno));
     end_ += static_cast<std::size_t>(got);
     return got > 0;
   }

@@ -78,7 +78,7 @@ TEST_F(Cli, EveryVerbHasHelpThatEndsInAnExample) {
 
 TEST_F(Cli, UsageErrors) {
   const std::string scene = directory_.write("a.scene.json", scene_text(two_disks));
-  const std::string out = file("out");
+  const std::string out = file("out"), table = directory_.write("table.csv", "n,t\n1,2\n");
   struct Case {
     Arguments arguments;
     std::string message;
@@ -146,6 +146,8 @@ TEST_F(Cli, UsageErrors) {
       {{"render", scene, "-o", file("a.svg"), "--size", "15"}, "--size"},
       {{"validate"}, "files is required"},
       {{"validate", file("none")}, "none: cannot read"},
+      {{"validate", table}, "table.csv:1: expected an object, found 'n'"},
+      {{"snapshot", scene, file(""), "-o", out, "--at", "1"}, file("") + ": cannot read"},
   };
   for (const Case& c : cases) refused(c.arguments, c.message);
 }
