@@ -154,7 +154,7 @@ TEXT
 
 scene probed reference --n 30 --seed 3 --density 0.2 --horizon 60
 figure "Figure 2: offsets, voids and tunnels" \
-  "30 disks at t = 0 (first row) and t = 40 (second row): the diagram, then where a probe of radius 5 and one of radius 7 fit, by \`voroproof render DIAGRAM --probe R\`. Red is the offset, each void has its colour, strong lines are the parts of V-edges along which the probe passes. Tunnels that the greater probe does not pass part what was one void into several, and the smallest voids are gone."
+  "30 disks at t = 0 (first row) and t = 40 (second row): the diagram, then where a probe of radius 5 and one of radius 7 fit, by \`voroproof render DIAGRAM --probe R\`. Red is the offset, each void has its colour, strong lines are the V-edges along which the probe passes from end to end (tunnels). Tunnels that the greater probe does not pass part what was one void into several, and the smallest voids are gone."
 for t in 0 40; do
   panel "figure2-t$t.png" 270 "The diagram at t = $t" diagram probed "$t" 400
   for radius in 5 7; do
