@@ -9,12 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string outcome_name(Outcome::Kind kind) {
-  return kind == Outcome::Kind::complete  ? "complete"
-         : kind == Outcome::Kind::stopped ? "stopped"
-                                          : "interrupted";
-}
-
 Json distribution_json(const Distribution& d) {
   return {{"count", d.count},
           {"mean", d.mean},
@@ -35,7 +29,7 @@ Json member_json(const ExperimentMember& member, bool predictions) {
                {"restitution", options.restitution},
                {"seed", options.seed},
                {"horizon", options.horizon},
-               {"outcome", outcome_name(run.outcome.kind)},
+               {"outcome", std::string(name_of(run.outcome.kind))},
                {"t", run.outcome.t}};
   if (!run.outcome.reason.empty()) json["reason"] = run.outcome.reason;
   json["flips"] = stats.flip_count();
@@ -101,7 +95,7 @@ std::string experiment_csv(const Experiment& experiment) {
         number_text(o.restitution),
         count(o.seed),
         number_text(o.horizon),
-        outcome_name(run.outcome.kind),
+        name_of(run.outcome.kind),
         number_text(run.outcome.t),
         count(run.stats.flip_count()),
         count(run.stats.disk_collisions),

@@ -38,6 +38,14 @@ Json json_of(const FreeSpace& space, const std::optional<OffsetPoint>& point) {
           {"y", voroproof::json_of(at[1])}};
 }
 
+std::map<Quad, Diagram::HalfEdge> edges_by_name(const Diagram& diagram) {
+  std::map<Quad, Diagram::HalfEdge> edges;
+  for (Diagram::HalfEdge h = 0; h < 2 * diagram.edges(); h += 2) {
+    edges[canonical(diagram.quad(h))] = h;
+  }
+  return edges;
+}
+
 }  // namespace
 
 Answer answer_nearest(const InstantQuery& query, const Point2& point, std::size_t count) {
@@ -115,11 +123,7 @@ Answer answer_voids(const InstantQuery& query, const Rational& probe) {
   TierCounts counts;
   Clearance clearance = clearance_of(query, probe, counts);
   FreeSpace space(clearance);
-  const Diagram& diagram = query.moment.diagram;
-  std::map<Quad, Diagram::HalfEdge> edges;
-  for (Diagram::HalfEdge h = 0; h < 2 * diagram.edges(); h += 2) {
-    edges[canonical(diagram.quad(h))] = h;
-  }
+  const auto edges = edges_by_name(query.moment.diagram);
   Answer answer{head("voids", query), {}};
   answer.json["probe"] = json_of(probe);
   Json& voids = answer.json["voids"] = Json::array();
@@ -149,16 +153,11 @@ Answer answer_voids(const InstantQuery& query, const Rational& probe) {
 Answer answer_critical(const InstantQuery& query) {
   TierCounts counts;
   Clearance clearance = clearance_of(query, 0, counts);
-  const Diagram& diagram = query.moment.diagram;
   Answer answer{head("critical", query), {}};
   Json& tunnels = answer.json["tunnels"] = Json::array();
   // In the table by radius.
   std::vector<std::pair<double, std::vector<std::string>>> rows;
-  std::map<Quad, Diagram::HalfEdge> edges;
-  for (Diagram::HalfEdge h = 0; h < 2 * diagram.edges(); h += 2) {
-    edges[canonical(diagram.quad(h))] = h;
-  }
-  for (const auto& [quad, h] : edges) {
+  for (const auto& [quad, h] : edges_by_name(query.moment.diagram)) {
     const ClearanceNode node = narrowest(clearance, h);
     const Enclosure radius = clearance.value(node);
     tunnels.push_back(

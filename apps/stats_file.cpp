@@ -9,18 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string name_of(Outcome::Kind kind) {
-  switch (kind) {
-    case Outcome::Kind::complete:
-      return "complete";
-    case Outcome::Kind::stopped:
-      return "stopped";
-    case Outcome::Kind::interrupted:
-      break;
-  }
-  return "interrupted";
-}
-
 Json flips(const EngineStats& stats) {
   Json all = {{"all", stats.flip_count()}};
   for (std::size_t kind = 0; kind < stats.flips.size(); ++kind) {

@@ -17,18 +17,6 @@ namespace {
 
 constexpr double kMegabyte = 1024.0 * 1024.0;
 
-const char* name_of(Outcome::Kind kind) {
-  switch (kind) {
-    case Outcome::Kind::complete:
-      return "complete";
-    case Outcome::Kind::stopped:
-      return "stopped";
-    case Outcome::Kind::interrupted:
-      break;
-  }
-  return "interrupted";
-}
-
 // What one engine did in all repeats. The events are the same in each.
 struct Series {
   std::vector<double> seconds, cpu_seconds;

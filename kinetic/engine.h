@@ -97,6 +97,19 @@ struct Outcome {
   std::vector<std::variant<Quad, std::pair<GenId, GenId>>> events;
 };
 
+// As files and tables call it.
+constexpr const char* name_of(Outcome::Kind kind) {
+  switch (kind) {
+    case Outcome::Kind::complete:
+      return "complete";
+    case Outcome::Kind::stopped:
+      return "stopped";
+    case Outcome::Kind::interrupted:
+      break;
+  }
+  return "interrupted";
+}
+
 // Runs from 0 to the horizon of `input` (events at the horizon included). `certified`
 // selects the exact engine; false is an instance of the same engine in plain doubles,
 // which proves nothing and exists to be measured against.
