@@ -123,16 +123,24 @@ def draw(experiment, directory):
     figure.tight_layout()
     for extension in ("png", "svg"):
         metadata = {"Date": None} if extension == "svg" else {"Software": None}
-        figure.savefig(directory / f"{name}.{extension}", metadata=metadata, dpi=110)
+        path = directory / f"{name}.{extension}"
+        try:
+            figure.savefig(path, metadata=metadata, dpi=110)
+        except OSError as fault:
+            sys.exit(f"plot-experiments: {path}: {fault}")
     pyplot.close(figure)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("files", nargs="+", type=pathlib.Path, metavar="FILE.json")
-    parser.add_argument("-o", "--output", type=pathlib.Path, default=pathlib.Path("."))
+    parser.add_argument("files", nargs="+", type=pathlib.Path, metavar="FILE.json", help="of voroproof experiment")
+    parser.add_argument("-o", "--output", type=pathlib.Path, default=pathlib.Path("."), metavar="FOLDER",
+                        help="where the pictures go, SET.png and SET.svg for each file (default: here)")
     arguments = parser.parse_args()
-    arguments.output.mkdir(parents=True, exist_ok=True)
+    try:
+        arguments.output.mkdir(parents=True, exist_ok=True)
+    except OSError as fault:
+        sys.exit(f"plot-experiments: {arguments.output}: {fault}")
     for path in arguments.files:
         try:
             experiment = json.loads(path.read_text())

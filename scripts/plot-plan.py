@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws a counterpart of the paper's Fig. 26 from a report of `voroproof plan`.
 
-usage: scripts/plot-plan.py [--times T,T...] [--near T] REPORT.json FILE.png
+usage: scripts/plot-plan.py [--times T,T...] [--near T] REPORT.json FILE
 
 A panel for each time: the vehicles where the plan has them. A pair is in a red ellipse where the
 plan avoids a conjunction that was predicted for it within --near of that time: red is the one
@@ -77,13 +77,18 @@ def draw_moment(axes, report, t, near):
     axes.set_axis_off()
 
 
+def times_of(text):
+    return [Fraction(t) for t in text.split(",")]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("report", type=pathlib.Path)
-    parser.add_argument("picture", type=pathlib.Path)
-    parser.add_argument("--times", type=lambda text: [Fraction(t) for t in text.split(",")],
-                        help="with commas between them; otherwise six, evenly over the flight")
-    parser.add_argument("--near", type=Fraction, default=Fraction(1))
+    parser.add_argument("report", type=pathlib.Path, metavar="REPORT.json", help="of voroproof plan --report")
+    parser.add_argument("picture", type=pathlib.Path, metavar="FILE", help="to write; ends in .png or .svg")
+    parser.add_argument("--times", type=times_of, metavar="T,T...",
+                        help="of the panels; otherwise six, evenly over the flight")
+    parser.add_argument("--near", type=Fraction, default=Fraction(1), metavar="T",
+                        help="how long before and after its time a conjunction is shown (default 1)")
     arguments = parser.parse_args()
     try:
         report = json.loads(arguments.report.read_text())
@@ -102,7 +107,10 @@ def main():
         draw_moment(axes, report, t, arguments.near)
     figure.tight_layout()
     metadata = {"Date": None} if arguments.picture.suffix == ".svg" else {"Software": None}
-    figure.savefig(arguments.picture, metadata=metadata, dpi=100)
+    try:
+        figure.savefig(arguments.picture, metadata=metadata, dpi=100)
+    except (OSError, ValueError) as fault:
+        sys.exit(f"plot-plan: {arguments.picture}: {fault}")
 
 
 if __name__ == "__main__":

@@ -21,6 +21,15 @@ class Plots : public Cli {
     return std::system(command.c_str());
   }
 
+  // Runs a script that must fail with one line, `message` among it.
+  void fails(const std::string& name, const std::string& arguments,
+             const std::string& message) const {
+    EXPECT_NE(script(name, arguments + " 2> " + file("fault")), 0) << arguments;
+    const std::string fault = directory_.read("fault");
+    EXPECT_EQ(count(fault, "\n"), 1u) << fault;
+    EXPECT_NE(fault.find(message), std::string::npos) << fault;
+  }
+
   static std::size_t count(const std::string& text, const std::string& part) {
     std::size_t found = 0;
     for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
@@ -50,7 +59,8 @@ TEST_F(Plots, OfExperimentsHaveThePanelsOfThePapersFigures) {
   const std::string svg = directory_.read("restitution.svg");
   ASSERT_EQ(script("plot-experiments.py", file("restitution.json") + " -o " + file("")), 0);
   EXPECT_EQ(directory_.read("restitution.svg"), svg);
-  EXPECT_NE(script("plot-experiments.py", file("no.json") + " 2>/dev/null"), 0);
+  fails("plot-experiments.py", file("no.json"), "no.json: ");
+  fails("plot-experiments.py", file("size.json") + " -o " + file("size.json"), "size.json: ");
 }
 
 TEST_F(Plots, OfPlansHaveAPanelForEachTime) {
@@ -58,7 +68,9 @@ TEST_F(Plots, OfPlansHaveAPanelForEachTime) {
         file("p.json"), "--quiet"});
   ASSERT_EQ(script("plot-plan.py", "--times 0,30,60 " + file("p.json") + " " + file("p.svg")), 0);
   EXPECT_EQ(count(directory_.read("p.svg"), "<g id=\"axes_"), 3u);
-  EXPECT_NE(script("plot-plan.py", file("p.scene.json") + " " + file("q.svg") + " 2>/dev/null"), 0);
+  fails("plot-plan.py", file("p.scene.json") + " " + file("q.svg"), "not of voroproof plan");
+  fails("plot-plan.py", file("p.json") + " " + file("no/q.svg"), "no/q.svg: ");
+  fails("plot-plan.py", file("p.json") + " " + file("q.gif"), "q.gif: ");
 }
 
 }  // namespace
