@@ -177,12 +177,12 @@ close_row
 panel figure22.png 820 "Fig. 22, restitution: flips and collisions per 10 units of time" measured restitution 0.5 600
 
 figure "Figure 23: five vehicles" \
-  "Starts on the left, goals on the right, by \`voroproof plan --preset five --picture FILE\`. Vehicle 0 would meet 1, 2, 3 and 4 one after the other. At even speeds it hits 1 at t = 8; it waits at the orange dot instead, and all four are avoided by that. Violet cross: the conjunction that was predicted and is avoided. Red: the nearest any two come, with the certified gap in the report."
+  "Starts on the left, goals on the right, by \`voroproof plan --preset five -o SCENE --picture FILE\`. Vehicle 0 would meet 1, 2, 3 and 4 one after the other. At even speeds it hits 1 at t = 8; it waits at the orange dot instead, and all four are avoided by that. Violet cross: the conjunction that was predicted and is avoided. Red: the nearest any two come, with the certified gap in the report."
 panel figure23.png 480 "Five vehicles and their ways" ways five 600
 
 planned square-to-circle
 figure "Figure 24a: the ways from the square to the circle" \
-  "By \`voroproof plan --preset square-to-circle --picture FILE\`: which vehicle flies where, straight; orange dots are changes of speed, violet crosses the conjunctions that were predicted and are avoided, red is the nearest any two come. \`voroproof render REPORT\` draws the same from the report."
+  "By \`voroproof plan --preset square-to-circle -o SCENE --picture FILE\`: which vehicle flies where, straight; orange dots are changes of speed, violet crosses the conjunctions that were predicted and are avoided, red is the nearest any two come. \`voroproof render REPORT\` draws the same from the report."
 panel figure24a.png 560 "Twenty straight ways" ways square-to-circle 720
 
 "$program" simulate "$work/square-to-circle.scene.json" -o "$work/square-to-circle.history.jsonl" --quiet
@@ -198,7 +198,7 @@ for t in 22 34 46; do
 done
 
 figure "Figure 26: speeds change and ways do not" \
-  "The plan of Figure 24a with vehicles of radius 1 at six times, by \`voroproof plan --preset square-to-circle --report FILE.json\` and \`scripts/plot-plan.py\`. In an ellipse: a pair for which a conjunction was predicted within a unit of that time, the vehicle that changes its speed for it in red, the other one in green unless it changes for a third. The table has all that is avoided, in the order in which the plan was made, each as predicted after the changes above it; a negative gap is a collision, and the plan keeps 0.5 between any two."
+  "The plan of Figure 24a with vehicles of radius 1 at six times, by \`voroproof plan --preset square-to-circle -o SCENE --report FILE.json\` and \`scripts/plot-plan.py\`. In an ellipse: a pair for which a conjunction was predicted within a unit of that time, the vehicle that changes its speed for it in red, the other one in green unless it changes for a third. The table has all that is avoided, in the order in which the plan was made, each as predicted after the changes above it; a negative gap is a collision, and the plan keeps 0.5 between any two."
 panel figure26.png 820 "The flight at t = 0, 22, 30, 40, 48 and 60" moments square-to-circle 0,22,30,40,48,60
 changes square-to-circle
 
