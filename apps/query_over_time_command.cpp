@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "apps/interruption.h"
 #include "apps/query_over_time.h"
 #include "apps/true_moment.h"
+#include "history/error.h"
 #include "history/history_file.h"
 
 namespace voroproof {
@@ -40,6 +42,17 @@ void require_length(const Window& window) {
   if (window.from == window.to) throw UsageError("--to: not after --from");
 }
 
+// Where one of the paths leads into another disk or out of the container, the circles that the
+// claimed diagram speaks of need not exist: the history is no history of the scene.
+Answer answered(const TimeAnswer& answer, const TimeQuery& query, const Request& request) {
+  try {
+    return answer(query, request);
+  } catch (const std::domain_error&) {
+    throw InputError(request.history, 0, "",
+                     "the recorded paths do not fit the claimed diagram (certify tells where)");
+  }
+}
+
 ExitCode ask(const Request& request, const std::string& option, const TimeAnswer& answer) {
   require_distinct({request.scene, request.history}, {request.output});
   Window window{time_argument("--from", request.from), 0};
@@ -54,7 +67,7 @@ ExitCode ask(const Request& request, const std::string& option, const TimeAnswer
       scene, request.history, [&] { return diagram_at(run_to(scene, 0, {})->motion(), 0); },
       window.to);
   const Paths paths(scene, history, request.history);
-  const Answer given = answer({scene, history, paths, window}, request);
+  const Answer given = answered(answer, {scene, history, paths, window}, request);
   const CooperativeInterruption interruption;
   give(given, request.output);
   return ExitCode::ok;

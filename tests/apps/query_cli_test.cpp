@@ -132,6 +132,24 @@ TEST_F(QueryCli, Refusals) {
   }
 }
 
+// A disk that leaps far out of the container has no cell on the paths as recorded.
+TEST_F(QueryCli, PathsThatDoNotFitTheDiagramAreTheHistorysFault) {
+  std::string text;
+  bool leapt = false;
+  for (const std::string& line : lines_of(directory_.read("a.history.jsonl"))) {
+    Json json = Json::parse(line);
+    if (!leapt && json.contains("collide") && json["collide"] == Json::parse("[7,8]")) {
+      json["p"][1][0] = -4e16;
+      leapt = true;
+    }
+    text += json.dump() + '\n';
+  }
+  ASSERT_TRUE(leapt);
+  const std::string leap = directory_.write("leap.history.jsonl", text);
+  refused({"query", "voids-over", scene_, leap, "--probe", "1"},
+          leap + ": the recorded paths do not fit the claimed diagram");
+}
+
 TEST_F(QueryCli, FewDisks) {
   for (const std::string& disks :
        {std::string(), std::string(R"({"center":[1,0],"radius":1,"velocity":[0,0]})")}) {
