@@ -231,6 +231,7 @@ void Checker::advance(const Moment& m) {
     leave_instant();
     frontier_ = m;
     ++instant_;
+    turns_.clear();
     chronology_.begin_present();
     chronology_.note_present(m);
     return;

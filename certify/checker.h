@@ -166,6 +166,7 @@ class Checker {
   void check_parting(GenId i, GenId j, double from, const Moment& m);
   void check_at_rest(int edge, const Moment& m);
   void check_overlap(int edge, const Moment& m);
+  bool certainly_inside_soon(int edge, const Moment& m) const;
   bool certainly_in_contact(GenId i, GenId j, const BallPair& at) const;
   void check_recorded_contact(const CollideEvent& claim, const BallPair& at);
 
@@ -179,6 +180,7 @@ class Checker {
   void end_around(const Moment& m);
   void require_no_contact_at_start(GenId g);
   bool turned_at_present(GenId g) const;
+  void require_first_of_instant(GenId i, GenId j);
   void begin_around(const Moment& m);
   void begin_pending_lives();
   void check_state(const CollideEvent& claim, int side, const RoundedState& truth);
@@ -232,6 +234,8 @@ class Checker {
   std::optional<std::pair<GenId, GenId>> colliding_;  // by the claim being checked
   std::optional<GenId> maneuvering_;                  // the disk of the maneuver that is checked
   std::unordered_map<GenId, long> turned_;            // the instants of the disks' last maneuvers
+  // The collisions (i < j) and maneuvers (i = j) of this instant, in the order of their claims.
+  std::vector<std::pair<GenId, GenId>> turns_;
   // Of the last collection: the spokes of the cells of the disks that turn, and with them the rims.
   std::vector<int> spokes_, around_;
   std::vector<long> collected_;  // by edge: the last collection it is in

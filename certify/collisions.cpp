@@ -107,6 +107,7 @@ void Checker::collide_exactly(const CollideEvent& claim, int edge) {
     throw Refuted{d};
   }
   advance(m);
+  require_first_of_instant(i, j);
   collect_around(i, j);
   end_around(m);
   // The law between the claimed values first, while the state before is at hand.
@@ -129,7 +130,44 @@ void Checker::collide_exactly(const CollideEvent& claim, int edge) {
   if (i != container_id) check_state(claim, 0, impact.first);
   replay_.note_collision(claim, {{{to_rational(impact.first.vx), to_rational(impact.first.vy)},
                                   {to_rational(impact.second.vx), to_rational(impact.second.vy)}}});
+  turns_.emplace_back(i, j);
   begin_around(m);
+}
+
+// Exact truth: of the pairs that touch and approach at one instant the smallest collides, and all
+// of them before a maneuver. The outcome depends on that order, also where the pairs share no disk
+// but are joined by others that touch. A pair that has not turned since a greater one collided, or
+// a disk made its maneuver, approached already then.
+void Checker::require_first_of_instant(GenId i, GenId j) {
+  const std::pair pair(i, j);
+  for (auto k = turns_.rbegin(); k != turns_.rend(); ++k) {
+    const auto& [a, b] = *k;
+    const auto turns = [&](GenId g) { return g != container_id && (g == a || g == b); };
+    if (turns(i) || turns(j)) break;
+    if (a == b || pair < *k) {
+      refute(Fault::wrong_order, "generators " + text_of(i, j) +
+                                     " touch and approach at the same instant and come before " +
+                                     (a == b ? "the maneuver of disk " + std::to_string(a)
+                                             : "generators " + text_of(a, b)));
+    }
+  }
+  if (begun_) return;
+  // At t = 0 no pair has a life yet that the collision would end.
+  const Instant now = chronology_.present(Moment::at(Rational(0)));
+  for (const GenId g : {i, j}) {
+    if (g == container_id) continue;
+    for (GenId other = container_id; other < motion_.size(); ++other) {
+      const std::pair<GenId, GenId> near = std::minmax(g, other);
+      if (g == other || !(near < pair) || replay_.partners(near.first, near.second) ||
+          contacts_.certainly_apart(near.first, near.second, now)) {
+        continue;
+      }
+      if (contacts_.from(near.first, near.second, now, 0).kind == NextContact::Kind::now) {
+        refute(Fault::wrong_order, "generators " + text_of(near.first, near.second) +
+                                       " touch and approach at the same instant and come first");
+      }
+    }
+  }
 }
 
 void Checker::collide_as_recorded(const CollideEvent& claim) {
@@ -264,6 +302,7 @@ void Checker::maneuver(const ManeuverEvent& claim) {
   end_around(m);
   maneuvering_.reset();
   turned_[g] = instant_;
+  turns_.emplace_back(g, g);
   replay_.note_maneuver(*k, claim);
   replay_.note_speed(replay_.velocity(g));
   if (exact) {

@@ -225,6 +225,8 @@ NextContact ContactSearch::exactly(GenId i, GenId j, const Instant& now, double 
   if (wall && s == Sign::zero) {
     throw Undecided("a disk slides along the container: it has no motion in this model", i, j);
   }
+  // Of a motion that is given: a disk outside the container that never comes in.
+  if (s == Sign::negative) return {};
   const Tower root = exact.field().sqrt(disc);
   const Tower delay = wall ? (root - k.b) / k.a : (-root - k.b) / k.a;
   const Tower t = Tower(near) + delay;
