@@ -140,17 +140,28 @@ void Checker::collide_exactly(const CollideEvent& claim, int edge) {
 // a disk made its maneuver, approached already then.
 void Checker::require_first_of_instant(GenId i, GenId j) {
   const std::pair pair(i, j);
+  const auto late = [&](const std::string& what) {
+    refute(Fault::wrong_order, "generators " + text_of(i, j) +
+                                   " touch and approach at the same instant and come before " +
+                                   what);
+  };
+  // Maneuvers come one after the other: what the first makes approach waits for the last.
+  std::optional<GenId> maneuvered;
+  bool waits = false;
   for (auto k = turns_.rbegin(); k != turns_.rend(); ++k) {
     const auto& [a, b] = *k;
     const auto turns = [&](GenId g) { return g != container_id && (g == a || g == b); };
-    if (turns(i) || turns(j)) break;
-    if (a == b || pair < *k) {
-      refute(Fault::wrong_order, "generators " + text_of(i, j) +
-                                     " touch and approach at the same instant and come before " +
-                                     (a == b ? "the maneuver of disk " + std::to_string(a)
-                                             : "generators " + text_of(a, b)));
+    if (turns(i) || turns(j)) {
+      waits = a == b;
+      break;
+    }
+    if (a == b) {
+      maneuvered = a;
+    } else if (pair < *k) {
+      late("generators " + text_of(a, b));
     }
   }
+  if (maneuvered && !waits) late("the maneuver of disk " + std::to_string(*maneuvered));
   if (begun_) return;
   // At t = 0 no pair has a life yet that the collision would end.
   const Instant now = chronology_.present(Moment::at(Rational(0)));
