@@ -232,6 +232,7 @@ void Checker::advance(const Moment& m) {
     frontier_ = m;
     ++instant_;
     turns_.clear();
+    flipped_.clear();
     chronology_.begin_present();
     chronology_.note_present(m);
     return;

@@ -9,6 +9,7 @@
 //   edge_lives.cpp   lives of edges, flips
 //   pair_lives.cpp   lives of pairs: contacts and overlaps
 //   collisions.cpp   collisions and maneuvers
+//   instant_order.cpp  the order of what one instant changes
 #pragma once
 
 #include <deque>
@@ -25,6 +26,7 @@
 #include "certify/moment.h"
 #include "certify/replay.h"
 #include "certify/rootless.h"
+#include "filtered/carry.h"
 
 namespace voroproof {
 
@@ -98,6 +100,12 @@ class Checker {
     double lo = 0, hi = 0;
   };
 
+  // A collision (i < j) or maneuver (i = j), and the states of the motion that it ended.
+  struct Turn {
+    GenId i, j;
+    int state_i, state_j;
+  };
+
   // When an edge flips for a claim.
   struct Found {
     Isolated root;
@@ -165,6 +173,7 @@ class Checker {
   Contact<Rational> recorded_contact(GenId i, GenId j, const Rational& at) const;
   void check_parting(GenId i, GenId j, double from, const Moment& m);
   void check_at_rest(int edge, const Moment& m);
+  bool hardly_move(int edge, const Contact<Rational>& k, const Moment& m) const;
   void check_overlap(int edge, const Moment& m);
   bool certainly_inside_soon(int edge, const Moment& m) const;
   bool certainly_in_contact(GenId i, GenId j, const BallPair& at) const;
@@ -180,7 +189,6 @@ class Checker {
   void end_around(const Moment& m);
   void require_no_contact_at_start(GenId g);
   bool turned_at_present(GenId g) const;
-  void require_first_of_instant(GenId i, GenId j);
   void begin_around(const Moment& m);
   void begin_pending_lives();
   void check_state(const CollideEvent& claim, int side, const RoundedState& truth);
@@ -190,6 +198,12 @@ class Checker {
   [[noreturn]] void refute_response(const CollideEvent& claim, const ExactPair& p);
   void turn(GenId g);
   void remark_velocities(bool centers);
+
+  // ---- instant_order.cpp ----
+  void require_no_flip_yet(GenId i, GenId j);
+  void require_first_at_start(GenId i, GenId j);
+  void place_turn(const Turn& turn);
+  bool would_collide(GenId g, const DiskState& other) const;
 
   const Scene& scene_;
   HistorySource& history_;
@@ -234,8 +248,8 @@ class Checker {
   std::optional<std::pair<GenId, GenId>> colliding_;  // by the claim being checked
   std::optional<GenId> maneuvering_;                  // the disk of the maneuver that is checked
   std::unordered_map<GenId, long> turned_;            // the instants of the disks' last maneuvers
-  // The collisions (i < j) and maneuvers (i = j) of this instant, in the order of their claims.
-  std::vector<std::pair<GenId, GenId>> turns_;
+  std::vector<Turn> turns_;                           // of this instant, in the order of the format
+  std::vector<GenId> flipped_;  // generators of the edges that have flipped at this instant
   // Of the last collection: the spokes of the cells of the disks that turn, and with them the rims.
   std::vector<int> spokes_, around_;
   std::vector<long> collected_;  // by edge: the last collection it is in

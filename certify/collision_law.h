@@ -23,7 +23,8 @@ class CollisionLaw {
 
   // Whether the velocities claimed are, within the tolerance, those after a collision with centres
   // p and velocities v before it. The centres are written as binary64, so that the normal is known
-  // no better than that. Throws Undecided where the two have no mass.
+  // no better than that, or not at all: then the velocities are those of some normal. Throws
+  // Undecided where the two have no mass.
   bool obeyed(const CollideEvent& claim, const ExactPair& p, const ExactPair& v) const;
 
   // The same in doubles, from enclosures: false says nothing.
@@ -33,6 +34,8 @@ class CollisionLaw {
   std::string expectation(GenId i, GenId j, const ExactPair& p, const ExactPair& v) const;
 
  private:
+  bool obeyed_in_some_direction(const CollideEvent& claim, const ExactPair& before,
+                                const Rational& speed) const;
   ExactVec2 normal(GenId i, const ExactPair& p) const;
 
   // What the law takes from the scene for two that collide, in rationals or in enclosures.

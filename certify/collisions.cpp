@@ -107,7 +107,8 @@ void Checker::collide_exactly(const CollideEvent& claim, int edge) {
     throw Refuted{d};
   }
   advance(m);
-  require_first_of_instant(i, j);
+  require_no_flip_yet(i, j);
+  if (!begun_) require_first_at_start(i, j);
   collect_around(i, j);
   end_around(m);
   // The law between the claimed values first, while the state before is at hand.
@@ -119,6 +120,7 @@ void Checker::collide_exactly(const CollideEvent& claim, int edge) {
       if (!law_.obeyed(claim, p, replay_.velocities(i, j))) refute_response(claim, p);
     }
   }
+  const Turn turn{i, j, motion_.state_id(i), motion_.state_id(j)};
   const Impact impact = motion_.collide(i, j, 0.5 * (m.lo + m.hi));
   m.kind = Moment::Kind::state;
   m.i = i;
@@ -130,55 +132,8 @@ void Checker::collide_exactly(const CollideEvent& claim, int edge) {
   if (i != container_id) check_state(claim, 0, impact.first);
   replay_.note_collision(claim, {{{to_rational(impact.first.vx), to_rational(impact.first.vy)},
                                   {to_rational(impact.second.vx), to_rational(impact.second.vy)}}});
-  turns_.emplace_back(i, j);
+  place_turn(turn);
   begin_around(m);
-}
-
-// Exact truth: of the pairs that touch and approach at one instant the smallest collides, and all
-// of them before a maneuver. The outcome depends on that order, also where the pairs share no disk
-// but are joined by others that touch. A pair that has not turned since a greater one collided, or
-// a disk made its maneuver, approached already then.
-void Checker::require_first_of_instant(GenId i, GenId j) {
-  const std::pair pair(i, j);
-  const auto late = [&](const std::string& what) {
-    refute(Fault::wrong_order, "generators " + text_of(i, j) +
-                                   " touch and approach at the same instant and come before " +
-                                   what);
-  };
-  // Maneuvers come one after the other: what the first makes approach waits for the last.
-  std::optional<GenId> maneuvered;
-  bool waits = false;
-  for (auto k = turns_.rbegin(); k != turns_.rend(); ++k) {
-    const auto& [a, b] = *k;
-    const auto turns = [&](GenId g) { return g != container_id && (g == a || g == b); };
-    if (turns(i) || turns(j)) {
-      waits = a == b;
-      break;
-    }
-    if (a == b) {
-      maneuvered = a;
-    } else if (pair < *k) {
-      late("generators " + text_of(a, b));
-    }
-  }
-  if (maneuvered && !waits) late("the maneuver of disk " + std::to_string(*maneuvered));
-  if (begun_) return;
-  // At t = 0 no pair has a life yet that the collision would end.
-  const Instant now = chronology_.present(Moment::at(Rational(0)));
-  for (const GenId g : {i, j}) {
-    if (g == container_id) continue;
-    for (GenId other = container_id; other < motion_.size(); ++other) {
-      const std::pair<GenId, GenId> near = std::minmax(g, other);
-      if (g == other || !(near < pair) || replay_.partners(near.first, near.second) ||
-          contacts_.certainly_apart(near.first, near.second, now)) {
-        continue;
-      }
-      if (contacts_.from(near.first, near.second, now, 0).kind == NextContact::Kind::now) {
-        refute(Fault::wrong_order, "generators " + text_of(near.first, near.second) +
-                                       " touch and approach at the same instant and come first");
-      }
-    }
-  }
 }
 
 void Checker::collide_as_recorded(const CollideEvent& claim) {
@@ -187,6 +142,7 @@ void Checker::collide_as_recorded(const CollideEvent& claim) {
   check_recorded_contact(claim, at);
   const Moment m = claim.exact ? Moment::at(exact_time(*claim_)) : Moment::at(claim.t);
   advance(m);
+  require_no_flip_yet(i, j);
   collect_around(i, j);
   end_around(m);
   const auto exactly = [&] { return replay_.positions(i, j, exact_time(*claim_)); };
@@ -307,17 +263,20 @@ void Checker::maneuver(const ManeuverEvent& claim) {
   const Moment m = Moment::at(exact ? due.t : t);
   advance(m);
   const GenId g = claim.disk;
+  require_no_flip_yet(g, g);
   maneuvering_ = g;
   if (!begun_) require_no_contact_at_start(g);
   collect_around(container_id, g);
   end_around(m);
   maneuvering_.reset();
   turned_[g] = instant_;
-  turns_.emplace_back(g, g);
   replay_.note_maneuver(*k, claim);
   replay_.note_speed(replay_.velocity(g));
   if (exact) {
+    const Turn turn{g, g, motion_.state_id(g), motion_.state_id(g)};
     const RoundedState s = motion_.maneuver(g, due.t, v[0], v[1]);
+    frontier_ = m;
+    place_turn(turn);
     check_center(exact_center(claim), {to_rational(s.px), to_rational(s.py)});
   } else {
     if (claim.p) check_center(exact_center(claim), replay_.path(g).at(t));

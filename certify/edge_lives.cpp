@@ -218,6 +218,7 @@ void Checker::flip(const FlipEvent& claim) {
   }
   if (options_.truth == Truth::exact && own) count_ulps(m, claim.t);
   ++certificate_.flips;
+  flipped_.insert(flipped_.end(), {q.l, q.r, q.s, q.e});
 
   const std::array<HalfEdge, 4> ring{diagram_.next(h), diagram_.previous(h), diagram_.next(h ^ 1),
                                      diagram_.previous(h ^ 1)};

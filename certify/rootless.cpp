@@ -131,8 +131,8 @@ std::array<MotionLanes, 4> RootlessBatch::gather(const std::array<const Span*, k
 // 4u P. A product of two such polynomials has coefficients (weighted means of products) of size at
 // most A = P P' and error e_A = P e' + P' e + e e' + 8u A. Finally f errs by 2 S e_S + e_S^2 +
 // 4 (B e_C + C e_B + e_B e_C), S = A + B + C, and evaluation adds at most 40u (S^2 + 4BC). The last
-// factor pays for the roundings of the bound itself, the last summand for underflow. Sizes are
-// multiplied before they are scaled down by u, by more than the binomials: where a coefficient
+// factor pays for the roundings of the bound itself, the last summand of each for underflow. Sizes
+// are multiplied before they are scaled down by u, by more than the binomials: where a coefficient
 // overflows, its bound has done so, and nothing is beyond it.
 void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
                           const std::array<double, kLanes>& from,
@@ -164,7 +164,7 @@ void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
     const Lanes eta = error[i] + error[j] + u * d;
     const Lanes rho = radius_error[i] + radius_error[j] + u * abs(dr);
     size[k] = d * d + dr2;
-    err[k] = 2 * eta * (d + eta) + rho * (2 * abs(dr) + rho) + u * (4 * size[k]);
+    err[k] = 2 * eta * (d + eta) + rho * (2 * abs(dr) + rho) + u * (4 * size[k]) + 0x1p-1000;
   }
   Lanes A[5], B[5], C[5], g[5], f[9];
   multiply(p[0], p[1], A);

@@ -127,8 +127,8 @@ std::optional<Equations> equations(const Motion& motion, std::span<const DiskSta
     }
     if ((ida > 0) != (idb > 0)) return std::nullopt;
     if (ida <= 0) {
-      const DiskInput& a = in.disks[ga];
-      const DiskInput& b = in.disks[gb];
+      const DiskInput& a = motion.initial_state(ga);
+      const DiskInput& b = motion.initial_state(gb);
       if (a.radius != b.radius || a.mass != b.mass ||
           motion.initial_time(ga) != motion.initial_time(gb)) {
         return std::nullopt;
@@ -184,7 +184,7 @@ bool at_rest(const Motion& motion, DiskState s) {
     s = past.before;
   }
   if (s.g == container_id) return true;
-  const DiskInput& d = motion.input().disks[s.g];
+  const DiskInput& d = motion.initial_state(s.g);
   return sgn(d.vx) == 0 && sgn(d.vy) == 0;
 }
 

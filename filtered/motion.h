@@ -103,7 +103,11 @@ class Motion {
   Motion(MotionInput input, MotionOptions options);
 
   int size() const { return static_cast<int>(input_.disks.size()); }
+  // Of disks whose motion is given, centres and velocities may be those of another time: see
+  // initial_state().
   const MotionInput& input() const { return input_; }
+  // Disk g with the centre and the velocity of its initial state, or of its last restart().
+  const DiskInput& initial_state(GenId g) const;
   const MotionOptions& options() const { return options_; }
 
   const DoubleMotion& doubles(GenId g) const { return doubles_[g + 1]; }
@@ -222,7 +226,6 @@ class Motion {
   void load_initial_state(GenId g, Ball::Precision bits);
   BallState initial_balls(GenId g, Ball::Precision bits) const;
   const BallState& ball_state(GenId g) const;
-  const DiskInput& initial_state(GenId g) const;
   void refresh(GenId g);
   void refresh_doubles(GenId g);
   const Response& respond(const Record& r);

@@ -72,6 +72,65 @@ TEST(Refuted, DroppedCollisionAmongFourSymmetricDisks) {
   }
 }
 
+CertifyOptions recorded() {
+  CertifyOptions options;
+  options.truth = Truth::recorded;
+  return options;
+}
+
+// A disk that a maneuver turns back after it has left the container, so slowly that it is outside
+// for long; or so fast that it is not.
+TEST(Recorded, OutsideTheContainer) {
+  for (const bool slow : {true, false}) {
+    Scene scene = scene_of(10, 1000, {testing::disk(0, 0, 1, 1, 0)});
+    scene.maneuvers.push_back({9.0000009, 0, Rational(slow ? -1e-9 : -1e-3), 0});
+    ClaimedHistory h = claimed_history(scene, run(scene));
+    const Certificate right = certify(scene, h, recorded());
+    EXPECT_EQ(right.verdict, Verdict::certified) << reason_line(right);
+    ASSERT_TRUE(std::holds_alternative<CollideEvent>(h.events.front()));
+    h.events.erase(h.events.begin());
+    std::get<ManeuverEvent>(h.events.front()).p = Vec2{9.0000009, 0};
+    h.count();
+    EXPECT_EQ(certify(scene, h, recorded()).verdict, Verdict::refuted);
+  }
+}
+
+// Collisions of two that stay in contact without approaching each other.
+TEST(Recorded, CollisionsAtRest) {
+  Scene scene = scene_of(10, 5, {testing::disk(-2, 0, 1, 1, 0), testing::disk(2, 0, 1, -1, 0)});
+  scene.restitution = 0;
+  ClaimedHistory h = claimed_history(scene, run(scene));
+  EXPECT_EQ(certify(scene, h, recorded()).verdict, Verdict::certified);
+  ASSERT_EQ(h.events.size(), 1u);
+  auto again = std::get<CollideEvent>(h.events.front());
+  again.t = 2;
+  h.events.emplace_back(again);
+  h.count();
+  EXPECT_EQ(certify(scene, h, recorded()).verdict, Verdict::refuted);
+}
+
+// Two so small that their centres are rounded to one: any normal will do, but no other law. What
+// the engine writes of them is right under both truths.
+TEST(Recorded, CentresThatCoincide) {
+  const Scene scene = scene_of(
+      2000, 1, {testing::disk(1000, 0, 1e-14, 1, 0, 1), testing::disk(1001, 0, 1e-14, -1, 0, 1)});
+  const ClaimedHistory right = claimed_history(scene, run(scene));
+  ASSERT_EQ(right.events.size(), 1u);
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    CertifyOptions options;
+    options.truth = truth;
+    const Certificate c = certify(scene, right, options);
+    EXPECT_EQ(c.verdict, Verdict::certified) << reason_line(c);
+    for (const auto& v :
+         {std::array{Vec2{-50, 3}, Vec2{70, 9}}, std::array{Vec2{-1, 0}, Vec2{2, 0}},
+          std::array{Vec2{1, 0}, Vec2{1, 0}}}) {
+      ClaimedHistory wrong = right;
+      std::get<CollideEvent>(wrong.events.front()).v = {v[0], v[1]};
+      EXPECT_EQ(certify(scene, wrong, options).verdict, Verdict::refuted);
+    }
+  }
+}
+
 // Each thread takes the parts as they come; nothing of that is in the certificate.
 TEST(Recorded, AnyNumberOfThreads) {
   Random random(11);

@@ -73,6 +73,49 @@ TEST(Simultaneous, CollisionsThatShareADiskAtTheStart) {
   EXPECT_EQ(verdict_with(scene, collide_in_row(0, {1, 0, -1}, masses, {1})), Verdict::refuted);
 }
 
+// Two collisions at the same instant may be told in any order where they commute: far from each
+// other, or side by side, where one disk of each touch and do not approach.
+TEST(Simultaneous, CollisionsThatCommute) {
+  const std::vector<std::vector<DiskSpec>> scenes{
+      {disk(-21, 0, 1, 1, 0), disk(-18, 0, 1, 0, 0), disk(10, 0, 1, 0, 0, 2),
+       disk(10, 3, 1, 0, -1, 2)},
+      {disk(-3, 0, 1, 1, 0), disk(0, 0, 1, 0, 0), disk(0, 2, 1, 0, 0), disk(3, 2, 1, -1, 0)}};
+  for (const auto& disks : scenes) {
+    const Scene scene = scene_of(60, Rational(3, 2), disks);
+    std::vector<voroproof::Event> events = claimed_history(scene, run(scene)).events;
+    std::vector<voroproof::Event*> hits;
+    for (auto& e : events) {
+      if (std::holds_alternative<CollideEvent>(e)) hits.push_back(&e);
+    }
+    ASSERT_EQ(hits.size(), 2u);
+    EXPECT_EQ(time(*hits[0]), time(*hits[1]));
+    EXPECT_EQ(verdict_with(scene, events), Verdict::certified);
+    std::swap(*hits[0], *hits[1]);
+    EXPECT_EQ(verdict_with(scene, events), Verdict::certified);
+  }
+}
+
+// A flip that only the velocity before a collision of the same instant would bring about, and its
+// way back after the collision.
+TEST(Simultaneous, AFlipBeforeACollision) {
+  // The square of the first four is closed at t = 1 by the last of them, which turns back then.
+  const Scene scene = scene_of(30, Rational(3, 2),
+                               {disk(0, 5, 1, 0, 0), disk(5, 0, 1, 0, 0), disk(-5, 0, 1, 0, 0),
+                                disk(0, -4, 1, 0, -1), disk(0, -7, 1, 0, 0, 3)});
+  const ClaimedHistory right = claimed_history(scene, run(scene));
+  ASSERT_EQ(right.events.size(), 1u);
+  ClaimedHistory wrong = right;
+  wrong.events.insert(wrong.events.begin(), FlipEvent{1, Quad{0, 3, 2, 1}, {}});
+  wrong.events.push_back(FlipEvent{1, Quad{1, 2, 0, 3}, {}});
+  wrong.count();
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    CertifyOptions options;
+    options.truth = truth;
+    EXPECT_EQ(certify(scene, right, options).verdict, Verdict::certified);
+    EXPECT_EQ(certify(scene, wrong, options).verdict, Verdict::refuted);
+  }
+}
+
 // A disk that a blow would reach at the instant of its maneuver turns after the blow, not before.
 TEST(Simultaneous, AManeuverAtTheEndOfARow) {
   for (const int t : {0, 1}) {
