@@ -173,7 +173,7 @@ class Checker {
   Contact<Rational> recorded_contact(GenId i, GenId j, const Rational& at) const;
   void check_parting(GenId i, GenId j, double from, const Moment& m);
   void check_at_rest(int edge, const Moment& m);
-  bool hardly_move(int edge, const Contact<Rational>& k, const Moment& m) const;
+  bool hardly_overlap(int edge, const Contact<Rational>& k, const Moment& m) const;
   void check_overlap(int edge, const Moment& m);
   bool certainly_inside_soon(int edge, const Moment& m) const;
   bool certainly_in_contact(GenId i, GenId j, const BallPair& at) const;

@@ -18,6 +18,10 @@ namespace {
 // Parts are halved at most this often: what is left then is near a root or a degeneracy.
 constexpr int kMaxDepth = 14;
 
+// Pieces are looked at this often in all, some milliseconds: where that does not do, isolating the
+// roots tells.
+constexpr int kMaxLooks = 1 << 14;
+
 // Whether the edge collapses at no time of [a, b], where its flip polynomial may have roots: one
 // of its circles exists at no time of it, or exists and is free of the other's third generator.
 bool legal_throughout(const Motion& m, const Quad& q, double a, double b) {
@@ -120,7 +124,9 @@ constexpr int kMaxCuts = 12;
 // Pieces this often halved are looked at by their circles over all of their time.
 constexpr int kShort = 7;
 
-bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts) {
+// `looks`: so many pieces may still be looked at.
+bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts, int& looks) {
+  if (looks-- <= 0) return false;
   const int roots = most_roots(p);
   if (roots == 0) return true;
   // The times of a piece are rounded: each cut within one adds at most 16u of the greatest. With
@@ -135,17 +141,17 @@ bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts) {
   if (cuts == kMaxCuts || !(p.a < half && half < p.b)) return false;
   Piece left, right;
   p.degree == 8 ? halve<8>(p, half, left, right) : halve<4>(p, half, left, right);
-  return piece_free(m, q, left, cuts + 1) && piece_free(m, q, right, cuts + 1);
+  return piece_free(m, q, left, cuts + 1, looks) && piece_free(m, q, right, cuts + 1, looks);
 }
 
-bool free_in(const Motion& m, const Quad& q, double a, double b, int depth) {
+bool free_in(const Motion& m, const Quad& q, double a, double b, int depth, int& looks) {
   BernsteinForm form;
   if (form_flip_polynomial<true>(m, q, a, b, form)) return true;
-  if (piece_free(m, q, {a, b, form.degree, form.c, form.err}, 0)) return true;
+  if (piece_free(m, q, {a, b, form.degree, form.c, form.err}, 0, looks)) return true;
   const double middle = 0.5 * (a + b);
-  if (depth == kMaxDepth || !(a < middle && middle < b)) return false;
+  if (depth == kMaxDepth || looks <= 0 || !(a < middle && middle < b)) return false;
   // From both halves' own ends, so that the error bound shrinks with the part.
-  return free_in(m, q, a, middle, depth + 1) && free_in(m, q, middle, b, depth + 1);
+  return free_in(m, q, a, middle, depth + 1, looks) && free_in(m, q, middle, b, depth + 1, looks);
 }
 
 // Whether the edge collapses at the one root in [a, b], `after` being the sign of the cotangency
@@ -168,7 +174,8 @@ bool collapses_at_root(const Motion& motion, const Quad& q, double a, double b, 
 }  // namespace
 
 bool proved_free(const Motion& motion, const Quad& q, double a, double b) {
-  return q.s == q.e || !(a < b) || free_in(motion, q, a, b, 0);  // Lemma 8: s = e never collapses
+  int looks = kMaxLooks;
+  return q.s == q.e || !(a < b) || free_in(motion, q, a, b, 0, looks);  // Lemma 8: s = e: never
 }
 
 bool proved_free_of_one(const Motion& motion, const Quad& q, double b, Sign f) {

@@ -182,22 +182,25 @@ bool Checker::certainly_inside_soon(int edge, const Moment& m) const {
   return under > 0 && 2 * (pair.overlap + until) < tolerance_up_;
 }
 
-// Whether the velocities of the two are the same but for roundings, and they overlap no more than
-// two at rest may: such are disks that stay in contact after collisions without restitution.
-bool Checker::hardly_move(int edge, const Contact<Rational>& k, const Moment& m) const {
+// Whether two overlap no deeper than the roundings of their centres let them: such are disks that
+// stay in contact or leave it sideways. Where their velocities are the same but for roundings, no
+// deeper than two at rest may.
+bool Checker::hardly_overlap(int edge, const Contact<Rational>& k, const Moment& m) const {
   const auto [i, j] = replay_.pair_of(edge);
+  const bool wall = i == container_id;
   const ExactPair v = replay_.velocities(i, j);
-  const Rational speeds = (i == container_id ? Rational(0) : norm2(v[0])) + norm2(v[1]);
-  if (k.a * (Rational(1) << 92) > speeds) return false;
+  const Rational speeds = (wall ? Rational(0) : norm2(v[0])) + norm2(v[1]);
+  const bool at_rest = k.a * (Rational(1) << 92) <= speeds;
   const Rational end = to_rational(m.hi) - to_rational(pairs_[edge].from);
   const auto value = [&](const Rational& s) { return Rational((k.a * s + 2 * k.b) * s + k.c); };
-  Rational over = std::max(value(0), value(end));
-  if (i != container_id) {
-    const Rational nearest = std::max(Rational(0), std::min(end, Rational(-k.b / k.a)));
-    over = -value(nearest);
-  }
+  const Rational nearest = std::max(Rational(0), std::min(end, Rational(-k.b / k.a)));
+  const Rational over = wall ? std::max(value(0), value(end)) : Rational(-value(nearest));
   const Rational reach = law_.reach(i, j);
-  return over <= 2 * options_.law_tolerance * reach * reach;
+  const Rational extent = abs(scene_.cx) + abs(scene_.cy) + scene_.container_radius;
+  const Rational rounding = extent / (Rational(1) << 49);
+  return over <=
+         2 * reach *
+             (at_rest ? std::max(rounding, Rational(options_.law_tolerance * reach)) : rounding);
 }
 
 // Two disks may overlap, or a disk leave the container, for no longer than the tolerance.
@@ -213,7 +216,7 @@ void Checker::check_overlap(int edge, const Moment& m) {
     check_at_rest(edge, m);
     return;
   }
-  if (hardly_move(edge, k, m)) return;
+  if (hardly_overlap(edge, k, m)) return;
   if (sgn(discriminant) <= 0) {
     // Their distance is nowhere less than the reach: disks stay apart, and a disk outside the
     // container does not come back.

@@ -95,6 +95,25 @@ TEST(Recorded, OutsideTheContainer) {
   }
 }
 
+// Two in contact that leave each other sideways, one of which turns meanwhile to move almost as the
+// other: rounded centres overlap, by less than a rounding and for long.
+TEST(Recorded, LeavingSideways) {
+  Scene scene =
+      scene_of(12, 5,
+               {testing::disk(3, 0, Rational(1, 2), -1, 0, 1),
+                testing::disk(0, 3, Rational(1, 2), 0, Rational("-9999999999/10000000000"), 1),
+                testing::disk(-3, 0, Rational(1, 2), 1, 0, 1),
+                testing::disk(0, -3, Rational(1, 2), 0, 1, 1)});
+  scene.maneuvers.push_back({2.2928932188134525, 3, -1, 0});
+  const ClaimedHistory h = claimed_history(scene, run(scene));
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    CertifyOptions options;
+    options.truth = truth;
+    const Certificate c = certify(scene, h, options);
+    EXPECT_EQ(c.verdict, Verdict::certified) << reason_line(c);
+  }
+}
+
 // Collisions of two that stay in contact without approaching each other.
 TEST(Recorded, CollisionsAtRest) {
   Scene scene = scene_of(10, 5, {testing::disk(-2, 0, 1, 1, 0), testing::disk(2, 0, 1, -1, 0)});
