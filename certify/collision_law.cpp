@@ -66,13 +66,16 @@ ExactPair CollisionLaw::after(GenId i, GenId j, const ExactPair& p, const ExactP
 }
 
 bool CollisionLaw::certainly_obeyed(const CollideEvent& claim, const BallPair& p,
-                                    const BallPair& before) const {
+                                    const BallPair& before) {
+  if (near_masses_.empty()) {
+    for (const DiskSpec& d : scene_.disks) near_masses_.push_back(ball(d.mass));
+  }
   const GenId i = claim.i, j = claim.j;
   Constants<DoubleBall> of = near_;
-  of.mass_j = ball(scene_.disks[j].mass);
+  of.mass_j = near_masses_[j];
   DoubleBall speed = sqrt(norm2(before[1]));
   if (i != container_id) {
-    of.mass_i = ball(scene_.disks[i].mass);
+    of.mass_i = near_masses_[i];
     speed = speed + sqrt(norm2(before[0]));
   }
   const BallPair v = evaluate<DoubleBall>(i, p, before, of);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "certify/vectors.h"
 #include "history/scene.h"
@@ -28,7 +29,7 @@ class CollisionLaw {
   bool obeyed(const CollideEvent& claim, const ExactPair& p, const ExactPair& v) const;
 
   // The same in doubles, from enclosures: false says nothing.
-  bool certainly_obeyed(const CollideEvent& claim, const BallPair& p, const BallPair& v) const;
+  bool certainly_obeyed(const CollideEvent& claim, const BallPair& p, const BallPair& v);
 
   // What obeyed() would have accepted, in words.
   std::string expectation(GenId i, GenId j, const ExactPair& p, const ExactPair& v) const;
@@ -53,6 +54,7 @@ class CollisionLaw {
   const Rational& tolerance_;
   Constants<DoubleBall> near_;
   DoubleBall near_tolerance_;
+  std::vector<DoubleBall> near_masses_;  // once asked for
 };
 
 }  // namespace voroproof

@@ -130,8 +130,12 @@ void Checker::collide_exactly(const CollideEvent& claim, int edge) {
   frontier_ = m;
   check_state(claim, 1, impact.second);
   if (i != container_id) check_state(claim, 0, impact.first);
-  replay_.note_collision(claim, {{{to_rational(impact.first.vx), to_rational(impact.first.vy)},
-                                  {to_rational(impact.second.vx), to_rational(impact.second.vy)}}});
+  std::optional<ExactPair> computed;
+  if (!claim.v[1]) {
+    computed = {ExactVec2{to_rational(impact.first.vx), to_rational(impact.first.vy)},
+                ExactVec2{to_rational(impact.second.vx), to_rational(impact.second.vy)}};
+  }
+  replay_.note_collision(claim, computed);
   place_turn(turn);
   begin_around(m);
 }
@@ -151,7 +155,7 @@ void Checker::collide_as_recorded(const CollideEvent& claim) {
       check_center(exact_center(claim, side), exactly()[side]);
     }
   }
-  ExactPair computed;
+  std::optional<ExactPair> computed;
   if (claim.v[1]) {
     // The law with the centres of the paths, or with those that the file gives.
     if (!law_.certainly_obeyed(claim, at, replay_.near_velocities(i, j))) {

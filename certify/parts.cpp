@@ -184,7 +184,9 @@ class PartwiseCertifier {
     }
     while (next && clear) {
       const double last = claims.empty() ? 0 : time(claims.back().event);
-      if (claims.size() >= size_ && time(next->event) - last > gap_) {
+      // The first part is a small one: other threads wait for it.
+      const std::size_t least = started_ == 0 ? size_ / 4 : size_;
+      if (claims.size() >= least && time(next->event) - last > gap_) {
         const double until = last + 0.5 * (time(next->event) - last);
         auto section = std::make_unique<Section>(header_, std::exchange(claims, {}), nullptr, true);
         section->set_next_line(next->line);

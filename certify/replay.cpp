@@ -102,7 +102,7 @@ void Replay::note_speed(const Velocity& v) {
       top_speed_, std::nextafter(speed.mid + speed.rad, std::numeric_limits<double>::infinity()));
 }
 
-void Replay::note_collision(const CollideEvent& claim, const ExactPair& computed) {
+void Replay::note_collision(const CollideEvent& claim, const std::optional<ExactPair>& computed) {
   ++changes_;
   for (const int side : {0, 1}) {
     const GenId g = side == 0 ? claim.i : claim.j;
@@ -110,7 +110,8 @@ void Replay::note_collision(const CollideEvent& claim, const ExactPair& computed
     if (claim.v[side] && !claim.exact) {
       velocities_[g] = Velocity(*claim.v[side]);
     } else {
-      velocities_[g] = Velocity(exact_velocity(claim, side).value_or(computed[side]));
+      const auto exact = exact_velocity(claim, side);
+      velocities_[g] = Velocity(exact ? *exact : computed.value()[side]);
     }
     last_change_[g + 1] = changes_;
   }
@@ -210,7 +211,7 @@ std::optional<Diagram::HalfEdge> Replay::flip(const FlipEvent& claim) {
 std::optional<Diagram::HalfEdge> Replay::take(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) return flip(*f);
   if (const auto* c = std::get_if<CollideEvent>(&event)) {
-    ExactPair computed;
+    std::optional<ExactPair> computed;
     if (!c->v[1]) {
       try {
         computed = computed_velocities(*c, positions(c->i, c->j, exact_time(event)));

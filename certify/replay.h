@@ -56,8 +56,9 @@ class Replay : public GivenMotion {
   double top_speed() const { return top_speed_; }  // an upper bound of all speeds so far
   void note_speed(const Velocity& v);
 
-  // The collision has happened; `computed` are the velocities where the claim gives none.
-  void note_collision(const CollideEvent& claim, const ExactPair& computed);
+  // The collision has happened; `computed` are the velocities where the claim gives none, and are
+  // there if it does not.
+  void note_collision(const CollideEvent& claim, const std::optional<ExactPair>& computed);
   // Recorded truth: from the time of the claim on, the disk goes on with its velocity.
   void turn(GenId g, const Event& claim);
   // Recorded truth: gives `motion`, the scene's, the present line of the disk, and of all disks.
