@@ -29,7 +29,7 @@ struct CertifyOptions {
   Rational law_tolerance{1, 1000000000};  // of velocities, relative to the speeds involved
   bool strict = false;                    // claims out of order are refuted, however near
   int threads = 1;                        // for the recorded truth; the certificate is the same
-  // Recorded truth: the history is certified in parts of so many claims at least, and of one in
+  // Recorded truth: the history is certified in parts of so many claims at least, and of three in
   // 4096 of that for each disk.
   std::size_t least_part = 4096;
   MotionOptions motion;
