@@ -104,7 +104,7 @@ class PartwiseCertifier {
         header_(history.header()),
         replay_(scene, options),
         gap_(8 * round_up(options.tolerance)),
-        size_(std::max(options.least_part, 3 * options.least_part * scene.disks.size() / 4096)) {}
+        size_(std::max(options.least_part, options.least_part * scene.disks.size() / 1024)) {}
 
   Certificate run() {
     std::exception_ptr unreadable;
