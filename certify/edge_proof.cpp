@@ -1,3 +1,6 @@
+// First: it says that the templates below may be used with lanes on any processor.
+#include "filtered/lanes.h"
+
 #include "certify/edge_proof.h"
 
 #include <algorithm>

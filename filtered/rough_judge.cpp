@@ -1,3 +1,6 @@
+// First: it says that the templates below may be used with lanes on any processor.
+#include "filtered/lanes.h"
+
 #include "filtered/rough_judge.h"
 
 #include "filtered/rough_circles.h"
