@@ -171,7 +171,7 @@ bool Checker::certainly_inside_soon(int edge, const Moment& m) const {
   const auto [i, j] = replay_.pair_of(edge);
   if (options_.truth == Truth::exact || i != container_id) return true;
   const Adjacency& pair = pairs_[edge];
-  const auto outside = [&](double t) {
+  const auto outside = [&, i = i, j = j](double t) {
     const DoubleBall at(t);
     return Contact<DoubleBall>(motion_.moving_site(i, at), motion_.moving_site(j, at)).c;
   };
