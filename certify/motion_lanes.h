@@ -46,11 +46,10 @@ inline Sign sign(const BallLanes& a, int lane) {
 
 // Four of DoubleMotion.
 struct MotionLanes {
-  Lanes t, x, y, vx, vy, r, ex, ev, er;
+  Lanes t, x, y, vx, vy, r, ex, ev;
 
   MotionLanes(const DoubleMotion& a, const DoubleMotion& b, const DoubleMotion& c,
-              const DoubleMotion& d)
-      : er{a.er, b.er, c.er, d.er} {
+              const DoubleMotion& d) {
     transpose(&a.t, &b.t, &c.t, &d.t, t, x, y, vx);
     transpose(&a.vy, &b.vy, &c.vy, &d.vy, vy, r, ex, ev);
   }
@@ -63,14 +62,13 @@ struct MotionLanes {
         vy(splat(m.vy)),
         r(splat(m.r)),
         ex(splat(m.ex)),
-        ev(splat(m.ev)),
-        er(splat(m.er)) {}
+        ev(splat(m.ev)) {}
 
   // As Motion::moving_site and Motion::site.
   MovingSite<BallLanes> moving_site(const BallLanes& time) const {
     const BallLanes dt = time - BallLanes{t, Lanes{}};
     const BallLanes v{vx, ev}, w{vy, ev};
-    return {BallLanes{x, ex} + v * dt, BallLanes{y, ex} + w * dt, v, w, {r, er}};
+    return {BallLanes{x, ex} + v * dt, BallLanes{y, ex} + w * dt, v, w, {r, ex}};
   }
   Site<BallLanes> site(const BallLanes& time) const {
     const MovingSite<BallLanes> s = moving_site(time);

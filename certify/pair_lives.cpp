@@ -261,7 +261,7 @@ bool Checker::certainly_in_contact(GenId i, GenId j, const BallPair& at) const {
   const BallPair v = replay_.near_velocities(i, j);
   const auto site = [&](int side, GenId g) -> MovingSite<DoubleBall> {
     const DoubleMotion& m = motion_.doubles(g);
-    return {at[side][0], at[side][1], v[side][0], v[side][1], DoubleBall(m.r, m.er)};
+    return {at[side][0], at[side][1], v[side][0], v[side][1], DoubleBall(m.r, m.ex)};
   };
   MovingSite<DoubleBall> first;
   if (i == container_id) {

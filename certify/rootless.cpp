@@ -148,7 +148,7 @@ void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
     x1[i] = g.x + g.vx * tb;
     y1[i] = g.y + g.vy * tb;
     radius[i] = g.r;
-    radius_error[i] = g.er;
+    radius_error[i] = g.ex;
     const Lanes size = abs(g.x) + abs(g.y) + abs(x0[i]) + abs(y0[i]) + abs(x1[i]) + abs(y1[i]);
     error[i] = 4 * u * size + g.ex + g.ev * (abs(ta) + abs(tb));
   }
@@ -224,7 +224,7 @@ void RootlessBatch::judge_at(const std::array<MotionLanes, 4>& generators, doubl
     x[i] = g.x + g.vx * dt;
     y[i] = g.y + g.vy * dt;
     radius[i] = g.r;
-    radius_error[i] = g.er;
+    radius_error[i] = g.ex;
     const Lanes size = abs(g.x) + abs(g.y) + abs(x[i]) + abs(y[i]);
     const Lanes speed = abs(g.vx) + abs(g.vy) + g.ev;
     error[i] = (4 * u * size + g.ex + g.ev * abs(dt) + speed * hull.rad) * (1 + 0x1p-40) + 1e-290;

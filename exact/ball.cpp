@@ -124,22 +124,10 @@ void Ball::to_interval(double& lo, double& hi) const {
   hi = std::nextafter(hi + r, std::numeric_limits<double>::infinity());
 }
 
-namespace {
-
-// A midpoint as a double-double from the leading 128 bits of its mantissa: hi takes the first 53,
-// rounded, lo the rest, rounded; what the limbs below hold is less than 1 in the last of the 128.
-// False where the exponent is unusual, and where the number is short or padded with zeros: then it
-// may be exact.
-bool leading_double_double(mpfr_srcptr mid, double radius, double& hi, double& lo, double& err) {
-  const mp_size_t limbs = (mpfr_get_prec(mid) + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS;
-  if (limbs < 3 || !mpfr_regular_p(mid)) return false;
-  const long e = mpfr_get_exp(mid);
+// hi takes the first 53 bits, rounded, lo the rest, rounded.
+bool leading_double_double(std::uint64_t top, std::uint64_t next, std::int64_t e, bool negative,
+                           double radius, double& hi, double& lo, double& err) {
   if (e < -800 || e > 900) return false;
-  const mp_limb_t* d = limbs_of(mid);
-  mp_size_t below = limbs - 2;
-  while (below > 0 && d[below - 1] == 0) --below;
-  if (below == 0) return false;
-  const std::uint64_t top = d[limbs - 1], next = d[limbs - 2];
   // hi = h 2^(e-53) with h the first 53 bits, rounded half up (2^53 is a double as well); the
   // rest is r 2^(e-128), -2^74 <= r < 2^74, as a sum of two doubles: one of the multiple of 2^64
   // in it, exact, one of the second limb, rounded; their sum is rounded once more.
@@ -148,21 +136,29 @@ bool leading_double_double(mpfr_srcptr mid, double radius, double& hi, double& l
   if (above == 0 && next == 0) return false;
   const double low = static_cast<double>(next);
   const double rest = static_cast<double>(above) * 0x1p64 + low;
-  const double sign = mpfr_sgn(mid) < 0 ? -1.0 : 1.0;
-  const auto power = [](long k) {
+  const double sign = negative ? -1.0 : 1.0;
+  const auto power = [](std::int64_t k) {
     return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + k) << 52);
   };
   hi = sign * static_cast<double>(h) * power(e - 53);
   lo = sign * rest * power(e - 128);
-  // The second limb errs by 2^10 at most, the sum by 2^-53 of itself, and 1 for the limbs below.
+  // The second limb errs by 2^10 at most, the sum by 2^-53 of itself, and 2 for what is below.
   err = (radius + (std::fabs(rest) * 0x1p-52 + 0x1p11) * power(e - 128)) * kUp;
   return true;
 }
 
-}  // namespace
-
 void Ball::to_double_double(double& hi, double& lo, double& err) const {
-  if (leading_double_double(mid_, radius_.to_double(), hi, lo, err)) return;
+  const mp_size_t size = (mpfr_get_prec(mid_) + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS;
+  if (size >= 3 && mpfr_regular_p(mid_)) {
+    const mp_limb_t* d = limbs_of(mid_);
+    // Padded with zeros it may be exact.
+    mp_size_t below = size - 2;
+    while (below > 0 && d[below - 1] == 0) --below;
+    if (below > 0 && leading_double_double(d[size - 1], d[size - 2], mpfr_get_exp(mid_),
+                                           mpfr_sgn(mid_) < 0, radius_.to_double(), hi, lo, err)) {
+      return;
+    }
+  }
   hi = mpfr_get_d(mid_, MPFR_RNDN);
   if (!std::isfinite(hi)) {
     lo = 0;

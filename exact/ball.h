@@ -99,6 +99,12 @@ inline bool operator<(const Magnitude& a, const Magnitude& b) {
   return a.e_ != b.e_ ? a.e_ < b.e_ : a.m_ < b.m_;
 }
 
+// A number with the significand (top + next 2^-64 + less than 2^-127) 2^-64 in [1/2, 1], the
+// exponent e and that sign, and within `radius` of what is meant, as hi + lo with |value - hi - lo|
+// <= err. False where the exponent is unusual, and where the number is short: then it may be exact.
+bool leading_double_double(std::uint64_t top, std::uint64_t next, std::int64_t e, bool negative,
+                           double radius, double& hi, double& lo, double& err);
+
 class Ball {
  public:
   using Precision = mpfr_prec_t;
@@ -169,7 +175,7 @@ class Ball {
   static void neg(Ball& out, const Ball& a);
 
  private:
-  friend class FixedArithmetic;
+  friend class FixedView;
   void set_precision(Precision bits);
   // A moved-from ball has no precision: then `bits`.
   Precision precision_or(Precision bits) const {

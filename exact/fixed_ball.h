@@ -10,6 +10,8 @@
 
 #include <gmp.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,6 +27,56 @@ class FixedBall {
   double radius_ = 0;             // infinite: nothing is known
 };
 
+// A number with its format, to be read while it is there and nobody writes it.
+class FixedView {
+ public:
+  // An enclosure of the number times 2^unit whose midpoint has `bits` of precision, a multiple of
+  // 64.
+  void get(Ball& out, std::int64_t unit, Ball::Precision bits) const;
+  // The number times 2^unit as hi + lo within err, which is 0 only where that is exact.
+  void to_double_double(std::int64_t unit, double& hi, double& lo, double& err) const;
+  Magnitude radius() const;
+
+ private:
+  friend class FixedArithmetic;
+  friend class FixedRow;
+  FixedView(const mp_limb_t* limbs, mp_size_t size, mp_size_t fraction, double radius,
+            std::int64_t radius_exponent)
+      : limbs_(limbs),
+        size_(size),
+        fraction_(fraction),
+        radius_(radius),
+        radius_exponent_(radius_exponent) {}
+  bool is_negative() const { return (limbs_[size_ - 1] >> 63) != 0; }
+
+  const mp_limb_t* limbs_;
+  mp_size_t size_, fraction_;
+  double radius_;
+  std::int64_t radius_exponent_;
+};
+
+// Four numbers at rest between two computations, in one piece of memory and in the format of the
+// one that stored them.
+class FixedRow {
+ public:
+  FixedView view(std::size_t k) const {
+    return {limbs_.data() + static_cast<mp_size_t>(k) * size_, size_, fraction_, radii_[k],
+            radius_exponent_};
+  }
+  // Asks for the memory of the numbers, which are soon to be read.
+  void prefetch() const {
+    constexpr std::size_t line = 64 / sizeof(mp_limb_t);
+    for (std::size_t k = 0; k < limbs_.size(); k += line) __builtin_prefetch(&limbs_[k]);
+  }
+
+ private:
+  friend class FixedArithmetic;
+  std::vector<mp_limb_t> limbs_;
+  mp_size_t size_ = 0, fraction_ = 0;
+  std::int64_t radius_exponent_ = 0;
+  std::array<double, 4> radii_{};
+};
+
 // Operations and conversions in one format. `out` may be an operand. Numbers written in another
 // format must not be read. What does not fit before the point has an infinite radius.
 class FixedArithmetic {
@@ -36,8 +88,12 @@ class FixedArithmetic {
   // x / 2^unit.
   void set(FixedBall& out, double x, std::int64_t unit);
   void set(FixedBall& out, const Ball& x, std::int64_t unit);
-  // An enclosure of a 2^unit whose midpoint has `bits` of precision, a multiple of 64.
-  void get(Ball& out, const FixedBall& a, std::int64_t unit, Ball::Precision bits);
+  // A number in its own format. Where that has more limbs after the point they are cut off.
+  void set(FixedBall& out, const FixedView& x) const;
+  FixedView view(const FixedBall& a) const {
+    return {a.limbs_.data(), size_, fraction_, a.radius_, radius_exponent_};
+  }
+  void store(FixedRow& row, const std::array<const FixedBall*, 4>& numbers) const;
 
   // unknown when the ball contains zero and more than zero.
   Sign sign(const FixedBall& a) const;

@@ -49,7 +49,7 @@ inline void place(const Motion& motion, const Quad& q, double a, double b, Ends&
   e.x1 = x + vx * tb;
   e.y1 = y + vy * tb;
   if constexpr (certified) {
-    e.rerr = lanes(&DoubleMotion::er);
+    e.rerr = lanes(&DoubleMotion::ex);
     // x + v dt: dt, the product and the sum are rounded once each, so the error is
     // below u |x + v dt| + 2u(1+u) |v dt|, with |v dt| <= |x0| + |x| and likewise
     // for the other end: 4u times (all magnitudes together) covers it. The state's
@@ -201,11 +201,11 @@ inline double cocircularity_form(const Ends& e, double* f) {
 
 bool flip_polynomial_is_cocircularity(const Motion& motion, const Quad& q) {
   const DoubleMotion& l = motion.doubles(q.l);
-  bool rounded = l.er != 0;
+  bool rounded = motion.seconds(q.l).er != 0 || motion.seconds(q.l).r != 0;
   for (const GenId g : {q.r, q.s, q.e}) {
     const DoubleMotion& m = motion.doubles(g);
     if (m.r != l.r) return false;
-    rounded = rounded || m.er != 0;
+    rounded = rounded || motion.seconds(g).er != 0 || motion.seconds(g).r != 0;
   }
   // Equal doubles are equal radii unless one is rounded: then ask for the values.
   if (!rounded) return true;

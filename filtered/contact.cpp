@@ -61,7 +61,7 @@ struct RoughPair {
     R = std::fabs(dx) + std::fabs(dy);
     eta = i.error + j.error + u * R;
     reach = i.at.r + j.at.r;
-    rho = mi.er + mj.er + u * reach;
+    rho = mi.ex + mj.ex + u * reach;
   }
   // |d|^2 - reach^2, from the inputs 2 (R + eta) eta + 2 (reach + rho) rho, from roundings 4 u of
   // the sum of the squares.

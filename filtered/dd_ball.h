@@ -10,6 +10,7 @@
 
 #include "exact/rational.h"
 #include "filtered/lanes.h"
+#include "filtered/next_double.h"
 
 namespace voroproof {
 
@@ -123,16 +124,10 @@ inline bool rounds_to_leading(const DdBall& a) {
 // Binary64 numbers around the ball: neighbours of hi, or as near as the radius lets. The sums of lo
 // and the radius err by 2^-53 of themselves.
 inline void enclose(const DdBall& a, double& lo, double& hi) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const double below = (a.lo - a.rad) * (1 + 0x1p-50), above = (a.lo + a.rad) * (1 + 0x1p-50);
-  const double next_below = std::nextafter(a.hi, -infinity);
-  const double next_above = std::nextafter(a.hi, infinity);
-  lo = a.lo - a.rad >= 0           ? a.hi
-       : below > next_below - a.hi ? next_below
-                                   : std::nextafter(a.hi + below, -infinity);
-  hi = a.lo + a.rad <= 0           ? a.hi
-       : above < next_above - a.hi ? next_above
-                                   : std::nextafter(a.hi + above, infinity);
+  const double left = next_below(a.hi), right = next_above(a.hi);
+  lo = a.lo - a.rad >= 0 ? a.hi : below > left - a.hi ? left : next_below(a.hi + below);
+  hi = a.lo + a.rad <= 0 ? a.hi : above < right - a.hi ? right : next_above(a.hi + above);
 }
 
 }  // namespace voroproof

@@ -1,6 +1,7 @@
 // The first filter: a double with a bound of its distance to the true value.
 #pragma once
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <limits>
@@ -33,7 +34,7 @@ inline constexpr double kTiny = DBL_MIN;  // far above any underflow error of on
 
 inline DoubleBall DoubleBall::hull(double lo, double hi) {
   const double m = 0.5 * lo + 0.5 * hi;
-  const double r = std::fmax(hi - m, m - lo);
+  const double r = std::max(hi - m, m - lo);
   return {m, r * double_ball_detail::kUp + double_ball_detail::kTiny};
 }
 

@@ -1,5 +1,6 @@
 #include "filtered/double_roots.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -92,7 +93,7 @@ bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleR
   int k = 0;
   while (k < degree - 1 && (p.c[k + 1] > 0) == (sl > 0)) ++k;
   const double crossing = p.c[k] / (p.c[k] - p.c[k + 1]);
-  double x = (k + std::fmin(std::fmax(crossing, 0.0), 1.0)) / degree;
+  double x = (k + std::min(std::max(0.0, crossing), 1.0)) / degree;
   double slope = 0, curve = 0;
   for (int step = 0; step < 60; ++step) {
     const double f = value(degree, p.c.data(), x, slope, curve);
@@ -118,8 +119,8 @@ bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleR
   for (int attempt = 0; attempt < 2; ++attempt, delta *= 64 * 64) {
     // The narrower enclosure and, in case that it is none, a wider one.
     const double wide = 64 * delta;
-    const Lanes at{std::fmax(x - delta, xl), std::fmin(x + delta, xr), std::fmax(x - wide, xl),
-                   std::fmin(x + wide, xr)};
+    const Lanes at{std::max(xl, x - delta), std::min(xr, x + delta), std::max(xl, x - wide),
+                   std::min(xr, x + wide)};
     Lanes f = values(degree, p.c.data(), at);
     if (!(sl > 0)) f = -f;
     for (int end = 0; end < 4; end += 2) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cfloat>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace voroproof {
@@ -19,20 +21,39 @@ constexpr int kHeadroom = 48;
 // Of zero.
 constexpr std::int64_t kNoExponent = -1000;
 
-std::int64_t exponent_of(const Rational& q) {
-  const double d = std::fabs(round_nearest(q));
-  return d == 0 ? kNoExponent : std::ilogb(d) + 1;
+std::int64_t exponent_of(double d) {
+  return d == 0 ? kNoExponent : std::int64_t{std::ilogb(d)} + 1;
+}
+std::int64_t exponent_of(const Rational& q) { return exponent_of(round_nearest(q)); }
+
+bool is_double(const DdBall& b) { return b.lo == 0 && b.rad == 0; }
+
+// Of a positive number q, enclosed by `near`: the exponent of a bound from above.
+std::int64_t exponent_above(const DdBall& near, const Rational& q) {
+  if (near.hi >= DBL_MIN && near.hi <= DBL_MAX) return 2 + std::ilogb(near.hi);
+  return static_cast<std::int64_t>(mpz_sizeinbase(q.get_num_mpz_t(), 2)) -
+         static_cast<std::int64_t>(mpz_sizeinbase(q.get_den_mpz_t(), 2)) + 1;
+}
+
+// Whether q is held by its truncation `first` to binary64, by a test that numbers of few digits may
+// fail.
+bool is_held_by(double first, const Rational& q) {
+  return mpz_popcount(q.get_den_mpz_t()) == 1 && mpz_sizeinbase(q.get_num_mpz_t(), 2) <= 53 &&
+         std::fabs(first) >= DBL_MIN && std::isfinite(first);
 }
 
 // The nearest double below in magnitude, and what is left of it.
 DdBall dd_of(const Rational& q) {
+  if (sgn(q) == 0) return {};
   const double first = q.get_d();
+  if (is_held_by(first, q)) return {first};
+  if (!std::isfinite(first)) return {first, 0, std::numeric_limits<double>::infinity()};
   const Rational rest = q - to_rational(first);
   if (sgn(rest) == 0) return {first};
   const double second = rest.get_d();
   DdBall b;
   dd_detail::fast_two_sum(first, second, b.hi, b.lo);
-  b.rad = std::fabs(second) * 0x1p-52 + DBL_MIN;  // get_d() rounds towards zero
+  if (!is_held_by(second, rest)) b.rad = std::fabs(second) * 0x1p-52 + DBL_MIN;  // towards zero
   return b;
 }
 
@@ -42,6 +63,12 @@ constexpr std::size_t kMaxCoefficientBits = 1 << 16;
 DdBall dd_of(const Ball& b) {
   DdBall r;
   b.to_double_double(r.hi, r.lo, r.rad);
+  return r;
+}
+
+DdBall dd_of(const FixedView& a, std::int64_t unit) {
+  DdBall r;
+  a.to_double_double(unit, r.hi, r.lo, r.rad);
   return r;
 }
 
@@ -66,32 +93,37 @@ Motion::Motion(MotionInput input, MotionOptions options)
   const double supply = options_.start_bits - goal_bits_ - kHeadroom;
   slope_ = supply > 0 && horizon_ > 0 ? supply / horizon_ : 0;
   x_scale_ = exponent_of(input_.container_radius);
-  v_scale_ = kNoExponent;
   far_scale_ =
       std::max({x_scale_, exponent_of(input_.container_x), exponent_of(input_.container_y)});
-  reach_scale_ = x_scale_;
-  for (const DiskInput& d : input_.disks) {
-    v_scale_ = std::max({v_scale_, exponent_of(d.vx), exponent_of(d.vy)});
-    for (const Rational& reach : {d.radius, Rational(input_.container_radius - d.radius)}) {
-      if (sgn(reach) > 0) reach_scale_ = std::min(reach_scale_, exponent_of(reach));
-    }
-  }
   const std::size_t n = input_.disks.size();
   state_.resize(n + 1);
-  t_ref_.assign(n + 1, 0.0);
   start_.assign(n, 0.0);
   given_.assign(n, nullptr);
   doubles_.resize(n + 1);
-  dds_.resize(n + 1);
+  seconds_.resize(n + 1);
+  fixed_.resize(n + 1);
   balls_.resize(n + 1);
-  stale_.assign(n + 1, 0);
-  radius_.resize(n + 1);
-  mass_.resize(n + 1);
+  mass_.reserve(n);
+  for (const DiskInput& d : input_.disks) mass_.push_back(dd_of(d.mass));
+  set_radius(container_id, -dd_of(input_.container_radius));
+  for (GenId g = 0; g < size(); ++g) set_radius(g, dd_of(input_.disks[g].radius));
   for (std::size_t g = 0; g <= n; ++g) state_[g] = -static_cast<int>(g);
   load_initial_states();
-  for (std::size_t g = 0; g <= n; ++g) refresh(static_cast<GenId>(g) - 1);
+  v_scale_ = kNoExponent;
+  reach_scale_ = x_scale_;
+  for (GenId g = 0; g < size(); ++g) {
+    const DoubleMotion& m = doubles(g);
+    v_scale_ = std::max({v_scale_, exponent_of(m.vx), exponent_of(m.vy)});
+    const Rational& radius = input_.disks[g].radius;
+    if (sgn(radius) > 0) reach_scale_ = std::min(reach_scale_, exponent_of(m.r));
+    const double rest = -doubles(container_id).r - m.r;
+    if (rest > 0x1p-20 * m.r) {
+      reach_scale_ = std::min(reach_scale_, exponent_of(rest));
+    } else if (const Rational exact = input_.container_radius - radius; sgn(exact) > 0) {
+      reach_scale_ = std::min(reach_scale_, exponent_of(exact));
+    }
+  }
   plain_restitution_ = input_.restitution.get_d();
-  for (const DiskInput& d : input_.disks) plain_mass_.push_back(d.mass.get_d());
 }
 
 int Motion::bits_at(double t) const {
@@ -102,30 +134,21 @@ int Motion::bits_at(double t) const {
   return (static_cast<int>(bits) + 63) / 64 * 64;
 }
 
+// Balls of the disks' states are made when they are asked for.
 void Motion::load_initial_states() {
   const Ball::Precision bits = bits_at(0);
-  for (GenId g = container_id; g < size(); ++g) load_initial_state(g, bits);
+  for (GenId g = container_id; g < size(); ++g) {
+    fixed_[g + 1].reset();
+    balls_[g + 1].reset();
+    doubles_[g + 1].t = g == container_id ? 0 : start_[g];
+    refresh(g);
+  }
   const Rational& e = input_.container_restitution;
   const bool whole = input_.whole_container_law;
   disk_law_ = dyadic_or_rounded(Rational(-(1 + input_.restitution)), bits);
   const Rational wall = whole ? Rational(-2 * e) : Rational(-(1 + e));
   wall_law_ = dyadic_or_rounded(wall, bits);
   wall_keep_ = dyadic_or_rounded(Rational(e - 1), bits);
-}
-
-void Motion::load_initial_state(GenId g, Ball::Precision bits) {
-  balls_[g + 1] = initial_balls(g, bits);
-  stale_[g + 1] = 0;
-  if (g == container_id) {
-    t_ref_[0] = 0;
-    radius_[0] = dyadic_or_rounded(Rational(-input_.container_radius), bits);
-  } else {
-    const DiskInput& d = initial_state(g);
-    t_ref_[g + 1] = start_[g];
-    radius_[g + 1] = dyadic_or_rounded(d.radius, bits);
-    mass_[g + 1] = dyadic_or_rounded(d.mass, bits);
-  }
-  dds_[g + 1].r = dd_of(radius_[g + 1]);
 }
 
 Motion::BallState Motion::initial_balls(GenId g, Ball::Precision bits) const {
@@ -143,46 +166,90 @@ const DiskInput& Motion::initial_state(GenId g) const {
 }
 
 const Motion::BallState& Motion::ball_state(GenId g) const {
-  if (stale_[g + 1] != 0) {
-    balls_[g + 1] = initial_balls(g, bits_at(start_[g]));
-    stale_[g + 1] = 0;
+  std::unique_ptr<BallState>& balls = balls_[g + 1];
+  if (balls) return *balls;
+  const Ball::Precision bits = bits_at(doubles(g).t);
+  if (const FixedState* fixed = fixed_[g + 1].get()) {
+    balls = std::make_unique<BallState>();
+    std::size_t k = 0;
+    for (Ball* b : {&balls->x, &balls->y, &balls->vx, &balls->vy}) {
+      fixed->numbers.view(k).get(*b, fixed->scale(k, x_scale_), bits);
+      ++k;
+    }
+  } else {
+    balls = std::make_unique<BallState>(initial_balls(g, bits));
   }
-  return balls_[g + 1];
+  return *balls;
 }
 
-// Makes double-doubles and doubles, with their error bounds, from the balls.
+Ball Motion::radius_ball(GenId g, Ball::Precision bits) const {
+  const DdBall near = radius(g);
+  if (is_double(near)) return Ball(near.hi, bits);
+  return Ball(g == container_id ? Rational(-input_.container_radius) : input_.disks[g].radius,
+              bits);
+}
+
+// Makes double-doubles and doubles, with their error bounds, from the state in force.
 void Motion::refresh(GenId g) {
-  const BallState& s = balls_[g + 1];
-  DdMotion& dd = dds_[g + 1];
-  dd = {dd_of(s.x), dd_of(s.y), dd_of(s.vx), dd_of(s.vy), dd.r};
-  refresh_doubles(g);
+  if (const FixedState* fixed = fixed_[g + 1].get()) {
+    const auto at = [&](std::size_t k) {
+      return dd_of(fixed->numbers.view(k), fixed->scale(k, x_scale_));
+    };
+    set_state(g, at(0), at(1), at(2), at(3));
+  } else if (const BallState* s = balls_[g + 1].get()) {
+    set_state(g, dd_of(s->x), dd_of(s->y), dd_of(s->vx), dd_of(s->vy));
+  } else if (g == container_id) {
+    set_state(g, dd_of(input_.container_x), dd_of(input_.container_y), {}, {});
+  } else {
+    const DiskInput& d = initial_state(g);
+    set_state(g, dd_of(d.x), dd_of(d.y), dd_of(d.vx), dd_of(d.vy));
+  }
 }
 
-void Motion::refresh_doubles(GenId g) {
-  const DdMotion& dd = dds_[g + 1];
+namespace {
+
+// How far the leading double may be from the truth.
+double error_of_leading(double second, double rad) {
+  return (std::fabs(second) + rad) * (1 + 0x1p-50);
+}
+
+}  // namespace
+
+void Motion::set_radius(GenId g, const DdBall& r) {
+  doubles_[g + 1].r = r.hi;
+  seconds_[g + 1].r = r.lo;
+  seconds_[g + 1].er = r.rad;
+}
+
+void Motion::set_state(GenId g, const DdBall& x, const DdBall& y, const DdBall& vx,
+                       const DdBall& vy) {
   DoubleMotion& m = doubles_[g + 1];
-  m.t = t_ref_[g + 1];
-  m.x = dd.x.hi;
-  m.y = dd.y.hi;
-  m.vx = dd.vx.hi;
-  m.vy = dd.vy.hi;
-  m.r = dd.r.hi;
-  const auto error = [](const DdBall& b) { return (std::fabs(b.lo) + b.rad) * (1 + 0x1p-50); };
-  m.ex = std::fmax(error(dd.x), error(dd.y));
-  m.ev = std::fmax(error(dd.vx), error(dd.vy));
-  m.er = error(dd.r);
+  SecondMotion& s = seconds_[g + 1];
+  m.x = x.hi;
+  m.y = y.hi;
+  m.vx = vx.hi;
+  m.vy = vy.hi;
+  s.x = x.lo;
+  s.y = y.lo;
+  s.vx = vx.lo;
+  s.vy = vy.lo;
+  s.ex = std::max(x.rad, y.rad);
+  s.ev = std::max(vx.rad, vy.rad);
+  m.ex = std::max(
+      {error_of_leading(x.lo, x.rad), error_of_leading(y.lo, y.rad), error_of_leading(s.r, s.er)});
+  m.ev = std::max(error_of_leading(vx.lo, vx.rad), error_of_leading(vy.lo, vy.rad));
 }
 
 Site<DoubleBall> Motion::site(GenId g, const DoubleBall& t) const {
   const DoubleMotion& m = doubles_[g + 1];
   const DoubleBall dt = t - DoubleBall(m.t);
   return {DoubleBall(m.x, m.ex) + DoubleBall(m.vx, m.ev) * dt,
-          DoubleBall(m.y, m.ex) + DoubleBall(m.vy, m.ev) * dt, DoubleBall(m.r, m.er)};
+          DoubleBall(m.y, m.ex) + DoubleBall(m.vy, m.ev) * dt, DoubleBall(m.r, m.ex)};
 }
 
 Site<DdBall> Motion::site(GenId g, const DdBall& t) const {
-  const DdMotion& m = dds_[g + 1];
-  const DdBall dt = t - DdBall(t_ref_[g + 1]);
+  const DdMotion m = double_doubles(g);
+  const DdBall dt = t - DdBall(doubles(g).t);
   return {m.x + m.vx * dt, m.y + m.vy * dt, m.r};
 }
 
@@ -198,7 +265,7 @@ MovingSite<DoubleBall> Motion::moving_site(GenId g, const DoubleBall& t) const {
 }
 
 MovingSite<DdBall> Motion::moving_site(GenId g, const DdBall& t) const {
-  const DdMotion& m = dds_[g + 1];
+  const DdMotion m = double_doubles(g);
   const Site<DdBall> s = site(g, t);
   return {s.x, s.y, m.vx, m.vy, s.r};
 }
@@ -207,9 +274,9 @@ MovingSite<Ball> Motion::moving_site(GenId g, const Ball& t) const {
   const BallState& m = ball_state(g);
   // Short exact numbers are held in few bits: everything at the precision of the time.
   const auto bits = t.precision();
-  const Ball dt = t - Ball(t_ref_[g + 1], bits);
+  const Ball dt = t - Ball(doubles(g).t, bits);
   return {m.x + m.vx * dt, m.y + m.vy * dt, m.vx.at_precision(bits), m.vy.at_precision(bits),
-          radius_[g + 1].at_precision(bits)};
+          radius_ball(g, bits)};
 }
 
 bool Motion::same_velocity(GenId a, GenId b) const {
@@ -217,12 +284,9 @@ bool Motion::same_velocity(GenId a, GenId b) const {
   if (doubles_[a + 1].vx != doubles_[b + 1].vx || doubles_[a + 1].vy != doubles_[b + 1].vy) {
     return false;
   }
-  const DdMotion& m = dds_[a + 1];
-  const DdMotion& o = dds_[b + 1];
-  const auto same = [](const DdBall& p, const DdBall& q) {
-    return p.rad == 0 && q.rad == 0 && p.hi == q.hi && p.lo == q.lo;
-  };
-  return same(m.vx, o.vx) && same(m.vy, o.vy);
+  const SecondMotion& m = seconds(a);
+  const SecondMotion& o = seconds(b);
+  return m.ev == 0 && o.ev == 0 && m.vx == o.vx && m.vy == o.vy;
 }
 
 bool Motion::is_rational(GenId g) const {
@@ -273,23 +337,53 @@ int Motion::integer_limbs() const {
   return static_cast<int>((largest + 2 + kFaster) / 64) + 1;
 }
 
-const Motion::Response& Motion::respond(const Record& r) {
+// `near` encloses `exact`, and is it for numbers of binary64 and their squares.
+void Motion::set_fixed(FixedBall& out, const DdBall& near, const Rational& exact,
+                       std::int64_t unit) {
+  FixedArithmetic& with = workspace_.arithmetic;
+  if (near.rad == 0) {
+    with.set(out, near.hi, unit);
+    if (near.lo == 0) return;
+    with.set(workspace_.term, near.lo, unit);
+    with.add(out, out, workspace_.term);
+  } else {
+    with.set(out, dyadic_or_rounded(exact, bits_at(0)), unit);
+  }
+}
+
+void Motion::respond(const Record& r) {
   const Ball::Precision bits = bits_at(r.t_ref);
   Workspace& m = workspace_;
   FixedArithmetic& with = m.arithmetic;
   const bool wall = r.i == container_id;
   const GenId ids[2] = {r.i, r.j};
   const std::int64_t xs = x_scale_, vs = v_scale_, ts = xs - vs;
+  m.time_scale = ts;
+  // A state that a collision left is taken as it is, if in these units; others from balls.
+  const FixedState* fixed[2];
+  const BallState* balls[2] = {};
   std::int64_t radius_exponent = -bits;
-  for (const GenId g : ids) {
-    const BallState& s = balls_[g + 1];
-    const auto look = [&](const Ball& b, std::int64_t scale) {
-      if (!b.is_exact()) radius_exponent = std::max(radius_exponent, b.radius().exponent() - scale);
+  for (int side = 0; side < 2; ++side) {
+    fixed[side] = fixed_[ids[side] + 1].get();
+    __builtin_prefetch(fixed[side]);
+  }
+  for (const FixedState* s : fixed) {
+    if (s != nullptr) s->numbers.prefetch();
+  }
+  for (int side = 0; side < 2; ++side) {
+    if (fixed[side] != nullptr && fixed[side]->v_scale != vs) fixed[side] = nullptr;
+    const auto look = [&](const Magnitude& radius, std::int64_t scale) {
+      if (!radius.is_zero()) radius_exponent = std::max(radius_exponent, radius.exponent() - scale);
     };
-    look(s.x, xs);
-    look(s.y, xs);
-    look(s.vx, vs);
-    look(s.vy, vs);
+    if (fixed[side] != nullptr) {
+      for (std::size_t k = 0; k < 4; ++k) look(fixed[side]->numbers.view(k).radius(), 0);
+    } else {
+      const BallState& s = *(balls[side] = &ball_state(ids[side]));
+      look(s.x.radius(), xs);
+      look(s.y.radius(), xs);
+      look(s.vx.radius(), vs);
+      look(s.vy.radius(), vs);
+    }
   }
   with.set_format(bits, integer_limbs(), radius_exponent);
   with.set(m.now, r.t_ref, ts);
@@ -297,13 +391,19 @@ const Motion::Response& Motion::respond(const Record& r) {
   // it to the disk j.
   for (int k = 0; k < 2; ++k) {
     const GenId g = ids[k];
-    const BallState& s = balls_[g + 1];
-    with.set(m.x[k], s.x, xs);
-    with.set(m.y[k], s.y, xs);
-    with.set(m.vx[k], s.vx, vs);
-    with.set(m.vy[k], s.vy, vs);
+    if (fixed[k] != nullptr) {
+      std::size_t which = 0;
+      for (FixedBall* b : {&m.x[k], &m.y[k], &m.vx[k], &m.vy[k]}) {
+        with.set(*b, fixed[k]->numbers.view(which++));
+      }
+    } else {
+      with.set(m.x[k], balls[k]->x, xs);
+      with.set(m.y[k], balls[k]->y, xs);
+      with.set(m.vx[k], balls[k]->vx, vs);
+      with.set(m.vy[k], balls[k]->vy, vs);
+    }
     if (g == container_id) continue;
-    with.set(m.dt, t_ref_[g + 1], ts);
+    with.set(m.dt, doubles(g).t, ts);
     with.sub(m.dt, m.now, m.dt);
     with.mul(m.term, m.vx[k], m.dt);
     with.add(m.x[k], m.x[k], m.term);
@@ -314,9 +414,14 @@ const Motion::Response& Motion::respond(const Record& r) {
   with.sub(m.dy, m.y[1], m.y[0]);
   with.sub(m.wx, m.vx[1], m.vx[0]);
   with.sub(m.wy, m.vy[1], m.vy[0]);
-  with.set(m.reach, radius_[r.i + 1], xs);
-  with.set(m.term, radius_[r.j + 1], xs);
-  with.add(m.reach, m.reach, m.term);
+  set_fixed(m.reach, radius(r.j), input_.disks[r.j].radius, xs);
+  if (wall) {
+    set_fixed(m.a, -radius(container_id), input_.container_radius, xs);
+    with.sub(m.reach, m.reach, m.a);
+  } else {
+    set_fixed(m.a, radius(r.i), input_.disks[r.i].radius, xs);
+    with.add(m.reach, m.reach, m.a);
+  }
   // a s^2 + 2 b s + c = 0 at the contact, s after the reference time.
   with.sqr(m.a, m.wx);
   with.sqr(m.term, m.wy);
@@ -351,10 +456,11 @@ const Motion::Response& Motion::respond(const Record& r) {
   with.add(m.ny, m.dy, m.term);
   if (!wall) {
     // The masses in units of the larger one.
+    const Rational &mi = input_.disks[r.i].mass, &mj = input_.disks[r.j].mass;
     const std::int64_t ms =
-        std::max(mpfr_get_exp(mass_[r.i + 1].midpoint()), mpfr_get_exp(mass_[r.j + 1].midpoint()));
-    with.set(m.mass[0], mass_[r.i + 1], ms);
-    with.set(m.mass[1], mass_[r.j + 1], ms);
+        std::max(exponent_above(mass_[r.i], mi), exponent_above(mass_[r.j], mj));
+    set_fixed(m.mass[0], mass_[r.i], mi, ms);
+    set_fixed(m.mass[1], mass_[r.j], mj, ms);
   }
   // K = -(1 + e) root / (reach^2 (m_i + m_j)), at the wall without masses. One after the other the
   // quotients keep to the size of the numbers, and divisors are short.
@@ -381,16 +487,16 @@ const Motion::Response& Motion::respond(const Record& r) {
   // time: x - change * s.
   const auto restart = [&](int side, const FixedBall& change_x, const FixedBall& change_y,
                            const FixedBall& shift_x, const FixedBall& shift_y) {
-    BallState& state = balls_[ids[side] + 1];
     with.add(m.vx[side], m.vx[side], change_x);
     with.add(m.vy[side], m.vy[side], change_y);
     with.sub(m.x[side], m.x[side], shift_x);
     with.sub(m.y[side], m.y[side], shift_y);
-    with.get(state.x, m.x[side], xs, bits);
-    with.get(state.y, m.y[side], xs, bits);
-    with.get(state.vx, m.vx[side], vs, bits);
-    with.get(state.vy, m.vy[side], vs, bits);
-    t_ref_[ids[side] + 1] = r.t_ref;
+    std::unique_ptr<FixedState>& state = fixed_[ids[side] + 1];
+    if (!state) state = std::make_unique<FixedState>();
+    with.store(state->numbers, {&m.x[side], &m.y[side], &m.vx[side], &m.vy[side]});
+    state->v_scale = vs;
+    balls_[ids[side] + 1].reset();
+    doubles_[ids[side] + 1].t = r.t_ref;
   };
   if (wall) {
     // v += K n or, of the law of the whole velocity, v += (e - 1) v - 2 e (root / reach^2) n.
@@ -407,34 +513,32 @@ const Motion::Response& Motion::respond(const Record& r) {
       restart(side, m.a, m.b, m.nx, m.ny);
     }
   }
-  with.get(m.out.delay, m.s, ts, bits);
-  with.add(m.term, m.now, m.s);
-  with.get(m.out.time, m.term, ts, bits);
-  return m.out;
+  with.add(m.now, m.now, m.s);
 }
 
 void Motion::apply_maneuver(const Record& r) {
   const Ball::Precision bits = bits_at(r.t_ref);
   const ManeuverRecord& m = maneuvers_[r.maneuver];
-  BallState& s = balls_[r.i + 1];
-  const Ball before(Rational(m.t - to_rational(t_ref_[r.i + 1])), bits);
+  const BallState& s = ball_state(r.i);
+  const Ball before(Rational(m.t - to_rational(doubles(r.i).t)), bits);
   const Ball after(Rational(m.t - to_rational(r.t_ref)), bits);
   const Ball vx = dyadic_or_rounded(m.vx, bits);
   const Ball vy = dyadic_or_rounded(m.vy, bits);
-  s.x = s.x + s.vx * before - vx * after;
-  s.y = s.y + s.vy * before - vy * after;
-  s.vx = vx;
-  s.vy = vy;
-  t_ref_[r.i + 1] = r.t_ref;
+  balls_[r.i + 1] = std::make_unique<BallState>(
+      BallState{s.x + s.vx * before - vx * after, s.y + s.vy * before - vy * after, vx, vy});
+  fixed_[r.i + 1].reset();
+  doubles_[r.i + 1].t = r.t_ref;
 }
 
+// Of a disk after a collision.
 bool Motion::accurate_enough(GenId g) const {
   if (g == container_id) return true;
-  const BallState& s = balls_[g + 1];
-  const auto fine = [this](const Ball& b, std::int64_t scale) {
-    return b.is_exact() || scale - b.radius().exponent() >= goal_bits_;
-  };
-  return fine(s.x, x_scale_) && fine(s.y, x_scale_) && fine(s.vx, v_scale_) && fine(s.vy, v_scale_);
+  const FixedState& s = *fixed_[g + 1];
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Magnitude radius = s.numbers.view(k).radius();
+    if (!radius.is_zero() && -radius.exponent() < goal_bits_) return false;
+  }
+  return true;
 }
 
 void Motion::replay() {
@@ -470,14 +574,19 @@ bool Motion::raise_precision() {
 
 // A coordinate of disk g just after its collision, known roughly: 0 and 1 its centre, 2 and 3 its
 // velocity, 4 the time.
-double Motion::round_coordinate(const DdBall& rough, GenId g, int which, const Response& response) {
+double Motion::round_coordinate(const DdBall& rough, GenId g, int which) {
   if (options_.filters && rounds_to_leading(rough)) return rough.hi;
-  const BallState& b = balls_[g + 1];
-  const Ball value = which == 0   ? b.x + b.vx * response.delay
-                     : which == 1 ? b.y + b.vy * response.delay
+  const auto of_last = [this](const FixedBall& a) {
+    Ball b;
+    workspace_.arithmetic.view(a).get(b, workspace_.time_scale, bits_at(0));
+    return b;
+  };
+  const BallState& b = ball_state(g);
+  const Ball value = which == 0   ? b.x + b.vx * of_last(workspace_.s)
+                     : which == 1 ? b.y + b.vy * of_last(workspace_.s)
                      : which == 2 ? b.vx
                      : which == 3 ? b.vy
-                                  : response.time;
+                                  : of_last(workspace_.now);
   double out = 0;
   if (value.round_to_double(out)) return out;
   // Either a number on a rounding boundary (zero and short dyadic numbers are), or
@@ -502,14 +611,14 @@ double Motion::round_coordinate(const DdBall& rough, GenId g, int which, const R
 }
 
 Impact Motion::collide(GenId i, GenId j, double t_near) {
-  if (radius_[i + 1].sign() == Sign::zero && radius_[j + 1].sign() == Sign::zero) {
+  if (i != container_id && sgn(input_.disks[i].radius) == 0 && sgn(input_.disks[j].radius) == 0) {
     throw Undecided("two points meet: a contact without a normal, which the model does not cover",
                     i, j);
   }
   const Record record{i, j, state_[i + 1], state_[j + 1], t_near, -1};
   const int id = static_cast<int>(log_.size());
   log_.push_back(record);
-  const Response& response = respond(record);
+  respond(record);
   // Two disks of one record are told apart by the sign of the generator's slot.
   if (i != container_id) state_[i + 1] = id + 1;
   state_[j + 1] = id + 1;
@@ -527,15 +636,15 @@ Impact Motion::collide(GenId i, GenId j, double t_near) {
   refresh(j);
   Impact out{};
   const auto round_all = [&] {
-    out.time_dd = dd_of(response.time);
-    out.t = round_coordinate(out.time_dd, j, 4, response);
-    const DdBall delay = dd_of(response.delay);
+    const Workspace& w = workspace_;
+    out.time_dd = dd_of(w.arithmetic.view(w.now), w.time_scale);
+    out.t = round_coordinate(out.time_dd, j, 4);
+    const DdBall delay = dd_of(w.arithmetic.view(w.s), w.time_scale);
     const auto state = [&](GenId g) {
-      const DdMotion& m = dds_[g + 1];
-      return RoundedState{round_coordinate(m.x + m.vx * delay, g, 0, response),
-                          round_coordinate(m.y + m.vy * delay, g, 1, response),
-                          round_coordinate(m.vx, g, 2, response),
-                          round_coordinate(m.vy, g, 3, response)};
+      const DdMotion m = double_doubles(g);
+      return RoundedState{round_coordinate(m.x + m.vx * delay, g, 0),
+                          round_coordinate(m.y + m.vy * delay, g, 1), round_coordinate(m.vx, g, 2),
+                          round_coordinate(m.vy, g, 3)};
     };
     if (i != container_id) out.first = state(i);
     out.second = state(j);
@@ -612,22 +721,18 @@ void Motion::restart(GenId g, const Rational& t, const Rational& x, const Ration
   d.vx = vx;
   d.vy = vy;
   v_scale_ = std::max({v_scale_, exponent_of(vx), exponent_of(vy)});
-  t_ref_[g + 1] = start_[g];
-  DdMotion& dd = dds_[g + 1];
-  dd = {dd_of(d.x), dd_of(d.y), dd_of(d.vx), dd_of(d.vy), dd.r};
-  stale_[g + 1] = 1;
-  refresh_doubles(g);
+  doubles_[g + 1].t = start_[g];
+  balls_[g + 1].reset();
+  set_state(g, dd_of(d.x), dd_of(d.y), dd_of(d.vx), dd_of(d.vy));
 }
 
 void Motion::restart(GenId g, double t, const DdBall& x, const DdBall& y, double vx, double vy,
                      const GivenMotion& given) {
   if (state_[g + 1] > 0) throw std::logic_error("restart after a computed motion");
   given_[g] = &given;
-  start_[g] = t_ref_[g + 1] = t;
-  DdMotion& dd = dds_[g + 1];
-  dd = {x, y, DdBall(vx), DdBall(vy), dd.r};
-  stale_[g + 1] = 1;
-  refresh_doubles(g);
+  start_[g] = doubles_[g + 1].t = t;
+  balls_[g + 1].reset();
+  set_state(g, x, y, DdBall(vx), DdBall(vy));
 }
 
 Impact Motion::collide_in_doubles(GenId i, GenId j, double t) {
@@ -653,7 +758,7 @@ Impact Motion::collide_in_doubles(GenId i, GenId j, double t) {
       b.vy -= (1 + e) * q * ny;
     }
   } else {
-    const double mi = plain_mass_[i], mj = plain_mass_[j];
+    const double mi = mass_[i].hi, mj = mass_[j].hi;
     const double k = (1 + plain_restitution_) * q / (mi + mj);
     a.vx += k * mj * nx;
     a.vy += k * mj * ny;

@@ -58,9 +58,17 @@ class Undecided : public std::runtime_error {
 
 // Motion of one generator in doubles: centre (x, y) at time t, velocity, signed
 // radius; the true centre at t is within ex of (x, y) in each coordinate, the true
-// velocity within ev, the true radius within er.
-struct DoubleMotion {
+// radius within ex of r, the true velocity within ev. One line of the caches: nearly
+// everything that is decided begins with four of these.
+struct alignas(64) DoubleMotion {
   double t = 0, x = 0, y = 0, vx = 0, vy = 0, r = 0;
+  double ex = 0, ev = 0;
+};
+
+// What is left of the true values by those doubles, to make double-doubles of them:
+// the true centre is within ex of (x, y) + (this x, y) and so on.
+struct alignas(64) SecondMotion {
+  double x = 0, y = 0, vx = 0, vy = 0, r = 0;
   double ex = 0, ev = 0, er = 0;
 };
 
@@ -111,8 +119,14 @@ class Motion {
   const MotionOptions& options() const { return options_; }
 
   const DoubleMotion& doubles(GenId g) const { return doubles_[g + 1]; }
-  // Referred to the time of doubles(g).
-  const DdMotion& double_doubles(GenId g) const { return dds_[g + 1]; }
+  const SecondMotion& seconds(GenId g) const { return seconds_[g + 1]; }
+  // Both together, referred to the time of doubles(g).
+  DdMotion double_doubles(GenId g) const {
+    const DoubleMotion& m = doubles(g);
+    const SecondMotion& s = seconds(g);
+    return {{m.x, s.x, s.ex}, {m.y, s.y, s.ex}, {m.vx, s.vx, s.ev}, {m.vy, s.vy, s.ev}, radius(g)};
+  }
+  DdBall radius(GenId g) const { return {doubles(g).r, seconds(g).r, seconds(g).er}; }
   // Position at a time in the current motion of the generator.
   Site<DoubleBall> site(GenId g, const DoubleBall& t) const;
   Site<DdBall> site(GenId g, const DdBall& t) const;
@@ -201,39 +215,45 @@ class Motion {
   struct BallState {
     Ball x, y, vx, vy;
   };
+  // x, y, vx, vy after a collision, as the computation left them: in units of 2^x_scale_ and of
+  // 2^v_scale.
+  struct FixedState {
+    FixedRow numbers;
+    std::int64_t v_scale;
+    std::int64_t scale(std::size_t k, std::int64_t x_scale) const {
+      return k < 2 ? x_scale : v_scale;
+    }
+  };
   struct Record {
     GenId i, j;  // collision of i < j; a maneuver of i has j = i
     int before_i, before_j;
     double t_ref;  // reference time of the states after it
     int maneuver;  // index into maneuvers_, or -1
   };
-  struct Response {
-    Ball time;
-    Ball delay;  // of the collision after the new states' reference time
-  };
-
   // What a collision computes with, kept so that no memory is allocated for it.
   struct Workspace {
     FixedArithmetic arithmetic;
     FixedBall now, dt, term, x[2], y[2], vx[2], vy[2], dx, dy, wx, wy, mass[2];
     FixedBall reach, a, b, c, root, s, nx, ny, k, kx, ky, sx, sy;
-    Response out;
+    std::int64_t time_scale = 0;  // of `s`, the delay of the collision after `now`
   };
 
   int bits_at(double t) const;
   int integer_limbs() const;
   void load_initial_states();
-  void load_initial_state(GenId g, Ball::Precision bits);
   BallState initial_balls(GenId g, Ball::Precision bits) const;
   const BallState& ball_state(GenId g) const;
+  Ball radius_ball(GenId g, Ball::Precision bits) const;
   void refresh(GenId g);
-  void refresh_doubles(GenId g);
-  const Response& respond(const Record& r);
+  void set_state(GenId g, const DdBall& x, const DdBall& y, const DdBall& vx, const DdBall& vy);
+  void set_radius(GenId g, const DdBall& r);
+  void set_fixed(FixedBall& out, const DdBall& near, const Rational& exact, std::int64_t unit);
+  void respond(const Record& r);
   void apply_maneuver(const Record& r);
   bool accurate_enough(GenId g) const;
   void replay();
   bool raise_for(double t);
-  double round_coordinate(const DdBall& rough, GenId g, int which, const Response& response);
+  double round_coordinate(const DdBall& rough, GenId g, int which);
 
   // Where `given_` is set for a disk, its state is yet to be taken over from there.
   mutable MotionInput input_;
@@ -251,18 +271,17 @@ class Motion {
   std::vector<Cradle> cradles_;
   std::map<int, int> cradle_;  // by the ids of their collisions: which
   std::vector<int> state_;     // per generator
-  std::vector<double> t_ref_;  // per generator
   std::vector<double> start_;  // per disk: when its initial state holds
   std::vector<DoubleMotion> doubles_;
-  std::vector<DdMotion> dds_;
-  // Of a disk that was restarted only when asked for.
-  mutable std::vector<BallState> balls_;
-  mutable std::vector<char> stale_;
-  std::vector<Ball> radius_, mass_;
+  std::vector<SecondMotion> seconds_;
+  // The states of generators whose last change was a collision; null of all others.
+  std::vector<std::unique_ptr<FixedState>> fixed_;
+  // States in balls: those after a maneuver, others from when they are asked for.
+  mutable std::vector<std::unique_ptr<BallState>> balls_;
+  std::vector<DdBall> mass_;              // per disk
   Ball disk_law_, wall_law_, wall_keep_;  // factors of the laws of collision
   Workspace workspace_;
   // Of the uncertified instance.
-  std::vector<double> plain_mass_;
   double plain_restitution_ = 1;
   std::int64_t plain_collisions_ = 0;
 };

@@ -68,37 +68,35 @@ struct Places {
   Lanes e_centre, e_r, e_speed;  // in both coordinates together
 
   Places(const Motion& motion, const Quad& q, double c) {
-    const DdMotion* m[4];
+    const DoubleMotion* first[4];
+    const SecondMotion* second[4];
     const GenId ids[4] = {q.l, q.r, q.s, q.e};
-    for (int i = 0; i < 4; ++i) m[i] = &motion.double_doubles(ids[i]);
-    const auto lanes = [&](auto&& of) { return Lanes{of(*m[0]), of(*m[1]), of(*m[2]), of(*m[3])}; };
-    const Lanes start{-motion.doubles(q.l).t, -motion.doubles(q.r).t, -motion.doubles(q.s).t,
-                      -motion.doubles(q.e).t};
+    for (int i = 0; i < 4; ++i) {
+      first[i] = &motion.doubles(ids[i]);
+      second[i] = &motion.seconds(ids[i]);
+    }
+    const auto lanes = [](const auto& m, auto member) {
+      return Lanes{m[0]->*member, m[1]->*member, m[2]->*member, m[3]->*member};
+    };
+    const Lanes rad = lanes(second, &SecondMotion::ex), v_rad = lanes(second, &SecondMotion::ev);
     Dd<Lanes> delay;
-    two_sum_of(Lanes{c, c, c, c}, start, delay.hi, delay.lo);
+    two_sum_of(Lanes{c, c, c, c}, -lanes(first, &DoubleMotion::t), delay.hi, delay.lo);
     const Lanes far = abs(delay.hi);
-    const auto at = [&](auto&& centre, auto&& velocity, Dd<Lanes>& out, Lanes& v) {
-      const Dd<Lanes> p{lanes([&](const DdMotion& d) { return centre(d).hi; }),
-                        lanes([&](const DdMotion& d) { return centre(d).lo; })};
-      const Dd<Lanes> dp{lanes([&](const DdMotion& d) { return velocity(d).hi; }),
-                         lanes([&](const DdMotion& d) { return velocity(d).lo; })};
-      const Lanes rad = lanes([&](const DdMotion& d) { return centre(d).rad; });
-      const Lanes v_rad = lanes([&](const DdMotion& d) { return velocity(d).rad; });
+    const auto at = [&](const Dd<Lanes>& p, const Dd<Lanes>& dp, Dd<Lanes>& out, Lanes& v) {
       out = p + dp * delay;
       v = dp.hi;
       size += abs(out.hi);
       e_centre += rad + v_rad * far + 16 * w * (abs(p.hi) + abs(dp.hi) * far) + tiny;
       e_speed += abs(dp.lo) + v_rad;
     };
-    r = {lanes([](const DdMotion& d) { return d.r.hi; }),
-         lanes([](const DdMotion& d) { return d.r.lo; })};
-    e_r = lanes([](const DdMotion& d) { return d.r.rad; });
+    r = {lanes(first, &DoubleMotion::r), lanes(second, &SecondMotion::r)};
+    e_r = lanes(second, &SecondMotion::er);
     size = abs(r.hi);
     e_centre = e_speed = Lanes{};
-    at([](const DdMotion& d) -> const DdBall& { return d.x; },
-       [](const DdMotion& d) -> const DdBall& { return d.vx; }, x, vx);
-    at([](const DdMotion& d) -> const DdBall& { return d.y; },
-       [](const DdMotion& d) -> const DdBall& { return d.vy; }, y, vy);
+    at({lanes(first, &DoubleMotion::x), lanes(second, &SecondMotion::x)},
+       {lanes(first, &DoubleMotion::vx), lanes(second, &SecondMotion::vx)}, x, vx);
+    at({lanes(first, &DoubleMotion::y), lanes(second, &SecondMotion::y)},
+       {lanes(first, &DoubleMotion::vy), lanes(second, &SecondMotion::vy)}, y, vy);
   }
 };
 
@@ -175,7 +173,7 @@ Jets products(const Jets& p, const Jets& q) {
 
 DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi) {
   const double c = 0.5 * (lo + hi);
-  const double h = std::fmax(hi - c, c - lo) * up;
+  const double h = std::max(hi - c, c - lo) * up;
   const DdBall unknown(c, 0, std::numeric_limits<double>::infinity());
   const Places places(motion, q, c);
   // a = lr se, b = ls re, c = le rs.
@@ -238,7 +236,7 @@ DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi) {
         ((e_f + u * std::fabs(f.hi) + std::fabs(step) * sigma) / least + 2 * u * std::fabs(step)) *
             up +
         tiny;
-    reach = std::fmin(h, ((std::fabs(f.hi) * (1 + 2 * u) + e_f) / least) * up + tiny);
+    reach = std::min(h, ((std::fabs(f.hi) * (1 + 2 * u) + e_f) / least) * up + tiny);
   }
   DdBall root(0, 0, off);
   dd_detail::two_sum(c, -step, root.hi, root.lo);

@@ -24,7 +24,7 @@ inline RoughSite rough_site(const DoubleMotion& m, double c, double h) {
   const double speed = std::fabs(m.vx) + std::fabs(m.vy);
   const double span = std::fabs(dt) + h;
   const double size = std::fabs(at.x) + std::fabs(at.y) + speed * span;
-  return {at, (m.ex + m.er + m.ev * span + speed * h + 4 * u * size) * (1 + 0x1p-40)};
+  return {at, (m.ex + m.ev * span + speed * h + 4 * u * size) * (1 + 0x1p-40)};
 }
 
 }  // namespace voroproof

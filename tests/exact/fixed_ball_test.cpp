@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -72,7 +73,7 @@ class Samples {
 // Of what is to be read in the units of the numbers.
 Ball get(FixedArithmetic& with, const FixedBall& b, Ball::Precision bits) {
   Ball out;
-  with.get(out, b, 0, bits);
+  with.view(b).get(out, 0, bits);
   return out;
 }
 
@@ -91,7 +92,7 @@ TEST(FixedBall, HoldsWhatItWasGiven) {
     with.set_format(f.bits, f.integer_limbs, f.radius_exponent);
     const Sample s = samples.next(f, with);
     Ball back;
-    with.get(back, s.fixed, kUnit, f.bits + 128);
+    with.view(s.fixed).get(back, kUnit, f.bits + 128);
     const Rational off = abs(Rational(midpoint_of(back) - midpoint_of(s.ball)));
     EXPECT_LE(off, last_place(f) * power_of_two(kUnit));
     EXPECT_LE(off + radius_of(s.ball) / 2, radius_of(back));
@@ -108,10 +109,67 @@ TEST(FixedBall, HoldsWhatItWasGiven) {
     FixedBall b;
     with.set(b, x, 5);
     Ball held;
-    with.get(held, b, 5, f.bits + 128);
+    with.view(b).get(held, 5, f.bits + 128);
     EXPECT_LE(abs(Rational(midpoint_of(held) - to_rational(x))), radius_of(held));
     EXPECT_TRUE(held.is_exact() || f.bits < 192);
   }
+}
+
+// Numbers stored in one format and read in another, or as double-doubles: enclosed, and exact where
+// nothing is cut off.
+TEST(FixedBall, KeepsItsValueBetweenFormats) {
+  Samples samples(4);
+  FixedArithmetic with;
+  int cut = 0, short_ones = 0, unknown = 0;
+  for (int k = 0; k < 5000; ++k) {
+    const Format f = samples.format(), g = samples.format();
+    with.set_format(f.bits, f.integer_limbs, f.radius_exponent);
+    const std::array<Sample, 4> s{samples.next(f, with), samples.next(f, with),
+                                  samples.next(f, with), samples.next(f, with)};
+    FixedRow row;
+    with.store(row, {&s[0].fixed, &s[1].fixed, &s[2].fixed, &s[3].fixed});
+    std::array<Ball, 4> held;
+    for (int j = 0; j < 4; ++j) {
+      held[j] = get(with, s[j].fixed, f.bits + 128);
+      Ball stored;
+      row.view(j).get(stored, 0, f.bits + 128);
+      EXPECT_EQ(midpoint_of(stored), midpoint_of(held[j]));
+      EXPECT_EQ(radius_of(stored), radius_of(held[j]));
+    }
+    with.set_format(g.bits, g.integer_limbs, g.radius_exponent);
+    for (int j = 0; j < 4; ++j) {
+      if (is_unknown(held[j])) continue;
+      FixedBall other;
+      with.set(other, row.view(j));
+      const Ball back = get(with, other, 1024 + 128);
+      const Rational off = abs(Rational(midpoint_of(back) - midpoint_of(held[j])));
+      if (is_unknown(back)) {
+        ++unknown;
+        EXPECT_GE(2 * (abs(midpoint_of(held[j])) + 1), power_of_two(64L * g.integer_limbs - 1));
+      } else {
+        EXPECT_LE(off + radius_of(held[j]) / 2, radius_of(back));
+        EXPECT_LE(off, last_place(g));
+        EXPECT_LE(radius_of(back), 2 * radius_of(held[j]) + 4 * last_place(g));
+        if (off != 0) ++cut;
+        if (g.bits >= f.bits && held[j].is_exact()) {
+          EXPECT_TRUE(back.is_exact());
+          EXPECT_EQ(off, 0);
+        }
+      }
+      double hi = 0, lo = 0, err = 0;
+      row.view(j).to_double_double(kUnit, hi, lo, err);
+      const Rational value = midpoint_of(held[j]) * power_of_two(kUnit);
+      const Rational radius = radius_of(held[j]) * power_of_two(kUnit);
+      const Rational error = abs(Rational(value - to_rational(hi) - to_rational(lo)));
+      EXPECT_LE(error + radius / 2, to_rational(err));
+      EXPECT_LE(to_rational(err), radius * Rational(1025, 1024) + abs(value) * power_of_two(-100) +
+                                      power_of_two(-1000));
+      if (err == 0) ++short_ones;
+    }
+  }
+  EXPECT_GT(cut, 2000);
+  EXPECT_GT(short_ones, 500);
+  EXPECT_GT(unknown, 100);
 }
 
 // `value` lies in the ball. Where the operands are exact the radius is that of a few places.

@@ -9,6 +9,7 @@
 
 #include "filtered/dd_ball.h"
 #include "filtered/double_ball.h"
+#include "filtered/next_double.h"
 #include "tests/filtered/reference.h"
 
 namespace voroproof::testing {
@@ -181,6 +182,17 @@ TEST(DdBall, CancellationOfTheLeadingParts) {
     const double y = unit * number(code + 6000, {-20, -1});
     const DdBall difference = DdBall(hi, x) - DdBall(hi, y);
     ASSERT_EQ(fault(difference, Reference(hi, x) - Reference(hi, y)), "") << x << " " << y;
+  }
+}
+
+TEST(NextDouble, IsTheNeighbour) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr double most = std::numeric_limits<double>::max();
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  for (const double x : {0.0, -0.0, 1.0, -1.0, 0.75, 0x1p-1022, -0x1p-1022, least, -least, most,
+                         -most, inf, -inf, 1e300, -3e-310}) {
+    EXPECT_EQ(next_above(x), std::nextafter(x, inf)) << x;
+    EXPECT_EQ(next_below(x), std::nextafter(x, -inf)) << x;
   }
 }
 

@@ -48,7 +48,7 @@ void expect_enclosed(const Motion& motion) {
     EXPECT_EQ(to_rational(m.t), exact.state(g).t_ref);
     const auto truth = exact.moving_site(g, to_rational(m.t));
     expect_contains(
-        MovingSite<DoubleBall>{{m.x, m.ex}, {m.y, m.ex}, {m.vx, m.ev}, {m.vy, m.ev}, {m.r, m.er}},
+        MovingSite<DoubleBall>{{m.x, m.ex}, {m.y, m.ex}, {m.vx, m.ev}, {m.vy, m.ev}, {m.r, m.ex}},
         truth);
     // The bounds are of some use, too.
     EXPECT_LE(m.ex, 1e-13);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <deque>
 #include <map>
 #include <numbers>
 #include <set>
@@ -24,9 +25,9 @@ struct Case {
   std::vector<Rational> probes;
 };
 
-std::vector<Case> cases() {
+std::deque<Case> cases() {
   Random random(9);
-  std::vector<Case> all;
+  std::deque<Case> all;
   for (const int n : {0, 1, 2, 3, 4, 9, 25}) {
     for (const double density : {0.1, 0.35}) {
       Case c{BruteMoment(random_scene(

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <numeric>
 #include <set>
 
@@ -14,9 +15,9 @@ namespace {
 
 using Pair = std::pair<GenId, GenId>;
 
-std::vector<BruteMoment> moments() {
+std::deque<BruteMoment> moments() {
   Random random(21);
-  std::vector<BruteMoment> all;
+  std::deque<BruteMoment> all;
   for (const int n : {1, 2, 3, 12, 40}) {
     all.emplace_back(random_scene({.n = n, .density = 0.3}, random));
     all.emplace_back(random_scene({.n = n, .rmin = 0.01, .rmax = 20}, random));
