@@ -10,6 +10,7 @@
 
 #include "filtered/collapse.h"
 #include "filtered/contact.h"
+#include "filtered/next_double.h"
 #include "kinetic/inelastic_collapse.h"
 #include "kinetic/queue.h"
 #include "kinetic/static_diagram.h"
@@ -85,7 +86,9 @@ class Engine<certified>::Implementation {
     } catch (const Undecided& u) {
       if (!begun_) sink_->begin({});
       outcome.kind = Outcome::Kind::stopped;
-      outcome.t = std::fmax(written_t_, frontier_);
+      // Of an instant that was begun the time is known, and is the same in whatever way it was
+      // found: the history is right up to just before.
+      outcome.t = std::max(written_t_, now_t_ > written_t_ ? next_below(now_t_) : frontier_);
       outcome.reason = u.what();
       if (u.flip) outcome.events.emplace_back(*u.flip);
       if (u.contact) outcome.events.emplace_back(*u.contact);
@@ -167,7 +170,7 @@ class Engine<certified>::Implementation {
   }
 
   double window_end(double from) const {
-    return std::fmin(std::fmax(from + window_, std::nextafter(from, kInfinity)), horizon_up_);
+    return std::min(std::max(from + window_, next_above(from)), horizon_up_);
   }
 
   void search_flip_from_now(int edge) {
@@ -267,7 +270,7 @@ class Engine<certified>::Implementation {
         width = dd.rad;
         double lo = 0, hi = 0;
         enclose(dd, lo, hi);
-        dd = collapses_.refine(q, std::fmax(lo, f.lo), std::fmin(hi, f.hi));
+        dd = collapses_.refine(q, std::max(f.lo, lo), std::min(f.hi, hi));
       }
     } else {
       const auto [i, j] = pair_of(item);
@@ -277,8 +280,8 @@ class Engine<certified>::Implementation {
     Candidate c{item, 0, 0, dd, true};
     enclose(dd, c.lo, c.hi);
     // The isolating interval may be the tighter one.
-    c.lo = std::fmax(c.lo, f.lo);
-    c.hi = std::fmin(c.hi, f.hi);
+    c.lo = std::max(f.lo, c.lo);
+    c.hi = std::min(f.hi, c.hi);
     return c;
   }
 
@@ -492,7 +495,10 @@ class Engine<certified>::Implementation {
       coincidence_.flips.clear();
       coincidence_.contacts.clear();
       coincidence_.records = motion_.records();
-      for (const Candidate& c : ties) note(c);
+      lone_flip_ = ties.size() == 1 && is_flip(ties.front().item);
+      if (!lone_flip_) {
+        for (const Candidate& c : ties) note(c);
+      }
     }
     if (!ties.front().tight) {
       // A lone contact: now_t_ becomes known with its collision.
@@ -642,7 +648,17 @@ class Engine<certified>::Implementation {
 
   void set_now(const Rational& t) {
     now_ = instant_at(t);
-    now_.known = [this] { return coincidence_; };
+    now_.known = [this] {
+      note_lone_flip();
+      return coincidence_;
+    };
+  }
+
+  // Of an instant that is one flip: noted when somebody asks, or before a state changes.
+  void note_lone_flip() {
+    if (!lone_flip_) return;
+    lone_flip_ = false;
+    coincidence_.flips.push_back(Symmetry(motion_).states(now_root_.q));
   }
 
   // States change within an instant: what happens at it is noted as they are before.
@@ -804,6 +820,7 @@ class Engine<certified>::Implementation {
 
   // The time is that of the instant, or, for a lone contact, what the collision says.
   void process_contact(GenId i, GenId j, std::optional<double> t) {
+    note_lone_flip();
     Impact impact;
     {
       const Stopwatch watch(clock(stats_.move_seconds));
@@ -830,6 +847,7 @@ class Engine<certified>::Implementation {
   }
 
   void process_maneuvers(const std::vector<ManeuverInput>& together, double t) {
+    note_lone_flip();
     for (const ManeuverInput& m : together) {
       const Stopwatch watch(clock(stats_.move_seconds));
       RoundedState state{};
@@ -898,6 +916,7 @@ class Engine<certified>::Implementation {
     double near = 0;
   } now_contact_;
   Coincidence coincidence_;  // of the present instant
+  bool lone_flip_ = false;   // which is the flip at now_root_, not noted in it yet
   double now_t_ = 0, written_t_ = 0;
   double frontier_ = 0;  // every event before this time is in the history
   std::set<std::pair<Quad, int>> due_flips_;

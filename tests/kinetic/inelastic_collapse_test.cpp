@@ -117,5 +117,18 @@ TEST(InelasticCollapse, OfADiskBetweenTwoOthersIsSeen) {
   }
 }
 
+// A stopped history says the same, in whatever way its decisions were made.
+TEST(InelasticCollapse, StopsAtATimeThatDoesNotDependOnTheFilters) {
+  Scene scene = scene_of(16, 20,
+                         {disk(-6, 0, 1, 1, 0), disk(Rational(-7, 3), 0, 1, 0, 0),
+                          disk(Rational(5, 2), 0, 1, 0, 0), disk(6, 0, 1, -1, 0)});
+  scene.restitution = Rational(1, 10);
+  const RecordedRun quick = run(scene), slow = run(scene, {.filters = false});
+  EXPECT_EQ(difference(quick, slow), "");
+  EXPECT_EQ(quick.outcome.reason, slow.outcome.reason);
+  EXPECT_EQ(quick.outcome.t, slow.outcome.t);
+  EXPECT_GT(quick.outcome.t, quick.events.back().t);
+}
+
 }  // namespace
 }  // namespace voroproof::testing
