@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
 # What certifying costs beside simulating: both in turns, in one run, medians of user and wall time.
+# `apart` are two runs on one thread each at the same time: processes that share nothing, so that they
+# tell what a second thread could gain at best on this machine.
 #
 # usage: bench/certify.sh PROGRAM [N [HORIZON [REPEATS]]]
 set -euo pipefail
@@ -25,7 +27,14 @@ for ((k = 0; k < repeats; k++)); do
   measure recorded-1 "$program" certify "$scene" "$history" --truth recorded --threads 1 --quiet
   measure recorded-2 "$program" certify "$scene" "$history" --truth recorded --threads 2 --quiet
   measure exact "$program" certify "$scene" "$history" --truth exact --quiet
+  pids=()
+  for name in apart-a apart-b; do
+    measure $name "$program" certify "$scene" "$history" --truth recorded --threads 1 --quiet &
+    pids+=($!)
+  done
+  wait "${pids[@]}"
 done
+cat "$scratch"/apart-? >"$scratch/apart"
 
 # median NAME COLUMN
 median() { sort -n -k "$2" "$scratch/$1" | awk -v c="$2" '{ v[NR] = $c } END { print v[int((NR + 1) / 2)] }'; }
@@ -33,8 +42,14 @@ events=$(($(wc -l <"$history") - 2))
 echo "n = $n, T = $horizon: $events events; medians of $repeats"
 printf '%-12s %8s %8s %10s %22s\n' what 'user s' 'wall s' 'peak MB' 'wall / simulate wall'
 base=$(median simulate 2)
-for name in simulate recorded-1 recorded-2 exact; do
+for name in simulate recorded-1 recorded-2 apart exact; do
   printf '%-12s %8s %8s %10s %22s\n' "$name" "$(median $name 1)" "$(median $name 2)" \
     "$(median $name 3 | awk '{ printf "%.1f", $1 / 1024 }')" \
     "$(median $name 2 | awk -v b="$base" '{ printf "%.2f", $1 / b }')"
 done
+# Of the runs of one turn, which the machine's mood concerns alike.
+gain() { paste "$scratch/recorded-1" "$1" | awk -v f="$2" '{ print f * $2 / $5 }' | sort -n |
+  awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
+paste "$scratch/apart-a" "$scratch/apart-b" | awk '{ print 0, ($2 > $5 ? $2 : $5), 0 }' >"$scratch/both"
+printf 'the second thread makes it %.2f times faster; two processes do twice the work %.2f times as fast\n' \
+  "$(gain "$scratch/recorded-2" 1)" "$(gain "$scratch/both" 2)"

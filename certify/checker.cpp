@@ -96,7 +96,7 @@ bool Checker::refill() {
       break;
     }
     const std::size_t k = times_.size();
-    near_.push_back({std::move(*event), history_.line(), k < places_.size() ? places_[k] : -1});
+    near_.emplace_back(std::move(*event), history_.line(), k < places_.size() ? places_[k] : -1);
     times_.push_back(time(near_.back().event));
     lines_.push_back(history_.line());
     if (begun_) fetch_ahead();
@@ -105,27 +105,43 @@ bool Checker::refill() {
 }
 
 // Asks for the memory of claims that are soon to be checked: large diagrams do not fit into the
-// nearest caches. First the half-edges themselves, later what they lead to.
+// nearest caches. What a claim is about is found step by step, each from what the one before has
+// asked for: the half-edge h, those of its two triangles, their twins' triangles, and the
+// generators on the way.
 void Checker::fetch_ahead() const {
-  constexpr std::size_t far = 8, near = 4;
-  const std::size_t k = times_.size();
-  if (k + far < places_.size() && places_[k + far] >= 0) {
-    const HalfEdge h = places_[k + far];
+  constexpr std::size_t first = 8, second = 6, third = 4, fourth = 2;
+  const auto ahead = [&](std::size_t far, auto&& fetch) {
+    const std::size_t k = times_.size() + far;
+    if (k < places_.size() && places_[k] >= 0) fetch(places_[k]);
+  };
+  const auto fetch_edge = [&](HalfEdge h) {
     diagram_.prefetch(h);
     __builtin_prefetch(&lives_[h / 2]);
+  };
+  const auto fetch_generator = [&](GenId g) { __builtin_prefetch(&motion_.doubles(g)); };
+  ahead(first, [&](HalfEdge h) {
+    fetch_edge(h);
     __builtin_prefetch(&pairs_[h / 2]);
-  }
-  if (k + near < places_.size() && places_[k + near] >= 0) {
-    const HalfEdge h = places_[k + near], a = diagram_.previous(h), b = diagram_.previous(h ^ 1);
-    for (const GenId g : {diagram_.org(h), diagram_.dest(h), diagram_.org(a), diagram_.org(b)}) {
-      __builtin_prefetch(&motion_.doubles(g).t);
-      __builtin_prefetch(&motion_.doubles(g).er);
+  });
+  ahead(second, [&](HalfEdge h) {
+    fetch_edge(diagram_.previous(h));
+    fetch_edge(diagram_.previous(h ^ 1));
+    fetch_generator(diagram_.org(h));
+    fetch_generator(diagram_.dest(h));
+  });
+  ahead(third, [&](HalfEdge h) {
+    for (const HalfEdge side : {diagram_.previous(h), diagram_.previous(h ^ 1)}) {
+      fetch_edge(diagram_.previous(side));
+      diagram_.prefetch(diagram_.previous(side ^ 1));
+      fetch_generator(diagram_.org(side));
     }
-    for (const HalfEdge side : {a, b, diagram_.previous(a), diagram_.previous(b)}) {
-      diagram_.prefetch(side);
-      __builtin_prefetch(&lives_[side / 2]);
+  });
+  ahead(fourth, [&](HalfEdge h) {
+    for (const HalfEdge side : {diagram_.previous(h), diagram_.previous(h ^ 1)}) {
+      diagram_.prefetch(diagram_.previous(diagram_.previous(side) ^ 1));
+      fetch_generator(diagram_.org(diagram_.previous(side ^ 1)));
     }
-  }
+  });
 }
 
 // Makes the k-th of the near claims the one being checked.

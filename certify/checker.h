@@ -71,9 +71,10 @@ class Checker {
   };
 
   struct Claim {
+    Claim(Event&& e, std::int64_t l, HalfEdge h = -1) : event(std::move(e)), line(l), place(h) {}
     Event event;
     std::int64_t line;
-    HalfEdge place = -1;
+    HalfEdge place;
   };
 
   // What is known of a V-edge since its quadruplet or the motion of its generators last changed: it

@@ -190,7 +190,7 @@ bool Checker::is_claimed(const Maneuver& due) {
         const auto* stop = std::get_if<HistoryStop>(&history_.ending());
         return stop != nullptr && stop->t <= latest;
       }
-      near_.push_back({std::move(*event), history_.line()});
+      near_.emplace_back(std::move(*event), history_.line());
       if (is_it(near_.back().event)) return true;
     }
     return false;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -19,6 +20,7 @@ namespace voroproof {
 namespace {
 
 struct ReadClaim {
+  ReadClaim(Event&& e, std::int64_t l) : event(std::move(e)), line(l) {}
   Event event;
   std::int64_t line;
 };
@@ -104,7 +106,8 @@ class PartwiseCertifier {
         header_(history.header()),
         replay_(scene, options),
         gap_(8 * round_up(options.tolerance)),
-        size_(std::max(options.least_part, options.least_part * scene.disks.size() / 1024)) {}
+        size_(std::max(options.least_part, options.least_part * scene.disks.size() / 512)),
+        horizon_(header_.horizon.get_d()) {}
 
   Certificate run() {
     std::exception_ptr unreadable;
@@ -149,16 +152,24 @@ class PartwiseCertifier {
     ~Closing() { parts.close(); }
   };
 
-  std::optional<ReadClaim> read() {
-    auto event = history_.next();
-    if (!event) return std::nullopt;
-    return ReadClaim{std::move(*event), history_.line()};
+  // The next claim, or null. Reads a little ahead, so that what a claim is about is in the caches
+  // when it is taken.
+  const ReadClaim* next_claim() {
+    constexpr std::size_t kAhead = 4;
+    while (ahead_.size() < kAhead && !exhausted_) {
+      std::optional<Event> event = history_.next();
+      exhausted_ = !event;
+      if (!event) break;
+      replay_.prefetch(*event);
+      ahead_.emplace_back(std::move(*event), history_.line());
+    }
+    return ahead_.empty() ? nullptr : &ahead_.front();
   }
 
   void read_parts(std::optional<Motion>& motion) {
     std::vector<ReadClaim> claims;
     std::vector<Diagram::HalfEdge> places;  // theirs
-    std::optional<ReadClaim> next = read();
+    const ReadClaim* next = next_claim();
     Replay before = replay_;      // the present part
     std::optional<double> begin;  // of it
     // Collisions and maneuvers at t = 0 come before the initial diagram.
@@ -167,8 +178,9 @@ class PartwiseCertifier {
       const auto place = clear ? replay_.take(next->event) : std::nullopt;
       clear = place.has_value();
       places.push_back(place.value_or(-1));
-      claims.push_back(std::move(*next));
-      next = read();
+      claims.push_back(std::move(ahead_.front()));
+      ahead_.pop_front();
+      next = next_claim();
     };
     while (next && clear && time(next->event) == 0 &&
            !std::holds_alternative<FlipEvent>(next->event)) {
@@ -184,12 +196,13 @@ class PartwiseCertifier {
     }
     while (next && clear) {
       const double last = claims.empty() ? 0 : time(claims.back().event);
-      // The first part is a small one: other threads wait for it.
-      const std::size_t least = started_ == 0 ? size_ / 4 : size_;
-      if (claims.size() >= least && time(next->event) - last > gap_) {
+      if (claims.size() >= least_size(last, in_parts_ + claims.size()) &&
+          time(next->event) - last > gap_) {
         const double until = last + 0.5 * (time(next->event) - last);
+        const std::size_t section_size = claims.size();
         auto section = std::make_unique<Section>(header_, std::exchange(claims, {}), nullptr, true);
         section->set_next_line(next->line);
+        in_parts_ += section_size;
         start({started_++, std::move(section), std::exchange(places, {}), std::move(before), begin,
                PartEnd{until, replay_.diagram()}},
               motion);
@@ -201,11 +214,22 @@ class PartwiseCertifier {
       }
       take_next();
     }
-    const bool ended = !next;
-    if (next) claims.push_back(std::move(*next));
+    const bool ended = next == nullptr;
+    std::move(ahead_.begin(), ahead_.end(), std::back_inserter(claims));
     start({started_++, std::make_unique<Section>(header_, std::move(claims), &history_, ended),
            std::move(places), std::move(before), begin, std::nullopt},
           motion);
+  }
+
+  // How many claims the present part has to have before it may end, when `read` have been read up
+  // to the time t. The first part and the last ones are small: at the beginning other threads wait
+  // for it, at the end for each other. Those that have come tell how many are to come.
+  std::size_t least_size(double t, std::size_t read) const {
+    if (started_ == 0) return size_ / kSmall;
+    if (!(t > 0)) return size_;
+    const double to_come = static_cast<double>(read) * (horizon_ / t - 1);
+    return static_cast<std::size_t>(
+        std::clamp(0.5 * to_come, static_cast<double>(size_) / kSmall, static_cast<double>(size_)));
   }
 
   // Throws std::invalid_argument where the file's, or the one proposed, is none.
@@ -309,10 +333,15 @@ class PartwiseCertifier {
   HistorySource& history_;
   const CertifyOptions& options_;
   HistoryHeader header_;
-  Replay replay_;     // of the claims read
+  Replay replay_;                   // of the claims read
+  static constexpr int kSmall = 8;  // the smallest parts are so many times smaller than the others
   double gap_;        // between the claims on both sides of an end, so that no two swap across it
   std::size_t size_;  // claims of a part, at least
+  double horizon_;
+  std::deque<ReadClaim> ahead_;  // of the history, read and not yet taken
+  bool exhausted_ = false;       // nothing is left in it
   std::size_t started_ = 0;
+  std::size_t in_parts_ = 0;  // claims, of all parts before the present one
   Certificate total_;
   // The first part that is not proved right: later ones do not matter.
   std::atomic<std::size_t> first_bad_ = std::numeric_limits<std::size_t>::max();

@@ -208,6 +208,13 @@ std::optional<Diagram::HalfEdge> Replay::flip(const FlipEvent& claim) {
   return h;
 }
 
+void Replay::prefetch(const Event& event) const {
+  const auto* f = std::get_if<FlipEvent>(&event);
+  if (f == nullptr || diagram_.edges() == 0) return;
+  const GenId g = f->quad.l == container_id ? f->quad.r : f->quad.l;
+  if (g >= 0 && g < disks()) diagram_.prefetch(diagram_.anchor(g));
+}
+
 std::optional<Diagram::HalfEdge> Replay::take(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) return flip(*f);
   if (const auto* c = std::get_if<CollideEvent>(&event)) {

@@ -85,6 +85,8 @@ class Replay : public GivenMotion {
   // Recorded truth: takes the claim for true. What it is about: the half-edge that flips, or one of
   // a disk that turns, -1 where it has none. Nothing where it makes no sense on what is known.
   std::optional<HalfEdge> take(const Event& event);
+  // Asks for the memory where take() will begin to look for the edge of a flip.
+  void prefetch(const Event& event) const;
 
  private:
   template <class Visit>
