@@ -15,6 +15,17 @@
 //   D_xs^2 + D_ys^2 - D_xy^2         12 R^4  88 R^4 theta     (72, roundings 32 u: 80)
 //   C = x D_yp - y D_xp + p D_xy     6 R^4   44 R^4 theta     (36, roundings 16 u: 40); so A and B
 //   G = D_xp A + D_yp B              24 R^7  340 R^7 theta    (296, roundings 48 u: 308)
+// Beside the container, whose offset is far longer than those of disks, these bounds of existence
+// are too coarse. By components, with a = |x| + |y| + |s| and P = |p| of an offset, computed:
+//   p          e = (2 a + 3 eta) eta + 4 u a^2
+//   D_xp and D_yp together, their factors' errors in turn and 2 u of their products
+//              E = a_j e_k + a_k e_j + 2 eta (P_j + P_k + e_j + e_k) + 3 u (a_j P_k + a_k P_j)
+//   D_xs, D_ys, D_xy, each
+//              d = (a_j + a_k + 2 eta) eta + 3 u a_j a_k
+//   D_xp D_xs + D_yp D_ys, with M = |D_xp| + |D_yp| and m = |D_xs| + |D_ys|
+//              M d + m E + E d + 3 u M m
+//   D_xs^2 + D_ys^2 - D_xy^2, with m and |D_xy| in S
+//              (2 S + 3 d) d + 4 u S^2
 // Computing the bounds is rounded as well: the excess of the constants is at least 1 in 20. R is
 // kept where no power of it comes near the ends of the range of doubles.
 #pragma once
@@ -48,15 +59,35 @@ class RoughCircles {
   Signs exist() const {
     const Lanes direct = t_.xp * t_.xs + t_.yp * t_.ys;
     const Lanes conjugate = t_.xs * t_.xs + t_.ys * t_.ys - t_.xy * t_.xy;
-    const auto exists = [&](int k) {
-      const Sign a = beyond(direct[k], 72 * r4_ * r_ * theta_);
-      const Sign xy = beyond(t_.xy[k], 6 * r2_ * theta_);
+    const auto exists = [&](int k, double direct_bound, double xy_bound, double conjugate_bound) {
+      const Sign a = beyond(direct[k], direct_bound);
+      const Sign xy = beyond(t_.xy[k], xy_bound);
       const Sign b = with_container_[k] ? -xy : xy;
       return a == b && a != Sign::unknown
                  ? a
-                 : sign_with_root(a, b, beyond(conjugate[k], 88 * r4_ * theta_));
+                 : sign_with_root(a, b, beyond(conjugate[k], conjugate_bound));
     };
-    return {exists(0), exists(1)};
+    const auto coarsely = [&](int k) {
+      return exists(k, 72 * r4_ * r_ * theta_, 6 * r2_ * theta_, 88 * r4_ * theta_);
+    };
+    const Signs coarse{coarsely(0), coarsely(1)};
+    if (coarse.start != Sign::unknown && coarse.end != Sign::unknown) return coarse;
+    constexpr double u = 0x1p-53, up = 1 + 0x1p-40;
+    const Lanes pj = abs(t_.pj), pk = abs(t_.pk);
+    const Lanes ej = (2 * aj_ + 3 * eta_) * eta_ + 4 * u * aj_ * aj_;
+    const Lanes ek = (2 * ak_ + 3 * eta_) * eta_ + 4 * u * ak_ * ak_;
+    const Lanes e =
+        aj_ * ek + ak_ * ej + 2 * eta_ * (pj + pk + ej + ek) + 3 * u * (aj_ * pk + ak_ * pj);
+    const Lanes d = (aj_ + ak_ + 2 * eta_) * eta_ + 3 * u * aj_ * ak_;
+    const Lanes large = abs(t_.xp) + abs(t_.yp), small = abs(t_.xs) + abs(t_.ys);
+    const Lanes all = small + abs(t_.xy);
+    const Lanes direct_bound = (large * d + small * e + e * d + 3 * u * large * small) * up;
+    const Lanes conjugate_bound = ((2 * all + 3 * d) * d + 4 * u * all * all) * up;
+    const auto finely = [&](int k) {
+      return exists(k, direct_bound[k], d[k] * up, conjugate_bound[k]);
+    };
+    return {coarse.start != Sign::unknown ? coarse.start : finely(0),
+            coarse.end != Sign::unknown ? coarse.end : finely(1)};
   }
   // Where e lies to the first and s to the second, given that they exist. `f`: the sign of the
   // cotangency, not zero.
@@ -105,15 +136,18 @@ class RoughCircles {
     with_container_[1] = edge_of_container || q.e == container_id;
     double error = 0;
     for (const RoughSite& s : sites) error = std::max(error, s.error);
-    Lanes largest{};
-    for (int k = 1; k < 4; ++k) {
+    const auto size_of = [&](int k) {
       const Site<Lanes> s = pick(sites, start[k], end[k]);
-      const Lanes size = abs(s.x - t_.base.x) + abs(s.y - t_.base.y) + abs(s.r - t_.base.r);
-      largest = 0.5 * (largest + size + abs(largest - size));
-    }
+      return abs(s.x - t_.base.x) + abs(s.y - t_.base.y) + abs(s.r - t_.base.r);
+    };
+    const auto larger = [](const Lanes& a, const Lanes& b) { return 0.5 * (a + b + abs(a - b)); };
+    aj_ = size_of(1);
+    ak_ = size_of(2);
+    const Lanes largest = larger(larger(aj_, ak_), size_of(3));
     constexpr double u = 0x1p-53;
     r_ = (std::max(largest[0], largest[1]) + 6 * error) * (1 + 0x1p-40);
-    theta_ = (2 * error + u * r_) / r_ + 4 * u;
+    eta_ = 2 * error + u * r_;
+    theta_ = eta_ / r_ + 4 * u;
     r2_ = r_ * r_;
     r4_ = r2_ * r2_;
   }
@@ -121,7 +155,8 @@ class RoughCircles {
   TangentTriple<Lanes> t_;
   Site<Lanes> opposite_;
   bool with_container_[2], other_is_container_[2];
-  double r_, theta_, r2_, r4_;
+  Lanes aj_, ak_;  // |x| + |y| + |s| of two offsets
+  double r_, eta_, theta_, r2_, r4_;
 };
 
 }  // namespace voroproof

@@ -4,10 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
 
 #include "filtered/double_roots.h"
 #include "filtered/flip_polynomial.h"
+#include "filtered/rough_circles.h"
 #include "filtered/subdivision.h"
 #include "tests/filtered/end_of_runs.h"
 #include "tests/support/scene_run.h"
@@ -82,6 +88,56 @@ TEST(RoughJudge, AfterCollisions) {
   Tally tally;
   expect_verdicts({}, "30", tally);
   expect_most_decided(tally);
+}
+
+// Whether the circles of any four generators exist, about times at which one begins or ceases to:
+// an interval with such a time has no sign, and one beside it is certain where it is narrow enough.
+TEST(RoughCircles, ExistOverTheWholeInterval) {
+  const MakeBall make{300};
+  int changes[2] = {}, certain[2] = {};
+  std::mt19937 random(7);
+  const int n = 30;
+  at_end_of_runs({.n = n, .rmin = 0.1, .rmax = 5}, "10", 6, [&](Engine<true>& engine) {
+    const Motion& motion = engine.motion();
+    std::vector<GenId> ids(n + 1);
+    std::iota(ids.begin(), ids.end(), container_id);
+    for (int trial = 0; trial < 300; ++trial) {
+      std::shuffle(ids.begin(), ids.end(), random);
+      const bool wall = trial % 2 == 0;
+      if (wall) std::iter_swap(ids.begin() + trial / 2 % 4, std::ranges::find(ids, container_id));
+      const Quad q{ids[0], ids[1], ids[2], ids[3]};
+      for (const bool at_start : {true, false}) {
+        const auto truth = [&](const Rational& t) {
+          const auto triples = EdgeTriples<Ball>::of(q, sites(motion, q, make(t)));
+          return circle_exists(at_start ? triples.start : triples.end);
+        };
+        const auto told = [&](double lo, double hi) {
+          const RoughCircles circles(motion, q, lo, hi);
+          if (!circles.usable()) return Sign::unknown;
+          return at_start ? circles.exist().start : circles.exist().end;
+        };
+        double before = 10, after = 14;
+        const Sign first = truth(before);
+        if (truth(after) != -first) continue;
+        for (int k = 0; k < 46; ++k) {
+          const double middle = 0.5 * (before + after);
+          (truth(to_rational(middle)) == first ? before : after) = middle;
+        }
+        ++changes[wall];
+        for (const double width : {0.0, 1e-10, 1e-8, 1e-7, 1e-6, 1e-5}) {
+          ASSERT_EQ(told(before - width, after + 2 * width), Sign::unknown) << text(q) << before;
+          const Sign beside = told(before - 3 * width, before - 2 * width);
+          ASSERT_TRUE(beside == first || beside == Sign::unknown) << text(q) << before;
+        }
+        const double past = before - 1e-3;
+        certain[wall] += truth(to_rational(past)) == first && told(past, past + 1e-9) == first;
+      }
+    }
+  });
+  for (const int k : {0, 1}) {
+    EXPECT_GT(changes[k], 60);
+    EXPECT_GT(10 * certain[k], 9 * changes[k]);
+  }
 }
 
 // Beyond one double the bound says nothing, but nothing wrong.
