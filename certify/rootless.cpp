@@ -123,23 +123,24 @@ std::array<MotionLanes, 4> RootlessBatch::gather(const std::array<const Span*, k
 //
 // Error bound. A coordinate at an end of the interval is x + v dt: dt, the product and the sum are
 // rounded once each, which is below 4u times all the magnitudes together, and the motion's own
-// errors add ex + ev |dt|. For a pair let d0, d1 be the offsets at the two ends, D the sum of the
-// magnitudes of their four components, dr the difference of radii. The coefficients of p are
-// |d0|^2 - dr^2, d0.d1 - dr^2 and |d1|^2 - dr^2, at most P = D^2 + dr^2 in magnitude. With every
-// component within eta of the truth (both coordinates, and one rounding of at most uD) and dr
-// within rho they err by at most 2 eta (D + eta) + rho (2 |dr| + rho), and evaluation adds at most
-// 4u P. A product of two such polynomials has coefficients (weighted means of products) of size at
-// most A = P P' and error e_A = P e' + P' e + e e' + 8u A. Finally f errs by 2 S e_S + e_S^2 +
-// 4 (B e_C + C e_B + e_B e_C), S = A + B + C, and evaluation adds at most 40u (S^2 + 4BC). The last
-// factor pays for the roundings of the bound itself, the last summand of each for underflow. Sizes
-// are multiplied before they are scaled down by u, by more than the binomials: where a coefficient
-// overflows, its bound has done so, and nothing is beyond it.
+// errors add ex + ev |dt|; ex is that of the radius as well. For a pair let d0, d1 be the offsets
+// at the two ends, d the sum of the magnitudes of their four components, dr the difference of
+// radii. The coefficients of p are |d0|^2 - dr^2, d0.d1 - dr^2 and |d1|^2 - dr^2, at most P = d^2 +
+// dr^2 in magnitude. With every component and dr within eta of the truth (both coordinates, and one
+// rounding of at most u D, D = d + |dr|) they err by at most 2 eta (d + eta) + eta (2 |dr| + eta) =
+// eta (2 D + 3 eta), and evaluation adds at most 4u P. A product of two such polynomials has
+// coefficients (weighted means of products) of size at most A = P P' and error e_A = P e' + P' e +
+// e e' + 8u A. Finally f errs by 2 S e_S + e_S^2 + 4 (B e_C + C e_B + e_B e_C), S = A + B + C, and
+// evaluation adds at most 40u (S^2 + 4BC). The last factor pays for the roundings of the bound
+// itself, the last summand of each for underflow. Sizes are multiplied before they are scaled down
+// by u, by more than the binomials: where a coefficient overflows, its bound has done so, and
+// nothing is beyond it.
 void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
                           const std::array<double, kLanes>& from,
                           const std::array<double, kLanes>& to, std::size_t first,
                           std::size_t count) {
   const Lanes a{from[0], from[1], from[2], from[3]}, b{to[0], to[1], to[2], to[3]};
-  Lanes x0[4], y0[4], x1[4], y1[4], radius[4], error[4], radius_error[4];
+  Lanes x0[4], y0[4], x1[4], y1[4], radius[4], error[4];
   for (int i = 0; i < 4; ++i) {
     const MotionLanes& g = generators[i];
     const Lanes ta = a - g.t, tb = b - g.t;
@@ -148,7 +149,6 @@ void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
     x1[i] = g.x + g.vx * tb;
     y1[i] = g.y + g.vy * tb;
     radius[i] = g.r;
-    radius_error[i] = g.ex;
     const Lanes size = abs(g.x) + abs(g.y) + abs(x0[i]) + abs(y0[i]) + abs(x1[i]) + abs(y1[i]);
     error[i] = 4 * u * size + g.ex + g.ev * (abs(ta) + abs(tb));
   }
@@ -160,20 +160,25 @@ void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
     p[k][0] = ax * ax + ay * ay - dr2;
     p[k][1] = 2 * (ax * bx + ay * by - dr2);
     p[k][2] = bx * bx + by * by - dr2;
-    const Lanes d = abs(ax) + abs(ay) + abs(bx) + abs(by);
-    const Lanes eta = error[i] + error[j] + u * d;
-    const Lanes rho = radius_error[i] + radius_error[j] + u * abs(dr);
+    const Lanes d = abs(ax) + abs(ay) + abs(bx) + abs(by), all = d + abs(dr);
+    const Lanes eta = error[i] + error[j] + u * all;
     size[k] = d * d + dr2;
-    err[k] = 2 * eta * (d + eta) + rho * (2 * abs(dr) + rho) + u * (4 * size[k]) + 0x1p-1000;
+    err[k] = eta * (2 * all + 3 * eta) + u * (4 * size[k]) + 0x1p-1000;
   }
-  Lanes A[5], B[5], C[5], g[5], f[9];
+  Lanes A[5], B[5], C[5], g[5], twice[5], f[9];
   multiply(p[0], p[1], A);
   multiply(p[2], p[3], B);
   multiply(p[4], p[5], C);
-  for (int k = 0; k < 5; ++k) g[k] = A[k] - B[k] - C[k];
+  for (int k = 0; k < 5; ++k) {
+    g[k] = A[k] - B[k] - C[k];
+    twice[k] = 2 * g[k];
+    B[k] = 4 * B[k];
+  }
   for (int k = 0; k < 9; ++k) f[k] = Lanes{};
   for (int i = 0; i < 5; ++i) {
-    for (int j = 0; j < 5; ++j) f[i + j] += g[i] * g[j] - 4 * (B[i] * C[j]);
+    f[2 * i] += g[i] * g[i];
+    for (int j = i + 1; j < 5; ++j) f[i + j] += twice[i] * g[j];
+    for (int j = 0; j < 5; ++j) f[i + j] -= B[i] * C[j];
   }
   const Lanes total = cotangency_error(size, err);
   constexpr double binomials[9] = {1, 8, 28, 56, 70, 56, 28, 8, 1};
@@ -217,14 +222,13 @@ void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
 void RootlessBatch::judge_at(const std::array<MotionLanes, 4>& generators, double a, double b,
                              std::size_t first, std::size_t count) {
   const DoubleBall hull = DoubleBall::hull(a, b);
-  Lanes x[4], y[4], radius[4], error[4], radius_error[4];
+  Lanes x[4], y[4], radius[4], error[4];
   for (int i = 0; i < 4; ++i) {
     const MotionLanes& g = generators[i];
     const Lanes dt = hull.mid - g.t;
     x[i] = g.x + g.vx * dt;
     y[i] = g.y + g.vy * dt;
     radius[i] = g.r;
-    radius_error[i] = g.ex;
     const Lanes size = abs(g.x) + abs(g.y) + abs(x[i]) + abs(y[i]);
     const Lanes speed = abs(g.vx) + abs(g.vy) + g.ev;
     error[i] = (4 * u * size + g.ex + g.ev * abs(dt) + speed * hull.rad) * (1 + 0x1p-40) + 1e-290;
@@ -235,11 +239,10 @@ void RootlessBatch::judge_at(const std::array<MotionLanes, 4>& generators, doubl
     const Lanes dx = x[i] - x[j], dy = y[i] - y[j];
     const Lanes dr = radius[i] - radius[j], dr2 = dr * dr;
     p[k] = dx * dx + dy * dy - dr2;
-    const Lanes d = abs(dx) + abs(dy);
-    const Lanes eta = error[i] + error[j] + u * d;
-    const Lanes rho = radius_error[i] + radius_error[j] + u * abs(dr);
+    const Lanes d = abs(dx) + abs(dy), all = d + abs(dr);
+    const Lanes eta = error[i] + error[j] + u * all;
     size[k] = d * d + dr2;
-    err[k] = 2 * eta * (d + eta) + rho * (2 * abs(dr) + rho) + u * (4 * size[k]);
+    err[k] = eta * (2 * all + 3 * eta) + u * (4 * size[k]);
   }
   const Lanes B = p[2] * p[3], C = p[4] * p[5], g = p[0] * p[1] - B - C;
   const LaneMask proved = abs(g * g - 4 * (B * C)) > cotangency_error(size, err);

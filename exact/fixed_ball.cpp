@@ -286,7 +286,9 @@ void FixedArithmetic::mul(FixedBall& out, const FixedBall& a, const FixedBall& b
   std::fill(r, r + zeros, 0);
   if (&a == &b) {
     mpn_sqr(r + zeros, x + zeros_x, size_x);
-  } else if (size_x >= size_y) {
+  } else if (size_x == size_y) {
+    mpn_mul_n(r + zeros, x + zeros_x, y + zeros_y, size_x);
+  } else if (size_x > size_y) {
     mpn_mul(r + zeros, x + zeros_x, size_x, y + zeros_y, size_y);
   } else {
     mpn_mul(r + zeros, y + zeros_y, size_y, x + zeros_x, size_x);
@@ -295,7 +297,7 @@ void FixedArithmetic::mul(FixedBall& out, const FixedBall& a, const FixedBall& b
   mp_limb_t* high = r + size_;
   if (is_negative(a)) mpn_sub_n(high, high, b.limbs_.data(), size_);
   if (is_negative(b)) mpn_sub_n(high, high, a.limbs_.data(), size_);
-  if (mpn_zero_p(r, fraction_) == 0) radius += last_place_;
+  if (r[fraction_ - 1] != 0 || mpn_zero_p(r, fraction_) == 0) radius += last_place_;
   const mp_limb_t* from = r + fraction_;
   const mp_limb_t sign = (from[size_ - 1] >> 63) != 0 ? ~mp_limb_t{0} : 0;
   for (const mp_limb_t* k = from + size_; k != r + 2 * size_; ++k) {

@@ -27,9 +27,9 @@ inline void multiply2(const T* p, const T* q, T* r) {
 }
 
 // The generators of q at both ends of the window, in the lanes l, r, s, e, with the error of a
-// coordinate in err.
+// coordinate or radius in err.
 struct Ends {
-  Lanes x0, y0, x1, y1, r, err, rerr;
+  Lanes x0, y0, x1, y1, r, err;
 };
 
 template <bool certified>
@@ -49,7 +49,6 @@ inline void place(const Motion& motion, const Quad& q, double a, double b, Ends&
   e.x1 = x + vx * tb;
   e.y1 = y + vy * tb;
   if constexpr (certified) {
-    e.rerr = lanes(&DoubleMotion::ex);
     // x + v dt: dt, the product and the sum are rounded once each, so the error is
     // below u |x + v dt| + 2u(1+u) |v dt|, with |v dt| <= |x0| + |x| and likewise
     // for the other end: 4u times (all magnitudes together) covers it. The state's
@@ -66,20 +65,19 @@ inline void place(const Motion& motion, const Quad& q, double a, double b, Ends&
 // Derivation of the bound. For a pair let d0, d1 be the offsets at the two ends, S =
 // |d0|^2 + |d1|^2, dr the difference of radii. The Bernstein coefficients of p are
 // |d0|^2 - dr^2, d0.d1 - dr^2, |d1|^2 - dr^2, all at most P = S + dr^2 in magnitude.
-// If every component of the offsets is within eta of the truth (both positions, and
-// one rounding of the difference, at most u m), then products of two offsets
+// If every component of the offsets and dr is within eta of the truth (both generators, and
+// one rounding of the difference, at most u m or u |dr|), then products of two offsets
 // err by at most eta (|d0x|+|d0y|+|d1x|+|d1y|) + 2 eta^2, squares by 2 eta (|d0x|+|d0y|) + 2 eta^2,
-// both at most (2 m + 2 eta) eta for m the larger of |d0x|+|d0y| and |d1x|+|d1y|;
-// dr^2 errs by (2 |dr| + rho) rho for an
-// error rho of dr; evaluation adds at most 4u P. With error e_p and size P a product
-// of two such polynomials has coefficients (weighted means of products) of size at
-// most A = P P' and error e_a = P e' + P' e + e e' + 8u A. Finally f = (a-b-c)^2 - 4bc
-// with S3 = A + B + C has error 2 S3 e_s + e_s^2 + 4 (B e_c + C e_b + e_b e_c), and
-// evaluation adds at most 40u (S3^2 + 4BC). What is made of it later is paid for here: at most 24
-// subdivisions, each adding at most 8u times the largest coefficient, and one evaluation, 40u
-// (three roundings on each of eight levels; the weight 1 - x errs by u, the value by 8u). 320u in
-// all. The last factor pays for the roundings of this bound itself. Sizes are multiplied by these
-// numbers before they are scaled down by u: where a coefficient overflows, its bound has done so.
+// both at most (2 m + 2 eta) eta for m the larger of |d0x|+|d0y| and |d1x|+|d1y|; dr^2 errs by
+// (2 |dr| + eta) eta; together (2 m + 2 |dr| + 3 eta) eta. Evaluation adds at most 4u P. With error
+// e_p and size P a product of two such polynomials has coefficients (weighted means of products) of
+// size at most A = P P' and error e_a = P e' + P' e + e e' + 8u A. Finally f = (a-b-c)^2 - 4bc with
+// S3 = A + B + C has error 2 S3 e_s + e_s^2 + 4 (B e_c + C e_b + e_b e_c), and evaluation adds at
+// most 40u (S3^2 + 4BC). What is made of it later is paid for here: at most 24 subdivisions, each
+// adding at most 8u times the largest coefficient, and one evaluation, 40u (three roundings on each
+// of eight levels; the weight 1 - x errs by u, the value by 8u). 320u in all. The last factor pays
+// for the roundings of this bound itself. Sizes are multiplied by these numbers before they are
+// scaled down by u: where a coefficient overflows, its bound has done so.
 //
 // In lanes: first the pairs lr, ls, le, then se, re, rs, so that their products are a, b and c.
 struct Pairs {
@@ -106,12 +104,11 @@ inline void tangency_form(const Ends& e, Pairs& out) {
   out.p[1] = 2 * ((ax * bx + ay * by) - dr2);
   out.p[2] = q2 - dr2;
   if constexpr (certified) {
-    const Lanes la = abs(ax) + abs(ay), lb = abs(bx) + abs(by), width = abs(dr);
-    const Lanes twice = la + lb + abs(la - lb);  // of the larger
+    const Lanes la = abs(ax) + abs(ay), lb = abs(bx) + abs(by);
+    const Lanes twice = la + lb + abs(la - lb) + 2 * abs(dr);  // m + |dr|
     const Lanes eta = sum(e.err) + u * twice;
-    const Lanes rho = sum(e.rerr) + u * width;
     out.size = q0 + q2 + dr2;
-    out.err = (twice + 2 * eta) * eta + (2 * width + rho) * rho + u * (4 * out.size);
+    out.err = (twice + 3 * eta) * eta + u * (4 * out.size);
   }
 }
 

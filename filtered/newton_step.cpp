@@ -226,18 +226,16 @@ DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi) {
   // within e_f + u |f.hi| of f.hi, 1/t within sigma / (|slope| least) of 1/slope, and the quotient
   // is rounded, once here and once in the bound. The root is no further from c than |f| / least, so
   // that the slopes to be bounded are those within that distance: once more, with the same curve.
-  const double step = f.hi / slope;
-  double off = std::numeric_limits<double>::infinity(), reach = h;
-  for (int pass = 0; pass < 2; ++pass) {
-    const double sigma = (e_slope + curve * reach) * up;
-    const double least = (std::fabs(slope) - sigma) * (1 - 0x1p-50);
-    if (!(least > 0)) return unknown;
-    off =
-        ((e_f + u * std::fabs(f.hi) + std::fabs(step) * sigma) / least + 2 * u * std::fabs(step)) *
-            up +
-        tiny;
-    reach = std::min(h, ((std::fabs(f.hi) * (1 + 2 * u) + e_f) / least) * up + tiny);
-  }
+  const double size = std::fabs(f.hi), step = f.hi / slope;
+  const auto sigma_within = [&](double reach) { return (e_slope + curve * reach) * up; };
+  const auto least_for = [&](double sigma) { return (std::fabs(slope) - sigma) * (1 - 0x1p-50); };
+  const double everywhere = least_for(sigma_within(h));
+  if (!(everywhere > 0)) return unknown;
+  const double reach = std::min(h, ((size * (1 + 2 * u) + e_f) / everywhere) * up + tiny);
+  const double sigma = sigma_within(reach), least = least_for(sigma);
+  if (!(least > 0)) return unknown;
+  const double off =
+      ((e_f + u * size + std::fabs(step) * sigma) / least + 2 * u * std::fabs(step)) * up + tiny;
   DdBall root(0, 0, off);
   dd_detail::two_sum(c, -step, root.hi, root.lo);
   return root.rad < std::numeric_limits<double>::infinity() ? root : unknown;
