@@ -107,41 +107,41 @@ bool Checker::refill() {
 // Asks for the memory of claims that are soon to be checked: large diagrams do not fit into the
 // nearest caches. What a claim is about is found step by step, each from what the one before has
 // asked for: the half-edge h, those of its two triangles, their twins' triangles, and the
-// generators on the way.
-void Checker::fetch_ahead() const {
-  constexpr std::size_t first = 8, second = 6, third = 4, fourth = 2;
-  const auto ahead = [&](std::size_t far, auto&& fetch) {
+// generators on the way. Always inline: g++ leaves out calls of functions that do nothing else.
+inline void Checker::fetch_ahead() const {
+  const auto place = [this](std::size_t far) {
     const std::size_t k = times_.size() + far;
-    if (k < places_.size() && places_[k] >= 0) fetch(places_[k]);
+    return k < places_.size() ? places_[k] : -1;
   };
-  const auto fetch_edge = [&](HalfEdge h) {
+  if (const HalfEdge h = place(8); h >= 0) {
     diagram_.prefetch(h);
     __builtin_prefetch(&lives_[h / 2]);
-  };
-  const auto fetch_generator = [&](GenId g) { __builtin_prefetch(&motion_.doubles(g)); };
-  ahead(first, [&](HalfEdge h) {
-    fetch_edge(h);
     __builtin_prefetch(&pairs_[h / 2]);
-  });
-  ahead(second, [&](HalfEdge h) {
-    fetch_edge(diagram_.previous(h));
-    fetch_edge(diagram_.previous(h ^ 1));
-    fetch_generator(diagram_.org(h));
-    fetch_generator(diagram_.dest(h));
-  });
-  ahead(third, [&](HalfEdge h) {
-    for (const HalfEdge side : {diagram_.previous(h), diagram_.previous(h ^ 1)}) {
-      fetch_edge(diagram_.previous(side));
+  }
+  if (const HalfEdge h = place(6); h >= 0) {
+    for (const HalfEdge g : {h, h ^ 1}) {
+      const HalfEdge side = diagram_.previous(g);
+      diagram_.prefetch(side);
+      __builtin_prefetch(&lives_[side / 2]);
+      __builtin_prefetch(&motion_.doubles(diagram_.org(g)));
+    }
+  }
+  if (const HalfEdge h = place(4); h >= 0) {
+    for (const HalfEdge g : {h, h ^ 1}) {
+      const HalfEdge side = diagram_.previous(g), other = diagram_.previous(side);
+      diagram_.prefetch(other);
+      __builtin_prefetch(&lives_[other / 2]);
       diagram_.prefetch(diagram_.previous(side ^ 1));
-      fetch_generator(diagram_.org(side));
+      __builtin_prefetch(&motion_.doubles(diagram_.org(side)));
     }
-  });
-  ahead(fourth, [&](HalfEdge h) {
-    for (const HalfEdge side : {diagram_.previous(h), diagram_.previous(h ^ 1)}) {
-      diagram_.prefetch(diagram_.previous(diagram_.previous(side) ^ 1));
-      fetch_generator(diagram_.org(diagram_.previous(side ^ 1)));
+  }
+  if (const HalfEdge h = place(2); h >= 0) {
+    for (const HalfEdge g : {h, h ^ 1}) {
+      const HalfEdge side = diagram_.previous(g), other = diagram_.previous(side);
+      diagram_.prefetch(diagram_.previous(other ^ 1));
+      __builtin_prefetch(&motion_.doubles(diagram_.org(diagram_.previous(side ^ 1))));
     }
-  });
+  }
 }
 
 // Makes the k-th of the near claims the one being checked.

@@ -115,7 +115,7 @@ class Checker {
 
   // ---- checker.cpp ----
   bool refill();
-  void fetch_ahead() const;
+  [[gnu::always_inline]] void fetch_ahead() const;
   void process_next();
   std::size_t earliest();
   std::optional<Moment> probe(const Event& event);

@@ -75,12 +75,17 @@ struct Places {
       first[i] = &motion.doubles(ids[i]);
       second[i] = &motion.seconds(ids[i]);
     }
-    const auto lanes = [](const auto& m, auto member) {
-      return Lanes{m[0]->*member, m[1]->*member, m[2]->*member, m[3]->*member};
+    // Inline: g++ warns of functions that return lanes, which processors without them pass
+    // otherwise.
+    const auto of_first = [&](double DoubleMotion::*member) __attribute__((always_inline)) {
+      return Lanes{first[0]->*member, first[1]->*member, first[2]->*member, first[3]->*member};
     };
-    const Lanes rad = lanes(second, &SecondMotion::ex), v_rad = lanes(second, &SecondMotion::ev);
+    const auto of_second = [&](double SecondMotion::*member) __attribute__((always_inline)) {
+      return Lanes{second[0]->*member, second[1]->*member, second[2]->*member, second[3]->*member};
+    };
+    const Lanes rad = of_second(&SecondMotion::ex), v_rad = of_second(&SecondMotion::ev);
     Dd<Lanes> delay;
-    two_sum_of(Lanes{c, c, c, c}, -lanes(first, &DoubleMotion::t), delay.hi, delay.lo);
+    two_sum_of(Lanes{c, c, c, c}, -of_first(&DoubleMotion::t), delay.hi, delay.lo);
     const Lanes far = abs(delay.hi);
     const auto at = [&](const Dd<Lanes>& p, const Dd<Lanes>& dp, Dd<Lanes>& out, Lanes& v) {
       out = p + dp * delay;
@@ -89,14 +94,14 @@ struct Places {
       e_centre += rad + v_rad * far + 16 * w * (abs(p.hi) + abs(dp.hi) * far) + tiny;
       e_speed += abs(dp.lo) + v_rad;
     };
-    r = {lanes(first, &DoubleMotion::r), lanes(second, &SecondMotion::r)};
-    e_r = lanes(second, &SecondMotion::er);
+    r = {of_first(&DoubleMotion::r), of_second(&SecondMotion::r)};
+    e_r = of_second(&SecondMotion::er);
     size = abs(r.hi);
     e_centre = e_speed = Lanes{};
-    at({lanes(first, &DoubleMotion::x), lanes(second, &SecondMotion::x)},
-       {lanes(first, &DoubleMotion::vx), lanes(second, &SecondMotion::vx)}, x, vx);
-    at({lanes(first, &DoubleMotion::y), lanes(second, &SecondMotion::y)},
-       {lanes(first, &DoubleMotion::vy), lanes(second, &SecondMotion::vy)}, y, vy);
+    at({of_first(&DoubleMotion::x), of_second(&SecondMotion::x)},
+       {of_first(&DoubleMotion::vx), of_second(&SecondMotion::vx)}, x, vx);
+    at({of_first(&DoubleMotion::y), of_second(&SecondMotion::y)},
+       {of_first(&DoubleMotion::vy), of_second(&SecondMotion::vy)}, y, vy);
   }
 };
 
