@@ -19,6 +19,9 @@ namespace voroproof {
 
 namespace {
 
+// The smallest parts are so many times smaller than most.
+constexpr int kSmall = 8;
+
 struct ReadClaim {
   ReadClaim(Event&& e, std::int64_t l) : event(std::move(e)), line(l) {}
   Event event;
@@ -199,10 +202,9 @@ class PartwiseCertifier {
       if (claims.size() >= least_size(last, in_parts_ + claims.size()) &&
           time(next->event) - last > gap_) {
         const double until = last + 0.5 * (time(next->event) - last);
-        const std::size_t section_size = claims.size();
+        in_parts_ += claims.size();
         auto section = std::make_unique<Section>(header_, std::exchange(claims, {}), nullptr, true);
         section->set_next_line(next->line);
-        in_parts_ += section_size;
         start({started_++, std::move(section), std::exchange(places, {}), std::move(before), begin,
                PartEnd{until, replay_.diagram()}},
               motion);
@@ -333,11 +335,10 @@ class PartwiseCertifier {
   HistorySource& history_;
   const CertifyOptions& options_;
   HistoryHeader header_;
-  Replay replay_;                   // of the claims read
-  static constexpr int kSmall = 8;  // the smallest parts are so many times smaller than the others
+  Replay replay_;     // of the claims taken
   double gap_;        // between the claims on both sides of an end, so that no two swap across it
   std::size_t size_;  // claims of a part, at least
-  double horizon_;
+  double horizon_;    // nearly
   std::deque<ReadClaim> ahead_;  // of the history, read and not yet taken
   bool exhausted_ = false;       // nothing is left in it
   std::size_t started_ = 0;
