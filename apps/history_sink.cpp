@@ -18,6 +18,7 @@ void HistorySink::begin(const std::vector<Quad>& initial) {
   if (!initial.empty() || disks_ < 2) header_.initial = initial;
   if (header_observer_) header_observer_(header_);
   writer_.header(header_);
+  header_.initial.reset();  // written, and large
 }
 
 void HistorySink::flip(double t, const Quad& edge) {

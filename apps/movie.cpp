@@ -79,8 +79,8 @@ std::vector<double> disk_values(const Scene& scene) {
   std::vector<double> values;
   values.reserve(5 * scene.disks.size());
   for (const DiskSpec& disk : scene.disks) {
-    for (const Rational& q : {disk.x, disk.y, disk.radius, disk.vx, disk.vy}) {
-      values.push_back(round_nearest(q));
+    for (const CompactRational* q : {&disk.x, &disk.y, &disk.radius, &disk.vx, &disk.vy}) {
+      values.push_back(round_nearest(*q));
     }
   }
   return values;

@@ -17,8 +17,8 @@ Path path_of(const Scene& scene, GenId g) {
             Polynomial<Rational>{Rational(-scene.container_radius)}};
   }
   const DiskSpec& d = scene.disks[static_cast<std::size_t>(g)];
-  return {Polynomial<Rational>{d.x, d.vx}, Polynomial<Rational>{d.y, d.vy},
-          Polynomial<Rational>{d.radius}};
+  return {Polynomial<Rational>{d.x.value(), d.vx.value()},
+          Polynomial<Rational>{d.y.value(), d.vy.value()}, Polynomial<Rational>{d.radius.value()}};
 }
 
 }  // namespace

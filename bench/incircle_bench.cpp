@@ -74,7 +74,8 @@ void in_intervals(benchmark::State& state, const std::string& name) {
 Site<Rational> exact_site(const Scene& scene, GenId g, const Rational& t) {
   if (g == container_id) return {scene.cx, scene.cy, Rational(-scene.container_radius)};
   const DiskSpec& d = scene.disks[static_cast<std::size_t>(g)];
-  return {Rational(d.x + d.vx * t), Rational(d.y + d.vy * t), d.radius};
+  return {Rational(d.x.value() + d.vx.value() * t), Rational(d.y.value() + d.vy.value() * t),
+          d.radius.value()};
 }
 
 void in_rationals(benchmark::State& state, const std::string& name) {

@@ -6,8 +6,9 @@
 namespace voroproof {
 
 Rational CollisionLaw::reach(GenId i, GenId j) const {
-  return i == container_id ? Rational(scene_.container_radius - scene_.disks[j].radius)
-                           : Rational(scene_.disks[i].radius + scene_.disks[j].radius);
+  const Rational radius = scene_.disks[j].radius;
+  return i == container_id ? Rational(scene_.container_radius - radius)
+                           : Rational(scene_.disks[i].radius.value() + radius);
 }
 
 ExactVec2 CollisionLaw::normal(GenId i, const ExactPair& p) const {
@@ -55,9 +56,12 @@ ExactPair CollisionLaw::after(GenId i, GenId j, const ExactPair& p, const ExactP
   if (norm2(normal(i, p)) == 0) {
     throw Undecided("the centres of two that touch coincide: there is no normal", i, j);
   }
-  Constants<Rational> of{
-      scene_.cx, scene_.cy,           scene_.restitution, scene_.container_restitution,
-      0,         scene_.disks[j].mass};
+  Constants<Rational> of{scene_.cx,
+                         scene_.cy,
+                         scene_.restitution,
+                         scene_.container_restitution,
+                         0,
+                         scene_.disks[j].mass.value()};
   if (i != container_id) {
     of.mass_i = scene_.disks[i].mass;
     if (of.mass_i + of.mass_j == 0) throw Undecided("two points without mass touch", i, j);

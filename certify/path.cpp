@@ -91,9 +91,10 @@ Rational DyadicSum::exact() const {
   return sum;
 }
 
-Velocity::Velocity(const ExactVec2& v) : near{round_nearest(v[0]), round_nearest(v[1])} {
-  if (to_rational(near[0]) != v[0] || to_rational(near[1]) != v[1]) {
-    exact = std::make_shared<const ExactVec2>(v);
+Velocity::Velocity(const CompactRational& x, const CompactRational& y)
+    : near{round_nearest(x), round_nearest(y)} {
+  if (!x.is_double() || !y.is_double()) {
+    exact = std::make_shared<const ExactVec2>(ExactVec2{x.value(), y.value()});
   }
 }
 
@@ -101,13 +102,12 @@ ExactVec2 Velocity::value() const {
   return exact ? *exact : ExactVec2{to_rational(near[0]), to_rational(near[1])};
 }
 
-Path::Path(const ExactVec2& p, const Velocity& v) : velocity_(v) {
-  const double x = round_nearest(p[0]), y = round_nearest(p[1]);
-  if (to_rational(x) == p[0] && to_rational(y) == p[1]) {
-    x_ = DyadicSum(x);
-    y_ = DyadicSum(y);
+Path::Path(const CompactRational& x, const CompactRational& y, const Velocity& v) : velocity_(v) {
+  if (x.is_double() && y.is_double()) {
+    x_ = DyadicSum(x.leading());
+    y_ = DyadicSum(y.leading());
   } else {
-    exact_ = std::make_shared<const Exact>(Exact{0, p});
+    exact_ = std::make_shared<const Exact>(Exact{0, {x.value(), y.value()}});
   }
 }
 

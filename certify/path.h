@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "exact/compact_rational.h"
 #include "filtered/dd_ball.h"
 #include "history/events.h"
 
@@ -45,14 +46,15 @@ struct Velocity {
 
   Velocity() = default;
   explicit Velocity(const Vec2& v) : near(v) {}
-  explicit Velocity(const ExactVec2& v);
+  Velocity(const CompactRational& x, const CompactRational& y);
+  explicit Velocity(const ExactVec2& v) : Velocity(v[0], v[1]) {}
   ExactVec2 value() const;
 };
 
 class Path {
  public:
-  // From the point p at time 0.
-  Path(const ExactVec2& p, const Velocity& v);
+  // From the point (x, y) at time 0.
+  Path(const CompactRational& x, const CompactRational& y, const Velocity& v);
 
   // From the time t on, no earlier than the last, the disk goes on with velocity v.
   void turn(double t, const Velocity& v);

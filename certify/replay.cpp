@@ -12,10 +12,8 @@ Replay::Replay(const Scene& scene, const CertifyOptions& options)
       diagram_(static_cast<int>(scene.disks.size())),
       last_change_(scene.disks.size() + 1, 0) {
   for (const DiskSpec& d : scene.disks) {
-    velocities_.emplace_back(ExactVec2{d.vx, d.vy});
-    if (options.truth == Truth::recorded) {
-      paths_.emplace_back(ExactVec2{d.x, d.y}, velocities_.back());
-    }
+    velocities_.emplace_back(d.vx, d.vy);
+    if (options.truth == Truth::recorded) paths_.emplace_back(d.x, d.y, velocities_.back());
     note_speed(velocities_.back());
   }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/compact_rational.h"
 #include "filtered/dd_ball.h"
 #include "filtered/double_ball.h"
 #include "history/events.h"
@@ -33,6 +34,10 @@ std::array<T, 2> minus(const std::array<T, 2>& a, const std::array<T, 2>& b) {
 inline DoubleBall ball(const Rational& q) {
   const double x = q.get_d();
   return {x, std::fabs(x) * 0x1p-52 + DBL_MIN};
+}
+inline DoubleBall ball(const CompactRational& q) {
+  if (const Rational* exact = q.exact()) return ball(*exact);
+  return {q.leading(), std::fabs(q.second()) * (1 + 0x1p-50)};
 }
 inline BallVec2 ball(const ExactVec2& v) { return {ball(v[0]), ball(v[1])}; }
 inline BallVec2 ball(const Vec2& v) { return {DoubleBall(v[0]), DoubleBall(v[1])}; }

@@ -45,12 +45,12 @@ Scene empty_scene(std::string family, int n, std::uint64_t seed, double containe
 
 void add_disk(Scene& scene, Vec centre, double radius, Vec velocity) {
   DiskSpec disk;
-  disk.x = to_rational(centre.x);
-  disk.y = to_rational(centre.y);
-  disk.radius = to_rational(radius);
-  disk.vx = to_rational(velocity.x);
-  disk.vy = to_rational(velocity.y);
-  disk.mass = disk.radius * disk.radius;
+  disk.x = centre.x;
+  disk.y = centre.y;
+  disk.radius = radius;
+  disk.vx = velocity.x;
+  disk.vy = velocity.y;
+  disk.mass = square(disk.radius);
   scene.disks.push_back(std::move(disk));
 }
 

@@ -28,11 +28,12 @@ std::int64_t exponent_of(const Rational& q) { return exponent_of(round_nearest(q
 
 bool is_double(const DdBall& b) { return b.lo == 0 && b.rad == 0; }
 
-// Of a positive number q, enclosed by `near`: the exponent of a bound from above.
-std::int64_t exponent_above(const DdBall& near, const Rational& q) {
-  if (near.hi >= DBL_MIN && near.hi <= DBL_MAX) return 2 + std::ilogb(near.hi);
-  return static_cast<std::int64_t>(mpz_sizeinbase(q.get_num_mpz_t(), 2)) -
-         static_cast<std::int64_t>(mpz_sizeinbase(q.get_den_mpz_t(), 2)) + 1;
+// Of a positive number: the exponent of a bound from above.
+std::int64_t exponent_above(const CompactRational& x) {
+  const Rational* exact = x.exact();
+  if (exact == nullptr) return 2 + std::ilogb(x.leading());
+  return static_cast<std::int64_t>(mpz_sizeinbase(exact->get_num_mpz_t(), 2)) -
+         static_cast<std::int64_t>(mpz_sizeinbase(exact->get_den_mpz_t(), 2)) + 1;
 }
 
 // Whether q is held by its truncation `first` to binary64, by a test that numbers of few digits may
@@ -55,6 +56,11 @@ DdBall dd_of(const Rational& q) {
   dd_detail::fast_two_sum(first, second, b.hi, b.lo);
   if (!is_held_by(second, rest)) b.rad = std::fabs(second) * 0x1p-52 + DBL_MIN;  // towards zero
   return b;
+}
+
+DdBall dd_of(const CompactRational& q) {
+  if (const Rational* exact = q.exact()) return dd_of(*exact);
+  return {q.leading(), q.second(), 0};
 }
 
 // Of exact arithmetic, which is slow far sooner than balls are.
@@ -86,7 +92,7 @@ Ball dyadic_or_rounded(const Rational& q, Ball::Precision bits) {
 }  // namespace
 
 Motion::Motion(MotionInput input, MotionOptions options)
-    : input_(std::move(input)), options_(options) {
+    : input_(std::move(input)), options_(options), container_radius_(input_.container_radius) {
   horizon_ = round_up(input_.horizon);
   goal_bits_ = std::min(kInitialGoal, std::max(options_.max_bits - kHeadroom, 64));
   // A smaller or larger start is a larger or smaller first supply per time.
@@ -103,8 +109,6 @@ Motion::Motion(MotionInput input, MotionOptions options)
   seconds_.resize(n + 1);
   fixed_.resize(n + 1);
   balls_.resize(n + 1);
-  mass_.reserve(n);
-  for (const DiskInput& d : input_.disks) mass_.push_back(dd_of(d.mass));
   set_radius(container_id, -dd_of(input_.container_radius));
   for (GenId g = 0; g < size(); ++g) set_radius(g, dd_of(input_.disks[g].radius));
   for (std::size_t g = 0; g <= n; ++g) state_[g] = -static_cast<int>(g);
@@ -114,12 +118,12 @@ Motion::Motion(MotionInput input, MotionOptions options)
   for (GenId g = 0; g < size(); ++g) {
     const DoubleMotion& m = doubles(g);
     v_scale_ = std::max({v_scale_, exponent_of(m.vx), exponent_of(m.vy)});
-    const Rational& radius = input_.disks[g].radius;
+    const CompactRational& radius = input_.disks[g].radius;
     if (sgn(radius) > 0) reach_scale_ = std::min(reach_scale_, exponent_of(m.r));
     const double rest = -doubles(container_id).r - m.r;
     if (rest > 0x1p-20 * m.r) {
       reach_scale_ = std::min(reach_scale_, exponent_of(rest));
-    } else if (const Rational exact = input_.container_radius - radius; sgn(exact) > 0) {
+    } else if (const Rational exact = input_.container_radius - radius.value(); sgn(exact) > 0) {
       reach_scale_ = std::min(reach_scale_, exponent_of(exact));
     }
   }
@@ -185,8 +189,9 @@ const Motion::BallState& Motion::ball_state(GenId g) const {
 Ball Motion::radius_ball(GenId g, Ball::Precision bits) const {
   const DdBall near = radius(g);
   if (is_double(near)) return Ball(near.hi, bits);
-  return Ball(g == container_id ? Rational(-input_.container_radius) : input_.disks[g].radius,
-              bits);
+  return Ball(
+      g == container_id ? Rational(-input_.container_radius) : input_.disks[g].radius.value(),
+      bits);
 }
 
 // Makes double-doubles and doubles, with their error bounds, from the state in force.
@@ -337,18 +342,16 @@ int Motion::integer_limbs() const {
   return static_cast<int>((largest + 2 + kFaster) / 64) + 1;
 }
 
-// `near` encloses `exact`, and is it for numbers of binary64 and their squares.
-void Motion::set_fixed(FixedBall& out, const DdBall& near, const Rational& exact,
-                       std::int64_t unit) {
+void Motion::set_fixed(FixedBall& out, const CompactRational& x, std::int64_t unit) {
   FixedArithmetic& with = workspace_.arithmetic;
-  if (near.rad == 0) {
-    with.set(out, near.hi, unit);
-    if (near.lo == 0) return;
-    with.set(workspace_.term, near.lo, unit);
-    with.add(out, out, workspace_.term);
-  } else {
-    with.set(out, dyadic_or_rounded(exact, bits_at(0)), unit);
+  if (const Rational* exact = x.exact()) {
+    with.set(out, dyadic_or_rounded(*exact, bits_at(0)), unit);
+    return;
   }
+  with.set(out, x.leading(), unit);
+  if (x.second() == 0) return;
+  with.set(workspace_.term, x.second(), unit);
+  with.add(out, out, workspace_.term);
 }
 
 void Motion::respond(const Record& r) {
@@ -414,12 +417,12 @@ void Motion::respond(const Record& r) {
   with.sub(m.dy, m.y[1], m.y[0]);
   with.sub(m.wx, m.vx[1], m.vx[0]);
   with.sub(m.wy, m.vy[1], m.vy[0]);
-  set_fixed(m.reach, radius(r.j), input_.disks[r.j].radius, xs);
+  set_fixed(m.reach, input_.disks[r.j].radius, xs);
   if (wall) {
-    set_fixed(m.a, -radius(container_id), input_.container_radius, xs);
+    set_fixed(m.a, container_radius_, xs);
     with.sub(m.reach, m.reach, m.a);
   } else {
-    set_fixed(m.a, radius(r.i), input_.disks[r.i].radius, xs);
+    set_fixed(m.a, input_.disks[r.i].radius, xs);
     with.add(m.reach, m.reach, m.a);
   }
   // a s^2 + 2 b s + c = 0 at the contact, s after the reference time.
@@ -456,11 +459,10 @@ void Motion::respond(const Record& r) {
   with.add(m.ny, m.dy, m.term);
   if (!wall) {
     // The masses in units of the larger one.
-    const Rational &mi = input_.disks[r.i].mass, &mj = input_.disks[r.j].mass;
-    const std::int64_t ms =
-        std::max(exponent_above(mass_[r.i], mi), exponent_above(mass_[r.j], mj));
-    set_fixed(m.mass[0], mass_[r.i], mi, ms);
-    set_fixed(m.mass[1], mass_[r.j], mj, ms);
+    const CompactRational &mi = input_.disks[r.i].mass, &mj = input_.disks[r.j].mass;
+    const std::int64_t ms = std::max(exponent_above(mi), exponent_above(mj));
+    set_fixed(m.mass[0], mi, ms);
+    set_fixed(m.mass[1], mj, ms);
   }
   // K = -(1 + e) root / (reach^2 (m_i + m_j)), at the wall without masses. One after the other the
   // quotients keep to the size of the numbers, and divisors are short.
@@ -758,7 +760,7 @@ Impact Motion::collide_in_doubles(GenId i, GenId j, double t) {
       b.vy -= (1 + e) * q * ny;
     }
   } else {
-    const double mi = mass_[i].hi, mj = mass_[j].hi;
+    const double mi = round_nearest(input_.disks[i].mass), mj = round_nearest(input_.disks[j].mass);
     const double k = (1 + plain_restitution_) * q / (mi + mj);
     a.vx += k * mj * nx;
     a.vy += k * mj * ny;
@@ -796,7 +798,8 @@ const Tower& ExactMotion::start(int id, GenId g) { return entry(id, g).start; }
 
 Tower ExactMotion::radius(GenId g) const {
   const MotionInput& in = motion_.input();
-  return g == container_id ? Tower(Rational(-in.container_radius)) : Tower(in.disks[g].radius);
+  return g == container_id ? Tower(Rational(-in.container_radius))
+                           : Tower(Rational(in.disks[g].radius));
 }
 
 const ExactMotion::Entry& ExactMotion::entry(int id, GenId g) {
@@ -810,7 +813,8 @@ const ExactMotion::Entry& ExactMotion::entry(int id, GenId g) {
     } else {
       const DiskInput& d = motion_.initial_state(g);
       const Rational start = to_rational(motion_.start_[g]);
-      e.state = {start, Tower(d.x), Tower(d.y), Tower(d.vx), Tower(d.vy)};
+      e.state = {start, Tower(d.x.value()), Tower(d.y.value()), Tower(d.vx.value()),
+                 Tower(d.vy.value())};
       e.start = Tower(start);
     }
     return memo_[key] = e;
@@ -886,8 +890,8 @@ void ExactMotion::compute(int record) {
     }
     return;
   }
-  const Rational& m1 = in.disks[r.i].mass;
-  const Rational& m2 = in.disks[r.j].mass;
+  const Rational m1 = in.disks[r.i].mass;
+  const Rational m2 = in.disks[r.j].mass;
   const Tower k1 = q * Tower(Rational((1 + in.restitution) * m2 / (m1 + m2)));
   const Tower k2 = q * Tower(Rational((1 + in.restitution) * m1 / (m1 + m2)));
   restart(mi, r.i, mi.vx + k1 * nx, mi.vy + k1 * ny);

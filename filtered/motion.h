@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "exact/ball.h"
+#include "exact/compact_rational.h"
 #include "exact/fixed_ball.h"
 #include "exact/generators.h"
 #include "exact/predicates.h"
@@ -32,7 +33,7 @@
 namespace voroproof {
 
 struct DiskInput {
-  Rational x, y, radius, vx, vy, mass;
+  CompactRational x, y, radius, vx, vy, mass;
 };
 
 struct MotionInput {
@@ -247,7 +248,7 @@ class Motion {
   void refresh(GenId g);
   void set_state(GenId g, const DdBall& x, const DdBall& y, const DdBall& vx, const DdBall& vy);
   void set_radius(GenId g, const DdBall& r);
-  void set_fixed(FixedBall& out, const DdBall& near, const Rational& exact, std::int64_t unit);
+  void set_fixed(FixedBall& out, const CompactRational& x, std::int64_t unit);
   void respond(const Record& r);
   void apply_maneuver(const Record& r);
   bool accurate_enough(GenId g) const;
@@ -259,6 +260,7 @@ class Motion {
   mutable MotionInput input_;
   mutable std::vector<const GivenMotion*> given_;
   MotionOptions options_;
+  CompactRational container_radius_;
   int goal_bits_;
   double slope_ = 0;  // further bits per unit of time before the horizon
   double horizon_ = 0;
@@ -278,7 +280,6 @@ class Motion {
   std::vector<std::unique_ptr<FixedState>> fixed_;
   // States in balls: those after a maneuver, others from when they are asked for.
   mutable std::vector<std::unique_ptr<BallState>> balls_;
-  std::vector<DdBall> mass_;              // per disk
   Ball disk_law_, wall_law_, wall_keep_;  // factors of the laws of collision
   Workspace workspace_;
   // Of the uncertified instance.

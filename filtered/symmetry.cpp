@@ -10,7 +10,7 @@ namespace voroproof {
 
 Rational Symmetry::radius(const DiskState& s) const {
   const MotionInput& in = motion_.input();
-  return s.g == container_id ? Rational(-in.container_radius) : in.disks[s.g].radius;
+  return s.g == container_id ? Rational(-in.container_radius) : in.disks[s.g].radius.value();
 }
 
 namespace {

@@ -44,27 +44,27 @@ class DiskFileReader {
   }
 
  private:
-  Rational value(std::size_t k, const char* name) {
+  double value(std::size_t k, const char* name) {
     const double x = lines_.number(k, name);
     if (x != 0 && (std::fabs(x) > max_scene_value || std::fabs(x) < min_scene_value)) {
       lines_.fail(name, "beyond the limits of a scene: 0 or 1e-100 to 1e100 in magnitude");
     }
-    return to_rational(x);
+    return x;
   }
 
   void read_circle() {
     const std::int64_t id = lines_.integer(0, "id", -kMaxId, kMaxId);
-    const Rational x = value(1, "x"), y = value(2, "y"), r = value(3, "r");
+    const double x = value(1, "x"), y = value(2, "y"), r = value(3, "r");
     if (r < 0) lines_.fail("r", "negative");
-    const Rational vx = value(7, "vx"), vy = value(8, "vy");
+    const double vx = value(7, "vx"), vy = value(8, "vy");
     if (id < 0) {
       if (container_seen_) lines_.fail("id", "a second container, which is not supported");
       if (r == 0) lines_.fail("r", "not positive");
       if (vx != 0 || vy != 0) lines_.fail("vx", "a container that moves is not supported");
       container_seen_ = true;
-      scene_.cx = x;
-      scene_.cy = y;
-      scene_.container_radius = r;
+      scene_.cx = to_rational(x);
+      scene_.cy = to_rational(y);
+      scene_.container_radius = to_rational(r);
       return;
     }
     DiskSpec disk;
@@ -73,7 +73,7 @@ class DiskFileReader {
     disk.radius = r;
     disk.vx = vx;
     disk.vy = vy;
-    disk.mass = r * r;
+    disk.mass = square(disk.radius);
     scene_.disks.push_back(std::move(disk));
     ids_.push_back(id);
     lines_of_.push_back(lines_.number());
@@ -136,7 +136,7 @@ void write_disk_file(std::ostream& out, const Scene& scene) {
   for (std::size_t k = 0; k < scene.disks.size(); ++k) {
     const DiskSpec& d = scene.disks[k];
     const std::string name = "disks[" + std::to_string(k) + "]";
-    if (d.mass != d.radius * d.radius) {
+    if (d.mass != square(d.radius)) {
       throw UnsuitableScene(name + ".mass is not the radius squared");
     }
     out << k << '\t' << text(d.x, name + ".center[0]") << '\t' << text(d.y, name + ".center[1]")

@@ -39,17 +39,13 @@ struct Rounded {
 };
 
 // The nearest binary64, and whether it is q itself.
-Rounded rounded(const Rational& q) {
-  const double truncated = q.get_d();
-  if (to_rational(truncated) == q) return {truncated, true};
-  return {round_nearest(q), false};
-}
+Rounded rounded(const CompactRational& q) { return {round_nearest(q), q.is_double()}; }
 
-Key key_of(const Rational& q) {
-  const double hi = round_nearest(q);
-  const Rational rest = q - to_rational(hi);
-  const double lo = round_nearest(rest);
-  return {hi, lo, to_rational(lo) == rest ? nullptr : &q};
+Key key_of(const CompactRational& q) {
+  const Rational* exact = q.exact();
+  if (exact == nullptr) return {q.leading(), q.second(), nullptr};
+  const double hi = round_nearest(*exact);
+  return {hi, round_nearest(Rational(*exact - to_rational(hi))), exact};
 }
 
 // a + b (Knuth's TwoSum; the magnitudes of a scene are far from overflow).
@@ -112,7 +108,8 @@ Range magnitude(double a, double b, int sign, bool exact) {
 class Placement {
  public:
   explicit Placement(const Scene& scene) : scene_(scene) {
-    const auto circle = [](const Rational& x, const Rational& y, const Rational& r) {
+    const auto circle = [](const CompactRational& x, const CompactRational& y,
+                           const CompactRational& r) {
       const Rounded cx = rounded(x), cy = rounded(y), cr = rounded(r);
       return Circle{cx.value, cy.value, cr.value, cx.exact && cy.exact && cr.exact};
     };
@@ -150,12 +147,13 @@ class Placement {
 
   std::optional<PlacementFault> outside(int i) const {
     const DiskSpec& disk = scene_.disks[i];
-    if (disk.radius >= wall_.radius) return PlacementFault{i, "not smaller than the container"};
+    if (disk.radius.value() >= wall_.radius.value())
+      return PlacementFault{i, "not smaller than the container"};
     const int sign = compare_distance(container_, circles_[i], wall_, disk, -1);
     if (sign > 0) return PlacementFault{i, "not inside the container"};
-    if (sign == 0 && (disk.vx != 0 || disk.vy != 0)) {
-      const Rational nx = disk.x - wall_.x, ny = disk.y - wall_.y;
-      if (nx * disk.vx + ny * disk.vy == 0)
+    if (sign == 0 && (sgn(disk.vx) != 0 || sgn(disk.vy) != 0)) {
+      const Rational nx = disk.x.value() - wall_.x.value(), ny = disk.y.value() - wall_.y.value();
+      if (nx * disk.vx.value() + ny * disk.vy.value() == 0)
         return PlacementFault{i, "touches the container with a tangential velocity"};
     }
     return std::nullopt;
@@ -165,7 +163,7 @@ class Placement {
     const DiskSpec &a = scene_.disks[i], &b = scene_.disks[j];
     const int sign = compare_distance(circles_[i], circles_[j], a, b, 1);
     // Points at distance 0 are no touching pair: they have no normal, and no bisector.
-    return sign < 0 || (sign == 0 && a.radius == 0 && b.radius == 0);
+    return sign < 0 || (sign == 0 && sgn(a.radius) == 0 && sgn(b.radius) == 0);
   }
 
   // Where the sweep meets a disk (its left end) or leaves it.
@@ -179,7 +177,7 @@ class Placement {
     const Circle& c = circles_[i];
     if (c.exact) return {key_of_sum(c.x, leaving ? c.r : -c.r), i, leaving};
     const DiskSpec& disk = scene_.disks[i];
-    exact_stops_.push_back(disk.x + (leaving ? 1 : -1) * disk.radius);
+    exact_stops_.emplace_back(Rational(disk.x.value() + (leaving ? 1 : -1) * disk.radius.value()));
     return {key_of(exact_stops_.back()), i, leaving};
   }
 
@@ -240,7 +238,7 @@ class Placement {
   Circle container_;
   std::vector<Circle> circles_;
   std::vector<Key> heights_;
-  std::deque<Rational> exact_stops_;  // to which keys point
+  std::deque<CompactRational> exact_stops_;  // to which keys point
 };
 
 }  // namespace

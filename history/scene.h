@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "exact/rational.h"
+#include "exact/compact_rational.h"
 
 namespace voroproof {
 
@@ -18,10 +18,10 @@ struct Point2 {
 };
 
 struct DiskSpec {
-  Rational x, y;    // centre at t = 0
-  Rational radius;  // >= 0
-  Rational vx, vy;  // velocity at t = 0
-  Rational mass;    // > 0, but 0 for a lone disk of radius 0 that was given none
+  CompactRational x, y;    // centre at t = 0
+  CompactRational radius;  // >= 0
+  CompactRational vx, vy;  // velocity at t = 0
+  CompactRational mass;    // > 0, but 0 for a lone disk of radius 0 that was given none
 };
 
 // At time t the velocity of the disk becomes (vx, vy).

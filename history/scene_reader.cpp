@@ -84,15 +84,17 @@ class SceneReader {
   }
 
  private:
-  Rational value() { return scene_value(json_); }
+  CompactRational value() { return scene_value(json_); }
 
-  void read_pair(Rational& x, Rational& y) {
+  template <class Number>
+  void read_pair(Number& x, Number& y) {
     json_.array_of<2>([&](std::size_t i) { (i == 0 ? x : y) = value(); });
   }
 
-  void read_radius(Rational& radius) {
+  template <class Number>
+  void read_radius(Number& radius) {
     radius = value();
-    if (radius < 0) json_.fail("negative");
+    if (sgn(radius) < 0) json_.fail("negative");
   }
 
   void read_seed() {
@@ -155,10 +157,10 @@ class SceneReader {
               break;
             case mass:
               disk.mass = value();
-              if (disk.mass <= 0) json_.fail("not positive");
+              if (sgn(disk.mass) <= 0) json_.fail("not positive");
           }
         });
-    if (!(seen & bit(mass))) disk.mass = disk.radius * disk.radius;
+    if (!(seen & bit(mass))) disk.mass = square(disk.radius);
     scene_.disks.push_back(std::move(disk));
   }
 

@@ -16,7 +16,7 @@ std::string seed_text(const std::variant<std::string, Integer>& seed) {
 }
 
 // A disk of radius 0 has no default mass; a lone one may have none at all.
-bool has_default_mass(const DiskSpec& disk) { return disk.mass == disk.radius * disk.radius; }
+bool has_default_mass(const DiskSpec& disk) { return disk.mass == square(disk.radius); }
 
 }  // namespace
 

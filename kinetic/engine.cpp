@@ -57,17 +57,16 @@ using Pending = std::variant<Quad, PendingEvent>;
 template <bool certified>
 class Engine<certified>::Implementation {
  public:
-  Implementation(const MotionInput& input, std::vector<ManeuverInput> maneuvers,
-                 EngineOptions options)
+  Implementation(MotionInput input, std::vector<ManeuverInput> maneuvers, EngineOptions options)
       : options_(std::move(options)),
-        motion_(input, options_.motion),
+        motion_(std::move(input), options_.motion),
         maneuvers_(std::move(maneuvers)),
         diagram_(motion_.size()),
         collapses_(motion_, stats_.tiers),
         contacts_(motion_, stats_.tiers),
         queue_(1),
-        horizon_(input.horizon),
-        horizon_up_(round_up(input.horizon)),
+        horizon_(motion_.input().horizon),
+        horizon_up_(round_up(horizon_)),
         collapse_watch_(motion_) {}
 
   Outcome run(EventSink& sink) {
@@ -115,13 +114,14 @@ class Engine<certified>::Implementation {
   bool is_flip(int item) const { return item < maneuver_item() && (item & 1) == 0; }
   bool is_contact(int item) const { return item < maneuver_item() && (item & 1) == 1; }
 
-  // What a search found out about an item.
-  struct Found {
-    double lo = 0, hi = 0;  // isolates the event; meaningless for a bound
-    bool event = false;     // false: the key is only a bound
-    bool pending = false;   // a flip due at the present instant, see due_flips_
-    bool fine = false;      // fine_ has the isolating interval
+  // What a search found out about an item: bits of found_. Without kEvent its key is only a bound.
+  static constexpr std::uint8_t kEvent = 1;     // at a time that isolating_ isolates
+  static constexpr std::uint8_t kPending = 2;   // a flip due at the present instant, see due_flips_
+  static constexpr std::uint8_t kRational = 4;  // fine_ has the isolating interval
+  struct Isolating {
+    double lo = 0, hi = 0;
   };
+  bool is(std::uint8_t bit, int item) const { return (found_[item] & bit) != 0; }
 
   std::pair<GenId, GenId> pair_of(int item) const {
     if (diagram_.edges() == 0) return {container_id, 0};  // a lone disk: see start()
@@ -139,34 +139,33 @@ class Engine<certified>::Implementation {
 
   // ---- Searches. ----
   void record_collapse(int edge, const Collapse& c) {
-    Found& f = found_[flip_item(edge)];
-    if (f.fine) fine_.erase(edge);
-    f = {};
+    const int item = flip_item(edge);
+    if (is(kRational, item)) fine_.erase(edge);
+    found_[item] = 0;
     switch (c.kind) {
       case Collapse::Kind::none:
-        set_key(flip_item(edge), c.lo >= horizon_up_ ? kInfinity : c.lo);
+        set_key(item, c.lo >= horizon_up_ ? kInfinity : c.lo);
         break;
       case Collapse::Kind::root:
         ++stats_.predicted_flips;
-        f = {c.lo, c.hi, true, false, c.fine != nullptr};
+        isolating_[item] = {c.lo, c.hi};
+        found_[item] = c.fine ? kEvent | kRational : kEvent;
         if (c.fine) fine_[edge] = c.fine;
-        set_key(flip_item(edge), c.lo);
+        set_key(item, c.lo);
         break;
       case Collapse::Kind::now:
         ++stats_.predicted_flips;
-        f.pending = true;
+        found_[item] = kPending;
         due_flips_.insert({canonical(quad_of(edge)), edge});
-        set_key(flip_item(edge), kInfinity);
+        set_key(item, kInfinity);
         break;
     }
   }
 
   void drop_pending(int edge) {
-    Found& f = found_[flip_item(edge)];
-    if (f.pending) {
-      std::erase_if(due_flips_, [&](const auto& due) { return due.second == edge; });
-      f.pending = false;
-    }
+    if (!is(kPending, flip_item(edge))) return;
+    std::erase_if(due_flips_, [&](const auto& due) { return due.second == edge; });
+    found_[flip_item(edge)] &= static_cast<std::uint8_t>(~kPending);
   }
 
   double window_end(double from) const {
@@ -206,7 +205,7 @@ class Engine<certified>::Implementation {
     } else {
       c = contact_in_doubles(motion_, i, j, now_.lo, horizon_up_);
     }
-    found_[item] = {};
+    found_[item] = 0;
     if (c.kind == NextContact::Kind::none) {
       set_key(item, kInfinity);
       return;
@@ -217,7 +216,8 @@ class Engine<certified>::Implementation {
       set_key(item, kInfinity);
       return;
     }
-    found_[item] = {c.lo, c.hi, true, false, false};
+    isolating_[item] = {c.lo, c.hi};
+    found_[item] = kEvent;
     set_key(item, c.lo);
   }
 
@@ -241,13 +241,13 @@ class Engine<certified>::Implementation {
   // What the search has found, and no more.
   Candidate rough_candidate(int item) {
     if (!certified || !is_contact(item)) return candidate(item);
-    const Found& f = found_[item];
+    const Isolating& f = isolating_[item];
     const double middle = 0.5 * (f.lo + f.hi);
     return {item, f.lo, f.hi, DdBall(middle, 0, (f.hi - f.lo) * (1 + 0x1p-50)), false};
   }
 
   Candidate candidate(int item) {
-    const Found& f = found_[item];
+    const Isolating& f = isolating_[item];
     if (item == maneuver_item() || item == horizon_item()) {
       const Instant t = instant_at(item == horizon_item() ? horizon_ : next_maneuver().t);
       return {item, t.lo, t.hi, t.dd, true};
@@ -286,10 +286,10 @@ class Engine<certified>::Implementation {
   }
 
   Ball ball_of(int item, int bits) {
-    const Found& f = found_[item];
+    const Isolating& f = isolating_[item];
     if (is_flip(item)) {
       const Quad q = quad_of(item / 2);
-      if (f.fine) {
+      if (is(kRational, item)) {
         const RootInterval& root = *fine_.at(item / 2);
         return collapses_.refine(q, root.lo, root.hi, bits);
       }
@@ -309,10 +309,10 @@ class Engine<certified>::Implementation {
   }
 
   ExactTime exact_time(int item, ExactMotion& exact) {
-    const Found& f = found_[item];
+    const Isolating& f = isolating_[item];
     if (is_flip(item)) {
       const Quad q = quad_of(item / 2);
-      if (f.fine) {
+      if (is(kRational, item)) {
         const RootInterval& root = *fine_.at(item / 2);
         return CollapseSearch::exact_root(q, root.lo, root.hi, exact);
       }
@@ -352,11 +352,11 @@ class Engine<certified>::Implementation {
     if (is_contact(a) && is_contact(b)) return symmetry.same_contact(pair(a), pair(b));
     if (!is_flip(a) || !is_flip(b)) return false;
     const auto same = [&](int x, int y) {
-      const Found& f = found_[y];
+      const Isolating& f = isolating_[y];
       return symmetry.same_flip(
           symmetry.states(quad_of(x / 2)), ball_of(x, motion_.goal_bits() + 32),
           symmetry.states(quad_of(y / 2)),
-          f.fine ? *fine_.at(y / 2) : RootInterval{to_rational(f.lo), to_rational(f.hi)});
+          is(kRational, y) ? *fine_.at(y / 2) : RootInterval{to_rational(f.lo), to_rational(f.hi)});
     };
     return same(a, b) || same(b, a);
   }
@@ -440,7 +440,7 @@ class Engine<certified>::Implementation {
   const ManeuverInput& next_maneuver() const { return maneuvers_[next_maneuver_]; }
   void queue_maneuver() {
     const bool more = next_maneuver_ < maneuvers_.size() && next_maneuver().t <= horizon_;
-    found_[maneuver_item()].event = more;
+    found_[maneuver_item()] = more ? kEvent : 0;
     quiet_until_ = more ? round_down(next_maneuver().t) : kInfinity;
     set_key(maneuver_item(), quiet_until_);
   }
@@ -455,7 +455,8 @@ class Engine<certified>::Implementation {
     // A lone disk has no V-edge but meets the container all the same: one slot.
     slots_ = motion_.size() == 1 ? 1 : edges;
     queue_ = EventQueue(2 * slots_ + 2);
-    found_.assign(2 * slots_ + 2, {});
+    found_.assign(2 * slots_ + 2, 0);
+    isolating_.assign(2 * slots_ + 2, {});
     stamp_.assign(edges, 0);
     const double spacing =
         2 * round_nearest(motion_.input().container_radius) / std::sqrt(1.0 + motion_.size());
@@ -465,7 +466,7 @@ class Engine<certified>::Implementation {
       speed = std::fmax(speed, std::hypot(m.vx, m.vy));
     }
     window_ = speed > 0 ? 0.25 * spacing / speed : horizon_up_;
-    found_[horizon_item()].event = true;
+    found_[horizon_item()] = kEvent;
     set_key(horizon_item(), round_down(horizon_));
     queue_maneuver();
     for (int e = 0; e < slots_; ++e) search_contact(e);
@@ -518,7 +519,7 @@ class Engine<certified>::Implementation {
       for (const Candidate& c : ties) {
         if (is_flip(c.item)) {
           // Kept with its isolating interval: what follows the flip starts beyond it.
-          found_[c.item].pending = true;
+          found_[c.item] |= kPending;
           due_flips_.insert({canonical(quad_of(c.item / 2)), c.item / 2});
           queue_.set(c.item, kInfinity);
         } else if (is_contact(c.item)) {
@@ -599,7 +600,7 @@ class Engine<certified>::Implementation {
       const int item = queue_.top();
       if (queue_.key(item) == kInfinity) return false;
       frontier_ = queue_.key(item);
-      if (found_[item].event) break;
+      if (is(kEvent, item)) break;
       extend(item);
     }
     // A contact that nothing is near needs no refinement: its collision computes it.
@@ -615,7 +616,7 @@ class Engine<certified>::Implementation {
         ties.assign(1, first);
         continue;
       }
-      if (!found_[other].event) {
+      if (!is(kEvent, other)) {
         extend(other);
         continue;
       }
@@ -680,11 +681,11 @@ class Engine<certified>::Implementation {
       if (is_flip(c.item)) {
         // Kept apart from the function: nothing is allocated, and no rational is made,
         // for an instant that nobody asks for exactly.
-        const Found& f = found_[c.item];
+        const Isolating& f = isolating_[c.item];
         now_root_.q = quad_of(c.item / 2);
         now_root_.lo = f.lo;
         now_root_.hi = f.hi;
-        if (f.fine) {
+        if (is(kRational, c.item)) {
           now_root_.fine = fine_.at(c.item / 2);
         } else {
           now_root_.fine.reset();
@@ -698,7 +699,7 @@ class Engine<certified>::Implementation {
         // Until the states change this is the pair's next contact; process_contact
         // replaces it by the start of the new state.
         const auto [i, j] = pair_of(c.item);
-        now_contact_ = {i, j, found_[c.item].lo};
+        now_contact_ = {i, j, isolating_[c.item].lo};
         now_.exact = [this](ExactMotion& exact) {
           const auto& [i, j, near] = now_contact_;
           return ContactSearch::exact_time(i, j, to_rational(near), exact);
@@ -745,11 +746,12 @@ class Engine<certified>::Implementation {
   void process_flip(int edge) {
     const HalfEdge h = 2 * edge;
     const Quad q = diagram_.quad(h);
-    const Found found = found_[flip_item(edge)];
-    if (certified && !found.event) coincidence_.flips.push_back(Symmetry(motion_).states(q));
+    const bool isolated = is(kEvent, flip_item(edge));
+    const double beyond = isolating_[flip_item(edge)].hi;
+    if (certified && !isolated) coincidence_.flips.push_back(Symmetry(motion_).states(q));
     std::shared_ptr<const RootInterval> fine;
-    if (found.fine) fine = fine_.at(edge);
-    found_[flip_item(edge)].pending = false;
+    if (is(kRational, flip_item(edge))) fine = fine_.at(edge);
+    found_[flip_item(edge)] &= static_cast<std::uint8_t>(~kPending);
     ++stats_.flips[static_cast<int>(kind_of(q))];
     const int around[4] = {diagram_.next(h) / 2, diagram_.previous(h) / 2, diagram_.next(h ^ 1) / 2,
                            diagram_.previous(h ^ 1) / 2};
@@ -764,8 +766,8 @@ class Engine<certified>::Implementation {
     const auto reschedule = [&](int e) {
       drop_pending(e);
       const bool same = e == edge || same_generators(quad_of(e), q);
-      if (same && found.event) {
-        search_flip_after(e, found.hi, fine.get());
+      if (same && isolated) {
+        search_flip_after(e, beyond, fine.get());
       } else {
         search_flip_from_now(e);
       }
@@ -895,8 +897,9 @@ class Engine<certified>::Implementation {
   InelasticCollapse collapse_watch_;
   EventSink* sink_ = nullptr;
   bool begun_ = false;
-  int slots_ = 0;  // V-edges, or 1 for a lone disk
-  std::vector<Found> found_;
+  int slots_ = 0;                     // V-edges, or 1 for a lone disk
+  std::vector<std::uint8_t> found_;   // of each item
+  std::vector<Isolating> isolating_;  // of those that are flips or contacts found
   std::unordered_map<int, std::shared_ptr<const RootInterval>> fine_;
   std::vector<int> degree_;
   std::vector<std::uint64_t> stamp_;
@@ -929,10 +932,10 @@ class Engine<certified>::Implementation {
 };
 
 template <bool certified>
-Engine<certified>::Engine(const MotionInput& input, std::vector<ManeuverInput> maneuvers,
+Engine<certified>::Engine(MotionInput input, std::vector<ManeuverInput> maneuvers,
                           EngineOptions options)
-    : implementation_(
-          std::make_unique<Implementation>(input, std::move(maneuvers), std::move(options))) {}
+    : implementation_(std::make_unique<Implementation>(std::move(input), std::move(maneuvers),
+                                                       std::move(options))) {}
 template <bool certified>
 Engine<certified>::~Engine() = default;
 template <bool certified>

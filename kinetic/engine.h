@@ -116,7 +116,7 @@ constexpr const char* name_of(Outcome::Kind kind) {
 template <bool certified>
 class Engine {
  public:
-  Engine(const MotionInput& input, std::vector<ManeuverInput> maneuvers, EngineOptions options);
+  Engine(MotionInput input, std::vector<ManeuverInput> maneuvers, EngineOptions options);
   ~Engine();
 
   Outcome run(EventSink& sink);

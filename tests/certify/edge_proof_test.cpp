@@ -13,6 +13,7 @@
 #include "certify/edge_circles.h"
 #include "certify/edge_signs.h"
 #include "certify/rootless.h"
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 
 namespace voroproof::testing {
@@ -38,8 +39,9 @@ class FourDisks {
     for (int i = 0; i < 4; ++i) {
       const DiskInput& d = input_.disks[i];
       for (const double t : {a, b}) {
-        const double x = d.x.get_d() + t * d.vx.get_d(), y = d.y.get_d() + t * d.vy.get_d();
-        if (std::hypot(x, y) + d.radius.get_d() > 299 * unit_) return false;
+        const double x = round_nearest(d.x) + t * round_nearest(d.vx),
+                     y = round_nearest(d.y) + t * round_nearest(d.vy);
+        if (std::hypot(x, y) + round_nearest(d.radius) > 299 * unit_) return false;
       }
       for (int j = 0; j < i; ++j) {
         const DiskInput& o = input_.disks[j];

@@ -8,6 +8,7 @@
 
 #include "certify/path.h"
 #include "certify/rootless.h"
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 
 namespace voroproof::testing {
@@ -23,7 +24,8 @@ MotionInput random_input(double extent, double largest_radius, const Rational& u
   };
   for (int k = 0; k < 4; ++k) {
     in.disks.push_back({any(extent), any(extent),
-                        Rational(uniform(random, 0, largest_radius)) / unit, any(3), any(3), 1});
+                        Rational(Rational(uniform(random, 0, largest_radius)) / unit), any(3),
+                        any(3), 1});
   }
   return in;
 }
@@ -206,7 +208,7 @@ TEST(DyadicSum, IsExact) {
 }
 
 TEST(Path, TurnsFromDoublesToRationals) {
-  Path path({Rational(1), Rational(2)}, Velocity(Vec2{0.5, -0.25}));
+  Path path(1, 2, Velocity(Vec2{0.5, -0.25}));
   path.turn(3.0, Velocity(Vec2{0.1, 0.2}));
   ASSERT_TRUE(path.near(4));
   EXPECT_EQ(path.at(3), (ExactVec2{Rational(5, 2), Rational(5, 4)}));

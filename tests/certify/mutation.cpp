@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "exact/predicates.h"
+#include "tests/support/compact_arithmetic.h"
 #include "topology/diagram.h"
 
 namespace voroproof::testing {
@@ -80,7 +81,7 @@ struct Path {
 };
 Path path(const Scene& scene, const Claims& events, std::size_t k, GenId g) {
   const DiskSpec& d = scene.disks[g];
-  Path out{0, {d.x.get_d(), d.y.get_d()}, {d.vx.get_d(), d.vy.get_d()}};
+  Path out{0, {round_nearest(d.x), round_nearest(d.y)}, {round_nearest(d.vx), round_nearest(d.vy)}};
   for (std::size_t i = 0; i < k; ++i) {
     if (const auto* c = std::get_if<CollideEvent>(&events[i])) {
       if (c->i == g) out = {c->t, *c->p[0], *c->v[0]};
@@ -101,7 +102,7 @@ double cotangency_at(const Scene& scene, const Claims& events, std::size_t k, co
     }
     const Path at = path(scene, events, k, g);
     return {at.p[0] + at.v[0] * (t - at.t), at.p[1] + at.v[1] * (t - at.t),
-            scene.disks[g].radius.get_d()};
+            round_nearest(scene.disks[g].radius)};
   };
   return cotangency(site(q.l), site(q.r), site(q.s), site(q.e));
 }

@@ -10,6 +10,7 @@
 
 #include "certify/report.h"
 #include "corpus/generate.h"
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/lattice_scene.h"
 
 namespace voroproof::testing {
@@ -27,7 +28,7 @@ Scene scaled(Scene scene, int exponent) {
   const Rational unit = to_rational(std::ldexp(1.0, exponent));
   for (Rational* x : {&scene.cx, &scene.cy, &scene.container_radius}) *x *= unit;
   for (DiskSpec& d : scene.disks) {
-    for (Rational* x : {&d.x, &d.y, &d.radius, &d.vx, &d.vy}) *x *= unit;
+    for (CompactRational* x : {&d.x, &d.y, &d.radius, &d.vx, &d.vy}) *x *= unit;
   }
   return scene;
 }

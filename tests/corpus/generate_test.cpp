@@ -15,6 +15,7 @@
 #include <string>
 
 #include "history/sha256.h"
+#include "tests/support/compact_arithmetic.h"
 
 namespace voroproof {
 namespace {
@@ -55,7 +56,7 @@ void expect_valid(const Scene& s) {
   EXPECT_TRUE(read.seed.has_value());
   EXPECT_TRUE(is_binary64(s.container_radius));
   for (const DiskSpec& disk : s.disks) {
-    for (const Rational& q : {disk.x, disk.y, disk.radius, disk.vx, disk.vy})
+    for (const Rational q : {disk.x, disk.y, disk.radius, disk.vx, disk.vy})
       EXPECT_TRUE(is_binary64(q));
     EXPECT_EQ(disk.mass, square(disk.radius));
   }
@@ -74,7 +75,7 @@ void expect_speed(const Scene& s, double speed) {
 
 Rational density(const Scene& s) {
   Rational area = 0;
-  for (const DiskSpec& disk : s.disks) area += square(disk.radius);
+  for (const DiskSpec& disk : s.disks) area += square(disk.radius.value());
   return area / square(s.container_radius);
 }
 

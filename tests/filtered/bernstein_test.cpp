@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "exact/polynomial.h"
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 
 namespace voroproof::testing {
@@ -39,11 +40,11 @@ MotionInput random_input(const Family& family, Random& random) {
     const double angle = uniform(random, 0, 2 * std::numbers::pi);
     const double speed = family.common_speed ? family.speed : uniform(random, 0, family.speed);
     const double extent = family.extent;
-    in.disks.push_back({Rational(uniform(random, -extent, extent)) / family.unit,
-                        Rational(uniform(random, -extent, extent)) / family.unit,
-                        Rational(family.equal_radii ? 5 : uniform(random, 0, 10)) / family.unit,
-                        Rational(speed * std::cos(angle)) / family.unit,
-                        Rational(speed * std::sin(angle)) / family.unit, 1});
+    const auto in_units = [&](double x) -> Rational { return Rational(x) / family.unit; };
+    in.disks.push_back({in_units(uniform(random, -extent, extent)),
+                        in_units(uniform(random, -extent, extent)),
+                        in_units(family.equal_radii ? 5 : uniform(random, 0, 10)),
+                        in_units(speed * std::cos(angle)), in_units(speed * std::sin(angle)), 1});
   }
   return in;
 }
@@ -64,7 +65,7 @@ Site<RationalPolynomial> path(const MotionInput& in, GenId g, const Rational& a,
   const DiskInput& d = in.disks[g];
   const Rational width = b - a;
   return {RationalPolynomial{d.x + a * d.vx, width * d.vx},
-          RationalPolynomial{d.y + a * d.vy, width * d.vy}, RationalPolynomial{d.radius}};
+          RationalPolynomial{d.y + a * d.vy, width * d.vy}, RationalPolynomial{d.radius.value()}};
 }
 
 // The Bernstein coefficients of the given degree.
@@ -229,8 +230,8 @@ TEST(Bernstein, ARootAtTheEndIsNotLost) {
       for (DiskInput& d : in.disks) {
         // At a rational point of the circle that touches all from inside.
         const Rational m = uniform(random, -2, 2), n = 1 + m * m, reach = 50 + d.radius;
-        d.x = reach * (1 - m * m) / n;
-        d.y = reach * 2 * m / n;
+        d.x = Rational(reach * (1 - m * m) / n);
+        d.y = Rational(reach * 2 * m / n);
       }
       expect_enclosed(in, {0, 1, 2, 3}, 0, 1e-3, tally);
     }
@@ -251,7 +252,7 @@ TEST(Bernstein, RadiiOfOneDoubleAreNotEqualForThat) {
     for (DiskInput& d : in.disks) d.radius = common;
     EXPECT_TRUE(flip_polynomial_is_cocircularity(Motion(in, {}), q));
     for (int odd = 0; odd < 4; ++odd) {
-      in.disks[odd].radius = common + hair;
+      in.disks[odd].radius = Rational(common + hair);
       EXPECT_FALSE(flip_polynomial_is_cocircularity(Motion(in, {}), q)) << odd;
       in.disks[odd].radius = common;
     }

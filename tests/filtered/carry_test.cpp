@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "apps/scene_motion.h"
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/scene_run.h"
 
 namespace voroproof::testing {

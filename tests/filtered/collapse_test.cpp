@@ -13,6 +13,7 @@
 #include "filtered/contact.h"
 #include "kinetic/static_diagram.h"
 #include "tests/filtered/collapse_truth.h"
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scene_run.h"
 

@@ -9,12 +9,14 @@
 
 #include "exact/predicates.h"
 #include "filtered/collapse.h"
+#include "tests/support/compact_arithmetic.h"
 
 namespace voroproof::testing {
 
 class CollapseTruth {
  public:
   CollapseTruth(const MotionInput& in, const Quad& q) : in_(in), q_(q) {
+    const auto of = [](const CompactRational& x) { return Tower(x.value()); };
     const auto path = [&](GenId g) -> Site<Polynomial<Tower>> {
       if (g == container_id) {
         return {{Tower(in.container_x)},
@@ -22,7 +24,7 @@ class CollapseTruth {
                 {Tower(Rational(-in.container_radius))}};
       }
       const DiskInput& d = in.disks[g];
-      return {{Tower(d.x), Tower(d.vx)}, {Tower(d.y), Tower(d.vy)}, {Tower(d.radius)}};
+      return {{of(d.x), of(d.vx)}, {of(d.y), of(d.vy)}, {of(d.radius)}};
     };
     const auto l = path(q.l), r = path(q.r), s = path(q.s), e = path(q.e);
     // For equal radii f = -C^2; a root of even multiplicity is no obstacle here, but C is

@@ -10,6 +10,7 @@
 
 #include "apps/scene_motion.h"
 #include "kinetic/static_diagram.h"
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scene_run.h"
 
@@ -34,7 +35,7 @@ std::optional<ExactTime> true_contact(const MotionInput& in, GenId i, GenId j,
                                       const Rational& now) {
   const bool wall = i == container_id;
   const DiskInput& b = in.disks[j];
-  DiskInput a{in.container_x, in.container_y, -in.container_radius, 0, 0, 1};
+  DiskInput a{in.container_x, in.container_y, Rational(-in.container_radius), 0, 0, 1};
   if (!wall) a = in.disks[i];
   const Polynomial<Tower> x{Tower(b.x - a.x), Tower(b.vx - a.vx)};
   const Polynomial<Tower> y{Tower(b.y - a.y), Tower(b.vy - a.vy)};

@@ -11,6 +11,7 @@
 #include "apps/scene_motion.h"
 #include "filtered/contact.h"
 #include "kinetic/static_diagram.h"
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scene_run.h"
 

@@ -9,6 +9,7 @@
 #include "kinetic/static_diagram.h"
 #include "tests/certify/claimed_history.h"
 #include "tests/oracle/brute_force.h"
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/history_check.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scene_run.h"

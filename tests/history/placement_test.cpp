@@ -1,5 +1,6 @@
 // The sweep against the definition, applied to every pair.
 #include "history/placement.h"
+#include "tests/support/compact_arithmetic.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -11,6 +11,7 @@
 #include "history/error.h"
 #include "history/sha256.h"
 #include "tests/history/temporary_directory.h"
+#include "tests/support/compact_arithmetic.h"
 
 namespace voroproof {
 namespace {
@@ -282,10 +283,10 @@ RC_GTEST_PROP(Scene, WritingAndReadingIsTheIdentity, ()) {
   for (int i = 0; i < n; ++i) {
     DiskSpec d;
     d.radius = *rc::gen::arbitrary<bool>() ? any_value(true) : Rational(0);
-    reach += d.radius;
-    d.x = scene.cx + reach;
+    reach += d.radius.value();
+    d.x = Rational(scene.cx + reach);
     d.y = scene.cy;
-    reach += d.radius + any_value(true);
+    reach += d.radius.value() + any_value(true);
     d.vx = any_value(false);
     d.vy = any_value(false);
     d.mass = d.radius == 0 || *rc::gen::arbitrary<bool>() ? any_value(true) : d.radius * d.radius;

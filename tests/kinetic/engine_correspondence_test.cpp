@@ -161,6 +161,11 @@ TEST(Formation, FlipsAtTheInstantOfManeuvers) {
   const Scene scene = scene_of(FormationScene{9, {"staggered", "y"}});
   EXPECT_EQ(check_history(scene, run(scene)), "");
 }
+// Three disks that end in a row have no tangent circle, only lines.
+TEST(Formation, EndsInARow) {
+  const Scene scene = scene_of(FormationScene{3, {"y", "turn", "turn", "h"}});
+  EXPECT_EQ(check_history(scene, run(scene)), "");
+}
 RC_GTEST_PROP(Formation, Turned, ()) { expect_image(formation(), turned()); }
 RC_GTEST_PROP(Formation, Scaled, ()) { expect_image(formation(), scaled()); }
 RC_GTEST_PROP(Formation, Mirrored, ()) { expect_image(formation(), mirrored()); }

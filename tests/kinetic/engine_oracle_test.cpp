@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/history_check.h"
 #include "tests/support/random_scenes.h"
 
@@ -95,8 +96,8 @@ TEST(EngineAgainstOracles, TinyBesideHuge) {
     Scene big = random_scene({.n = 1, .rmin = 45, .rmax = 55, .horizon = 10}, random);
     big.cx = scene.cx;
     big.cy = scene.cy;
-    big.disks[0].x = scene.cx + 30;
-    big.disks[0].y = scene.cy - 20;
+    big.disks[0].x = Rational(scene.cx + 30);
+    big.disks[0].y = Rational(scene.cy - 20);
     std::erase_if(scene.disks, [&](const DiskSpec& d) {
       const Rational dx = d.x - big.disks[0].x, dy = d.y - big.disks[0].y;
       return dx * dx + dy * dy < 58 * 58;
@@ -208,8 +209,8 @@ TEST(EngineAgainstOracles, LargeAndSmallUnits) {
       }
       for (Rational* length : {&scene.cx, &scene.cy, &scene.container_radius}) *length *= factor;
       for (DiskSpec& d : scene.disks) {
-        for (Rational* length : {&d.x, &d.y, &d.radius, &d.vx, &d.vy}) *length *= factor;
-        d.mass *= factor * factor;
+        for (CompactRational* length : {&d.x, &d.y, &d.radius, &d.vx, &d.vy}) *length *= factor;
+        d.mass *= Rational(factor * factor);
       }
       return scene;
     };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scene_run.h"
 
@@ -45,8 +46,8 @@ Scene transformed(const Scene& scene, const std::function<void(Rational&, Ration
   image.container_radius *= length;
   image.horizon *= time;
   for (DiskSpec& d : image.disks) {
-    point(d.x, d.y);
-    velocity(d.vx, d.vy);
+    change_both(d.x, d.y, point);
+    change_both(d.vx, d.vy, velocity);
     d.radius *= length;
   }
   for (Maneuver& m : image.maneuvers) {

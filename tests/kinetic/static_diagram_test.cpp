@@ -9,6 +9,7 @@
 
 #include "apps/scene_motion.h"
 #include "tests/oracle/cgal_apollonius.h"
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/history_check.h"
 #include "tests/support/random_scenes.h"
 

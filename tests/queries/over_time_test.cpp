@@ -12,6 +12,7 @@
 #include "queries/openings.h"
 #include "tests/queries/brute_moment.h"
 #include "tests/queries/watched.h"
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/formation_scene.h"
 #include "tests/support/random_scenes.h"
 
@@ -115,7 +116,7 @@ TEST(LeastGap, EnclosuresContainThatOfTheQuadratics) {
         }
         const auto radius = [&](GenId g) {
           return oracle::rounded<Real>(g == container_id ? w.run.scene.container_radius
-                                                         : w.run.scene.disks[g].radius);
+                                                         : w.run.scene.disks[g].radius.value());
         };
         Real best = 1e9, when = 0;
         for (auto from = ends.begin(), to = std::next(from); to != ends.end(); from = to++) {

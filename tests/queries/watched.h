@@ -9,6 +9,7 @@
 #include "queries/history_cursor.h"
 #include "queries/paths.h"
 #include "tests/queries/scene_history.h"
+#include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 
 namespace voroproof::testing {
@@ -38,7 +39,7 @@ struct Watched {
     return all;
   }
   double gap(const std::vector<Vec2>& at, GenId i, GenId j) const {
-    const auto radius = [&](GenId g) { return run.scene.disks[g].radius.get_d(); };
+    const auto radius = [&](GenId g) { return round_nearest(run.scene.disks[g].radius); };
     if (i == container_id) {
       return run.scene.container_radius.get_d() - radius(j) -
              std::hypot(at[j][0] - run.scene.cx.get_d(), at[j][1] - run.scene.cy.get_d());

@@ -1,4 +1,5 @@
 #include "tests/support/correspondence.h"
+#include "tests/support/compact_arithmetic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -183,8 +184,8 @@ Scene image_of(const Scene& scene, const Image& image) {
   for (std::size_t i = 0; i < scene.disks.size(); ++i) {
     DiskSpec& d = result.disks[static_cast<std::size_t>(image.id(static_cast<GenId>(i)))];
     d = scene.disks[i];
-    move(d.x, d.y);
-    move_velocity(d.vx, d.vy);
+    change_both(d.x, d.y, move);
+    change_both(d.vx, d.vy, move_velocity);
     d.radius *= image.length;
   }
   for (Maneuver& m : result.maneuvers) {
@@ -249,8 +250,9 @@ std::optional<Scene> rest_of(const Scene& scene, const RecordedRun& run, const R
   const auto advance = [&](GenId g, const Rational& to) -> DiskSpec& {
     DiskSpec& d = rest.disks[static_cast<std::size_t>(g)];
     Rational& from = since[static_cast<std::size_t>(g)];
-    d.x += (to - from) * d.vx;
-    d.y += (to - from) * d.vy;
+    const Rational passed = to - from;
+    d.x += passed * d.vx;
+    d.y += passed * d.vy;
     from = to;
     return d;
   };
@@ -274,8 +276,7 @@ std::optional<Scene> rest_of(const Scene& scene, const RecordedRun& run, const R
       DiskSpec& a = wall ? resting : advance(e.i, base);
       DiskSpec& b = advance(e.j, base);
       const Rational px = b.x - a.x, py = b.y - a.y, wx = b.vx - a.vx, wy = b.vy - a.vy;
-      const Rational reach =
-          wall ? Rational(scene.container_radius - b.radius) : Rational(a.radius + b.radius);
+      const Rational reach = wall ? scene.container_radius - b.radius : a.radius + b.radius;
       const Rational aa = wx * wx + wy * wy, bb = px * wx + py * wy;
       const auto root = rational_sqrt(bb * bb - aa * (px * px + py * py - reach * reach));
       if (!root) return std::nullopt;
@@ -285,8 +286,8 @@ std::optional<Scene> rest_of(const Scene& scene, const RecordedRun& run, const R
       const Rational nx = b.x - a.x, ny = b.y - a.y;
       const Rational along = ((b.vx - a.vx) * nx + (b.vy - a.vy) * ny) / (nx * nx + ny * ny);
       if (wall) {
-        b.vx -= 2 * along * nx;
-        b.vy -= 2 * along * ny;
+        b.vx -= Rational(2 * along * nx);
+        b.vy -= Rational(2 * along * ny);
       } else {
         const Rational share = 2 * along / (a.mass + b.mass);
         a.vx += share * b.mass * nx;

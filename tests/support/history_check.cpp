@@ -447,7 +447,19 @@ class Checker {
     if (!truth.degenerate) check_cgal(disks, now, t);
   }
 
-  // With centres rounded to 200 bits, where nothing touches or is cotangent.
+  // Whether a line touches all three, or nearly so, each from the same side: a unit vector with
+  // the same products with both offsets as the radii differ by.
+  bool have_common_tangent(const oracle::ExactCircle& a, const oracle::ExactCircle& b,
+                           const oracle::ExactCircle& c) const {
+    const Rational ux = b.x - a.x, uy = b.y - a.y, wx = c.x - a.x, wy = c.y - a.y;
+    const Rational u = b.radius - a.radius, w = c.radius - a.radius;
+    const Rational x = u * wy - w * uy, y = w * ux - u * wx, det = ux * wy - uy * wx;
+    const Rational size = scene_.container_radius * scene_.container_radius;
+    return abs(Rational(x * x + y * y - det * det)) <= 1e-40 * size * size;
+  }
+
+  // With centres rounded to 200 bits, where nothing touches or is cotangent, and no three have a
+  // circle that the rounding could turn inside out.
   void check_cgal(const std::vector<oracle::Circle>& disks, const std::vector<Quad>& now,
                   const Number& t) {
     std::vector<oracle::ExactCircle> exact;
@@ -459,6 +471,13 @@ class Checker {
         const Rational dx = exact[i].x - exact[j].x, dy = exact[i].y - exact[j].y;
         const Rational reach = exact[i].radius + exact[j].radius;
         if (dx * dx + dy * dy <= reach * reach) return;
+      }
+    }
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        for (std::size_t k = 0; k < j; ++k) {
+          if (have_common_tangent(exact[i], exact[j], exact[k])) return;
+        }
       }
     }
     std::string why;
