@@ -16,6 +16,7 @@ pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
 pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
 pkg_check_modules(SIMDJSON REQUIRED IMPORTED_TARGET simdjson)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
+find_package(TBB REQUIRED)
 pkg_check_modules(LEMON REQUIRED IMPORTED_TARGET lemon)
 
 # The error bounds of filtered/ assume that every operation is rounded once, to

@@ -19,6 +19,7 @@ packages=(
   nlohmann-json3-dev libsimdjson-dev # files
   libcli11-dev                       # command line
   libssl-dev libcairo2-dev           # SHA-256, pictures
+  libtbb-dev                         # threads of the certifier
   liblemon-dev                       # assignment of goals in plans
 )
 for group in "$@"; do

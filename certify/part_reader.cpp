@@ -1,0 +1,197 @@
+#include "certify/part_reader.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace voroproof {
+
+namespace {
+
+// The smallest parts are so many times smaller than most.
+constexpr int kSmall = 8;
+
+}  // namespace
+
+void ClaimList::add(Event&& event, std::int64_t line) {
+  if (auto* flip = std::get_if<FlipEvent>(&event)) {
+    claims_.push_back({std::move(*flip), line});
+  } else {
+    claims_.push_back({{}, line, static_cast<int>(others_.size())});
+    others_.push_back(std::move(event));
+  }
+}
+
+Event ClaimList::take(std::size_t k) {
+  Claim& claim = claims_[k];
+  if (claim.other < 0) return std::move(claim.flip);
+  return std::move(others_[static_cast<std::size_t>(claim.other)]);
+}
+
+// A part of a history as a history.
+class PartReader::Section : public HistorySource {
+ public:
+  // `rest`: the history, where the part is the last; `ended` where it has given all its claims.
+  Section(const HistoryHeader& header, ClaimList claims, HistorySource* rest, bool ended)
+      : header_(header), claims_(std::move(claims)), rest_(rest), ended_(ended) {}
+
+  void set_next_line(std::int64_t line) { next_line_ = line; }
+
+  const HistoryHeader& header() const override { return header_; }
+  std::optional<Event> next() override {
+    if (taken_ < claims_.size()) return claims_.take(taken_++);
+    taken_ = claims_.size() + 1;
+    return ended_ ? std::nullopt : rest_->next();
+  }
+  std::int64_t line() const override {
+    if (taken_ > claims_.size()) return rest_ != nullptr ? rest_->line() : next_line_;
+    return taken_ == 0 ? 1 : claims_.line(taken_ - 1);
+  }
+  // Of a part that is not the last: that it does not stop.
+  const std::variant<HistoryEnd, HistoryStop>& ending() const override {
+    static const std::variant<HistoryEnd, HistoryStop> goes_on;
+    return rest_ != nullptr ? rest_->ending() : goes_on;
+  }
+  // Of the last part only.
+  const HistoryCounts& counts() const override { return rest_->counts(); }
+  bool counts_match() const override { return rest_->counts_match(); }
+  std::vector<std::string> remarks() const override { return {}; }
+  std::optional<std::int64_t> shadow_line(const Quad&, double, double) const override {
+    return std::nullopt;
+  }
+
+ private:
+  const HistoryHeader& header_;
+  ClaimList claims_;
+  std::size_t taken_ = 0;
+  HistorySource* rest_;
+  bool ended_;
+  std::int64_t next_line_ = 0;  // of the claim after the part
+};
+
+PartReader::PartReader(const Scene& scene, const MotionInput& input, HistorySource& history,
+                       const CertifyOptions& options, std::vector<std::string>& remarks)
+    : input_(input),
+      history_(history),
+      options_(options),
+      remarks_(remarks),
+      header_(history.header()),
+      gap_(8 * round_up(options.tolerance)),
+      size_(std::max(options.least_part, options.least_part * scene.disks.size() / 512)),
+      horizon_(header_.horizon.get_d()),
+      replay_(scene, options),
+      before_(replay_) {}
+
+// The next claim, or null. Reads a little ahead, so that what a claim is about is in the caches
+// when it is taken.
+const PartReader::ReadClaim* PartReader::next_claim() {
+  constexpr std::size_t kAhead = 4;
+  while (ahead_.size() < kAhead && !exhausted_) {
+    std::optional<Event> event = history_.next();
+    exhausted_ = !event;
+    if (!event) break;
+    replay_.prefetch(*event);
+    ahead_.emplace_back(std::move(*event), history_.line());
+  }
+  return ahead_.empty() ? nullptr : &ahead_.front();
+}
+
+void PartReader::take_next_claim() {
+  ReadClaim& claim = ahead_.front();
+  const auto place = clear_ ? replay_.take(claim.event) : std::nullopt;
+  clear_ = place.has_value();
+  places_.push_back(place.value_or(-1));
+  last_ = time(claim.event);
+  claims_.add(std::move(claim.event), claim.line);
+  ahead_.pop_front();
+}
+
+// Collisions and maneuvers at t = 0 come before the initial diagram.
+void PartReader::begin_history() {
+  for (;;) {
+    const ReadClaim* next = next_claim();
+    if (!next || !clear_ || time(next->event) != 0 ||
+        std::holds_alternative<FlipEvent>(next->event))
+      break;
+    take_next_claim();
+  }
+  try {
+    take_initial_diagram();
+    before_.diagram() = replay_.diagram();
+  } catch (const std::invalid_argument&) {
+    clear_ = false;  // for the first part to say why
+  } catch (const Undecided&) {
+    clear_ = false;
+  }
+}
+
+// Throws std::invalid_argument where the file's, or the one proposed, is none.
+void PartReader::take_initial_diagram() {
+  if (replay_.disks() < 2) return;
+  if (!header_.initial && options_.propose_initial) {
+    Motion motion(input_, options_.motion);
+    replay_.move(motion);  // collisions at t = 0
+    header_.initial = options_.propose_initial(motion);
+    remarks_.push_back(constructed_initial_remark);
+  }
+  replay_.diagram() = diagram_of(replay_.disks(), header_.initial.value_or(std::vector<Quad>()));
+}
+
+// How many claims the present part has to have before it may end at the time t. The first part and
+// the last ones are small: at the beginning other threads wait for it, at the end for each other.
+// Those that have come tell how many are to come.
+std::size_t PartReader::least_size(double t) const {
+  if (number_ == 0) return size_ / kSmall;
+  if (!(t > 0)) return size_;
+  const double to_come = static_cast<double>(in_parts_ + claims_.size()) * (horizon_ / t - 1);
+  return static_cast<std::size_t>(
+      std::clamp(0.5 * to_come, static_cast<double>(size_) / kSmall, static_cast<double>(size_)));
+}
+
+// Before the next claim, which is there.
+bool PartReader::may_end() const {
+  return claims_.size() >= least_size(last_) && time(ahead_.front().event) - last_ > gap_;
+}
+
+std::optional<Part> PartReader::next() {
+  if (done_) return std::nullopt;
+  if (number_ == 0) {
+    begin_history();
+  } else {
+    claims_.reserve(size_);
+    places_.reserve(size_);
+    take_next_claim();
+  }
+  while (const ReadClaim* next = clear_ ? next_claim() : nullptr) {
+    if (!may_end()) {
+      take_next_claim();
+      continue;
+    }
+    const double until = last_ + 0.5 * (time(next->event) - last_);
+    in_parts_ += claims_.size();
+    auto section = std::make_unique<Section>(header_, std::exchange(claims_, {}), nullptr, true);
+    section->set_next_line(next->line);
+    Part part{number_++,
+              std::move(section),
+              std::exchange(places_, {}),
+              std::exchange(before_, replay_),
+              std::exchange(begin_, until),
+              PartEnd{until, replay_.diagram()}};
+    return part;
+  }
+  return last_part();
+}
+
+std::optional<Part> PartReader::last_part() {
+  done_ = true;
+  const bool ended = next_claim() == nullptr;
+  for (ReadClaim& claim : ahead_) claims_.add(std::move(claim.event), claim.line);
+  return Part{number_++,
+              std::make_unique<Section>(header_, std::move(claims_), &history_, ended),
+              std::move(places_),
+              std::move(before_),
+              begin_,
+              std::nullopt};
+}
+
+}  // namespace voroproof

@@ -1,0 +1,100 @@
+// The recorded truth, in parts: the history dealt out.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "certify/certifier.h"
+#include "certify/checker.h"
+#include "certify/replay.h"
+
+namespace voroproof {
+
+// Claims that follow each other, to be proved on their own.
+struct Part {
+  std::size_t number;  // from 0
+  std::unique_ptr<HistorySource> claims;
+  std::vector<Diagram::HalfEdge> places;  // of the claims, as reading took them
+  Replay replay;                          // before them
+  std::optional<double> begin;            // none for the first part
+  std::optional<PartEnd> end;             // none for the last
+};
+
+// Events and their lines, in little memory: nearly all are flips.
+class ClaimList {
+ public:
+  std::size_t size() const { return claims_.size(); }
+  void reserve(std::size_t claims) { claims_.reserve(claims); }
+  void add(Event&& event, std::int64_t line);
+  Event take(std::size_t k);  // each once
+  std::int64_t line(std::size_t k) const { return claims_[k].line; }
+
+ private:
+  struct Claim {
+    FlipEvent flip;
+    std::int64_t line;
+    int other = -1;  // the event, where it is no flip: an index into others_
+  };
+  std::vector<Claim> claims_;
+  std::vector<Event> others_;
+};
+
+// Reads a history part by part. The parts depend on the file only.
+class PartReader {
+ public:
+  // Everything must outlive the reader, and the reader its parts. `remarks` receives what is to be
+  // said of the initial diagram.
+  PartReader(const Scene& scene, const MotionInput& input, HistorySource& history,
+             const CertifyOptions& options, std::vector<std::string>& remarks);
+
+  // The header, with the initial diagram once the first part has been read.
+  const HistoryHeader& header() const { return header_; }
+
+  // The next part; nothing after the last. Throws InputError where the history cannot be read: what
+  // has been read of the part is lost then.
+  std::optional<Part> next();
+
+ private:
+  struct ReadClaim {
+    ReadClaim(Event&& e, std::int64_t l) : event(std::move(e)), line(l) {}
+    Event event;
+    std::int64_t line;
+  };
+  class Section;
+
+  const ReadClaim* next_claim();
+  void take_next_claim();
+  void begin_history();
+  void take_initial_diagram();
+  bool may_end() const;
+  std::size_t least_size(double t) const;
+  std::optional<Part> last_part();
+
+  const MotionInput& input_;
+  HistorySource& history_;
+  const CertifyOptions& options_;
+  std::vector<std::string>& remarks_;
+  HistoryHeader header_;
+  double gap_;        // between the claims on both sides of an end, so that no two swap across it
+  std::size_t size_;  // claims of a part, at least
+  double horizon_;    // nearly
+  Replay replay_;     // of the claims taken
+  std::deque<ReadClaim> ahead_;  // of the history, read and not yet taken
+  bool exhausted_ = false;       // nothing is left in it
+  // The present part.
+  std::size_t number_ = 0;
+  ClaimList claims_;
+  double last_ = 0;  // the time of the last of them
+  std::vector<Diagram::HalfEdge> places_;
+  Replay before_;
+  std::optional<double> begin_;
+  std::size_t in_parts_ = 0;  // claims, of all parts before it
+  // Whether the claims so far make sense. The others are left to the last part, to say why not.
+  bool clear_ = true;
+  bool done_ = false;
+};
+
+}  // namespace voroproof
