@@ -30,7 +30,7 @@ struct CertifyOptions {
   bool strict = false;                    // claims out of order are refuted, however near
   int threads = 1;                        // for the recorded truth; the certificate is the same
   // Recorded truth: the history is certified in parts of so many claims at least, and of one in
-  // 1024 of that for each disk.
+  // 512 of that for each disk.
   std::size_t least_part = 4096;
   MotionOptions motion;
   // Where the history gives no initial diagram: one to be proved in its place. Nothing is

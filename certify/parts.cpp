@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 #include <utility>
 
 #include "certify/checker.h"
@@ -85,6 +86,7 @@ class PartwiseCertifier {
     });
     if (error_) std::rethrow_exception(error_);
     if (!over_ && unreadable_) std::rethrow_exception(unreadable_);
+    if (!over_ && !complete_) throw std::logic_error("a part of the history was not proved");
     return std::move(total_);
   }
 
@@ -142,6 +144,7 @@ class PartwiseCertifier {
     const std::lock_guard lock(mutex_);
     error_ = work.error;
     over_ = error_ || work.certificate.verdict != Verdict::certified;
+    complete_ = !work.part.end;
     if (!error_) add(total_, std::move(work.certificate));
     ++finished_;
   }
@@ -167,6 +170,7 @@ class PartwiseCertifier {
   oneapi::tbb::enumerable_thread_specific<std::optional<Motion>> motions_;
   bool over_ = false;  // a part was not proved right, and is the last in total_
   std::exception_ptr error_;
+  bool complete_ = false;  // the last part is in total_
   std::size_t finished_ = 0;
   std::mutex mutex_;  // of total_ and finished_, which report() reads
 };

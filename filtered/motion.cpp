@@ -92,7 +92,9 @@ Ball dyadic_or_rounded(const Rational& q, Ball::Precision bits) {
 }  // namespace
 
 Motion::Motion(MotionInput input, MotionOptions options)
-    : input_(std::move(input)), options_(options), container_radius_(input_.container_radius) {
+    : input_(std::move(input)),
+      options_(options),
+      container_{input_.container_x, input_.container_y, input_.container_radius, 0, 0, 0} {
   horizon_ = round_up(input_.horizon);
   goal_bits_ = std::min(kInitialGoal, std::max(options_.max_bits - kHeadroom, 64));
   // A smaller or larger start is a larger or smaller first supply per time.
@@ -362,9 +364,11 @@ void Motion::respond(const Record& r) {
   const GenId ids[2] = {r.i, r.j};
   const std::int64_t xs = x_scale_, vs = v_scale_, ts = xs - vs;
   m.time_scale = ts;
-  // A state that a collision left is taken as it is, if in these units; others from balls.
+  // A state that a collision left is taken as it is, if in these units; else from balls, or from
+  // what was given at first.
   const FixedState* fixed[2];
   const BallState* balls[2] = {};
+  const DiskInput* first[2] = {};
   std::int64_t radius_exponent = -bits;
   for (int side = 0; side < 2; ++side) {
     fixed[side] = fixed_[ids[side] + 1].get();
@@ -374,6 +378,11 @@ void Motion::respond(const Record& r) {
     if (s != nullptr) s->numbers.prefetch();
   }
   for (int side = 0; side < 2; ++side) {
+    const GenId g = ids[side];
+    if (fixed[side] == nullptr && balls_[g + 1] == nullptr) {
+      first[side] = g == container_id ? &container_ : &initial_state(g);
+      continue;
+    }
     if (fixed[side] != nullptr && fixed[side]->v_scale != vs) fixed[side] = nullptr;
     const auto look = [&](const Magnitude& radius, std::int64_t scale) {
       if (!radius.is_zero()) radius_exponent = std::max(radius_exponent, radius.exponent() - scale);
@@ -381,7 +390,7 @@ void Motion::respond(const Record& r) {
     if (fixed[side] != nullptr) {
       for (std::size_t k = 0; k < 4; ++k) look(fixed[side]->numbers.view(k).radius(), 0);
     } else {
-      const BallState& s = *(balls[side] = &ball_state(ids[side]));
+      const BallState& s = *(balls[side] = &ball_state(g));
       look(s.x.radius(), xs);
       look(s.y.radius(), xs);
       look(s.vx.radius(), vs);
@@ -399,6 +408,11 @@ void Motion::respond(const Record& r) {
       for (FixedBall* b : {&m.x[k], &m.y[k], &m.vx[k], &m.vy[k]}) {
         with.set(*b, fixed[k]->numbers.view(which++));
       }
+    } else if (first[k] != nullptr) {
+      set_fixed(m.x[k], first[k]->x, xs);
+      set_fixed(m.y[k], first[k]->y, xs);
+      set_fixed(m.vx[k], first[k]->vx, vs);
+      set_fixed(m.vy[k], first[k]->vy, vs);
     } else {
       with.set(m.x[k], balls[k]->x, xs);
       with.set(m.y[k], balls[k]->y, xs);
@@ -419,7 +433,7 @@ void Motion::respond(const Record& r) {
   with.sub(m.wy, m.vy[1], m.vy[0]);
   set_fixed(m.reach, input_.disks[r.j].radius, xs);
   if (wall) {
-    set_fixed(m.a, container_radius_, xs);
+    set_fixed(m.a, container_.radius, xs);
     with.sub(m.reach, m.reach, m.a);
   } else {
     set_fixed(m.a, input_.disks[r.i].radius, xs);

@@ -260,7 +260,7 @@ class Motion {
   mutable MotionInput input_;
   mutable std::vector<const GivenMotion*> given_;
   MotionOptions options_;
-  CompactRational container_radius_;
+  DiskInput container_;  // at rest; its radius is positive here
   int goal_bits_;
   double slope_ = 0;  // further bits per unit of time before the horizon
   double horizon_ = 0;
