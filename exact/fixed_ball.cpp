@@ -335,7 +335,7 @@ void FixedArithmetic::div(FixedBall& out, const FixedBall& a, const FixedBall& b
   double radius = 0;
   if (size < size_b) {
     std::fill(to, to + size_, 0);
-    radius = mpn_zero_p(numerator, size) != 0 ? 0 : last_place_;
+    radius = size == 0 || mpn_zero_p(numerator, size) != 0 ? 0 : last_place_;
   } else {
     mpn_tdiv_qr(q, rest, 0, numerator, size, denominator, size_b);
     if (mpn_zero_p(rest, size_b) == 0) radius = last_place_;
