@@ -134,7 +134,7 @@ ExitCode simulate(const Request& request) {
     return !interruption.requested() && !(check && check->over());
   };
   Engine<true> engine(motion_input(scene), maneuver_input(scene), options);
-  if (!check) scene.disks = {};  // the engine has its own
+  if (!check) scene.disks = std::vector<DiskSpec>();  // the engine has its own
   const Outcome outcome = engine.run(*sink);
   progress.reset();
   sink->finish();

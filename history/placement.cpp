@@ -147,8 +147,10 @@ class Placement {
 
   std::optional<PlacementFault> outside(int i) const {
     const DiskSpec& disk = scene_.disks[i];
-    if (disk.radius.value() >= wall_.radius.value())
-      return PlacementFault{i, "not smaller than the container"};
+    // Rounding keeps the order.
+    const bool smaller = circles_[i].r != container_.r ? circles_[i].r < container_.r
+                                                       : disk.radius.value() < wall_.radius.value();
+    if (!smaller) return PlacementFault{i, "not smaller than the container"};
     const int sign = compare_distance(container_, circles_[i], wall_, disk, -1);
     if (sign > 0) return PlacementFault{i, "not inside the container"};
     if (sign == 0 && (sgn(disk.vx) != 0 || sgn(disk.vy) != 0)) {

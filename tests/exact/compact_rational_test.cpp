@@ -6,20 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "tests/exact/powers.h"
+
 namespace voroproof {
 namespace {
 
 // Values of all three kinds, and near the limits between them.
 std::vector<Rational> values() {
-  const auto power = [](long e) {
-    Rational q = 1;
-    if (e >= 0) {
-      q <<= static_cast<unsigned long>(e);
-    } else {
-      q >>= static_cast<unsigned long>(-e);
-    }
-    return q;
-  };
+  const auto power = [](long e) { return testing::power_of_two(e); };
   const Rational tenth(1, 10), nearest = to_rational(0.1), eps = power(-53);
   std::vector<Rational> out{0, 1, tenth, nearest, Rational(nearest * nearest), 1 + eps, 1 - eps / 2,
                             // Ties: beyond the nearest double is half a unit of its last place.
