@@ -1,6 +1,7 @@
 #include "certify/checker.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "certify/witness.h"
 #include "certify/wording.h"
@@ -21,7 +22,7 @@ MotionInput checked_input(MotionInput input, const HistoryHeader& header) {
 
 Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
                  const CertifyOptions& options, Replay replay, std::optional<double> begin,
-                 std::vector<HalfEdge> places)
+                 std::vector<Replay::Place> places)
     : scene_(scene),
       history_(history),
       options_(options),
@@ -96,7 +97,8 @@ bool Checker::refill() {
       break;
     }
     const std::size_t k = times_.size();
-    near_.emplace_back(std::move(*event), history_.line(), k < places_.size() ? places_[k] : -1);
+    near_.emplace_back(std::move(*event), history_.line(),
+                       k < places_.size() ? places_[k].half : -1);
     times_.push_back(time(near_.back().event));
     lines_.push_back(history_.line());
     if (begun_) fetch_ahead();
@@ -111,14 +113,18 @@ bool Checker::refill() {
 inline void Checker::fetch_ahead() const {
   const auto place = [this](std::size_t far) {
     const std::size_t k = times_.size() + far;
-    return k < places_.size() ? places_[k] : -1;
+    return k < places_.size() ? places_[k] : Replay::Place{};
   };
-  if (const HalfEdge h = place(8); h >= 0) {
+  if (const HalfEdge h = place(8).half; h >= 0) {
     diagram_.prefetch(h);
     __builtin_prefetch(&lives_[h / 2]);
     __builtin_prefetch(&pairs_[h / 2]);
   }
-  if (const HalfEdge h = place(6); h >= 0) {
+  if (const auto [h, turns] = place(6); h >= 0) {
+    if (turns != Replay::Place::kNone) {
+      replay_.prefetch(turns);
+      replay_.prefetch(diagram_.org(h));
+    }
     for (const HalfEdge g : {h, h ^ 1}) {
       const HalfEdge side = diagram_.previous(g);
       diagram_.prefetch(side);
@@ -126,7 +132,7 @@ inline void Checker::fetch_ahead() const {
       __builtin_prefetch(&motion_.doubles(diagram_.org(g)));
     }
   }
-  if (const HalfEdge h = place(4); h >= 0) {
+  if (const HalfEdge h = place(4).half; h >= 0) {
     for (const HalfEdge g : {h, h ^ 1}) {
       const HalfEdge side = diagram_.previous(g), other = diagram_.previous(side);
       diagram_.prefetch(other);
@@ -135,7 +141,7 @@ inline void Checker::fetch_ahead() const {
       __builtin_prefetch(&motion_.doubles(diagram_.org(side)));
     }
   }
-  if (const HalfEdge h = place(2); h >= 0) {
+  if (const HalfEdge h = place(2).half; h >= 0) {
     for (const HalfEdge g : {h, h ^ 1}) {
       const HalfEdge side = diagram_.previous(g), other = diagram_.previous(side);
       diagram_.prefetch(diagram_.previous(other ^ 1));
@@ -149,11 +155,7 @@ void Checker::take(std::size_t k) {
   claim_ = std::move(near_[k].event);
   line_ = near_[k].line;
   place_ = near_[k].place;
-  if (k == 0) {
-    near_.pop_front();
-  } else {
-    near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
-  }
+  near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
 void Checker::done() {
@@ -246,6 +248,7 @@ void Checker::advance(const Moment& m) {
   if (order > 0) {
     leave_instant();
     frontier_ = m;
+    if (instant_ == std::numeric_limits<int>::max()) throw Undecided("too many instants to number");
     ++instant_;
     turns_.clear();
     flipped_.clear();

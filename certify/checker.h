@@ -12,7 +12,6 @@
 //   instant_order.cpp  the order of what one instant changes
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -51,11 +50,10 @@ class Checker {
   // other references outlive the checker. `replay` is that of the claims before the history, or
   // before the part of it that begins at `begin`; before the whole it may hold the diagram that the
   // header gives, so that it need not be put together again. `places`: for the claims in their
-  // order, as far as somebody knows, the half-edge that a claim is about, or -1. Whoever is wrong
-  // there makes the checker slower.
+  // order, as far as somebody knows, what a claim is about. Whoever is wrong there makes the
+  // checker slower.
   Checker(const Scene& scene, Motion& motion, HistorySource& history, const CertifyOptions& options,
-          Replay replay, std::optional<double> begin = {},
-          std::vector<Diagram::HalfEdge> places = {});
+          Replay replay, std::optional<double> begin = {}, std::vector<Replay::Place> places = {});
 
   // The whole history, or the part of it up to `end`: the verdict of a part that is not the last
   // is `certified` where all is right up to there and the diagram is the one given. Once only.
@@ -81,7 +79,7 @@ class Checker {
   // is legal and does not collapse until `from`.
   struct Life {
     double from = 0;
-    long born = 0;         // the instant at which it began
+    int born = 0;          // the instant at which it began
     bool illegal = false;  // it has to flip at that instant
     bool due = false;      // it collapses at its root in due_, next
     bool pending = false;  // it begins when all that turns at that instant has turned
@@ -91,7 +89,7 @@ class Checker {
   // truth it may overlap then: since `overlap` before.
   struct Adjacency {
     double from = 0;
-    long born = 0;  // the instant at which that was
+    int born = 0;  // the instant at which that was
     double overlap = 0;
   };
 
@@ -225,20 +223,20 @@ class Checker {
   DoubleBall near_tolerance_;
 
   // Of the claims.
-  std::deque<Claim> near_;           // read and not yet checked
-  bool ended_ = false;               // no more to read
-  std::vector<double> times_;        // of the claims read
-  std::vector<std::int64_t> lines_;  // theirs
-  std::vector<HalfEdge> places_;     // of the claims, read or not
-  std::optional<Event> claim_;       // being checked
+  std::vector<Claim> near_;            // read and not yet checked: one, nearly always
+  bool ended_ = false;                 // no more to read
+  std::vector<double> times_;          // of the claims read
+  std::vector<std::int64_t> lines_;    // theirs
+  std::vector<Replay::Place> places_;  // of the claims, read or not
+  std::optional<Event> claim_;         // being checked
   std::int64_t line_ = 1;
   HalfEdge place_ = -1;
   std::int64_t processed_ = 0;
 
   // Of the lives.
   bool begun_ = false;
-  Moment frontier_;   // the last event proved
-  long instant_ = 0;  // numbers the instants at which events were proved
+  Moment frontier_;  // the last event proved
+  int instant_ = 0;  // numbers the instants at which events were proved
   std::vector<Life> lives_;
   std::unordered_map<int, Collapse> due_;  // the roots of edges whose lives are due, and old ones
   std::vector<Adjacency> pairs_;

@@ -36,9 +36,23 @@ void Checker::collect_around(GenId i, GenId j) {
       } while (h != first);
     }
   };
-  each([&](HalfEdge h) { add(spokes_, h / 2, spoke, spoke); });
+  // What is needed of them soon is asked for on the way: the lives, the pairs, and the generators
+  // on the other sides.
+  each([&](HalfEdge h) {
+    add(spokes_, h / 2, spoke, spoke);
+    const HalfEdge rim = diagram_.next(h);
+    diagram_.prefetch(diagram_.previous(rim ^ 1));
+    __builtin_prefetch(&lives_[rim / 2]);
+    __builtin_prefetch(&pairs_[h / 2]);
+    __builtin_prefetch(&motion_.doubles(diagram_.dest(h)));
+  });
   around_ = spokes_;
-  each([&](HalfEdge h) { add(around_, diagram_.next(h) / 2, any, spoke); });
+  each([&](HalfEdge h) {
+    const HalfEdge rim = diagram_.next(h);
+    add(around_, rim / 2, any, spoke);
+    __builtin_prefetch(&lives_[h / 2]);
+    __builtin_prefetch(&motion_.doubles(diagram_.apex(rim ^ 1)));
+  });
 }
 
 // All lives around the disks end at m, but that of the pair that collides.

@@ -11,21 +11,25 @@ namespace {
 // The smallest parts are so many times smaller than most.
 constexpr int kSmall = 8;
 
+// So many claims are read before the first of them is taken.
+constexpr std::size_t kAhead = 4;
+
 }  // namespace
 
 void ClaimList::add(Event&& event, std::int64_t line) {
-  if (auto* flip = std::get_if<FlipEvent>(&event)) {
-    claims_.push_back({std::move(*flip), line});
+  const auto* flip = std::get_if<FlipEvent>(&event);
+  if (flip != nullptr && !flip->exact) {
+    claims_.push_back({flip->t, flip->quad, line});
   } else {
-    claims_.push_back({{}, line, static_cast<int>(others_.size())});
+    claims_.push_back({0, {kOther, static_cast<GenId>(others_.size()), 0, 0}, line});
     others_.push_back(std::move(event));
   }
 }
 
 Event ClaimList::take(std::size_t k) {
-  Claim& claim = claims_[k];
-  if (claim.other < 0) return std::move(claim.flip);
-  return std::move(others_[static_cast<std::size_t>(claim.other)]);
+  const Claim& claim = claims_[k];
+  if (claim.quad.l != kOther) return FlipEvent{claim.t, claim.quad};
+  return std::move(others_[static_cast<std::size_t>(claim.quad.r)]);
 }
 
 // A part of a history as a history.
@@ -80,18 +84,18 @@ PartReader::PartReader(const Scene& scene, const MotionInput& input, HistorySour
       size_(std::max(options.least_part, options.least_part * scene.disks.size() / 512)),
       horizon_(header_.horizon.get_d()),
       replay_(scene, options),
+      ahead_(kAhead),
       before_(replay_) {}
 
 // The next claim, or null. Reads a little ahead, so that what a claim is about is in the caches
 // when it is taken.
 const PartReader::ReadClaim* PartReader::next_claim() {
-  constexpr std::size_t kAhead = 4;
   while (ahead_.size() < kAhead && !exhausted_) {
     std::optional<Event> event = history_.next();
     exhausted_ = !event;
     if (!event) break;
     replay_.prefetch(*event);
-    ahead_.emplace_back(std::move(*event), history_.line());
+    ahead_.push_back(ReadClaim(std::move(*event), history_.line()));
   }
   return ahead_.empty() ? nullptr : &ahead_.front();
 }
@@ -100,7 +104,7 @@ void PartReader::take_next_claim() {
   ReadClaim& claim = ahead_.front();
   const auto place = clear_ ? replay_.take(claim.event) : std::nullopt;
   clear_ = place.has_value();
-  places_.push_back(place.value_or(-1));
+  places_.push_back(place.value_or(Replay::Place{}));
   last_ = time(claim.event);
   claims_.add(std::move(claim.event), claim.line);
   ahead_.pop_front();

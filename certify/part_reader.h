@@ -1,7 +1,7 @@
 // The recorded truth, in parts: the history dealt out.
 #pragma once
 
-#include <deque>
+#include <boost/circular_buffer.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,13 +17,13 @@ namespace voroproof {
 struct Part {
   std::size_t number;  // from 0
   std::unique_ptr<HistorySource> claims;
-  std::vector<Diagram::HalfEdge> places;  // of the claims, as reading took them
-  Replay replay;                          // before them
-  std::optional<double> begin;            // none for the first part
-  std::optional<PartEnd> end;             // none for the last
+  std::vector<Replay::Place> places;  // of the claims, as reading took them
+  Replay replay;                      // before them
+  std::optional<double> begin;        // none for the first part
+  std::optional<PartEnd> end;         // none for the last
 };
 
-// Events and their lines, in little memory: nearly all are flips.
+// Events and their lines, in little memory: nearly all are flips at a time that is a double.
 class ClaimList {
  public:
   std::size_t size() const { return claims_.size(); }
@@ -33,10 +33,11 @@ class ClaimList {
   std::int64_t line(std::size_t k) const { return claims_[k].line; }
 
  private:
+  static constexpr GenId kOther = container_id - 1;  // no generator
   struct Claim {
-    FlipEvent flip;
+    double t;
+    Quad quad;  // l is kOther where the event is another: then r is its index in others_
     std::int64_t line;
-    int other = -1;  // the event, where it is no flip: an index into others_
   };
   std::vector<Claim> claims_;
   std::vector<Event> others_;
@@ -82,13 +83,13 @@ class PartReader {
   std::size_t size_;  // claims of a part, at least
   double horizon_;    // nearly
   Replay replay_;     // of the claims taken
-  std::deque<ReadClaim> ahead_;  // of the history, read and not yet taken
-  bool exhausted_ = false;       // nothing is left in it
+  boost::circular_buffer<ReadClaim> ahead_;  // of the history, read and not yet taken
+  bool exhausted_ = false;                   // nothing is left in it
   // The present part.
   std::size_t number_ = 0;
   ClaimList claims_;
   double last_ = 0;  // the time of the last of them
-  std::vector<Diagram::HalfEdge> places_;
+  std::vector<Replay::Place> places_;
   Replay before_;
   std::optional<double> begin_;
   std::size_t in_parts_ = 0;  // claims, of all parts before it

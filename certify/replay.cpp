@@ -207,14 +207,21 @@ std::optional<Diagram::HalfEdge> Replay::flip(const FlipEvent& claim) {
 }
 
 void Replay::prefetch(const Event& event) const {
+  if (const auto* c = std::get_if<CollideEvent>(&event)) {
+    prefetch(c->i);
+    prefetch(c->j);
+  }
   const auto* f = std::get_if<FlipEvent>(&event);
   if (f == nullptr || diagram_.edges() == 0) return;
   const GenId g = f->quad.l == container_id ? f->quad.r : f->quad.l;
   if (g >= 0 && g < disks()) diagram_.prefetch(diagram_.anchor(g));
 }
 
-std::optional<Diagram::HalfEdge> Replay::take(const Event& event) {
-  if (const auto* f = std::get_if<FlipEvent>(&event)) return flip(*f);
+std::optional<Replay::Place> Replay::take(const Event& event) {
+  if (const auto* f = std::get_if<FlipEvent>(&event)) {
+    const auto h = flip(*f);
+    return h ? std::optional(Place{*h}) : std::nullopt;
+  }
   if (const auto* c = std::get_if<CollideEvent>(&event)) {
     std::optional<ExactPair> computed;
     if (!c->v[1]) {
@@ -227,14 +234,14 @@ std::optional<Diagram::HalfEdge> Replay::take(const Event& event) {
     note_collision(*c, computed);
     if (c->i != container_id) turn(c->i, event);
     turn(c->j, event);
-    return diagram_.anchor(c->j);
+    return Place{diagram_.anchor(c->j), c->i};
   }
   const auto& m = std::get<ManeuverEvent>(event);
   const auto k = scheduled(m, exact_time(event));
   if (!k) return std::nullopt;
   note_maneuver(*k, m);
   turn(m.disk, event);
-  return diagram_.anchor(m.disk);
+  return Place{diagram_.anchor(m.disk), m.disk};
 }
 
 }  // namespace voroproof

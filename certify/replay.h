@@ -18,6 +18,14 @@ class Replay : public GivenMotion {
  public:
   using HalfEdge = Diagram::HalfEdge;
 
+  // What a claim is about: the half-edge that flips; or the disks that turn, by the first of them
+  // and some half-edge that starts at the last.
+  struct Place {
+    static constexpr GenId kNone = container_id - 1;
+    HalfEdge half = -1;   // -1: there is none
+    GenId turns = kNone;  // kNone: none turns
+  };
+
   // At t = 0, before the diagram is known. `scene` and `options` outlive it and its copies.
   Replay(const Scene& scene, const CertifyOptions& options);
 
@@ -82,11 +90,17 @@ class Replay : public GivenMotion {
   std::size_t next_maneuver() const { return next_maneuver_; }
   void note_maneuver(std::size_t k, const ManeuverEvent& claim);
 
-  // Recorded truth: takes the claim for true. What it is about: the half-edge that flips, or one of
-  // a disk that turns, -1 where it has none. Nothing where it makes no sense on what is known.
-  std::optional<HalfEdge> take(const Event& event);
-  // Asks for the memory where take() will begin to look for the edge of a flip.
+  // Recorded truth: takes the claim for true. Nothing where it makes no sense on what is known.
+  std::optional<Place> take(const Event& event);
+  // Asks for the memory where take() will begin: of a flip, to look for the edge.
   void prefetch(const Event& event) const;
+  // Asks for the memory of a disk's path and velocity.
+  [[gnu::always_inline]] void prefetch(GenId g) const {
+    if (g < 0) return;
+    const char* const path = reinterpret_cast<const char*>(&paths_[g]);
+    for (std::size_t byte = 0; byte < sizeof(Path); byte += 64) __builtin_prefetch(path + byte);
+    __builtin_prefetch(&velocities_[g]);
+  }
 
  private:
   template <class Visit>
