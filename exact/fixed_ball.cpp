@@ -259,22 +259,31 @@ void FixedArithmetic::negate(FixedBall& a) const {
   if (negative && is_negative(a)) a.radius_ = kInfinity;
 }
 
-void FixedArithmetic::add(FixedBall& out, const FixedBall& a, const FixedBall& b) const {
+void FixedArithmetic::add(FixedBall& out, const mp_limb_t* a, const mp_limb_t* b,
+                          double radius) const {
   const bool same = is_negative(a) == is_negative(b), negative = is_negative(a);
-  const double radius = a.radius_ + b.radius_;
-  mpn_add_n(room(out), a.limbs_.data(), b.limbs_.data(), size_);
+  mpn_add_n(room(out), a, b, size_);
   finish(out, same && is_negative(out) != negative ? kInfinity : radius);
 }
 
-void FixedArithmetic::sub(FixedBall& out, const FixedBall& a, const FixedBall& b) const {
+void FixedArithmetic::sub(FixedBall& out, const mp_limb_t* a, const mp_limb_t* b,
+                          double radius) const {
   const bool different = is_negative(a) != is_negative(b), negative = is_negative(a);
-  const double radius = a.radius_ + b.radius_;
-  mpn_sub_n(room(out), a.limbs_.data(), b.limbs_.data(), size_);
+  mpn_sub_n(room(out), a, b, size_);
   finish(out, different && is_negative(out) != negative ? kInfinity : radius);
 }
 
-// |a b - a0 b0| <= ra (|b0| + rb) + rb |a0|. Rounded down: less than one in the last place.
-void FixedArithmetic::mul(FixedBall& out, const FixedBall& a, const FixedBall& b) {
+void FixedArithmetic::add(FixedBall& out, const FixedBall& a, const FixedBall& b) const {
+  add(out, a.limbs_.data(), b.limbs_.data(), a.radius_ + b.radius_);
+}
+
+void FixedArithmetic::sub(FixedBall& out, const FixedBall& a, const FixedBall& b) const {
+  sub(out, a.limbs_.data(), b.limbs_.data(), a.radius_ + b.radius_);
+}
+
+// The product of the midpoints, of twice as many limbs before and after the point; returns the
+// radius: |a b - a0 b0| <= ra (|b0| + rb) + rb |a0|.
+double FixedArithmetic::multiply(mp_limb_t* r, const FixedBall& a, const FixedBall& b) const {
   double radius = 0;
   if (a.radius_ != 0) radius = a.radius_ * (upper(b) + b.radius_ * radius_unit_);
   if (b.radius_ != 0) radius += b.radius_ * upper(a);
@@ -282,7 +291,6 @@ void FixedArithmetic::mul(FixedBall& out, const FixedBall& a, const FixedBall& b
   const mp_limb_t *x = a.limbs_.data(), *y = b.limbs_.data();
   const mp_size_t zeros_x = trailing_zeros(x, size_ - 1), zeros_y = trailing_zeros(y, size_ - 1);
   const mp_size_t zeros = zeros_x + zeros_y, size_x = size_ - zeros_x, size_y = size_ - zeros_y;
-  mp_limb_t* r = scratch(2 * size_);
   std::fill(r, r + zeros, 0);
   if (&a == &b) {
     mpn_sqr(r + zeros, x + zeros_x, size_x);
@@ -295,14 +303,64 @@ void FixedArithmetic::mul(FixedBall& out, const FixedBall& a, const FixedBall& b
   }
   // Read as an unsigned number a negative one is larger by 2^(64 size).
   mp_limb_t* high = r + size_;
-  if (is_negative(a)) mpn_sub_n(high, high, b.limbs_.data(), size_);
-  if (is_negative(b)) mpn_sub_n(high, high, a.limbs_.data(), size_);
+  if (is_negative(a)) mpn_sub_n(high, high, y, size_);
+  if (is_negative(b)) mpn_sub_n(high, high, x, size_);
+  return radius;
+}
+
+// What of such a product the format has room for, rounded down: less than one in the last place.
+const mp_limb_t* FixedArithmetic::middle(const mp_limb_t* r, double& radius) const {
   if (r[fraction_ - 1] != 0 || mpn_zero_p(r, fraction_) == 0) radius += last_place_;
   const mp_limb_t* from = r + fraction_;
-  const mp_limb_t sign = (from[size_ - 1] >> 63) != 0 ? ~mp_limb_t{0} : 0;
+  const mp_limb_t sign = is_negative(from) ? ~mp_limb_t{0} : 0;
   for (const mp_limb_t* k = from + size_; k != r + 2 * size_; ++k) {
     if (*k != sign) radius = kInfinity;
   }
+  return from;
+}
+
+void FixedArithmetic::mul(FixedBall& out, const FixedBall& a, const FixedBall& b) {
+  mp_limb_t* r = scratch(2 * size_);
+  double radius = multiply(r, a, b);
+  const mp_limb_t* from = middle(r, radius);
+  std::copy(from, from + size_, room(out));
+  finish(out, radius);
+}
+
+void FixedArithmetic::add_product(FixedBall& out, const FixedBall& x, const FixedBall& a,
+                                  const FixedBall& b) {
+  mp_limb_t* r = scratch(2 * size_);
+  double radius = multiply(r, a, b);
+  const mp_limb_t* product = middle(r, radius);
+  add(out, x.limbs_.data(), product, x.radius_ + radius);
+}
+
+void FixedArithmetic::sub_product(FixedBall& out, const FixedBall& x, const FixedBall& a,
+                                  const FixedBall& b) {
+  mp_limb_t* r = scratch(2 * size_);
+  double radius = multiply(r, a, b);
+  const mp_limb_t* product = middle(r, radius);
+  sub(out, x.limbs_.data(), product, x.radius_ + radius);
+}
+
+// A product is at most half of what twice as many limbs can hold. Where two are too much they have
+// far more than the format has room for, and the first limb says so.
+void FixedArithmetic::sum_of_products(FixedBall& out, const FixedBall& a, const FixedBall& b,
+                                      const FixedBall& c, const FixedBall& d) {
+  mp_limb_t *r = scratch(4 * size_), *s = r + 2 * size_;
+  double radius = multiply(r, a, b) + multiply(s, c, d);
+  mpn_add_n(r, r, s, 2 * size_);
+  const mp_limb_t* from = middle(r, radius);
+  std::copy(from, from + size_, room(out));
+  finish(out, radius);
+}
+
+void FixedArithmetic::difference_of_products(FixedBall& out, const FixedBall& a, const FixedBall& b,
+                                             const FixedBall& c, const FixedBall& d) {
+  mp_limb_t *r = scratch(4 * size_), *s = r + 2 * size_;
+  double radius = multiply(r, a, b) + multiply(s, c, d);
+  mpn_sub_n(r, r, s, 2 * size_);
+  const mp_limb_t* from = middle(r, radius);
   std::copy(from, from + size_, room(out));
   finish(out, radius);
 }

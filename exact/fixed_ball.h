@@ -102,13 +102,21 @@ class FixedArithmetic {
   void sub(FixedBall& out, const FixedBall& a, const FixedBall& b) const;
   void mul(FixedBall& out, const FixedBall& a, const FixedBall& b);
   void sqr(FixedBall& out, const FixedBall& a) { mul(out, a, a); }
+  // x + a b and x - a b; a b + c d and a b - c d.
+  void add_product(FixedBall& out, const FixedBall& x, const FixedBall& a, const FixedBall& b);
+  void sub_product(FixedBall& out, const FixedBall& x, const FixedBall& a, const FixedBall& b);
+  void sum_of_products(FixedBall& out, const FixedBall& a, const FixedBall& b, const FixedBall& c,
+                       const FixedBall& d);
+  void difference_of_products(FixedBall& out, const FixedBall& a, const FixedBall& b,
+                              const FixedBall& c, const FixedBall& d);
   // The radius is infinite where b contains zero.
   void div(FixedBall& out, const FixedBall& a, const FixedBall& b);
   // The radius is infinite where a contains zero and more, or is below it.
   void sqrt(FixedBall& out, const FixedBall& a);
 
  private:
-  bool is_negative(const FixedBall& a) const { return (a.limbs_[size_ - 1] >> 63) != 0; }
+  bool is_negative(const mp_limb_t* a) const { return (a[size_ - 1] >> 63) != 0; }
+  bool is_negative(const FixedBall& a) const { return is_negative(a.limbs_.data()); }
   mp_limb_t* room(FixedBall& a) const;
   mp_limb_t* scratch(mp_size_t limbs);
   mp_size_t magnitude(mp_limb_t* to, const FixedBall& a) const;
@@ -117,6 +125,10 @@ class FixedArithmetic {
   void place(FixedBall& out, const mp_limb_t* from, mp_size_t size, std::int64_t exponent,
              bool negative);
   void finish(FixedBall& out, double radius) const;
+  void add(FixedBall& out, const mp_limb_t* a, const mp_limb_t* b, double radius) const;
+  void sub(FixedBall& out, const mp_limb_t* a, const mp_limb_t* b, double radius) const;
+  double multiply(mp_limb_t* r, const FixedBall& a, const FixedBall& b) const;
+  const mp_limb_t* middle(const mp_limb_t* r, double& radius) const;
 
   mp_size_t size_ = 2, fraction_ = 1;  // limbs in all, after the point
   std::int64_t radius_exponent_ = -64;

@@ -422,10 +422,8 @@ void Motion::respond(const Record& r) {
     if (g == container_id) continue;
     with.set(m.dt, doubles(g).t, ts);
     with.sub(m.dt, m.now, m.dt);
-    with.mul(m.term, m.vx[k], m.dt);
-    with.add(m.x[k], m.x[k], m.term);
-    with.mul(m.term, m.vy[k], m.dt);
-    with.add(m.y[k], m.y[k], m.term);
+    with.add_product(m.x[k], m.x[k], m.vx[k], m.dt);
+    with.add_product(m.y[k], m.y[k], m.vy[k], m.dt);
   }
   with.sub(m.dx, m.x[1], m.x[0]);
   with.sub(m.dy, m.y[1], m.y[0]);
@@ -440,20 +438,11 @@ void Motion::respond(const Record& r) {
     with.add(m.reach, m.reach, m.a);
   }
   // a s^2 + 2 b s + c = 0 at the contact, s after the reference time.
-  with.sqr(m.a, m.wx);
-  with.sqr(m.term, m.wy);
-  with.add(m.a, m.a, m.term);
-  with.mul(m.b, m.dx, m.wx);
-  with.mul(m.term, m.dy, m.wy);
-  with.add(m.b, m.b, m.term);
-  with.sqr(m.c, m.dx);
-  with.sqr(m.term, m.dy);
-  with.add(m.c, m.c, m.term);
-  with.sqr(m.term, m.reach);
-  with.sub(m.c, m.c, m.term);
-  with.sqr(m.root, m.b);
-  with.mul(m.term, m.a, m.c);
-  with.sub(m.root, m.root, m.term);
+  with.sum_of_products(m.a, m.wx, m.wx, m.wy, m.wy);
+  with.sum_of_products(m.b, m.dx, m.wx, m.dy, m.wy);
+  with.sum_of_products(m.c, m.dx, m.dx, m.dy, m.dy);
+  with.sub_product(m.c, m.c, m.reach, m.reach);
+  with.difference_of_products(m.root, m.b, m.b, m.a, m.c);
   with.sqrt(m.root, m.root);
   if (!wall) {
     with.sub(m.term, m.root, m.b);  // b < 0: they approach
@@ -467,10 +456,8 @@ void Motion::respond(const Record& r) {
     with.div(m.s, m.term, m.a);
   }
   // n = d + w s; w.n is -root at the contact of two disks, +root at the wall.
-  with.mul(m.term, m.wx, m.s);
-  with.add(m.nx, m.dx, m.term);
-  with.mul(m.term, m.wy, m.s);
-  with.add(m.ny, m.dy, m.term);
+  with.add_product(m.nx, m.dx, m.wx, m.s);
+  with.add_product(m.ny, m.dy, m.wy, m.s);
   if (!wall) {
     // The masses in units of the larger one.
     const CompactRational &mi = input_.disks[r.i].mass, &mj = input_.disks[r.j].mass;
@@ -492,42 +479,37 @@ void Motion::respond(const Record& r) {
   with.mul(m.ky, m.k, m.ny);
   if (wall && input_.whole_container_law) {
     with.set(m.k, wall_keep_, 0);
-    with.mul(m.term, m.vx[1], m.k);
-    with.add(m.kx, m.kx, m.term);
-    with.mul(m.term, m.vy[1], m.k);
-    with.add(m.ky, m.ky, m.term);
+    with.add_product(m.kx, m.kx, m.vx[1], m.k);
+    with.add_product(m.ky, m.ky, m.vy[1], m.k);
   }
   with.mul(m.sx, m.kx, m.s);
   with.mul(m.sy, m.ky, m.s);
   // New velocity, v + change; then the centre that the new line had or will have at the reference
   // time: x - change * s.
-  const auto restart = [&](int side, const FixedBall& change_x, const FixedBall& change_y,
-                           const FixedBall& shift_x, const FixedBall& shift_y) {
-    with.add(m.vx[side], m.vx[side], change_x);
-    with.add(m.vy[side], m.vy[side], change_y);
-    with.sub(m.x[side], m.x[side], shift_x);
-    with.sub(m.y[side], m.y[side], shift_y);
+  if (wall) {
+    // The change is K n or, of the law of the whole velocity, (e - 1) v - 2 e (root / reach^2) n.
+    with.add(m.vx[1], m.vx[1], m.kx);
+    with.add(m.vy[1], m.vy[1], m.ky);
+    with.sub(m.x[1], m.x[1], m.sx);
+    with.sub(m.y[1], m.y[1], m.sy);
+  } else {
+    // It is m_j K n for i, -m_i K n for j.
+    with.negate(m.mass[0]);
+    for (int side = 0; side < 2; ++side) {
+      const FixedBall& mass = m.mass[1 - side];
+      with.add_product(m.vx[side], m.vx[side], m.kx, mass);
+      with.add_product(m.vy[side], m.vy[side], m.ky, mass);
+      with.sub_product(m.x[side], m.x[side], m.sx, mass);
+      with.sub_product(m.y[side], m.y[side], m.sy, mass);
+    }
+  }
+  for (int side = wall ? 1 : 0; side < 2; ++side) {
     std::unique_ptr<FixedState>& state = fixed_[ids[side] + 1];
     if (!state) state = std::make_unique<FixedState>();
     with.store(state->numbers, {&m.x[side], &m.y[side], &m.vx[side], &m.vy[side]});
     state->v_scale = vs;
     balls_[ids[side] + 1].reset();
     doubles_[ids[side] + 1].t = r.t_ref;
-  };
-  if (wall) {
-    // v += K n or, of the law of the whole velocity, v += (e - 1) v - 2 e (root / reach^2) n.
-    restart(1, m.kx, m.ky, m.sx, m.sy);
-  } else {
-    // v_i += m_j K n, v_j -= m_i K n.
-    with.negate(m.mass[0]);
-    for (int side = 0; side < 2; ++side) {
-      const FixedBall& mass = m.mass[1 - side];
-      with.mul(m.a, m.kx, mass);
-      with.mul(m.b, m.ky, mass);
-      with.mul(m.nx, m.sx, mass);
-      with.mul(m.ny, m.sy, mass);
-      restart(side, m.a, m.b, m.nx, m.ny);
-    }
   }
   with.add(m.now, m.now, m.s);
 }

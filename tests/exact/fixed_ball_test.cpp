@@ -206,6 +206,14 @@ TEST(FixedBall, OperationsEncloseTheirValues) {
     expect_enclosure(with, out, product, f, exact);
     with.sqr(out, a.fixed);
     expect_enclosure(with, out, a.value * a.value, f, exact);
+    with.add_product(out, b.fixed, a.fixed, b.fixed);
+    expect_enclosure(with, out, b.value + product, f, exact);
+    with.sub_product(out, a.fixed, a.fixed, b.fixed);
+    expect_enclosure(with, out, a.value - product, f, exact);
+    with.sum_of_products(out, a.fixed, b.fixed, b.fixed, b.fixed);
+    expect_enclosure(with, out, product + b.value * b.value, f, exact);
+    with.difference_of_products(out, a.fixed, a.fixed, b.fixed, a.fixed);
+    expect_enclosure(with, out, a.value * a.value - product, f, exact);
     // In place.
     out = a.fixed;
     with.sub(out, out, b.fixed);
@@ -215,6 +223,12 @@ TEST(FixedBall, OperationsEncloseTheirValues) {
     expect_enclosure(with, out, product, f, exact);
     with.negate(out);
     expect_enclosure(with, out, -product, f, exact);
+    out = a.fixed;
+    with.add_product(out, out, out, b.fixed);
+    expect_enclosure(with, out, a.value + product, f, exact);
+    out = b.fixed;
+    with.difference_of_products(out, a.fixed, out, out, out);
+    expect_enclosure(with, out, product - b.value * b.value, f, exact);
   }
 }
 
