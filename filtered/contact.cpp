@@ -72,22 +72,41 @@ struct RoughPair {
   }
   bool apart() const { return c() > c_error(); }
 
-  // Whether the two certainly have no contact after t: they do not approach (d.w > 0), or pass each
-  // other (the discriminant b^2 - a c is negative, with a = |w|^2 and b = d.w).
-  bool never_meet(const DoubleMotion& mi, const DoubleMotion& mj) const {
+  // The next contact of the two, with a = |w|^2 and b = d.w, w their relative velocity. There is
+  // certainly none where they do not approach (b > 0), or pass each other (the discriminant b^2 - a
+  // c is negative). It comes after the delay c / (sqrt(b^2 - a c) - b), which lies between the
+  // quotients of the bounds; less than 8 u for the roundings of these.
+  struct Meeting {
+    enum class Kind { none, after, unknown };
+    Kind kind = Kind::unknown;
+    double lo = 0, hi = 0;  // the delay
+  };
+  Meeting meeting(const DoubleMotion& mi, const DoubleMotion& mj) const {
+    using Kind = Meeting::Kind;
     const double wx = mj.vx - mi.vx, wy = mj.vy - mi.vy, W = std::fabs(wx) + std::fabs(wy);
     const double omega = mi.ev + mj.ev + u * W;
     // From the inputs R omega + W eta + 2 eta omega; two products and a sum, 3 u R W.
     const double b = dx * wx + dy * wy;
     const double e_b = (R * omega + W * eta + 2 * eta * omega + 3 * u * R * W) * up + tiny;
-    if (b > e_b) return true;
+    if (b > e_b) return {Kind::none};
     const double a = wx * wx + wy * wy, k = c(), size = std::fabs(k);
     const double e_a = (2 * (W + omega) * omega + 3 * u * W * W) * up + tiny, e_c = c_error();
-    const double e = (2 * std::fabs(b) + e_b) * e_b + a * e_c + size * e_a + e_a * e_c +
-                     4 * u * (b * b + a * size);
-    return b * b - a * k < -e * up - tiny;
+    const double e = ((2 * std::fabs(b) + e_b) * e_b + a * e_c + size * e_a + e_a * e_c +
+                      4 * u * (b * b + a * size)) *
+                         up +
+                     tiny;
+    const double discriminant = b * b - a * k;
+    if (discriminant < -e) return {Kind::none};
+    if (!(b < -e_b && discriminant > e && k > e_c)) return {};
+    const double least = (k - e_c) / (std::sqrt(discriminant + e) + (e_b - b));
+    const double most = (k + e_c) / (std::sqrt(discriminant - e) - (e_b + b));
+    return {Kind::after, least * (1 - 0x1p-50), most * (1 + 0x1p-50)};
   }
 };
+
+// Beyond what rounding a time x that is not negative has changed.
+double down(double x) { return x * (1 - 0x1p-51); }
+double up(double x) { return x * (1 + 0x1p-51); }
 
 Ball hull_of(double lo, double hi, int bits) {
   Ball t(Rational((to_rational(lo) + to_rational(hi)) / 2), bits);
@@ -103,11 +122,19 @@ NextContact ContactSearch::from(GenId i, GenId j, const Instant& now, double end
   if (!wall && motion_.state_id(i) > 0 && motion_.state_id(i) == motion_.state_id(j)) return {};
   if (motion_.same_velocity(i, j)) return {};
   if (!motion_.options().filters) return slow(i, j, now, end);
+  // A wide enclosure is still an answer; one that reaches the present is not.
+  const auto is_answer = [&](double lo, double hi) {
+    return lo > now.hi && hi - lo < 1e-6 * (1 + std::fabs(lo));
+  };
   if (!wall) {
+    using Kind = RoughPair::Meeting::Kind;
     const DoubleMotion &mi = motion_.doubles(i), &mj = motion_.doubles(j);
-    if (RoughPair(mi, mj, now.lo, 0).never_meet(mi, mj)) {
+    const auto [kind, least, most] = RoughPair(mi, mj, now.lo, 0).meeting(mi, mj);
+    const double lo = down(now.lo + least), hi = up(now.lo + most);
+    if (kind == Kind::none || (kind == Kind::after && (lo > end || is_answer(lo, hi)))) {
       counts_.count(Predicate::contact_search, Tier::filter);
-      return {};
+      if (kind == Kind::none || lo > end) return {};
+      return {NextContact::Kind::at, lo, hi};
     }
   }
   const DoubleBall t(now.lo);
@@ -119,11 +146,9 @@ NextContact ContactSearch::from(GenId i, GenId j, const Instant& now, double end
       return {};
     }
     const DoubleBall at = t + d->s;
-    const double lo = at.mid - at.rad * (1 + 0x1p-50) - std::fabs(at.mid) * 0x1p-52;
-    const double hi = at.mid + at.rad * (1 + 0x1p-50) + std::fabs(at.mid) * 0x1p-52;
+    const double lo = down(at.mid - at.rad), hi = up(at.mid + at.rad);
     if (lo > end) return {};
-    // A wide enclosure is still an answer; one that reaches the present is not.
-    if (lo > now.hi && hi - lo < 1e-6 * (1 + std::fabs(lo))) {
+    if (is_answer(lo, hi)) {
       counts_.count(Predicate::contact_search, Tier::filter);
       return {NextContact::Kind::at, lo, hi};
     }

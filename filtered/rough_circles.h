@@ -15,17 +15,22 @@
 //   D_xs^2 + D_ys^2 - D_xy^2         12 R^4  88 R^4 theta     (72, roundings 32 u: 80)
 //   C = x D_yp - y D_xp + p D_xy     6 R^4   44 R^4 theta     (36, roundings 16 u: 40); so A and B
 //   G = D_xp A + D_yp B              24 R^7  340 R^7 theta    (296, roundings 48 u: 308)
-// Beside the container, whose offset is far longer than those of disks, these bounds of existence
-// are too coarse. By components, with a = |x| + |y| + |s| and P = |p| of an offset, computed:
+// Beside the container, whose offset is far longer than those of disks, these bounds are too
+// coarse. By components, with a = |x| + |y| + |s| and P = |p| of an offset, computed:
 //   p          e = (2 a + 3 eta) eta + 4 u a^2
-//   D_xp and D_yp together, their factors' errors in turn and 2 u of their products
-//              E = a_j e_k + a_k e_j + 2 eta (P_j + P_k + e_j + e_k) + 3 u (a_j P_k + a_k P_j)
+//   D_xp, D_yp and D_sp together, their factors' errors in turn and 2 u of their products
+//              E = a_j e_k + a_k e_j + 3 eta (P_j + P_k + e_j + e_k) + 3 u (a_j P_k + a_k P_j)
 //   D_xs, D_ys, D_xy, each
 //              d = (a_j + a_k + 2 eta) eta + 3 u a_j a_k
 //   D_xp D_xs + D_yp D_ys, with M = |D_xp| + |D_yp| and m = |D_xs| + |D_ys|
 //              M d + m E + E d + 3 u M m
 //   D_xs^2 + D_ys^2 - D_xy^2, with m and |D_xy| in S
 //              (2 S + 3 d) d + 4 u S^2
+//   A and B together, a, P and e those of the opposite offset, with K = a (M + |D_sp|) + P m above
+//   |A| + |B|; on no way more than three roundings
+//              e_AB = a E + eta (M + 2 |D_sp| + 3 E) + 2 P d + e (m + 2 d) + 4 u K
+//   G          M e_AB + K E + E e_AB + 3 u M (K + e_AB)
+//   C          a E + eta (M + E) + P d + e (|D_xy| + d) + 4 u (a M + P |D_xy|)
 // Computing the bounds is rounded as well: the excess of the constants is at least 1 in 20. R is
 // kept where no power of it comes near the ends of the range of doubles.
 #pragma once
@@ -72,19 +77,13 @@ class RoughCircles {
     };
     const Signs coarse{coarsely(0), coarsely(1)};
     if (coarse.start != Sign::unknown && coarse.end != Sign::unknown) return coarse;
-    constexpr double u = 0x1p-53, up = 1 + 0x1p-40;
-    const Lanes pj = abs(t_.pj), pk = abs(t_.pk);
-    const Lanes ej = (2 * aj_ + 3 * eta_) * eta_ + 4 * u * aj_ * aj_;
-    const Lanes ek = (2 * ak_ + 3 * eta_) * eta_ + 4 * u * ak_ * ak_;
-    const Lanes e =
-        aj_ * ek + ak_ * ej + 2 * eta_ * (pj + pk + ej + ek) + 3 * u * (aj_ * pk + ak_ * pj);
-    const Lanes d = (aj_ + ak_ + 2 * eta_) * eta_ + 3 * u * aj_ * ak_;
-    const Lanes large = abs(t_.xp) + abs(t_.yp), small = abs(t_.xs) + abs(t_.ys);
-    const Lanes all = small + abs(t_.xy);
-    const Lanes direct_bound = (large * d + small * e + e * d + 3 * u * large * small) * up;
-    const Lanes conjugate_bound = ((2 * all + 3 * d) * d + 4 * u * all * all) * up;
+    const Fine f = fine();
+    const Lanes all = f.small + abs(t_.xy);
+    const Lanes direct_bound =
+        f.large * f.d + f.small * f.e + f.e * f.d + 3 * u * f.large * f.small;
+    const Lanes conjugate_bound = (2 * all + 3 * f.d) * f.d + 4 * u * all * all;
     const auto finely = [&](int k) {
-      return exists(k, direct_bound[k], d[k] * up, conjugate_bound[k]);
+      return exists(k, direct_bound[k] * up, f.d[k] * up, conjugate_bound[k] * up);
     };
     return {coarse.start != Sign::unknown ? coarse.start : finely(0),
             coarse.end != Sign::unknown ? coarse.end : finely(1)};
@@ -94,13 +93,17 @@ class RoughCircles {
   Signs in_circle(Sign f) const {
     const InCircleParts<Lanes> parts(t_, opposite_);
     const Lanes part = f == Sign::positive ? parts.g() : parts.c();
-    const double bound = (f == Sign::positive ? 340 * r2_ * r_ : 44.0) * r4_ * theta_;
-    const auto outside = [&](int k) {
+    const double coarse_bound = (f == Sign::positive ? 340 * r2_ * r_ : 44.0) * r4_ * theta_;
+    const auto outside = [&](int k, double bound) {
       const Sign s = beyond(part[k], bound);
       const bool turned = f != Sign::positive && with_container_[k];
       return turned != other_is_container_[k] ? -s : s;
     };
-    return {outside(0), outside(1)};
+    const Signs coarse{outside(0, coarse_bound), outside(1, coarse_bound)};
+    if (coarse.start != Sign::unknown && coarse.end != Sign::unknown) return coarse;
+    const Lanes bound = f == Sign::positive ? g_bound(fine()) : c_bound(fine());
+    return {coarse.start != Sign::unknown ? coarse.start : outside(0, bound[0] * up),
+            coarse.end != Sign::unknown ? coarse.end : outside(1, bound[1] * up)};
   }
 
  private:
@@ -118,6 +121,38 @@ class RoughCircles {
   }
   static Sign beyond(double x, double bound) {
     return x > bound ? Sign::positive : x < -bound ? Sign::negative : Sign::unknown;
+  }
+
+  // The bounds by components.
+  static constexpr double u = 0x1p-53, up = 1 + 0x1p-40;
+  struct Fine {
+    Lanes e, d;          // E and d
+    Lanes large, small;  // M and m
+  };
+  Lanes tangency_error(const Lanes& a) const { return (2 * a + 3 * eta_) * eta_ + 4 * u * a * a; }
+  Fine fine() const {
+    const Lanes pj = abs(t_.pj), pk = abs(t_.pk);
+    const Lanes ej = tangency_error(aj_), ek = tangency_error(ak_);
+    return {aj_ * ek + ak_ * ej + 3 * eta_ * (pj + pk + ej + ek) + 3 * u * (aj_ * pk + ak_ * pj),
+            (aj_ + ak_ + 2 * eta_) * eta_ + 3 * u * aj_ * ak_, abs(t_.xp) + abs(t_.yp),
+            abs(t_.xs) + abs(t_.ys)};
+  }
+  Lanes opposite_tangency() const {
+    const Lanes x = opposite_.x - t_.base.x, y = opposite_.y - t_.base.y;
+    const Lanes s = opposite_.r - t_.base.r;
+    return abs(x * x + y * y - s * s);
+  }
+  Lanes g_bound(const Fine& f) const {
+    const Lanes p = opposite_tangency(), e = tangency_error(ao_), sp = abs(t_.sp);
+    const Lanes k = ao_ * (f.large + sp) + p * f.small;
+    const Lanes ab = ao_ * f.e + eta_ * (f.large + 2 * sp + 3 * f.e) + 2 * p * f.d +
+                     e * (f.small + 2 * f.d) + 4 * u * k;
+    return f.large * ab + k * f.e + f.e * ab + 3 * u * f.large * (k + ab);
+  }
+  Lanes c_bound(const Fine& f) const {
+    const Lanes p = opposite_tangency(), e = tangency_error(ao_), xy = abs(t_.xy);
+    return ao_ * f.e + eta_ * (f.large + f.e) + p * f.d + e * (xy + f.d) +
+           4 * u * (ao_ * f.large + p * xy);
   }
 
   // The triples (l,s,r) and (r,e,l), a disk first: as tangent_triple().
@@ -143,8 +178,8 @@ class RoughCircles {
     const auto larger = [](const Lanes& a, const Lanes& b) { return 0.5 * (a + b + abs(a - b)); };
     aj_ = size_of(1);
     ak_ = size_of(2);
-    const Lanes largest = larger(larger(aj_, ak_), size_of(3));
-    constexpr double u = 0x1p-53;
+    ao_ = size_of(3);
+    const Lanes largest = larger(larger(aj_, ak_), ao_);
     r_ = (std::max(largest[0], largest[1]) + 6 * error) * (1 + 0x1p-40);
     eta_ = 2 * error + u * r_;
     theta_ = eta_ / r_ + 4 * u;
@@ -155,7 +190,7 @@ class RoughCircles {
   TangentTriple<Lanes> t_;
   Site<Lanes> opposite_;
   bool with_container_[2], other_is_container_[2];
-  Lanes aj_, ak_;  // |x| + |y| + |s| of two offsets
+  Lanes aj_, ak_, ao_;  // |x| + |y| + |s| of the offsets
   double r_, eta_, theta_, r2_, r4_;
 };
 

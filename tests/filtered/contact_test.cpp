@@ -10,6 +10,7 @@
 
 #include "apps/scene_motion.h"
 #include "kinetic/static_diagram.h"
+#include "tests/filtered/end_of_runs.h"
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scene_run.h"
@@ -102,6 +103,41 @@ TEST(ContactSearch, RandomPairsAreDecidedInDoubles) {
   EXPECT_LT(searches(tiers, Tier::dd), 5u);
   EXPECT_GT(searches(tiers, Tier::ball), 200u);  // without filters
   EXPECT_EQ(searches(tiers, Tier::exact), 0u);
+}
+
+// Of a motion that is known to an error: the contacts of any two against balls of 300 bits.
+TEST(ContactSearch, AfterCollisions) {
+  int contacts = 0, none = 0;
+  at_end_of_runs({.n = 12, .rmin = 0.5, .rmax = 6}, "20", 8, [&](Engine<true>& engine) {
+    Motion& motion = engine.motion();
+    TierCounts tiers;
+    ContactSearch search(motion, tiers);
+    const double now = 20, end = 1e6;
+    const Ball t(now, 300);
+    for (GenId j = 0; j < motion.size(); ++j) {
+      for (GenId i = container_id; i < j; ++i) {
+        // Of one collision: they part, and the contact lies behind.
+        if (i != container_id && motion.state_id(i) == motion.state_id(j)) continue;
+        const Contact<Ball> k(motion.moving_site(i, t), motion.moving_site(j, t));
+        const Ball discriminant = k.b * k.b - k.a * k.c;
+        const bool wall = i == container_id;
+        const bool meet =
+            wall || (sign(k.b) == Sign::negative && sign(discriminant) == Sign::positive);
+        const NextContact c = search.from(i, j, instant_at(to_rational(now)), end);
+        ASSERT_EQ(c.kind, meet ? Kind::at : Kind::none) << i << " " << j;
+        ++(meet ? contacts : none);
+        if (!meet) continue;
+        const Ball root = sqrt(discriminant);
+        const Ball at = t + (wall ? (root - k.b) / k.a : k.c / (root - k.b));
+        EXPECT_EQ(sign(at - Ball(c.lo, 300)), Sign::positive);
+        EXPECT_EQ(sign(Ball(c.hi, 300) - at), Sign::positive);
+        EXPECT_LT(c.hi - c.lo, 1e-9 * c.hi);
+      }
+    }
+    EXPECT_EQ(searches(tiers, Tier::dd), 0u);
+  });
+  EXPECT_GT(contacts, 100);
+  EXPECT_GT(none, 100);
 }
 
 // Past each other at a distance of the sum of the radii, and a hair's breadth more and less.

@@ -74,7 +74,8 @@ void expect_most_decided(const Tally& tally) {
   EXPECT_GT(tally.roots, 300);
   EXPECT_GT(tally.collapses, 50);
   EXPECT_GT(tally.stays, 50);
-  EXPECT_LT(tally.unknown, tally.roots / 10);
+  EXPECT_LT(tally.unknown, tally.roots / 50);
+
   EXPECT_GT(tally.wide, 300);
 }
 
@@ -90,9 +91,11 @@ TEST(RoughJudge, AfterCollisions) {
   expect_most_decided(tally);
 }
 
-// Whether the circles of any four generators exist, about times at which one begins or ceases to:
-// an interval with such a time has no sign, and one beside it is certain where it is narrow enough.
-TEST(RoughCircles, ExistOverTheWholeInterval) {
+// A sign of any four generators, about times at which it changes: an interval with such a time has
+// no sign, and one beside it is certain where it is narrow enough. `truth` and `told` say it of an
+// edge, the latter of its start or its end.
+template <class Truth, class Told>
+void expect_over_the_whole_interval(Truth&& truth, Told&& told) {
   const MakeBall make{300};
   int changes[2] = {}, certain[2] = {};
   std::mt19937 random(7);
@@ -107,36 +110,58 @@ TEST(RoughCircles, ExistOverTheWholeInterval) {
       if (wall) std::iter_swap(ids.begin() + trial / 2 % 4, std::ranges::find(ids, container_id));
       const Quad q{ids[0], ids[1], ids[2], ids[3]};
       for (const bool at_start : {true, false}) {
-        const auto truth = [&](const Rational& t) {
-          const auto triples = EdgeTriples<Ball>::of(q, sites(motion, q, make(t)));
-          return circle_exists(at_start ? triples.start : triples.end);
+        const auto true_sign = [&](const Rational& t) {
+          const auto at = sites(motion, q, make(t));
+          const auto triples = EdgeTriples<Ball>::of(q, at);
+          return at_start ? truth(triples.start, at[3], q.e == container_id)
+                          : truth(triples.end, at[2], q.s == container_id);
         };
-        const auto told = [&](double lo, double hi) {
+        const auto rough_sign = [&](double lo, double hi) {
           const RoughCircles circles(motion, q, lo, hi);
           if (!circles.usable()) return Sign::unknown;
-          return at_start ? circles.exist().start : circles.exist().end;
+          const RoughCircles::Signs signs = told(circles);
+          return at_start ? signs.start : signs.end;
         };
         double before = 10, after = 14;
-        const Sign first = truth(before);
-        if (truth(after) != -first) continue;
+        const Sign first = true_sign(before);
+        if (true_sign(after) != -first) continue;
         for (int k = 0; k < 46; ++k) {
           const double middle = 0.5 * (before + after);
-          (truth(to_rational(middle)) == first ? before : after) = middle;
+          (true_sign(to_rational(middle)) == first ? before : after) = middle;
         }
         ++changes[wall];
         for (const double width : {0.0, 1e-10, 1e-8, 1e-7, 1e-6, 1e-5}) {
-          ASSERT_EQ(told(before - width, after + 2 * width), Sign::unknown) << text(q) << before;
-          const Sign beside = told(before - 3 * width, before - 2 * width);
+          ASSERT_EQ(rough_sign(before - width, after + 2 * width), Sign::unknown)
+              << text(q) << before;
+          const Sign beside = rough_sign(before - 3 * width, before - 2 * width);
           ASSERT_TRUE(beside == first || beside == Sign::unknown) << text(q) << before;
         }
         const double past = before - 1e-3;
-        certain[wall] += truth(to_rational(past)) == first && told(past, past + 1e-9) == first;
+        certain[wall] +=
+            true_sign(to_rational(past)) == first && rough_sign(past, past + 1e-9) == first;
       }
     }
   });
   for (const int k : {0, 1}) {
     EXPECT_GT(changes[k], 60);
     EXPECT_GT(10 * certain[k], 9 * changes[k]);
+  }
+}
+
+TEST(RoughCircles, ExistOverTheWholeInterval) {
+  expect_over_the_whole_interval([](const TangentTriple<Ball>& triple, const Site<Ball>&,
+                                    bool) { return circle_exists(triple); },
+                                 [](const RoughCircles& circles) { return circles.exist(); });
+}
+
+// Whether or not the circles exist: these are signs of polynomials.
+TEST(RoughCircles, InCircleOverTheWholeInterval) {
+  for (const Sign f : {Sign::positive, Sign::negative}) {
+    expect_over_the_whole_interval(
+        [f](const TangentTriple<Ball>& triple, const Site<Ball>& other, bool is_container) {
+          return incircle(triple, other, is_container, f);
+        },
+        [f](const RoughCircles& circles) { return circles.in_circle(f); });
   }
 }
 
