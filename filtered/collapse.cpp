@@ -117,6 +117,11 @@ Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, co
   return {true, Collapse::none_until(voroproof::round_down(end)), {}};
 }
 
+// Whether so much of [start, end] is decided that the rest can wait for its turn.
+bool is_answer(const Collapse& c, double start, double end) {
+  return c.kind == Collapse::Kind::root || c.lo == end || c.lo - start > 0.05 * (end - start);
+}
+
 }  // namespace
 
 Collapse Collapse::at_root(const Rational& lo, const Rational& hi) {
@@ -151,13 +156,12 @@ std::optional<Collapse> CollapseSearch::while_cotangent(const Quad& q, const std
   return illegal;
 }
 
-// The first tier, of a form whose coefficients are not all of one sign. Undecided where
-// the filter cannot say what happens just after the start; undecided parts further on
-// wait for their turn (`none` up to there).
-std::optional<Collapse> CollapseSearch::filter(const Quad& q, const BernsteinForm& form,
-                                               double start, double end) const {
-  std::optional<Collapse> answer;
-  bool decided = true;
+// By the roots of a form whose coefficients are not all of one sign: a collapse, or none up to the
+// time to which the form tells, the start if it tells nothing.
+Collapse CollapseSearch::in_doubles(const Quad& q, const BernsteinForm& form, double start,
+                                    double end) const {
+  if (!(std::fabs(form.c[0]) > form.err)) return Collapse::none_until(start);
+  std::optional<Collapse> collapse;
   const double reached = each_root(form, start, end, [&](const DoubleRoot& root) {
     const Sign f = cotangency_sign(root.after, form.degree == 4);
     Verdict verdict = judge_roughly(motion_, q, root.lo, root.hi, f);
@@ -166,18 +170,46 @@ std::optional<Collapse> CollapseSearch::filter(const Quad& q, const BernsteinFor
       verdict = judge(
           q, at_hull, [&] { return sites(motion_, q, DoubleBall(root.hi)); }, f);
     }
-    if (verdict == Verdict::stays) return true;
-    decided = verdict == Verdict::collapses;
-    if (decided) answer = Collapse{Collapse::Kind::root, root.lo, root.hi, nullptr};
-    return false;
+    if (verdict == Verdict::collapses) {
+      collapse = Collapse{Collapse::Kind::root, root.lo, root.hi, nullptr};
+    }
+    return verdict == Verdict::stays;
   });
-  if (answer) return answer;
-  if (decided && reached == end) return Collapse::none_until(end);
-  const Collapse rest = search_branches(motion_, q, reached, end);
-  if (rest.kind == Collapse::Kind::root || rest.lo == end ||
-      rest.lo - start > 0.05 * (end - start)) {
-    return rest;
+  return collapse ? *collapse : Collapse::none_until(reached);
+}
+
+// The same piece by piece: the error bound of a form grows with a high power of the way that the
+// generators go in it, so that long windows hide what short ones show. Pieces are as long as forms
+// are of use.
+Collapse CollapseSearch::in_pieces(const Quad& q, double start, double end) const {
+  constexpr int kMaxPieces = 40;
+  double from = start, length = 0.125 * (end - start);
+  const double shortest = 0x1p-10 * (end - start);
+  for (int pieces = 0; pieces < kMaxPieces && from < end && length >= shortest; ++pieces) {
+    const double to = length < end - from ? from + length : end;
+    if (!(from < to)) break;
+    BernsteinForm form;
+    Collapse found = Collapse::none_until(to);
+    if (!form_flip_polynomial<true>(motion_, q, from, to, form)) {
+      found = in_doubles(q, form, from, to);
+      if (found.kind == Collapse::Kind::root) return found;
+    }
+    length *= found.lo == to ? 2 : 0.25;
+    from = found.lo;
   }
+  return Collapse::none_until(from);
+}
+
+// The first tier. Undecided where the filter cannot say what happens just after the start;
+// undecided parts further on wait for their turn (`none` up to there).
+std::optional<Collapse> CollapseSearch::filter(const Quad& q, const BernsteinForm& form,
+                                               double start, double end) const {
+  Collapse found = in_doubles(q, form, start, end);
+  if (found.kind == Collapse::Kind::root || found.lo == end) return found;
+  found = in_pieces(q, found.lo, end);
+  if (is_answer(found, start, end)) return found;
+  found = search_branches(motion_, q, found.lo, end);
+  if (is_answer(found, start, end)) return found;
   return std::nullopt;
 }
 
@@ -187,18 +219,9 @@ Collapse CollapseSearch::after(const Quad& q, double start, double end, const Ro
   if (!(start < end)) return Collapse::none_until(end);
   if (!motion_.options().filters) return slow(q, to_rational(start), nullptr, end);
   BernsteinForm form;
-  std::optional<Collapse> answer;
-  if (form_flip_polynomial<true>(motion_, q, start, end, form)) {
-    answer = Collapse::none_until(end);
-  } else {
-    answer = filter(q, form, start, end);
-  }
-  if (!answer) {
-    const double near = start + 0x1p-5 * (end - start);
-    if (start < near && form_flip_polynomial<true>(motion_, q, start, near, form)) {
-      answer = Collapse::none_until(near);
-    }
-  }
+  const std::optional<Collapse> answer = form_flip_polynomial<true>(motion_, q, start, end, form)
+                                             ? Collapse::none_until(end)
+                                             : filter(q, form, start, end);
   if (!answer) return slow(q, to_rational(start), nullptr, end);
   counts_.count(Predicate::flip_search, Tier::filter);
   return *answer;
@@ -230,9 +253,12 @@ Collapse CollapseSearch::from(const Quad& q, const Instant& now, double end) {
       answer = Collapse::none_until(end);
     } else if (std::fabs(form.c[0]) > form.err) {
       answer = filter(q, form, now.lo, end);
-      if (answer && !(answer->lo > now.hi)) answer.reset();
+    } else {
+      // Not search_branches(): it presumes an edge that is legal just after the start.
+      const Collapse found = in_pieces(q, now.lo, end);
+      if (is_answer(found, now.lo, end)) answer = found;
     }
-    if (answer) {
+    if (answer && answer->lo > now.hi) {
       counts_.count(Predicate::flip_search, Tier::filter);
       return *answer;
     }

@@ -96,6 +96,8 @@ class CollapseSearch {
   bool has_rational_motion(const Quad& q) const;
 
  private:
+  Collapse in_doubles(const Quad& q, const BernsteinForm& form, double start, double end) const;
+  Collapse in_pieces(const Quad& q, double start, double end) const;
   std::optional<Collapse> filter(const Quad& q, const BernsteinForm& form, double start,
                                  double end) const;
   Collapse beyond(const Quad& q, const RootInterval& root, double end);
