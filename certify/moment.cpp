@@ -69,9 +69,13 @@ ExactTime Chronology::exact_time(const Moment& m, ExactMotion& exact) {
 
 Instant Chronology::instant(const Moment& m) const {
   Instant now;
-  now.lo = m.lo;
-  now.hi = m.hi;
   now.dd = narrow(m);
+  // A flip is isolated in an interval as wide as the tolerance at most, in which other events may
+  // happen: between those and this one nothing but a narrow instant tells.
+  double lo = 0, hi = 0;
+  enclose(now.dd, lo, hi);
+  now.lo = std::max(m.lo, lo);
+  now.hi = std::min(m.hi, hi);
   now.exact = [m](ExactMotion& exact) { return exact_time(m, exact); };
   return now;
 }

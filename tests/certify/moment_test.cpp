@@ -1,0 +1,51 @@
+// Instants as the searches take them.
+#include "certify/moment.h"
+
+#include <gtest/gtest.h>
+
+#include "apps/scene_motion.h"
+#include "tests/support/compact_arithmetic.h"
+#include "tests/support/scene_run.h"
+
+namespace voroproof::testing {
+namespace {
+
+// Four disks about the circle of radius 10: three at rest, the fourth meets the circle at t = 1. A
+// fifth does a moment later, so that two edges flip within the interval that isolates the first.
+Scene nearly_together(const Rational& later) {
+  const auto incoming = [](const Rational& r, const Rational& t, const Rational& c,
+                           const Rational& s) {
+    const Rational d = 10 + r + t;
+    return disk(d * c, d * s, r, -c, -s);
+  };
+  const Rational p(3, 5), q(4, 5);
+  return scene_of(
+      40, 2,
+      {disk(12, 0, 2, 0, 0), disk(-13 * p, 13 * q, 3, 0, 0), disk(-14 * p, -14 * q, 4, 0, 0),
+       incoming(1, 1, p, q), incoming(Rational(3, 2), 1 + later, q, -p)});
+}
+
+TEST(Moment, AnInstantIsNarrowHoweverWideItsFlipIsIsolated) {
+  const Scene scene = nearly_together(Rational(1, 10'000'000));
+  Motion motion(motion_input(scene), {});
+  TierCounts tiers;
+  CollapseSearch collapses(motion, tiers);
+  ContactSearch contacts(motion, tiers);
+  std::int64_t beyond = 0;
+  Chronology chronology(motion, collapses, contacts, beyond);
+  Collapse wide;
+  wide.kind = Collapse::Kind::root;
+  wide.lo = 1 - 1e-6;
+  wide.hi = 1 + 1e-6;
+  const Instant now = chronology.instant(Moment::of({0, 1, 3, 2}, wide));
+  EXPECT_LE(now.lo, 1);
+  EXPECT_GE(now.hi, 1);
+  EXPECT_LT(now.hi - now.lo, 1e-14);
+  // So that what begins at the instant has its flip beyond it.
+  const Collapse next = collapses.from({0, 2, 3, 4}, now, 1 + 1e-6);
+  ASSERT_EQ(next.kind, Collapse::Kind::root);
+  EXPECT_GT(next.lo, now.hi);
+}
+
+}  // namespace
+}  // namespace voroproof::testing
