@@ -183,8 +183,9 @@ Collapse CollapseSearch::in_doubles(const Quad& q, const BernsteinForm& form, do
 // are of use.
 Collapse CollapseSearch::in_pieces(const Quad& q, double start, double end) const {
   constexpr int kMaxPieces = 40;
-  double from = start, length = 0.125 * (end - start);
-  const double shortest = 0x1p-10 * (end - start);
+  // The first is short: where it does not help, none does.
+  const double shortest = 0x1p-6 * (end - start);
+  double from = start, length = shortest;
   for (int pieces = 0; pieces < kMaxPieces && from < end && length >= shortest; ++pieces) {
     const double to = length < end - from ? from + length : end;
     if (!(from < to)) break;
@@ -194,7 +195,7 @@ Collapse CollapseSearch::in_pieces(const Quad& q, double start, double end) cons
       found = in_doubles(q, form, from, to);
       if (found.kind == Collapse::Kind::root) return found;
     }
-    length *= found.lo == to ? 2 : 0.25;
+    length *= found.lo == to ? 4 : 0.25;
     from = found.lo;
   }
   return Collapse::none_until(from);
