@@ -117,6 +117,19 @@ Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, co
   return {true, Collapse::none_until(voroproof::round_down(end)), {}};
 }
 
+// Whether some of the four go further in [start, end] than they are apart at its start, nearly.
+bool go_far(const Motion& motion, const Quad& q, double start, double end) {
+  const Site<double> l = plain_site(motion, q.l, start);
+  const DoubleMotion& m = motion.doubles(q.l);
+  for (const GenId g : {q.r, q.s, q.e}) {
+    const Site<double> other = plain_site(motion, g, start);
+    const DoubleMotion& n = motion.doubles(g);
+    const double speed = std::fabs(n.vx - m.vx) + std::fabs(n.vy - m.vy);
+    if (speed * (end - start) > std::fabs(other.x - l.x) + std::fabs(other.y - l.y)) return true;
+  }
+  return false;
+}
+
 // Whether so much of [start, end] is decided that the rest can wait for its turn.
 bool is_answer(const Collapse& c, double start, double end) {
   return c.kind == Collapse::Kind::root || c.lo == end || c.lo - start > 0.05 * (end - start);
@@ -180,12 +193,13 @@ Collapse CollapseSearch::in_doubles(const Quad& q, const BernsteinForm& form, do
 
 // The same piece by piece: the error bound of a form grows with a high power of the way that the
 // generators go in it, so that long windows hide what short ones show. Pieces are as long as forms
-// are of use.
+// are of use. Where nobody goes far they would tell no more than the whole.
 Collapse CollapseSearch::in_pieces(const Quad& q, double start, double end) const {
+  if (!go_far(motion_, q, start, end)) return Collapse::none_until(start);
   constexpr int kMaxPieces = 40;
   // The first is short: where it does not help, none does.
   const double shortest = 0x1p-6 * (end - start);
-  double from = start, length = shortest;
+  double from = start, length = shortest, growth = 4;
   for (int pieces = 0; pieces < kMaxPieces && from < end && length >= shortest; ++pieces) {
     const double to = length < end - from ? from + length : end;
     if (!(from < to)) break;
@@ -195,7 +209,12 @@ Collapse CollapseSearch::in_pieces(const Quad& q, double start, double end) cons
       found = in_doubles(q, form, from, to);
       if (found.kind == Collapse::Kind::root) return found;
     }
-    length *= found.lo == to ? 4 : 0.25;
+    if (found.lo < to) {
+      length *= 0.25;
+      growth = 1;
+    } else {
+      length *= growth;
+    }
     from = found.lo;
   }
   return Collapse::none_until(from);
