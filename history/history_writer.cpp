@@ -91,16 +91,24 @@ void HistoryWriter::header(const HistoryHeader& header) {
               string_text(header.scene_sha256) + ",\"horizon\":" + horizon_ +
               ",\"producer\":" + string_text(header.producer));
   if (header.initial) {
-    std::vector<Quad> edges = *header.initial;
-    for (Quad& edge : edges) edge = canonical(edge);
-    std::sort(edges.begin(), edges.end());
+    // Mostly they are as they are written: large diagrams are not copied for it.
+    std::vector<Quad> put_right;
+    const std::vector<Quad>* edges = &*header.initial;
+    const auto is_canonical = [](const Quad& q) { return q == canonical(q); };
+    if (!std::all_of(edges->begin(), edges->end(), is_canonical) ||
+        !std::is_sorted(edges->begin(), edges->end())) {
+      put_right = *edges;
+      for (Quad& edge : put_right) edge = canonical(edge);
+      std::sort(put_right.begin(), put_right.end());
+      edges = &put_right;
+    }
     const char* separator = ",\"initial\":[";
-    for (const Quad& edge : edges) {
+    for (const Quad& edge : *edges) {
       file_.write(separator);
       file_.advance(put_quad(file_.room(max_written_line), edge));
       separator = ",";
     }
-    file_.write(edges.empty() ? ",\"initial\":[]" : "]");
+    file_.write(edges->empty() ? ",\"initial\":[]" : "]");
   }
   file_.write("}\n");
 }
