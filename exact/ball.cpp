@@ -22,7 +22,7 @@ double Magnitude::to_double() const {
   if (is_zero()) return 0;
   if (e_ > 1022) return std::numeric_limits<double>::infinity();
   if (e_ < -1021) return DBL_MIN;
-  return std::ldexp(m_, static_cast<int>(e_));
+  return m_ * std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e_) << 52);
 }
 
 Ball::Ball(const Rational& q, Precision bits) : Ball(bits) {

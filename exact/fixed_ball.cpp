@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace voroproof {
@@ -17,6 +18,17 @@ constexpr double kUp = 1 + 0x1p-48;
 // A radius that is not zero is not less, so that its products with what `upper` returns do not
 // underflow.
 constexpr double kLeastRadius = 0x1p-800;
+
+// 2^e, for -1000 <= e <= 1000.
+double power_of_two(std::int64_t e) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e) << 52);
+}
+
+// x 2^e.
+double scaled(double x, std::int64_t e) {
+  if (std::abs(e) <= 1000) return x * power_of_two(e);
+  return std::ldexp(x, static_cast<int>(std::clamp<std::int64_t>(e, -4000, 4000)));
+}
 
 // How many limbs from the least on are zero, at most `most`.
 mp_size_t trailing_zeros(const mp_limb_t* limbs, mp_size_t most) {
@@ -33,7 +45,7 @@ void FixedArithmetic::set_format(Ball::Precision bits, int integer_limbs,
   size_ = fraction_ + integer_limbs;
   radius_exponent_ = std::max<std::int64_t>(radius_exponent, -64 * fraction_);
   const auto power = [](std::int64_t e) {
-    return e > 800 ? kInfinity : std::ldexp(1.0, static_cast<int>(std::max<std::int64_t>(e, -800)));
+    return e > 800 ? kInfinity : power_of_two(std::max<std::int64_t>(e, -800));
   };
   last_place_ = power(-64 * fraction_ - radius_exponent_);
   radius_unit_ = power(radius_exponent_);
@@ -62,27 +74,28 @@ mp_size_t FixedArithmetic::magnitude(mp_limb_t* to, const FixedBall& a) const {
 }
 
 // A bound of |a| from above, never zero. Of a negative number the limbs are inverted, which gives
-// its magnitude less one in the last place. Below the first limb after the point nothing is read.
+// its magnitude less one in the last place. Two limbs are read, the second of them the first after
+// the point or one before it.
 double FixedArithmetic::upper(const FixedBall& a) const {
   const mp_limb_t flip = is_negative(a) ? ~mp_limb_t{0} : 0;
-  double v = 0;
-  for (mp_size_t k = size_ - 1; k >= fraction_; --k) {
-    v = v * 0x1p64 + static_cast<double>(a.limbs_[k] ^ flip);
-  }
-  v += static_cast<double>(a.limbs_[fraction_ - 1] ^ flip) * 0x1p-64;
-  return v * (1 + 0x1p-50) + 0x1p-63;
+  mp_size_t k = size_ - 1;
+  while (k > fraction_ && a.limbs_[k] == flip) --k;
+  const double leading = static_cast<double>(a.limbs_[k] ^ flip);
+  const double v = leading + static_cast<double>(a.limbs_[k - 1] ^ flip) * 0x1p-64;
+  const double bound = v * (1 + 0x1p-50) + 0x1p-63;
+  return k == fraction_ ? bound : scaled(bound, 64 * (k - fraction_));
 }
 
 // A bound of |a| from below, by the two leading limbs; zero where it would be less than 2^-800.
 double FixedArithmetic::lower(const FixedBall& a) const {
   const mp_limb_t flip = is_negative(a) ? ~mp_limb_t{0} : 0;
   mp_size_t k = size_ - 1;
-  while (k > 0 && (a.limbs_[k] ^ flip) == 0) --k;
+  while (k > 0 && a.limbs_[k] == flip) --k;
   const mp_size_t exponent = 64 * (k - fraction_);
   if (exponent < -800) return 0;
   double v = static_cast<double>(a.limbs_[k] ^ flip);
   if (k > 0) v += static_cast<double>(a.limbs_[k - 1] ^ flip) * 0x1p-64;
-  return std::ldexp(v * (1 - 0x1p-50), static_cast<int>(exponent));
+  return v * (1 - 0x1p-50) * power_of_two(std::min<mp_size_t>(exponent, 800));
 }
 
 // Gives a number its radius; what is too large for a double, or no number at all, is unknown.
@@ -123,14 +136,38 @@ void FixedArithmetic::place(FixedBall& out, const mp_limb_t* from, mp_size_t siz
 
 void FixedArithmetic::set(FixedBall& out, double x, std::int64_t unit) {
   out.radius_ = 0;
-  if (x == 0 || !std::isfinite(x)) {
-    std::fill_n(room(out), size_, 0);
-    if (x != 0) out.radius_ = kInfinity;
+  mp_limb_t* to = room(out);
+  std::fill_n(to, size_, 0);
+  if (x == 0) return;
+  // |x| = m 2^(e - 64), the first bit of m being set.
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto field = static_cast<int>((bits >> 52) & 0x7ff);
+  mp_limb_t m = bits << 11 | std::uint64_t{1} << 63;
+  std::int64_t e = field - 1022;
+  if (field == 0) {
+    const int zeros = std::countl_zero(bits << 1) + 1;
+    m = bits << zeros;
+    e = 64 - 1074 - zeros;
+  }
+  const std::int64_t top = e - unit + 64 * fraction_;  // bits in units of the last place
+  if (field == 0x7ff || top >= 64 * size_) {
+    out.radius_ = kInfinity;
     return;
   }
-  int e = 0;
-  const auto m = static_cast<mp_limb_t>(std::frexp(std::fabs(x), &e) * 0x1p64);
-  place(out, &m, 1, e - unit, x < 0);
+  if (top <= 0) {
+    out.radius_ = last_place_ * kUp;
+    return;
+  }
+  const mp_size_t k = (top - 1) / 64;
+  const auto used = static_cast<unsigned>(top - 64 * k);  // of m in limb k, the rest in the next
+  const mp_limb_t rest = used == 64 ? 0 : m << used;
+  to[k] = m >> (64 - used);
+  if (k > 0) {
+    to[k - 1] = rest;
+  } else if (rest != 0) {
+    out.radius_ = last_place_ * kUp;
+  }
+  if (x < 0) mpn_neg(to, to, size_);
 }
 
 void FixedArithmetic::set(FixedBall& out, const Ball& x, std::int64_t unit) {
@@ -162,10 +199,7 @@ void FixedArithmetic::set(FixedBall& out, const FixedView& x) const {
   double radius = 0;
   if (x.radius_ != 0) {
     const std::int64_t shift = x.radius_exponent_ - radius_exponent_;
-    radius = shift > 2000
-                 ? kInfinity
-                 : std::ldexp(x.radius_, static_cast<int>(std::max<std::int64_t>(shift, -2000)));
-    radius = std::max(radius, kLeastRadius);
+    radius = std::max(scaled(x.radius_, shift), kLeastRadius);
   }
   if (ahead > 0 && mpn_zero_p(x.limbs_, ahead) == 0) radius += last_place_;
   for (mp_size_t k = size_ + ahead; k < x.size_; ++k) {
@@ -291,7 +325,7 @@ double FixedArithmetic::multiply(mp_limb_t* r, const FixedBall& a, const FixedBa
   const mp_limb_t *x = a.limbs_.data(), *y = b.limbs_.data();
   const mp_size_t zeros_x = trailing_zeros(x, size_ - 1), zeros_y = trailing_zeros(y, size_ - 1);
   const mp_size_t zeros = zeros_x + zeros_y, size_x = size_ - zeros_x, size_y = size_ - zeros_y;
-  std::fill(r, r + zeros, 0);
+  if (zeros > 0) std::fill(r, r + zeros, 0);
   if (&a == &b) {
     mpn_sqr(r + zeros, x + zeros_x, size_x);
   } else if (size_x == size_y) {
@@ -303,8 +337,8 @@ double FixedArithmetic::multiply(mp_limb_t* r, const FixedBall& a, const FixedBa
   }
   // Read as an unsigned number a negative one is larger by 2^(64 size).
   mp_limb_t* high = r + size_;
-  if (is_negative(a)) mpn_sub_n(high, high, y, size_);
-  if (is_negative(b)) mpn_sub_n(high, high, x, size_);
+  if (is_negative(a)) mpn_sub_n(high + zeros_y, high + zeros_y, y + zeros_y, size_y);
+  if (is_negative(b)) mpn_sub_n(high + zeros_x, high + zeros_x, x + zeros_x, size_x);
   return radius;
 }
 
