@@ -155,6 +155,7 @@ void Checker::take(std::size_t k) {
   claim_ = std::move(near_[k].event);
   line_ = near_[k].line;
   place_ = near_[k].place;
+  tie_ = near_[k].tie;
   near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
@@ -183,7 +184,8 @@ void Checker::process_next() {
 }
 
 // Which of the near claims is the first in truth. Only a claim that is certainly earlier than
-// those before it, and whose own edge or pair is there already, goes before them.
+// those before it, and whose own edge or pair is there already, goes before them. Of simultaneous
+// ones the file's order stands; it is dear to prove that they are, and done once.
 std::size_t Checker::earliest() {
   std::size_t best = 0;
   std::optional<Moment> first = probe(near_[0].event);
@@ -193,13 +195,23 @@ std::size_t Checker::earliest() {
       chronology_.compare(*first, frontier_) <= 0) {
     return 0;
   }
+  const auto tie = [this](Claim& claim, const Moment& m, std::int64_t line) {
+    claim.tie = {line, m.lo, m.hi, replay_.changes()};
+  };
   for (std::size_t k = 1; k < near_.size(); ++k) {
     // No truth within the tolerance of this claim comes first.
     if (time(near_[k].event) - tolerance_up_ > first->hi) continue;
-    const std::optional<Moment> m = probe(near_[k].event);
-    if (m && m->hi < first->lo) {
+    Claim &earlier = near_[best], &claim = near_[k];
+    if (claim.tie.line != 0 && claim.tie.line == earlier.tie.line) continue;
+    const std::optional<Moment> m = probe(claim.event);
+    if (!m || m->lo > first->hi) continue;
+    const int order = chronology_.compare(*m, *first);
+    if (order < 0) {
       first = m;
       best = k;
+    } else if (order == 0) {
+      if (earlier.tie.line == 0) tie(earlier, *first, earlier.line);
+      tie(claim, *m, earlier.tie.line);
     }
   }
   if (best > 0 && options_.strict) {
@@ -236,15 +248,28 @@ std::optional<Moment> Checker::probe(const Event& event) {
 
 // ---- Time. ----
 
+// Whether m is the moment for which the tie was proved: then no generator of it has turned since.
+bool Checker::is_moment_of(const Tie& tie, const Moment& m) const {
+  const auto same = [&](std::initializer_list<GenId> generators) {
+    return std::all_of(generators.begin(), generators.end(),
+                       [&](GenId g) { return replay_.unchanged_since(g, tie.changes); });
+  };
+  if (tie.line == 0 || m.lo != tie.lo || m.hi != tie.hi) return false;
+  return (m.kind == Moment::Kind::flip && same({m.quad.l, m.quad.r, m.quad.s, m.quad.e})) ||
+         (m.kind == Moment::Kind::contact && same({m.i, m.j}));
+}
+
 // Where the truth has come to. A later moment makes it move on, and then nothing may be left
 // that had to happen before.
 void Checker::advance(const Moment& m) {
-  const int order = chronology_.compare(m, frontier_);
+  const bool tied = is_moment_of(tie_, m);
+  const int order = tied && tie_.line == frontier_tie_ ? 0 : chronology_.compare(m, frontier_);
   if (order < 0) {
     refute(Fault::wrong_order, "the event lies " + between(m.lo, m.hi) +
                                    ", before the event claimed before it, and cannot be swapped "
                                    "with it");
   }
+  if (order > 0 || tied) frontier_tie_ = tied ? tie_.line : 0;
   if (order > 0) {
     leave_instant();
     frontier_ = m;

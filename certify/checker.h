@@ -68,11 +68,20 @@ class Checker {
     Divergence divergence;
   };
 
+  // What claims have in common that were proved simultaneous: the line of one of them, 0 for none.
+  // With the moment of each as it was isolated then, by the motion after so many changes.
+  struct Tie {
+    std::int64_t line = 0;
+    double lo = 0, hi = 0;
+    int changes = 0;
+  };
+
   struct Claim {
     Claim(Event&& e, std::int64_t l, HalfEdge h = -1) : event(std::move(e)), line(l), place(h) {}
     Event event;
     std::int64_t line;
     HalfEdge place;
+    Tie tie;
   };
 
   // What is known of a V-edge since its quadruplet or the motion of its generators last changed: it
@@ -119,6 +128,7 @@ class Checker {
   std::optional<Moment> probe(const Event& event);
   void take(std::size_t k);
   void done();
+  bool is_moment_of(const Tie& tie, const Moment& m) const;
   void advance(const Moment& m);
   void leave_instant();
   bool in_time(const Moment& m);
@@ -231,12 +241,14 @@ class Checker {
   std::optional<Event> claim_;         // being checked
   std::int64_t line_ = 1;
   HalfEdge place_ = -1;
+  Tie tie_;
   std::int64_t processed_ = 0;
 
   // Of the lives.
   bool begun_ = false;
-  Moment frontier_;  // the last event proved
-  int instant_ = 0;  // numbers the instants at which events were proved
+  Moment frontier_;                // the last event proved
+  std::int64_t frontier_tie_ = 0;  // what is tied so is simultaneous with it
+  int instant_ = 0;                // numbers the instants at which events were proved
   std::vector<Life> lives_;
   std::unordered_map<int, Collapse> due_;  // the roots of edges whose lives are due, and old ones
   std::vector<Adjacency> pairs_;

@@ -57,6 +57,9 @@ class Replay : public GivenMotion {
   BallPair near_positions(const CollideEvent& claim) const;
   // Whether the motion of the disk has ever changed.
   bool moved(GenId g) const { return last_change_[g + 1] != 0; }
+  // How many changes of the motion there have been, and whether the one of g was not after so many.
+  int changes() const { return changes_; }
+  bool unchanged_since(GenId g, int changes) const { return last_change_[g + 1] <= changes; }
   // Whether the last thing that happened to both was their own collision.
   bool partners(GenId i, GenId j) const {
     return i != container_id && moved(i) && last_change_[i + 1] == last_change_[j + 1];

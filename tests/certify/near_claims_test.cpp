@@ -1,0 +1,70 @@
+// Claims nearer to each other than the tolerance: their order in the file may be another than that
+// of their true times.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "certify/report.h"
+#include "tests/certify/claimed_history.h"
+
+namespace voroproof::testing {
+namespace {
+
+// Far from each other two squares of disks, of each of which the last disk closes a circle of all
+// four: on the left at t = 1, on the right so much later.
+Scene two_squares(const Rational& later) {
+  return scene_of(60, 2,
+                  {disk(-20, 5, 1, 0, 0), disk(-15, 0, 1, 0, 0), disk(-25, 0, 1, 0, 0),
+                   disk(-20, -4, 1, 0, -1), disk(20, 5, 1, 0, 0), disk(25, 0, 1, 0, 0),
+                   disk(15, 0, 1, 0, 0), disk(20, later - 4, 1, 0, -1)});
+}
+
+class NearFlips : public ::testing::Test {
+ protected:
+  Certificate certified(const Scene& scene, bool exchanged, Truth truth, bool strict) {
+    ClaimedHistory h = claimed_history(scene, run(scene));
+    std::vector<FlipEvent*> flips;
+    for (auto& e : h.events) {
+      auto* f = std::get_if<FlipEvent>(&e);
+      if (f != nullptr && f->t > 0.99 && f->t < 1.01) flips.push_back(f);
+    }
+    EXPECT_EQ(flips.size(), 2u);
+    if (exchanged) std::swap(flips[0]->quad, flips[1]->quad);
+    CertifyOptions options;
+    options.truth = truth;
+    options.strict = strict;
+    return certify(scene, h, options);
+  }
+};
+
+// As near as doubles, double-doubles and neither can tell.
+TEST_F(NearFlips, MayBeToldInAnyOrder) {
+  for (const int digits : {7, 9, 12, 20, 40}) {
+    Integer big;
+    mpz_ui_pow_ui(big.get_mpz_t(), 10, digits);
+    const Scene scene = two_squares(Rational(Integer(1), big));
+    for (const Truth truth : {Truth::exact, Truth::recorded}) {
+      SCOPED_TRACE(digits);
+      EXPECT_EQ(certified(scene, false, truth, true).verdict, Verdict::certified);
+      const Certificate c = certified(scene, true, truth, false);
+      EXPECT_EQ(c.verdict, Verdict::certified) << reason_line(c);
+      EXPECT_EQ(c.swaps, 1);
+      const Certificate strict = certified(scene, true, truth, true);
+      ASSERT_EQ(strict.verdict, Verdict::refuted);
+      EXPECT_EQ(strict.divergence->fault, Fault::wrong_order);
+    }
+  }
+}
+
+// At one instant neither is before the other.
+TEST_F(NearFlips, AreNotExchangedAtOneInstant) {
+  const Scene scene = two_squares(0);
+  for (const bool exchanged : {false, true}) {
+    const Certificate c = certified(scene, exchanged, Truth::exact, true);
+    EXPECT_EQ(c.verdict, Verdict::certified) << reason_line(c);
+    EXPECT_EQ(c.swaps, 0);
+  }
+}
+
+}  // namespace
+}  // namespace voroproof::testing
