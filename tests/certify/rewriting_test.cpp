@@ -113,6 +113,45 @@ TEST_F(Rewriting, TimesOfFlipsWithinTheTolerance) {
   }
 }
 
+// Every time is another within the tolerance, and the file in their order: under the recorded truth
+// those of flips, as the collisions' times are the truth.
+TEST_F(Rewriting, TimesWithinTheToleranceThatReorderTheFile) {
+  constexpr double tolerance = 5e-3;
+  n_ = 25;
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    std::int64_t swaps = 0;
+    expect_certified(truth, tolerance, [&](ClaimedHistory& h) {
+      std::vector<std::pair<double, voroproof::Event>> events;
+      for (auto& e : h.events) {
+        const double t = time_of(e);
+        if (truth == Truth::exact || std::holds_alternative<FlipEvent>(e)) {
+          time_of(e) =
+              std::clamp(t + uniform(random_, -0.9 * tolerance, 0.9 * tolerance), 0.0, 15.0);
+        }
+        events.emplace_back(t, std::move(e));
+      }
+      std::stable_sort(events.begin(), events.end(), [](const auto& a, const auto& b) {
+        return time(a.second) < time(b.second);
+      });
+      h.events.clear();
+      bool commute = true;
+      for (std::size_t k = 0; k < events.size(); ++k) {
+        const auto x = generators_of(events[k].second);
+        for (std::size_t j = k; j-- > 0 && events[k].first - events[j].first < 2 * tolerance;) {
+          if (events[j].first <= events[k].first) continue;
+          ++swaps;
+          const auto y = generators_of(events[j].second);
+          if (std::find_first_of(x.begin(), x.end(), y.begin(), y.end()) != x.end())
+            commute = false;
+        }
+        h.events.push_back(events[k].second);
+      }
+      return commute;
+    });
+    EXPECT_GT(swaps, 10);
+  }
+}
+
 TEST_F(Rewriting, EventsThatCommuteSwappedWithinTheTolerance) {
   constexpr double tolerance = 1e-2;
   int swaps = 0;
