@@ -15,10 +15,18 @@ HistorySink::HistorySink(HistoryWriter& writer, HistoryHeader header, int disks)
 
 void HistorySink::begin(const std::vector<Quad>& initial) {
   // A run that stopped before the diagram at 0+ was known gives none.
-  if (!initial.empty() || disks_ < 2) header_.initial = initial;
-  if (header_observer_) header_observer_(header_);
-  writer_.header(header_);
-  header_.initial.reset();  // written, and large
+  const bool known = !initial.empty() || disks_ < 2;
+  if (header_observer_) {
+    HistoryHeader shown = header_;
+    if (known) shown.initial = initial;
+    header_observer_(shown);
+  }
+  // It is large, and not copied for the writer.
+  if (known) {
+    writer_.header(header_, initial);
+  } else {
+    writer_.header(header_);
+  }
 }
 
 void HistorySink::flip(double t, const Quad& edge) {

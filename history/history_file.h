@@ -54,6 +54,8 @@ class HistoryWriter {
   explicit HistoryWriter(const std::string& path);
 
   void header(const HistoryHeader& header);
+  // With this initial diagram in place of the header's.
+  void header(const HistoryHeader& header, const std::vector<Quad>& initial);
   void flip(double t, const Quad& quad);
   void collide(const CollideEvent& event);    // its doubles; `exact` is not looked at
   void maneuver(const ManeuverEvent& event);  // likewise
@@ -73,6 +75,7 @@ class HistoryWriter {
  private:
   enum class State { fresh, open, ended, closed };
 
+  void put(const HistoryHeader& header, const std::vector<Quad>* initial);
   void require(State state) const;
   void advance_to(double t);
 

@@ -84,16 +84,24 @@ bool well_formed(const CollideEvent& event, const std::array<std::optional<Vec2>
 HistoryWriter::HistoryWriter(const std::string& path) : file_(path) {}
 
 void HistoryWriter::header(const HistoryHeader& header) {
+  put(header, header.initial ? &*header.initial : nullptr);
+}
+
+void HistoryWriter::header(const HistoryHeader& header, const std::vector<Quad>& initial) {
+  put(header, &initial);
+}
+
+void HistoryWriter::put(const HistoryHeader& header, const std::vector<Quad>* initial) {
   require(State::fresh);
   state_ = State::open;
   horizon_ = number_text(header.horizon);
   file_.write("{\"format\":\"voroproof-history\",\"version\":1,\"scene_sha256\":" +
               string_text(header.scene_sha256) + ",\"horizon\":" + horizon_ +
               ",\"producer\":" + string_text(header.producer));
-  if (header.initial) {
+  if (initial != nullptr) {
     // Mostly they are as they are written: large diagrams are not copied for it.
     std::vector<Quad> put_right;
-    const std::vector<Quad>* edges = &*header.initial;
+    const std::vector<Quad>* edges = initial;
     const auto is_canonical = [](const Quad& q) { return q == canonical(q); };
     if (!std::all_of(edges->begin(), edges->end(), is_canonical) ||
         !std::is_sorted(edges->begin(), edges->end())) {
