@@ -163,6 +163,7 @@ class Checker {
   void begin_lives(std::span<const int> edges, const Moment& m);
   void end_lives(std::span<const int> edges, const Moment& m, bool closed = false);
   std::optional<Collapse> first_collapse(const Quad& q, double from, double end);
+  Isolated claimed_root(const Quad& q, double t) const;
   std::optional<Isolated> bracket(const Quad& q, double from, double t) const;
   Found collapse_for(const FlipEvent& claim, HalfEdge h);
   HalfEdge claimed(const Quad& q) const;

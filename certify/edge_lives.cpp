@@ -110,14 +110,20 @@ void Checker::end_lives(std::span<const int> edges, const Moment& m, bool closed
   for (std::size_t k = 0; k < edges.size(); ++k) end_life(edges[k], m, closed, k);
 }
 
-// The flip of q near the claimed time t, if that is easily proved. q is legal just after `from`.
-std::optional<Checker::Isolated> Checker::bracket(const Quad& q, double from, double t) const {
+// A flip of q about the claimed time t.
+Checker::Isolated Checker::claimed_root(const Quad& q, double t) const {
   Isolated root;
   root.m.kind = Moment::Kind::flip;
   root.m.quad = q;
   const double pad = std::fmin(kBracket * std::fmax(1, t), 0.99 * tolerance_up_);
   root.lo = root.m.lo = t - pad;
   root.hi = root.m.hi = t + pad;
+  return root;
+}
+
+// The flip of q near the claimed time t, if that is easily proved. q is legal just after `from`.
+std::optional<Checker::Isolated> Checker::bracket(const Quad& q, double from, double t) const {
+  Isolated root = claimed_root(q, t);
   if (from <= root.lo && proved_collapse(motion_, q, root.lo, root.hi)) return root;
   // The polynomial is flat there, or an event is near.
   const double wide = kWideBracket * std::fmax(1, t);
@@ -138,7 +144,11 @@ Checker::Found Checker::collapse_for(const FlipEvent& claim, HalfEdge h) {
   const Quad q = diagram_.quad(h);
   const Life& life = lives_[h / 2];
   std::optional<Isolated> easy;
-  if (!life.illegal && !life.due) easy = bracket(q, life.from, claim.t);
+  if (!life.illegal && !life.due) {
+    const Isolated root = claimed_root(q, claim.t);
+    if (proved_first_collapse(motion_, q, life.from, root.lo, root.hi)) return {root};
+    easy = bracket(q, life.from, claim.t);
+  }
   if (easy && proved_free(motion_, q, life.from, easy->lo)) return {*easy};
   ++certificate_.beyond_filter;
   const Rational t = exact_time(*claim_);

@@ -121,6 +121,47 @@ void halve(const Piece& p, double at, Piece& left, Piece& right) {
       });
 }
 
+void halve(const Piece& p, double at, Piece& left, Piece& right) {
+  p.degree == 8 ? halve<8>(p, at, left, right) : halve<4>(p, at, left, right);
+}
+
+// Exactly one sign change of the coefficients, between certain signs, over at most one uncertain
+// one: exactly one root, not at an end.
+bool has_one_root(const Piece& p) {
+  int last = 0, changes = 0, uncertain = 0;
+  for (int k = 0; k <= p.degree; ++k) {
+    const int s = p.c[k] > p.err ? 1 : p.c[k] < -p.err ? -1 : 0;
+    if (s == 0) {
+      if (k == 0 || k == p.degree) return false;
+      ++uncertain;
+      continue;
+    }
+    if (last != 0 && s != last) {
+      if (uncertain > 1) return false;
+      ++changes;
+    } else if (last != 0 && uncertain > 0) {
+      return false;
+    }
+    last = s;
+    uncertain = 0;
+  }
+  return changes == 1;
+}
+
+// The sign at the parameter x, at which the value errs by no more than the bound of the
+// coefficients: it pays for one evaluation (bernstein.cpp).
+template <int degree>
+Sign sign_of_form(const Piece& p, double x) {
+  std::array<double, 9> c = p.c;
+  const double y = 1 - x;
+  each_level<degree>(
+      c.data(), [&](double a, double b) { return y * a + x * b; }, [](auto) {});
+  return c[0] > p.err ? Sign::positive : c[0] < -p.err ? Sign::negative : Sign::unknown;
+}
+Sign sign_of_form(const Piece& p, double x) {
+  return p.degree == 8 ? sign_of_form<8>(p, x) : sign_of_form<4>(p, x);
+}
+
 // Pieces are halved at most this often one within the other.
 constexpr int kMaxCuts = 12;
 
@@ -143,7 +184,7 @@ bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts, int& l
   const double half = 0.5 * (p.a + p.b);
   if (cuts == kMaxCuts || !(p.a < half && half < p.b)) return false;
   Piece left, right;
-  p.degree == 8 ? halve<8>(p, half, left, right) : halve<4>(p, half, left, right);
+  halve(p, half, left, right);
   return piece_free(m, q, left, cuts + 1, looks) && piece_free(m, q, right, cuts + 1, looks);
 }
 
@@ -188,28 +229,32 @@ bool proved_free_of_one(const Motion& motion, const Quad& q, double b, Sign f) {
 bool proved_collapse(const Motion& motion, const Quad& q, double a, double b) {
   BernsteinForm form;
   if (q.s == q.e || !(a < b) || form_flip_polynomial<true>(motion, q, a, b, form)) return false;
-  // Exactly one sign change, between certain signs, over at most one uncertain coefficient.
-  int last = 0, changes = 0, uncertain = 0;
-  for (int k = 0; k <= form.degree; ++k) {
-    const int s = form.c[k] > form.err ? 1 : form.c[k] < -form.err ? -1 : 0;
-    if (s == 0) {
-      if (k == 0 || k == form.degree) return false;
-      ++uncertain;
-      continue;
-    }
-    if (last != 0 && s != last) {
-      if (uncertain > 1) return false;
-      ++changes;
-    } else if (last != 0 && uncertain > 0) {
-      return false;
-    }
-    last = s;
-    uncertain = 0;
+  const Piece piece{a, b, form.degree, form.c, form.err};
+  return has_one_root(piece) && collapses_at_root(motion, q, a, b, end_sign(piece));
+}
+
+bool proved_first_collapse(const Motion& motion, const Quad& q, double from, double a, double b) {
+  BernsteinForm form;
+  if (q.s == q.e || !(from < a && a < b) || form_flip_polynomial<true>(motion, q, from, b, form)) {
+    return false;
   }
-  if (changes != 1) return false;
-  // Of the cotangency just after the root: for four equal radii the form is C, and f = -C^2.
-  const Sign after = form.degree == 4 ? Sign::negative : sign_of(last);
-  return collapses_at_root(motion, q, a, b, after);
+  // Pieces of [from, b] are free of collapses until one has a single root.
+  Piece piece{from, b, form.degree, form.c, form.err};
+  int looks = kMaxLooks;
+  for (int cuts = 0; !has_one_root(piece); ++cuts) {
+    const double half = 0.5 * (piece.a + piece.b);
+    if (cuts == kMaxCuts || !(piece.a < half && half < a)) return false;
+    Piece left, right;
+    halve(piece, half, left, right);
+    if (!piece_free(motion, q, left, cuts + 1, looks)) return false;
+    piece = right;
+  }
+  // It is in [a, b] if the sign at a, or a little later as times are rounded, is that before it.
+  const double slack = 0x1p-44 * (std::fabs(from) + std::fabs(b));
+  const double x = (a + slack - piece.a) / (piece.b - piece.a);
+  const Sign before = piece.c[0] > 0 ? Sign::positive : Sign::negative;
+  return x > 0 && x < 1 && sign_of_form(piece, x) == before &&
+         collapses_at_root(motion, q, a, b, end_sign(piece));
 }
 
 std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch& search,

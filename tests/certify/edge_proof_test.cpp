@@ -118,7 +118,8 @@ std::vector<double> telling_times(const FourDisks& disks, const Quad& q, double 
 }
 
 struct Tally {
-  int proved = 0, with_roots = 0, collapsing = 0, collapses = 0, one_root = 0, proved_of_one = 0;
+  int proved = 0, with_roots = 0, collapsing = 0, collapses = 0, first = 0, one_root = 0,
+      proved_of_one = 0;
 };
 
 // What is proved of edges of random disks, which is checked, and how much.
@@ -170,6 +171,21 @@ void prove_edges(int edges, double unit, Tally& tally) {
       ASSERT_FALSE(disks.at(q, root - pad).illegal);
       ASSERT_TRUE(disks.at(q, root + pad).illegal);
     }
+    // None is before it: the root was found by halving from the legal side.
+    const bool first =
+        a < root - pad && proved_first_collapse(motion, q, a, root - pad, root + pad);
+    tally.first += first;
+    if (first) {
+      ASSERT_FALSE(disks.at(q, root - pad).illegal);
+      ASSERT_TRUE(disks.at(q, root + pad).illegal);
+      ASSERT_FALSE(proved_first_collapse(motion, q, a, root + pad, root + 3 * pad));
+      ASSERT_FALSE(proved_first_collapse(motion, q, a, root - 3 * pad, root - pad));
+    }
+    // Of what comes later no bracket is the first.
+    for (auto later = bad; later != times.end(); ++later) {
+      ASSERT_FALSE(*later - pad > root &&
+                   proved_first_collapse(motion, q, a, *later - pad, *later + pad));
+    }
   }
 }
 
@@ -180,12 +196,14 @@ TEST(EdgeProof, NoCollapseIsLost) {
   EXPECT_GT(of.with_roots, 50);
   EXPECT_GT(of.collapsing, 50);
   EXPECT_GT(of.collapses, 50);
+  EXPECT_GT(of.first, of.collapses * 8 / 10);
   EXPECT_GT(of.one_root, 50);
   EXPECT_GT(of.proved_of_one, 30);
   EXPECT_LT(of.proved_of_one, of.one_root);
   std::cout << of.proved << " proved free, " << of.with_roots << " of them with roots; "
-            << of.collapsing << " collapse, " << of.collapses << " of them proved; " << of.one_root
-            << " with one root at most, " << of.proved_of_one << " of them free\n";
+            << of.collapsing << " collapse, " << of.collapses << " of them proved, " << of.first
+            << " to be the first; " << of.one_root << " with one root at most, " << of.proved_of_one
+            << " of them free\n";
 }
 
 // Where polynomials of degree eight in the lengths overflow and underflow, in part or all.
