@@ -225,7 +225,8 @@ std::size_t Checker::earliest() {
 // The true time of a claim whose edge or pair is there.
 std::optional<Moment> Checker::probe(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) {
-    const HalfEdge h = replay_.find(f->quad);
+    HalfEdge h = replay_.find(f->quad);
+    if (h < 0) h = replay_.find_mirrored(f->quad);
     if (h >= 0 && lives_[h / 2].pending) begin_pending_lives();
     if (h < 0 || lives_[h / 2].illegal || lives_[h / 2].due) return std::nullopt;
     const Quad q = diagram_.quad(h);

@@ -21,7 +21,9 @@ Scene two_squares(const Rational& later) {
 
 class NearFlips : public ::testing::Test {
  protected:
-  Certificate certified(const Scene& scene, bool exchanged, Truth truth, bool strict) {
+  // Or, `oriented` or not, with the quadruplets that an engine without orientation writes.
+  Certificate certified(const Scene& scene, bool exchanged, Truth truth, bool strict,
+                        bool oriented = true) {
     ClaimedHistory h = claimed_history(scene, run(scene));
     std::vector<FlipEvent*> flips;
     for (auto& e : h.events) {
@@ -30,6 +32,9 @@ class NearFlips : public ::testing::Test {
     }
     EXPECT_EQ(flips.size(), 2u);
     if (exchanged) std::swap(flips[0]->quad, flips[1]->quad);
+    if (!oriented) {
+      for (FlipEvent* f : flips) std::swap(f->quad.s, f->quad.e);
+    }
     CertifyOptions options;
     options.truth = truth;
     options.strict = strict;
@@ -53,6 +58,16 @@ TEST_F(NearFlips, MayBeToldInAnyOrder) {
       ASSERT_EQ(strict.verdict, Verdict::refuted);
       EXPECT_EQ(strict.divergence->fault, Fault::wrong_order);
     }
+  }
+}
+
+TEST_F(NearFlips, MayBeToldInAnyOrderWithoutOrientation) {
+  const Scene scene = two_squares(Rational(1, 10'000'000));
+  for (const bool exchanged : {false, true}) {
+    const Certificate c = certified(scene, exchanged, Truth::recorded, false, false);
+    EXPECT_EQ(c.verdict, Verdict::certified) << reason_line(c);
+    EXPECT_EQ(c.swaps, exchanged ? 1 : 0);
+    EXPECT_EQ(c.resolved, 2);
   }
 }
 
