@@ -5,6 +5,7 @@
 
 #include "certify/witness.h"
 #include "certify/wording.h"
+#include "exact/patience.h"
 
 namespace voroproof {
 
@@ -44,6 +45,9 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
       apart_(motion_) {}
 
 Certificate Checker::run(const PartEnd* end) {
+  std::optional<Patience> patience;
+  if (options_.monitor)
+    patience.emplace([this] { return options_.monitor(frontier_.lo, processed_); });
   try {
     try {
       if (begin_) {
@@ -64,6 +68,8 @@ Certificate Checker::run(const PartEnd* end) {
       if (auto d = maneuver_missing_by(claim_ ? time(*claim_) : frontier_.lo)) throw Refuted{*d};
       throw;
     }
+  } catch (const GivenUp&) {
+    throw CertificationInterrupted{};
   } catch (const Refuted& r) {
     certificate_.verdict = Verdict::refuted;
     certificate_.divergence = r.divergence;
@@ -162,7 +168,7 @@ void Checker::take(std::size_t k) {
 void Checker::done() {
   ++processed_;
   if (options_.monitor && (processed_ & 0xff) == 0 && !options_.monitor(frontier_.lo, processed_)) {
-    throw CertificationInterrupted{};
+    throw GivenUp{};
   }
 }
 

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "exact/patience.h"
+
 namespace voroproof {
 namespace {
 
@@ -281,6 +283,7 @@ SignEvaluator<T>::SignEvaluator(const Polynomial<T>& f) : f_(f) {
 
 template <class T>
 Sign SignEvaluator<T>::operator()(const Rational& x) const {
+  Patience::ask();
   // Horner's rule for q^n f(p / q), q > 0, and for a bound of its error.
   const Integer magnitude = abs(x.get_num());
   Integer value = 0;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "exact/patience.h"
+
 namespace voroproof {
 
 struct Tower::Node {
@@ -166,6 +168,7 @@ const Tower& Tower::radical_part(const Radical* radical) const {
 }
 
 Tower Tower::make(const Radical* radical, Tower a, Tower b) {
+  Patience::ask();
   const RadicalField& field = *radical->field;
   for (const Tower* part : {&a, &b}) {
     if (!part->is_rational()) continue;  // was checked when it was made

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "exact/dual.h"
+#include "exact/patience.h"
 #include "filtered/bernstein.h"
 #include "filtered/branch_search.h"
 #include "filtered/double_roots.h"
@@ -70,6 +71,7 @@ Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, co
   stack.push_back({start, end, form_in<T>(motion, q, start, end, cocircular, make), 0});
   const T half = make(Rational(1, 2));
   while (!stack.empty()) {
+    Patience::ask();
     Part part = std::move(stack.back());
     stack.pop_back();
     const int roots = count_roots_in(part.c);
@@ -78,6 +80,7 @@ Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, co
       // Narrow until the verdict is known.
       const Sign before = sign(part.c.front());
       for (;;) {
+        Patience::ask();
         const T hull = make.hull(part.a, part.b);
         const auto at_hull = sites(motion, q, hull);
         const auto after = [&] { return sites(motion, q, make(part.b)); };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 
+#include "exact/patience.h"
 #include "filtered/branch_search.h"
 #include "filtered/collapse.h"
 #include "filtered/flip_polynomial.h"
@@ -43,6 +44,7 @@ struct Falling {
 Ball narrow(const Falling& f, Sign at_a, Rational a, Rational b, const MakeBall& make) {
   Ball root = make.hull(a, b);
   for (;;) {
+    Patience::ask();
     const Rational middle = (a + b) / 2;
     const Ball center = make(middle);
     const Ball value = f.value(center);

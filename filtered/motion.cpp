@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "exact/patience.h"
+
 namespace voroproof {
 
 namespace {
@@ -543,6 +545,7 @@ void Motion::replay() {
   ++replays_;
   load_initial_states();
   for (const Record& r : log_) {
+    Patience::ask();
     if (r.maneuver >= 0) {
       apply_maneuver(r);
     } else {

@@ -8,6 +8,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "exact/patience.h"
 #include "filtered/collapse.h"
 #include "filtered/contact.h"
 #include "filtered/next_double.h"
@@ -72,16 +73,21 @@ class Engine<certified>::Implementation {
   Outcome run(EventSink& sink) {
     sink_ = &sink;
     Outcome outcome;
+    std::optional<Patience> patience;
+    if (options_.monitor) patience.emplace([this] { return options_.monitor(now_.lo, events_); });
     try {
       start();
       while (step()) {
         if (options_.monitor && (++steps_ & 0x0f) == 0 && !options_.monitor(now_.lo, events_)) {
-          outcome.kind = Outcome::Kind::interrupted;
-          outcome.reason = "interrupted";
-          break;
+          throw GivenUp();
         }
       }
-      outcome.t = outcome.kind == Outcome::Kind::complete ? round_nearest(horizon_) : written_t_;
+      outcome.t = round_nearest(horizon_);
+    } catch (const GivenUp&) {
+      if (!begun_) sink_->begin({});
+      outcome.kind = Outcome::Kind::interrupted;
+      outcome.t = written_t_;
+      outcome.reason = "interrupted";
     } catch (const Undecided& u) {
       if (!begun_) sink_->begin({});
       outcome.kind = Outcome::Kind::stopped;

@@ -83,8 +83,8 @@ struct EngineStats {
 struct EngineOptions {
   MotionOptions motion;
   bool profile = false;
-  // Called now and then with the time reached and the number of events; false stops the
-  // run (Outcome::interrupted).
+  // Called now and then, also within a long decision, with the time reached and the number of
+  // events; false stops the run (Outcome::interrupted).
   std::function<bool(double t, std::uint64_t events)> monitor;
 };
 

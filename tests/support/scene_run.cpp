@@ -128,11 +128,13 @@ std::size_t RecordedRun::count(Event::Kind kind) const {
   return n;
 }
 
-RecordedRun run(const Scene& scene, const MotionOptions& options) {
+RecordedRun run(const Scene& scene, const MotionOptions& options,
+                std::function<bool(double t, std::uint64_t events)> monitor) {
   RecordedRun result;
   Recorder recorder(result);
   EngineOptions engine_options;
   engine_options.motion = options;
+  engine_options.monitor = std::move(monitor);
   Engine<true> engine(motion_input(scene), maneuver_input(scene), engine_options);
   result.outcome = engine.run(recorder);
   result.stats = engine.stats();

@@ -3,6 +3,8 @@
 
 #include <gmpxx.h>
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -48,8 +50,9 @@ struct RecordedRun {
   std::size_t count(Event::Kind kind) const;
 };
 
-// The exact engine's run from 0 to the horizon.
-RecordedRun run(const Scene& scene, const MotionOptions& options = {});
+// The exact engine's run from 0 to the horizon, or until the monitor (EngineOptions) stops it.
+RecordedRun run(const Scene& scene, const MotionOptions& options = {},
+                std::function<bool(double t, std::uint64_t events)> monitor = {});
 
 // "flip [..]" or "collide i j" in order, without times: what two runs must share.
 std::vector<std::string> names(const RecordedRun& run);

@@ -1,0 +1,34 @@
+// Decisions that may take long ask now and then whether they are still wanted: whoever started them
+// may be interrupted, and show that it is alive.
+#pragma once
+
+#include <exception>
+#include <functional>
+
+namespace voroproof {
+
+// Thrown out of a decision that is not wanted any more. Objects that were computing it are of no
+// further use.
+class GivenUp : public std::exception {
+ public:
+  const char* what() const noexcept override { return "a decision was given up"; }
+};
+
+// While it lives, the long decisions of this thread ask `wanted`; the one that was asked before is
+// asked again afterwards. Without any they go on for as long as they take.
+class Patience {
+ public:
+  explicit Patience(std::function<bool()> wanted);
+  Patience(const Patience&) = delete;
+  Patience& operator=(const Patience&) = delete;
+  ~Patience();
+
+  // In a step of a long decision: once in many steps asks whether to go on. Throws GivenUp.
+  static void ask();
+
+ private:
+  std::function<bool()> wanted_;
+  Patience* outer_;
+};
+
+}  // namespace voroproof

@@ -1,0 +1,46 @@
+// Long decisions that ask whether they are still wanted.
+#include "exact/patience.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "exact/tower.h"
+
+namespace voroproof {
+namespace {
+
+// sqrt(2), sqrt(3), ... multiplied out: some thousand steps.
+void decide_something() {
+  RadicalField field;
+  const Tower a = field.sqrt(Tower(2)), b = field.sqrt(Tower(3)), c = field.sqrt(Tower(5));
+  const Tower x = Tower(1) + a + b + c;
+  Tower power = x;
+  for (int k = 0; k < 40; ++k) power = power * x;
+  EXPECT_EQ(sign(power), Sign::positive);
+}
+
+TEST(Patience, NobodyIsAskedWithoutAny) { EXPECT_NO_THROW(decide_something()); }
+
+TEST(Patience, ADecisionIsGivenUp) {
+  int asked = 0;
+  const Patience patience([&] { return ++asked < 3; });
+  EXPECT_THROW(decide_something(), GivenUp);
+  EXPECT_EQ(asked, 3);
+}
+
+TEST(Patience, TheInnerOneIsAsked) {
+  int outer = 0, inner = 0;
+  const Patience patience([&] { return ++outer > 0; });
+  {
+    const Patience of_a_part([&] { return ++inner > 0; });
+    decide_something();
+  }
+  EXPECT_GT(inner, 5);
+  EXPECT_EQ(outer, 0);
+  decide_something();
+  EXPECT_GT(outer, 5);
+}
+
+}  // namespace
+}  // namespace voroproof
