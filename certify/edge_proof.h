@@ -37,10 +37,10 @@ bool proved_collapse(const Motion& motion, const Quad& q, double a, double b);
 // The same, and that q, legal just after `from`, does not collapse in (from, a].
 bool proved_first_collapse(const Motion& motion, const Quad& q, double from, double a, double b);
 
-// The same as proved_collapse() by one step of the interval Newton method in double-doubles, where the error bound of
-// doubles is too wide: a step that maps [a, b] into its inside proves one simple root there
-// (R. Krawczyk, Computing 4, 1969; R. Moore, Methods and Applications of Interval Analysis, 1979).
-// Gives the root's enclosure.
+// The same as proved_collapse() by one step of the interval Newton method in double-doubles, where
+// the error bound of doubles is too wide: a step that maps [a, b] into its inside proves one simple
+// root there (R. Krawczyk, Computing 4, 1969; R. Moore, Methods and Applications of Interval
+// Analysis, 1979). Gives the root's enclosure.
 std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch& search,
                                       const Quad& q, double a, double b);
 
