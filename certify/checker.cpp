@@ -201,14 +201,15 @@ std::size_t Checker::earliest() {
       chronology_.compare(*first, frontier_) <= 0) {
     return 0;
   }
-  const auto tie = [this](Claim& claim, const Moment& m, std::int64_t line) {
-    claim.tie = {line, m.lo, m.hi, replay_.changes()};
+  const auto tie = [this](Claim& claim, const Moment& m, std::int64_t number) {
+    claim.tie = {number, m.lo, m.hi, replay_.changes()};
   };
   for (std::size_t k = 1; k < near_.size(); ++k) {
     // No truth within the tolerance of this claim comes first.
     if (time(near_[k].event) - tolerance_up_ > first->hi) continue;
     Claim &earlier = near_[best], &claim = near_[k];
-    if (claim.tie.line != 0 && claim.tie.line == earlier.tie.line) continue;
+    const bool tied = is_moment_of(earlier.tie, *first);
+    if (tied && claim.tie.number == earlier.tie.number) continue;
     const std::optional<Moment> m = probe(claim.event);
     if (!m || m->lo > first->hi) continue;
     const int order = chronology_.compare(*m, *first);
@@ -216,8 +217,8 @@ std::size_t Checker::earliest() {
       first = m;
       best = k;
     } else if (order == 0) {
-      if (earlier.tie.line == 0) tie(earlier, *first, earlier.line);
-      tie(claim, *m, earlier.tie.line);
+      if (!tied) tie(earlier, *first, ++ties_);
+      tie(claim, *m, earlier.tie.number);
     }
   }
   if (best > 0 && options_.strict) {
@@ -261,7 +262,8 @@ bool Checker::is_moment_of(const Tie& tie, const Moment& m) const {
     return std::all_of(generators.begin(), generators.end(),
                        [&](GenId g) { return replay_.unchanged_since(g, tie.changes); });
   };
-  if (tie.line == 0 || m.lo != tie.lo || m.hi != tie.hi) return false;
+  // With a finer interval of its own, m need not be the only root of its generators in [lo, hi].
+  if (tie.number == 0 || m.root || m.lo != tie.lo || m.hi != tie.hi) return false;
   return (m.kind == Moment::Kind::flip && same({m.quad.l, m.quad.r, m.quad.s, m.quad.e})) ||
          (m.kind == Moment::Kind::contact && same({m.i, m.j}));
 }
@@ -270,13 +272,13 @@ bool Checker::is_moment_of(const Tie& tie, const Moment& m) const {
 // that had to happen before.
 void Checker::advance(const Moment& m) {
   const bool tied = is_moment_of(tie_, m);
-  const int order = tied && tie_.line == frontier_tie_ ? 0 : chronology_.compare(m, frontier_);
+  const int order = tied && tie_.number == frontier_tie_ ? 0 : chronology_.compare(m, frontier_);
   if (order < 0) {
     refute(Fault::wrong_order, "the event lies " + between(m.lo, m.hi) +
                                    ", before the event claimed before it, and cannot be swapped "
                                    "with it");
   }
-  if (order > 0 || tied) frontier_tie_ = tied ? tie_.line : 0;
+  if (order > 0 || tied) frontier_tie_ = tied ? tie_.number : 0;
   if (order > 0) {
     leave_instant();
     frontier_ = m;

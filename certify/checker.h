@@ -68,10 +68,10 @@ class Checker {
     Divergence divergence;
   };
 
-  // What claims have in common that were proved simultaneous: the line of one of them, 0 for none.
-  // With the moment of each as it was isolated then, by the motion after so many changes.
+  // What claims have in common that were proved simultaneous: a number, 0 for none. With the moment
+  // of each as it was isolated then, by the motion after so many changes.
   struct Tie {
-    std::int64_t line = 0;
+    std::int64_t number = 0;
     double lo = 0, hi = 0;
     int changes = 0;
   };
@@ -248,6 +248,7 @@ class Checker {
   // Of the lives.
   bool begun_ = false;
   Moment frontier_;                // the last event proved
+  std::int64_t ties_ = 0;          // so many have been numbered
   std::int64_t frontier_tie_ = 0;  // what is tied so is simultaneous with it
   int instant_ = 0;                // numbers the instants at which events were proved
   std::vector<Life> lives_;
