@@ -162,6 +162,7 @@ void Checker::take(std::size_t k) {
   line_ = near_[k].line;
   place_ = near_[k].place;
   tie_ = near_[k].tie;
+  placed_ = near_[k].placed;
   near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
@@ -209,14 +210,17 @@ std::size_t Checker::earliest() {
     if (time(near_[k].event) - tolerance_up_ > first->hi) continue;
     Claim &earlier = near_[best], &claim = near_[k];
     const bool tied = is_moment_of(earlier.tie, *first);
-    if (tied && claim.tie.number == earlier.tie.number) continue;
+    if (claim.placed || (tied && claim.tie.number == earlier.tie.number)) continue;
     const std::optional<Moment> m = probe(claim.event);
     if (!m || m->lo > first->hi) continue;
-    const int order = chronology_.compare(*m, *first);
-    if (order < 0) {
+    // No more bits for it: it need not be known, as that of an edge that is to flip in any case.
+    const std::optional<int> order = chronology_.known_order(*m, *first);
+    if (!order) {
+      claim.placed = true;
+    } else if (*order < 0) {
       first = m;
       best = k;
-    } else if (order == 0) {
+    } else if (*order == 0) {
       if (!tied) tie(earlier, *first, ++ties_);
       tie(claim, *m, earlier.tie.number);
     }
@@ -273,6 +277,9 @@ bool Checker::is_moment_of(const Tie& tie, const Moment& m) const {
 void Checker::advance(const Moment& m) {
   const bool tied = is_moment_of(tie_, m);
   const int order = tied && tie_.number == frontier_tie_ ? 0 : chronology_.compare(m, frontier_);
+  if (order < 0 && placed_) {
+    throw Undecided("two events are claimed in the other order, nearer than was seen in time");
+  }
   if (order < 0) {
     refute(Fault::wrong_order, "the event lies " + between(m.lo, m.hi) +
                                    ", before the event claimed before it, and cannot be swapped "

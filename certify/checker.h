@@ -82,6 +82,7 @@ class Checker {
     std::int64_t line;
     HalfEdge place;
     Tie tie;
+    bool placed = false;  // no order with another is known: it stays where the file has it
   };
 
   // What is known of a V-edge since its quadruplet or the motion of its generators last changed: it
@@ -243,6 +244,7 @@ class Checker {
   std::int64_t line_ = 1;
   HalfEdge place_ = -1;
   Tie tie_;
+  bool placed_ = false;
   std::int64_t processed_ = 0;
 
   // Of the lives.

@@ -130,7 +130,7 @@ bool Chronology::same_by_symmetry(const Moment& a, const Moment& b) const {
   return pair_a && pair_b && symmetry.same_contact(*pair_a, *pair_b);
 }
 
-int Chronology::compare(const Moment& a, const Moment& b) {
+std::optional<int> Chronology::known_order(const Moment& a, const Moment& b, std::string* why_not) {
   if (a.hi < b.lo) return -1;
   if (b.hi < a.lo) return 1;
   if (a.kind == Moment::Kind::rational && b.kind == Moment::Kind::rational) {
@@ -143,25 +143,27 @@ int Chronology::compare(const Moment& a, const Moment& b) {
   const Sign s = sign(narrow(a) - narrow(b));
   if (s == Sign::negative || s == Sign::positive) return static_cast<int>(s);
   ++beyond_filter_;
+  const Sign t = sign(ball(a) - ball(b));
+  if (t == Sign::negative || t == Sign::positive) return static_cast<int>(t);
+  if (same_by_symmetry(a, b)) return 0;
+  try {
+    ExactMotion exact(motion_);
+    const auto c = voroproof::compare(exact_time(a, exact), exact_time(b, exact));
+    return c < 0 ? -1 : c > 0 ? 1 : 0;
+  } catch (const BudgetExceeded& e) {
+    if (why_not != nullptr) *why_not = e.what();
+    return std::nullopt;
+  }
+}
+
+int Chronology::compare(const Moment& a, const Moment& b) {
   std::string budget;
-  for (bool tried = false;;) {
+  if (const auto order = known_order(a, b, &budget)) return *order;
+  while (motion_.raise_precision()) {
     const Sign t = sign(ball(a) - ball(b));
     if (t == Sign::negative || t == Sign::positive) return static_cast<int>(t);
-    if (!tried) {
-      tried = true;
-      if (same_by_symmetry(a, b)) return 0;
-      try {
-        ExactMotion exact(motion_);
-        const auto c = voroproof::compare(exact_time(a, exact), exact_time(b, exact));
-        return c < 0 ? -1 : c > 0 ? 1 : 0;
-      } catch (const BudgetExceeded& e) {
-        budget = e.what();
-      }
-    }
-    if (!motion_.raise_precision()) {
-      throw Undecided("two events may be simultaneous: " + budget);
-    }
   }
+  throw Undecided("two events may be simultaneous: " + budget);
 }
 
 bool Chronology::within(const Rational& tolerance, const Moment& m, const Rational& t) {

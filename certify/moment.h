@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "filtered/collapse.h"
@@ -51,6 +53,9 @@ class Chronology {
 
   // Negative, zero or positive. Throws Undecided.
   int compare(const Moment& a, const Moment& b);
+  // The same with the motion as precise as it is: nothing where it would have to be more so, and
+  // why the exact comparison failed.
+  std::optional<int> known_order(const Moment& a, const Moment& b, std::string* why_not = nullptr);
 
   // Whether a moment is no further than the tolerance from the time. Throws Undecided.
   bool within(const Rational& tolerance, const Moment& m, const Rational& t);

@@ -47,5 +47,40 @@ TEST(Moment, AnInstantIsNarrowHoweverWideItsFlipIsIsolated) {
   EXPECT_GT(next.lo, now.hi);
 }
 
+// Contacts at irrational times 1e-45 apart: exact arithmetic tells, or more bits.
+TEST(Moment, AnOrderThatTakesMoreBitsIsNotKnownYet) {
+  Integer big;
+  mpz_ui_pow_ui(big.get_mpz_t(), 10, 45);
+  const Rational later(Integer(1), big);
+  const Rational aside(1, 2);
+  const Scene scene = scene_of(60, 2,
+                               {disk(-20, -3, 1, 0, 0), disk(-20 + aside, 2, 1, 0, -2),
+                                disk(20, -3, 1, 0, 0), disk(20 + aside, 2 + 2 * later, 1, 0, -2)});
+  for (const bool irrational : {true, false}) {
+    MotionOptions options;
+    if (!irrational) options.max_radicals = 0;
+    Motion motion(motion_input(scene), options);
+    TierCounts tiers;
+    CollapseSearch collapses(motion, tiers);
+    ContactSearch contacts(motion, tiers);
+    std::int64_t beyond = 0;
+    Chronology chronology(motion, collapses, contacts, beyond);
+    const Instant start = chronology.instant(Moment::at(0.0));
+    const auto contact = [&](GenId i, GenId j) {
+      return Moment::of(i, j, contacts.from(i, j, start, 2));
+    };
+    const Moment a = contact(0, 1), b = contact(2, 3);
+    std::string why_not;
+    const std::optional<int> order = chronology.known_order(a, b, &why_not);
+    EXPECT_EQ(order.has_value(), irrational);
+    EXPECT_EQ(why_not.empty(), irrational);
+    EXPECT_EQ(order.value_or(-1), -1);
+    const int before = motion.goal_bits();
+    EXPECT_EQ(chronology.compare(a, b), -1);
+    EXPECT_EQ(chronology.compare(b, a), 1);
+    EXPECT_EQ(motion.goal_bits() > before, !irrational);
+  }
+}
+
 }  // namespace
 }  // namespace voroproof::testing

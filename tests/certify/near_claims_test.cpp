@@ -71,6 +71,32 @@ TEST_F(NearFlips, MayBeToldInAnyOrderWithoutOrientation) {
   }
 }
 
+// Far from each other, at irrational times 1e-45 apart.
+TEST(NearCollisions, MayBeToldInAnyOrder) {
+  Integer big;
+  mpz_ui_pow_ui(big.get_mpz_t(), 10, 45);
+  const Rational later(Integer(1), big);
+  const Rational aside(1, 2);
+  const Scene scene = scene_of(60, 2,
+                               {disk(-20, -3, 1, 0, 0), disk(-20 + aside, 2, 1, 0, -2),
+                                disk(20, -3, 1, 0, 0), disk(20 + aside, 2 + 2 * later, 1, 0, -2)});
+  const ClaimedHistory right = claimed_history(scene, run(scene));
+  ClaimedHistory exchanged = right;
+  std::vector<voroproof::Event*> hits;
+  for (auto& e : exchanged.events) {
+    if (std::holds_alternative<CollideEvent>(e)) hits.push_back(&e);
+  }
+  ASSERT_EQ(hits.size(), 2u);
+  std::swap(*hits[0], *hits[1]);
+  CertifyOptions options;
+  EXPECT_EQ(certify(scene, right, options).verdict, Verdict::certified);
+  const Certificate swapped = certify(scene, exchanged, options);
+  EXPECT_EQ(swapped.verdict, Verdict::certified) << reason_line(swapped);
+  EXPECT_EQ(swapped.swaps, 1);
+  options.strict = true;
+  EXPECT_EQ(certify(scene, exchanged, options).verdict, Verdict::refuted);
+}
+
 // At one instant neither is before the other.
 TEST_F(NearFlips, AreNotExchangedAtOneInstant) {
   const Scene scene = two_squares(0);
