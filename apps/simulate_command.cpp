@@ -31,6 +31,7 @@ EngineOptions engine_options(const Request& request) {
   EngineOptions options;
   options.motion = request.motion;
   options.motion.filters = request.filters == "on";
+  options.motion.late_states = request.threads > 1;
   options.profile = !request.stats.empty();
   return options;
 }
@@ -184,7 +185,8 @@ void add_simulate(CLI::App& app, Action& action) {
            "(1/3) or a hexadecimal float (0x1.8p-3)");
   add_file(*verb, "--stats", request->stats, "write counts and times of the run here, as JSON");
   verb->add_option("--threads", request->threads,
-                   "2 or more: a second thread writes the history, whose bytes stay the same")
+                   "2 or more: further threads write the history and compute collisions beyond\n"
+                   "double-doubles; a history that reaches its horizon does not depend on it")
       ->check(whole_number())
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

@@ -75,6 +75,7 @@ RunResult run(const Scene& scene, bool profile) {
   {
     EngineOptions options;
     options.profile = profile;
+    options.motion.late_states = certified;
     Engine<certified> engine(motion_input(scene), maneuver_input(scene), options);
     HistoryWriter writer(file.path());
     // The scene exists in memory only: its fingerprint stands for none.

@@ -4,6 +4,7 @@
 
 #include "exact/polynomial.h"
 #include "filtered/bernstein.h"
+#include "filtered/exact_motion.h"
 
 namespace voroproof {
 

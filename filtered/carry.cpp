@@ -53,7 +53,7 @@ Blow blow_of(const Motion& motion, const DiskState& s) {
 // do to the disk is the sum of what each would do alone.
 struct Past {
   DiskState before;
-  const Motion::ManeuverRecord* maneuver = nullptr;
+  const MotionStates::Maneuver* maneuver = nullptr;
   std::vector<Blow> blows;  // of two the second's normal, seen from the disk, is to the left
 };
 

@@ -18,6 +18,7 @@
 
 #include "exact/algebraic.h"
 #include "filtered/bernstein.h"
+#include "filtered/exact_motion.h"
 #include "filtered/motion.h"
 #include "filtered/stats.h"
 #include "filtered/symmetry.h"

@@ -3,10 +3,8 @@
 // Between its own collisions and maneuvers a disk moves on a line, so its motion is
 // a state (centre and velocity at a reference time). The state is carried as
 //   - doubles and double-doubles with error bounds, for the filters,
-//   - balls of as many bits as the rest of the run needs,
-//   - on demand, elements of a tower of quadratic fields (ExactMotion below).
-// The log of collisions and maneuvers is the expression graph of every state: to
-// get more bits the log is replayed at a higher precision; no search is repeated.
+//   - fixed-point numbers and balls of as many bits as the rest of the run needs (MotionStates),
+//   - on demand, elements of a tower of quadratic fields (ExactMotion).
 #pragma once
 
 #include <array>
@@ -14,48 +12,19 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "exact/ball.h"
-#include "exact/compact_rational.h"
-#include "exact/fixed_ball.h"
 #include "exact/generators.h"
 #include "exact/predicates.h"
 #include "exact/rational.h"
-#include "exact/tower.h"
 #include "filtered/dd_ball.h"
 #include "filtered/double_ball.h"
+#include "filtered/motion_input.h"
+#include "filtered/motion_states.h"
 
 namespace voroproof {
-
-struct DiskInput {
-  CompactRational x, y, radius, vx, vy, mass;
-};
-
-struct MotionInput {
-  Rational container_x, container_y, container_radius;
-  Rational restitution = 1;
-  Rational container_restitution = 1;
-  bool whole_container_law = false;  // scale the whole reflected velocity
-  Rational horizon;                  // guides the choice of precision only
-  std::vector<DiskInput> disks;
-};
-
-// A decision that needs more than the stated budget, and what it is about.
-class Undecided : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-  Undecided(const std::string& reason, const Quad& edge) : std::runtime_error(reason), flip(edge) {}
-  Undecided(const std::string& reason, GenId i, GenId j)
-      : std::runtime_error(reason), contact(std::pair(i, j)) {}
-
-  std::optional<Quad> flip;
-  std::optional<std::pair<GenId, GenId>> contact;
-};
 
 // Motion of one generator in doubles: centre (x, y) at time t, velocity, signed
 // radius; the true centre at t is within ex of (x, y) in each coordinate, the true
@@ -90,33 +59,16 @@ struct Impact {
   RoundedState first, second;  // second is unused for the container
 };
 
-struct MotionOptions {
-  bool filters = true;  // false: no decision is taken in doubles or double-doubles
-  int start_bits = 192;
-  int max_bits = 32768;
-  std::size_t max_radicals = 4;
-};
-
-class ExactMotion;
-
-// Tells the exact states of disks whose motion is given and not computed.
-class GivenMotion {
- public:
-  virtual ~GivenMotion() = default;
-  // Centre and velocity of disk g when it was last restarted: sets x, y, vx and vy.
-  virtual void state(GenId g, DiskInput& disk) const = 0;
-};
-
 class Motion {
  public:
   Motion(MotionInput input, MotionOptions options);
 
-  int size() const { return static_cast<int>(input_.disks.size()); }
+  int size() const { return states_->size(); }
   // Of disks whose motion is given, centres and velocities may be those of another time: see
   // initial_state().
-  const MotionInput& input() const { return input_; }
+  const MotionInput& input() const { return states_->input(); }
   // Disk g with the centre and the velocity of its initial state, or of its last restart().
-  const DiskInput& initial_state(GenId g) const;
+  const DiskInput& initial_state(GenId g) const { return states_->initial_state(g); }
   const MotionOptions& options() const { return options_; }
 
   const DoubleMotion& doubles(GenId g) const { return doubles_[g + 1]; }
@@ -160,14 +112,18 @@ class Motion {
   Impact collide_in_doubles(GenId i, GenId j, double t);
   RoundedState maneuver_in_doubles(GenId g, double t, double vx, double vy);
 
-  // Asks for more bits in all states: replays the log with a higher goal. False
-  // when the budget (max_bits) is exhausted.
+  // The changes of motion so far, in order of time.
+  const MotionStates::Record& record(int k) const { return states_->record(k); }
+  const MotionStates::Maneuver& maneuver(int index) const { return states_->maneuver(index); }
+  // Waits for states that are still to come. May throw what collide() does.
+  void settle();
+  // Asks for more bits in all states. False when the budget (max_bits) is exhausted.
   bool raise_precision();
   // The present goal: every state is known to at least this many bits below the
   // scale of the scene.
-  int goal_bits() const { return goal_bits_; }
-  int highest_bits() const { return bits_at(0); }
-  std::uint64_t replays() const { return replays_; }
+  int goal_bits() const { return states_->goal_bits(); }
+  int highest_bits() const { return states_->progress().highest_bits; }
+  std::uint64_t replays() const { return states_->progress().replays; }
 
   // Whether the present motion of g is rational for certain: no collision is in its past.
   bool is_rational(GenId g) const;
@@ -176,22 +132,24 @@ class Motion {
   // the log.
   int state_id(GenId g) const { return state_[g + 1]; }
   // The collisions and maneuvers so far.
-  int records() const { return static_cast<int>(log_.size()); }
+  int records() const { return static_cast<int>(states_->size_of_log()); }
 
-  struct ManeuverRecord {
-    Rational t, vx, vy;
-  };
   // How the state of disk g with an id > 0 came about: from its state `before`, by a maneuver or
   // by a collision with the partner, whose state before that is given.
   struct Origin {
     int before;
-    const ManeuverRecord* maneuver;  // or null; valid until the Motion changes
+    const MotionStates::Maneuver* maneuver;  // or null; valid until the Motion changes
     GenId partner;
     int partner_before;
   };
   Origin origin(GenId g, int id) const;
+  // The time to which the doubles of the state with this id, of generator g, refer.
+  double reference_time(GenId g, int id) const { return states_->reference_time(g, id); }
   // The two generators of the collision with this id, the smaller first; a maneuver's disk twice.
-  std::pair<GenId, GenId> generators_of(int id) const { return {log_[id - 1].i, log_[id - 1].j}; }
+  std::pair<GenId, GenId> generators_of(int id) const {
+    const Record& r = states_->record(id - 1);
+    return {r.i, r.j};
+  }
   // Two collisions of one disk at one instant with normals at right angles: 1 where that of id b,
   // seen from the disk, is to the left of that of a, -1 to the right, 0 where nothing was noted.
   int right_angle(int a, int b) const;
@@ -208,126 +166,38 @@ class Motion {
   void note_cradle(const Cradle& c);
   void note_right_angle(int a, int b, int turn);
   // When the initial state of a disk holds: 0 unless it was restarted.
-  double initial_time(GenId g) const { return start_[g]; }
+  double initial_time(GenId g) const { return states_->initial_time(g); }
 
  private:
-  friend class ExactMotion;
+  using Record = MotionStates::Record;
 
-  struct BallState {
-    Ball x, y, vx, vy;
-  };
-  // x, y, vx, vy after a collision, as the computation left them: in units of 2^x_scale_ and of
-  // 2^v_scale.
-  struct FixedState {
-    FixedRow numbers;
-    std::int64_t v_scale;
-    std::int64_t scale(std::size_t k, std::int64_t x_scale) const {
-      return k < 2 ? x_scale : v_scale;
-    }
-  };
-  struct Record {
-    GenId i, j;  // collision of i < j; a maneuver of i has j = i
-    int before_i, before_j;
-    double t_ref;  // reference time of the states after it
-    int maneuver;  // index into maneuvers_, or -1
-  };
-  // What a collision computes with, kept so that no memory is allocated for it.
-  struct Workspace {
-    FixedArithmetic arithmetic;
-    FixedBall now, dt, term, x[2], y[2], vx[2], vy[2], dx, dy, wx, wy, mass[2];
-    FixedBall reach, a, b, c, root, s, nx, ny, k, kx, ky, sx, sy;
-    std::int64_t time_scale = 0;  // of `s`, the delay of the collision after `now`
-  };
-
-  int bits_at(double t) const;
-  int integer_limbs() const;
-  void load_initial_states();
-  BallState initial_balls(GenId g, Ball::Precision bits) const;
-  const BallState& ball_state(GenId g) const;
+  const MotionStates& full_states() const;
   Ball radius_ball(GenId g, Ball::Precision bits) const;
   void refresh(GenId g);
+  void take_over();
+  double error_of_length() const;
+  double error_of_speed() const;
   void set_state(GenId g, const DdBall& x, const DdBall& y, const DdBall& vx, const DdBall& vy);
   void set_radius(GenId g, const DdBall& r);
-  void set_fixed(FixedBall& out, const CompactRational& x, std::int64_t unit);
-  void respond(const Record& r);
-  void apply_maneuver(const Record& r);
-  bool accurate_enough(GenId g) const;
-  void replay();
-  bool raise_for(double t);
+  void append(const Record& r);
+  std::optional<Impact> collide_ahead(const Record& r);
+  Impact collide_now(const Record& r);
   double round_coordinate(const DdBall& rough, GenId g, int which);
 
-  // Where `given_` is set for a disk, its state is yet to be taken over from there.
-  mutable MotionInput input_;
-  mutable std::vector<const GivenMotion*> given_;
   MotionOptions options_;
-  DiskInput container_;  // at rest; its radius is positive here
-  int goal_bits_;
-  double slope_ = 0;  // further bits per unit of time before the horizon
-  double horizon_ = 0;
-  std::int64_t x_scale_ = 0, v_scale_ = 0;        // exponents
-  std::int64_t far_scale_ = 0, reach_scale_ = 0;  // of the farthest coordinate, the least reach
-  std::uint64_t replays_ = 0;
-  std::vector<Record> log_;
-  std::vector<ManeuverRecord> maneuvers_;
+  std::unique_ptr<MotionStates> states_;
+  std::size_t taken_over_ = 0;  // records that take_over() has seen
   std::map<std::pair<int, int>, int> right_angles_;
   std::vector<Cradle> cradles_;
   std::map<int, int> cradle_;  // by the ids of their collisions: which
   std::vector<int> state_;     // per generator
-  std::vector<double> start_;  // per disk: when its initial state holds
   std::vector<DoubleMotion> doubles_;
   std::vector<SecondMotion> seconds_;
-  // The states of generators whose last change was a collision; null of all others.
-  std::vector<std::unique_ptr<FixedState>> fixed_;
-  // States in balls: those after a maneuver, others from when they are asked for.
-  mutable std::vector<std::unique_ptr<BallState>> balls_;
-  Ball disk_law_, wall_law_, wall_keep_;  // factors of the laws of collision
-  Workspace workspace_;
+  // Factors of the laws of collision.
+  DdBall disk_law_, wall_law_;
   // Of the uncertified instance.
   double plain_restitution_ = 1;
   std::int64_t plain_collisions_ = 0;
 };
-
-// Exact states of the disks of a Motion as it stands, in a tower of quadratic
-// fields over the rationals: what proves equalities. Follows a disk's causal past
-// through the log; throws BudgetExceeded where the tower would need more radicals
-// or larger coefficients than the budget allows. Valid until the Motion changes.
-class ExactMotion {
- public:
-  struct State {
-    Rational t_ref;
-    Tower x, y, vx, vy;
-  };
-  explicit ExactMotion(const Motion& motion);
-
-  // State in force of a generator (the container rests).
-  const State& state(GenId g);
-  // The state with a given id (Motion::state_id), of generator g.
-  const State& state(int id, GenId g);
-  // The time of the collision or maneuver at which a state began; 0 for an initial one.
-  const Tower& start(int id, GenId g);
-  Tower radius(GenId g) const;  // signed
-  RadicalField& field() { return field_; }
-  MovingSite<Tower> moving_site(GenId g, const Rational& t);
-  Site<Tower> site(GenId g, const Tower& t);
-
- private:
-  struct Entry {
-    State state;
-    Tower start;
-  };
-  const Entry& entry(int id, GenId g);
-  void compute(int record);
-  const Motion& motion_;
-  RadicalField field_;
-  std::unordered_map<long, Entry> memo_;
-};
-
-// The exact time, within the tower, of the next contact of two moving sites given
-// at time t (see Contact): the root at which they begin to overlap, or the exit of
-// a disk from the container. Precondition: that root exists.
-Tower contact_delay(const Contact<Tower>& contact, bool with_container, RadicalField& field);
-
-// The binary64 nearest to an element, ties to even.
-double round_nearest(const Tower& x);
 
 }  // namespace voroproof

@@ -82,6 +82,7 @@ class Engine<certified>::Implementation {
           throw GivenUp();
         }
       }
+      motion_.settle();
       outcome.t = round_nearest(horizon_);
     } catch (const GivenUp&) {
       if (!begun_) sink_->begin({});
@@ -97,12 +98,22 @@ class Engine<certified>::Implementation {
       outcome.reason = u.what();
       if (u.flip) outcome.events.emplace_back(*u.flip);
       if (u.contact) outcome.events.emplace_back(*u.contact);
+      settle_quietly();
     }
     stats_.end = outcome.t;
     stats_.replays = motion_.replays();
     stats_.highest_bits = motion_.highest_bits();
     stats_.goal_bits = motion_.goal_bits();
     return outcome;
+  }
+
+  // For the statistics of a run that has stopped, possibly for want of bits.
+  void settle_quietly() {
+    try {
+      motion_.settle();
+    } catch (const Undecided&) {
+    } catch (const GivenUp&) {
+    }
   }
 
   EngineStats stats_;
