@@ -30,7 +30,7 @@ Point measure(const SceneChoice& choice, int repeats) {
   std::uint64_t events = 0;
   for (int r = 0; r < repeats; ++r) {
     for (const bool certified : {r % 2 == 0, r % 2 != 0}) {
-      const RunResult run = simulate(scene, certified, false);
+      const RunResult run = simulate(scene, certified);
       if (certified) events = run.events();
       const double scale = 1e6 / static_cast<double>(run.events());
       total[certified].push_back(run.seconds * scale);

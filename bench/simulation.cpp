@@ -67,15 +67,12 @@ class TimedSink : public EventSink {
 };
 
 template <bool certified>
-RunResult run(const Scene& scene, bool profile) {
+RunResult run(const Scene& scene, const EngineOptions& options) {
   const TemporaryFile file;
   RunResult result;
   const std::clock_t cpu_start = std::clock();
   const auto start = Clock::now();
   {
-    EngineOptions options;
-    options.profile = profile;
-    options.motion.late_states = certified;
     Engine<certified> engine(motion_input(scene), maneuver_input(scene), options);
     HistoryWriter writer(file.path());
     // The scene exists in memory only: its fingerprint stands for none.
@@ -113,8 +110,8 @@ Scene scene_of(const SceneChoice& choice) {
   return generate_reference(o);
 }
 
-RunResult simulate(const Scene& scene, bool certified, bool profile) {
-  return certified ? run<true>(scene, profile) : run<false>(scene, profile);
+RunResult simulate(const Scene& scene, bool certified, const EngineOptions& options) {
+  return certified ? run<true>(scene, options) : run<false>(scene, options);
 }
 
 std::uint64_t peak_memory(const SceneChoice& choice, EngineKind engine) {
@@ -124,7 +121,7 @@ std::uint64_t peak_memory(const SceneChoice& choice, EngineKind engine) {
     int status = 1;
     try {
       const Scene scene = scene_of(choice);
-      if (engine != EngineKind::none) simulate(scene, engine == EngineKind::certified, false);
+      if (engine != EngineKind::none) simulate(scene, engine == EngineKind::certified);
       status = 0;
     } catch (const std::exception&) {
       // The exit status tells; the parent reports.

@@ -34,7 +34,7 @@ struct RunResult {
 
 // Runs the exact engine or, uncertified, the same engine in plain doubles. The history goes
 // to a temporary file, written by a thread of its own, and is removed afterwards.
-RunResult simulate(const Scene& scene, bool certified, bool profile);
+RunResult simulate(const Scene& scene, bool certified, const EngineOptions& options = {});
 
 // The largest resident memory, in bytes, of a process that makes the scene and simulates it;
 // without `engine`, of one that only makes the scene. The process is a fork of this one and
