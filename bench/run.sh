@@ -36,7 +36,18 @@ cmake --build "$build" --target voroproof
 "$root/bench/certify.sh" "$build/voroproof" 10000 200 3 | tee "$results/certify_10000.txt"
 echo
 
-"$build/voroproof_bench_growth" --json "$results/growth.json"
+# Horizons of some ten events a disk.
+growth() { # NAME OPTIONS...
+  name=$1
+  shift
+  "$build/voroproof_bench_growth" "$@" --json "$results/growth_$name.json"
+  echo
+}
+growth 0.05 --density 0.05 --horizon 120
+growth 0.05_large --density 0.05 --horizon 20 --sizes 100000 300000 1000000 --repeats 1
+growth 0.3 --density 0.3 --horizon 5 --sizes 1000 3000 10000 30000 100000
+growth 0.5 --density 0.5 --horizon 2 --sizes 1000 3000 10000 30000 100000
+"$root/scripts/plot-growth.py" "$results"/growth_*.json -o "$results/growth" || true
 echo
 
 "$root/bench/snapshots.sh" "$build" | tee "$results/snapshots.txt"

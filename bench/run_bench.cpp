@@ -10,6 +10,7 @@
 
 #include "bench/simulation.h"
 #include "bench/statistics.h"
+#include "bench/tiers_json.h"
 
 namespace voroproof::bench {
 
@@ -23,16 +24,6 @@ struct Series {
   RunResult last;
   std::uint64_t memory = 0;
 };
-
-nlohmann::ordered_json tiers_json(const TierCounts& tiers) {
-  nlohmann::ordered_json out;
-  for (std::size_t p = 0; p < tiers.decided.size(); ++p) {
-    for (std::size_t t = 0; t < tier_names.size(); ++t) {
-      out[std::string(predicate_names[p])][std::string(tier_names[t])] = tiers.decided[p][t];
-    }
-  }
-  return out;
-}
 
 nlohmann::ordered_json series_json(const Series& s) {
   const EngineStats& stats = s.last.stats;
