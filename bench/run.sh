@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds the benchmarks (Release) and runs them all: about ten minutes on a quiet machine.
+# Builds the benchmarks (Release) and runs them all: about a quarter of an hour on a quiet machine.
 #   bench/run.sh [BUILD]      BUILD: the build directory, by default `build`
 # Tables go to the terminal, results as JSON to BUILD/bench/results.
 set -eu
@@ -9,7 +9,8 @@ build=${1:-$root/build}
 results=$build/bench/results
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DVOROPROOF_BENCH=ON
-cmake --build "$build" --target voroproof_bench_runs voroproof_bench_growth
+cmake --build "$build" --target voroproof_bench_runs voroproof_bench_growth \
+  voroproof_bench_rebuild
 # Not there without Google Benchmark.
 predicates=$build/voroproof_bench_predicates
 if cmake --build "$build" --target help | grep -q voroproof_bench_predicates; then
@@ -36,7 +37,12 @@ cmake --build "$build" --target voroproof
 "$root/bench/certify.sh" "$build/voroproof" 10000 200 3 | tee "$results/certify_10000.txt"
 echo
 
-# Horizons of some ten events a disk.
+for n in 30 100 300; do
+  "$build/voroproof_bench_rebuild" --n $n --horizon 100 --repeats 3 --json "$results/rebuild_$n.json"
+done
+echo
+
+# The denser, the shorter.
 growth() { # NAME OPTIONS...
   name=$1
   shift
@@ -47,7 +53,8 @@ growth 0.05 --density 0.05 --horizon 120
 growth 0.05_large --density 0.05 --horizon 20 --sizes 100000 300000 1000000 --repeats 1
 growth 0.3 --density 0.3 --horizon 5 --sizes 1000 3000 10000 30000 100000
 growth 0.5 --density 0.5 --horizon 2 --sizes 1000 3000 10000 30000 100000
-"$root/scripts/plot-growth.py" "$results"/growth_*.json -o "$results/growth" || true
+"$root/scripts/plot-growth.py" "$results"/growth_*.json -o "$results/growth" ||
+  echo "the growth is not drawn: scripts/install-deps.sh plots"
 echo
 
 "$root/bench/snapshots.sh" "$build" | tee "$results/snapshots.txt"
