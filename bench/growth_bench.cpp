@@ -5,14 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "bench/report.h"
 #include "bench/simulation.h"
 #include "bench/statistics.h"
-#include "bench/tiers_json.h"
 
 namespace voroproof::bench {
 
@@ -77,7 +76,8 @@ double bytes_a_disk(const Point& p) {
   return std::max(0.0, static_cast<double>(p.memory) - 20e6) / p.n;
 }
 
-int bench(const std::vector<int>& sizes, SceneChoice choice, int repeats, const std::string& path) {
+void bench(const std::vector<int>& sizes, SceneChoice choice, int repeats,
+           const std::string& path) {
   std::printf(
       "horizon %g, density %g, %d repeats; microseconds an event; loop: CPU, without "
       "the first diagram\n",
@@ -106,7 +106,7 @@ int bench(const std::vector<int>& sizes, SceneChoice choice, int repeats, const 
   const double logarithm = fitted_exponent(points, [](const Point& p) { return std::log(p.n); });
   std::printf("fitted exponent of n (loop): certified %.3f, plain %.3f; of log n itself: %.3f\n",
               certified, plain, logarithm);
-  if (path.empty()) return 0;
+  if (path.empty()) return;
 
   nlohmann::ordered_json report{{"horizon", choice.horizon},
                                 {"density", choice.density},
@@ -129,13 +129,7 @@ int bench(const std::vector<int>& sizes, SceneChoice choice, int repeats, const 
                                 {"replays", p.stats.replays},
                                 {"tiers", tiers_json(p.stats.tiers)}});
   }
-  std::ofstream out(path);
-  out << report.dump(2) << '\n';
-  if (!out.flush()) {
-    std::fprintf(stderr, "cannot write %s\n", path.c_str());
-    return 1;
-  }
-  return 0;
+  write_report(path, report);
 }
 
 }  // namespace
@@ -159,9 +153,10 @@ int main(int argc, char** argv) {
   app.add_option("--json", json, "write the results to this file");
   CLI11_PARSE(app, argc, argv);
   try {
-    return voroproof::bench::bench(sizes, choice, repeats, json);
+    voroproof::bench::bench(sizes, choice, repeats, json);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return 1;
   }
+  return 0;
 }

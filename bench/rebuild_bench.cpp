@@ -8,13 +8,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "apps/scene_motion.h"
+#include "bench/report.h"
 #include "bench/simulation.h"
 #include "bench/statistics.h"
 
@@ -87,7 +87,7 @@ std::size_t rebuild(const Positions& positions) {
   return graphs;
 }
 
-int bench(const SceneChoice& choice, int repeats, const std::string& path) {
+void bench(const SceneChoice& choice, int repeats, const std::string& path) {
   const Scene scene = scene_of(choice);
   Positions positions(scene);
   Engine<true> engine(motion_input(scene), maneuver_input(scene), {});
@@ -106,18 +106,12 @@ int bench(const SceneChoice& choice, int repeats, const std::string& path) {
               choice.horizon, graphs, repeats);
   std::printf("certified %.4f, plain %.4f, CGAL anew at every event %.4f: %.0f times certified\n",
               median(certified), median(plain), median(cgal), ratio);
-  if (path.empty()) return 0;
+  if (path.empty()) return;
   const nlohmann::ordered_json report{
       {"n", choice.n},        {"horizon", choice.horizon},      {"density", choice.density},
       {"graphs", graphs},     {"certified_seconds", certified}, {"plain_seconds", plain},
       {"cgal_seconds", cgal}, {"cgal_by_certified", ratio}};
-  std::ofstream out(path);
-  out << report.dump(2) << '\n';
-  if (!out.flush()) {
-    std::fprintf(stderr, "cannot write %s\n", path.c_str());
-    return 1;
-  }
-  return 0;
+  write_report(path, report);
 }
 
 }  // namespace
@@ -140,9 +134,10 @@ int main(int argc, char** argv) {
   app.add_option("--json", json, "write the results to this file");
   CLI11_PARSE(app, argc, argv);
   try {
-    return voroproof::bench::bench(choice, repeats, json);
+    voroproof::bench::bench(choice, repeats, json);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return 1;
   }
+  return 0;
 }

@@ -3,14 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "bench/report.h"
 #include "bench/simulation.h"
 #include "bench/statistics.h"
-#include "bench/tiers_json.h"
 
 namespace voroproof::bench {
 
@@ -141,7 +140,7 @@ void print_tiers(const TierCounts& tiers) {
   }
 }
 
-int bench(const SceneChoice& choice, int repeats, bool late_states, const std::string& json_path) {
+void bench(const SceneChoice& choice, int repeats, bool late_states, const std::string& json_path) {
   EngineOptions options;
   options.motion.late_states = late_states;
   const std::uint64_t scene_memory = peak_memory(choice, EngineKind::none);
@@ -194,14 +193,8 @@ int bench(const SceneChoice& choice, int repeats, bool late_states, const std::s
         {"scene_memory_bytes", scene_memory},
         {"profile",
          {{"certified", profile_json(certified_profile)}, {"plain", profile_json(plain_profile)}}}};
-    std::ofstream out(json_path);
-    out << report.dump(2) << '\n';
-    if (!out.flush()) {
-      std::fprintf(stderr, "cannot write %s\n", json_path.c_str());
-      return 1;
-    }
+    write_report(json_path, report);
   }
-  return 0;
 }
 
 }  // namespace
@@ -226,9 +219,10 @@ int main(int argc, char** argv) {
   app.add_option("--json", json, "write the results to this file");
   CLI11_PARSE(app, argc, argv);
   try {
-    return voroproof::bench::bench(choice, repeats, !early, json);
+    voroproof::bench::bench(choice, repeats, !early, json);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return 1;
   }
+  return 0;
 }

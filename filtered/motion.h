@@ -143,8 +143,6 @@ class Motion {
     int partner_before;
   };
   Origin origin(GenId g, int id) const;
-  // The time to which the doubles of the state with this id, of generator g, refer.
-  double reference_time(GenId g, int id) const { return states_->reference_time(g, id); }
   // The two generators of the collision with this id, the smaller first; a maneuver's disk twice.
   std::pair<GenId, GenId> generators_of(int id) const {
     const Record& r = states_->record(id - 1);

@@ -175,11 +175,6 @@ void MotionStates::restart(GenId g, double t, const GivenMotion& given) {
   balls_[g + 1].reset();
 }
 
-double MotionStates::reference_time(GenId g, int id) const {
-  if (id > 0) return record(id - 1).t_ref;
-  return g == container_id ? 0 : start_[g];
-}
-
 int MotionStates::append(Maneuver m) {
   v_scale_ = std::max({v_scale_, exponent_of(m.vx), exponent_of(m.vy)});
   maneuvers_.push_back(std::move(m));

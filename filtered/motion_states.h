@@ -68,8 +68,6 @@ class MotionStates {
     return k < log_.size() ? log_[k] : rest_[k - log_.size()];
   }
   const Maneuver& maneuver(int index) const { return maneuvers_[index]; }
-  // Of the state with this id, of generator g.
-  double reference_time(GenId g, int id) const;
 
   void append(const Record& r) { rest_.push_back(r); }
   // Its index, for a record.

@@ -1,4 +1,4 @@
-// A thread that does one job at a time for another one.
+// A thread that does one job at a time for another one, the only one that may call what is public.
 #pragma once
 
 #include <atomic>
@@ -30,7 +30,7 @@ class Worker {
   void work();
   void do_job(std::unique_lock<std::mutex>& lock);
 
-  bool working_ = false;  // of the other thread: a job was started and not waited for
+  bool working_ = false;  // of the calling thread: a job was started and not waited for
   std::mutex mutex_;
   std::condition_variable changed_;
   std::function<void()> job_;  // null when it is done

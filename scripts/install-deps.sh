@@ -5,7 +5,7 @@
 #   without arguments: what building and running the program takes
 #   test:  what building the tests takes besides
 #   bench: what the benchmarks and the peers they measure take besides
-#   plots: what scripts/plot-experiments.py and scripts/plot-plan.py take
+#   plots: what scripts/plot-experiments.py, plot-growth.py and plot-plan.py take
 #   ci:    the second compiler, the formatter and the counter of instructions besides
 #   browser: what testing and photographing the page of `movie` takes besides (large)
 #

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/scene_motion.h"
+#include "tests/certify/near_collisions.h"
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/scene_run.h"
 
@@ -49,13 +50,7 @@ TEST(Moment, AnInstantIsNarrowHoweverWideItsFlipIsIsolated) {
 
 // Contacts at irrational times 1e-45 apart: exact arithmetic tells, or more bits.
 TEST(Moment, AnOrderThatTakesMoreBitsIsNotKnownYet) {
-  Integer big;
-  mpz_ui_pow_ui(big.get_mpz_t(), 10, 45);
-  const Rational later(Integer(1), big);
-  const Rational aside(1, 2);
-  const Scene scene = scene_of(60, 2,
-                               {disk(-20, -3, 1, 0, 0), disk(-20 + aside, 2, 1, 0, -2),
-                                disk(20, -3, 1, 0, 0), disk(20 + aside, 2 + 2 * later, 1, 0, -2)});
+  const Scene scene = near_collisions();
   for (const bool irrational : {true, false}) {
     MotionOptions options;
     if (!irrational) options.max_radicals = 0;

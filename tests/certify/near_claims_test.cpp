@@ -6,6 +6,7 @@
 
 #include "certify/report.h"
 #include "tests/certify/claimed_history.h"
+#include "tests/certify/near_collisions.h"
 
 namespace voroproof::testing {
 namespace {
@@ -73,13 +74,7 @@ TEST_F(NearFlips, MayBeToldInAnyOrderWithoutOrientation) {
 
 // Far from each other, at irrational times 1e-45 apart.
 TEST(NearCollisions, MayBeToldInAnyOrder) {
-  Integer big;
-  mpz_ui_pow_ui(big.get_mpz_t(), 10, 45);
-  const Rational later(Integer(1), big);
-  const Rational aside(1, 2);
-  const Scene scene = scene_of(60, 2,
-                               {disk(-20, -3, 1, 0, 0), disk(-20 + aside, 2, 1, 0, -2),
-                                disk(20, -3, 1, 0, 0), disk(20 + aside, 2 + 2 * later, 1, 0, -2)});
+  const Scene scene = near_collisions();
   const ClaimedHistory right = claimed_history(scene, run(scene));
   ClaimedHistory exchanged = right;
   std::vector<voroproof::Event*> hits;
