@@ -1,6 +1,8 @@
 #include "filtered/bernstein.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "filtered/lanes.h"
 
@@ -10,8 +12,9 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-constexpr std::array<double, 9> kBinomial8{1, 8, 28, 56, 70, 56, 28, 8, 1};
-constexpr std::array<double, 5> kBinomial4{1, 4, 6, 4, 1};
+// Radii that differ by less than this part of a distance are nearly equal.
+constexpr double kNearlyEqual = 0x1p-16;
+
 constexpr std::array<double, 9> kInverse8{1,        1.0 / 8,  1.0 / 28, 1.0 / 56, 1.0 / 70,
                                           1.0 / 56, 1.0 / 28, 1.0 / 8,  1};
 
@@ -30,6 +33,7 @@ inline void multiply2(const T* p, const T* q, T* r) {
 // coordinate or radius in err.
 struct Ends {
   Lanes x0, y0, x1, y1, r, err;
+  Lanes err0, err1;  // at one end
 };
 
 template <bool certified>
@@ -53,9 +57,12 @@ inline void place(const Motion& motion, const Quad& q, double a, double b, Ends&
     // below u |x + v dt| + 2u(1+u) |v dt|, with |v dt| <= |x0| + |x| and likewise
     // for the other end: 4u times (all magnitudes together) covers it. The state's
     // own error adds ex + ev |dt|.
-    const Lanes size = abs(x) + abs(y) + abs(e.x0) + abs(e.y0) + abs(e.x1) + abs(e.y1);
-    e.err =
-        4 * u * size + lanes(&DoubleMotion::ex) + lanes(&DoubleMotion::ev) * (abs(ta) + abs(tb));
+    const Lanes size = abs(x) + abs(y);
+    const Lanes size0 = abs(e.x0) + abs(e.y0), size1 = abs(e.x1) + abs(e.y1);
+    const Lanes ex = lanes(&DoubleMotion::ex), ev = lanes(&DoubleMotion::ev);
+    e.err = 4 * u * (size + size0 + size1) + ex + ev * (abs(ta) + abs(tb));
+    e.err0 = 4 * u * (size + size0) + ex + ev * abs(ta);
+    e.err1 = 4 * u * (size + size1) + ex + ev * abs(tb);
   }
 }
 
@@ -112,6 +119,21 @@ inline void tangency_form(const Ends& e, Pairs& out) {
   }
 }
 
+// The bound for f from the sizes and errors of the pairs.
+inline double cotangency_error(const Lanes& size, const Lanes& err, const Lanes& other_size,
+                               const Lanes& other_err) {
+  const Lanes bound = size * other_size;
+  const Lanes error = size * other_err + other_size * err + err * other_err + u * (8 * bound);
+  const double A = bound[0], B = bound[1], C = bound[2];
+  const double ea = error[0], eb = error[1], ec = error[2];
+  const double s3 = A + B + C;
+  const double es = ea + eb + ec;
+  return (2 * s3 * es + es * es + 4 * (B * ec + C * eb + eb * ec) +
+          u * (320 * (s3 * s3 + 4 * B * C))) *
+             (1 + 0x1p-40) +
+         1e-290;
+}
+
 template <bool certified>
 inline double cotangency_form(const Ends& e, double* f) {
   Pairs with_l, others;
@@ -138,105 +160,184 @@ inline double cotangency_form(const Ends& e, double* f) {
   f[7] = d[3] * g[4] - (b[3] * c[4] + b[4] * c[3]);
   f[8] = g[4] * g[4] - b[4] * c[4];
   if constexpr (certified) {
-    const Lanes bound = with_l.size * others.size;
-    const Lanes error = with_l.size * others.err + others.size * with_l.err +
-                        with_l.err * others.err + u * (8 * bound);
-    const double A = bound[0], B = bound[1], C = bound[2];
-    const double ea = error[0], eb = error[1], ec = error[2];
-    const double s3 = A + B + C;
-    const double es = ea + eb + ec;
-    return (2 * s3 * es + es * es + 4 * (B * ec + C * eb + eb * ec) +
-            u * (320 * (s3 * s3 + 4 * B * C))) *
-               (1 + 0x1p-40) +
-           1e-290;
+    return cotangency_error(with_l.size, with_l.err, others.size, others.err);
   }
   return 0;
 }
 
-// Scaled coefficients of C (four equal radii): with base 3, C = p0 (d1 x d2) - p1 (d0
-// x d2) + p2 (d0 x d1) for offsets d to the base and p = |d|^2. Sizes: |p| <= S, |d x
-// d'| <= sqrt(S S'); errors as above.
+// Bounds that grow with the coefficient. Where generators go far all of the above is as large as at
+// the far end, the values at the other one are not. For a pair let S0 = |d0|^2 + dr^2 and S1
+// likewise, for all pairs S1 <= g^2 S0, and eta such that an offset or dr errs by at most eta at a
+// and by g eta at b. Then d0.d1 and dr^2 are at most g S0 in magnitude, dr^2 at most g^2 S0, and
+// coefficient k of p is at most g^k S0 and errs by at most g^k (5 root(S0) + 3 eta) eta: products
+// of two offsets by 2 root(2) root(S0) eta + 2 eta^2, dr^2 by 2 root(S0) eta + eta^2. Sums and
+// products of such bounds are again such, in the scaled basis and so in weighted means: of f as
+// above, with S0 for P. Subdivision keeps within the same bounds on a part: g is linear in time.
+template <int a0, int a1, int a2, int b0, int b1, int b2>
+struct PairSizes {
+  Lanes s0, s1, eta0, eta1;
+  explicit PairSizes(const Ends& e) {
+    const auto offset = [](const Lanes& x) {
+      return __builtin_shufflevector(x, x, a0, a1, a2, a2) -
+             __builtin_shufflevector(x, x, b0, b1, b2, b2);
+    };
+    const auto sum = [](const Lanes& x) {
+      return __builtin_shufflevector(x, x, a0, a1, a2, a2) +
+             __builtin_shufflevector(x, x, b0, b1, b2, b2);
+    };
+    const Lanes ax = offset(e.x0), ay = offset(e.y0), bx = offset(e.x1), by = offset(e.y1);
+    const Lanes dr = offset(e.r);
+    const Lanes dr2 = dr * dr;
+    s0 = ax * ax + ay * ay + dr2;
+    s1 = bx * bx + by * by + dr2;
+    eta0 = sum(e.err0) + 2 * u * (abs(ax) + abs(ay) + abs(dr));
+    eta1 = sum(e.err1) + 2 * u * (abs(bx) + abs(by) + abs(dr));
+  }
+};
+
+// Infinite where nobody goes far: it would hardly be finer than one bound for all.
+GrowingBound growing_bound(const Ends& ends) {
+  const PairSizes<0, 0, 0, 1, 2, 3> with_l(ends);
+  const PairSizes<2, 1, 1, 3, 3, 2> others(ends);
+  if ((exceeding(with_l.s1, 4 * with_l.s0) | exceeding(others.s1, 4 * others.s0)) == 0) {
+    return {std::numeric_limits<double>::infinity(), 1};
+  }
+  const Lanes growths = with_l.s1 / with_l.s0, other_growths = others.s1 / others.s0;
+  double growth2 = 0;
+  for (int k = 0; k < 3; ++k) growth2 = std::max({growth2, growths[k], other_growths[k]});
+  // Pays for the rounding of sizes, too.
+  const double growth = std::sqrt(growth2) * (1 + 0x1p-40);
+  const auto error = [&](const auto& pairs) {
+    const Lanes eta1 = pairs.eta1 / growth;
+    const Lanes eta = pairs.eta0 > eta1 ? pairs.eta0 : eta1;
+    return (5 * square_root(pairs.s0) + 3 * eta) * eta + u * (4 * pairs.s0);
+  };
+  return {cotangency_error(with_l.s0, error(with_l), others.s0, error(others)), growth};
+}
+
+// Scaled coefficients of C (four equal radii): with base 3, C = p0 (d1 x d2) + p1 (d2 x d0) + p2
+// (d0 x d1) for offsets d to the base and p = |d|^2. Sizes: |p| <= m^2, |d x d'| <= m m',
+// m as above; errors as above. The summands side by side in lanes; what is of two disks, in that of
+// the third.
+//
+// Radii that differ, by at most `spread`, do not appear in C, but f is -C^2 for equal ones only: a
+// pair's tangency is p = D - dr^2, D its squared distance, and f = a^2 + b^2 + c^2 - 2 (ab + bc +
+// ca) in the products a = p_01 p_23 and so on. Putting D for p changes a by at most spread^2 (D_01
+// + D_23 + spread^2), with e the sum of these bounds f by at most e (2 (a + b + c) + e), a + b + c
+// in terms of D. Beyond the square root of that |C| shows that f < 0: it is added to the bound.
 template <bool certified>
-inline double cocircularity_form(const Ends& e, double* f) {
-  double dx0[3], dy0[3], dx1[3], dy1[3], p[3][3], root[3], eta[3];
-  for (int k = 0; k < 3; ++k) {
-    dx0[k] = e.x0[k] - e.x0[3];
-    dy0[k] = e.y0[k] - e.y0[3];
-    dx1[k] = e.x1[k] - e.x1[3];
-    dy1[k] = e.y1[k] - e.y1[3];
-    p[k][0] = dx0[k] * dx0[k] + dy0[k] * dy0[k];
-    p[k][1] = 2 * (dx0[k] * dx1[k] + dy0[k] * dy1[k]);
-    p[k][2] = dx1[k] * dx1[k] + dy1[k] * dy1[k];
-    if constexpr (certified) {
-      root[k] = std::sqrt(p[k][0] + p[k][2]);
-      eta[k] = e.err[k] + e.err[3] + 2 * u * root[k];
+inline double cocircularity_form(const Ends& e, double spread, double* f) {
+  const auto next = [](const Lanes& x) { return __builtin_shufflevector(x, x, 1, 2, 0, 3); };
+  const auto last = [](const Lanes& x) { return __builtin_shufflevector(x, x, 2, 0, 1, 3); };
+  const Lanes dx0 = e.x0 - e.x0[3], dy0 = e.y0 - e.y0[3];
+  const Lanes dx1 = e.x1 - e.x1[3], dy1 = e.y1 - e.y1[3];
+  const Lanes p[3] = {dx0 * dx0 + dy0 * dy0, 2 * (dx0 * dx1 + dy0 * dy1), dx1 * dx1 + dy1 * dy1};
+  const Lanes ix0 = next(dx0), iy0 = next(dy0), ix1 = next(dx1), iy1 = next(dy1);
+  const Lanes jx0 = last(dx0), jy0 = last(dy0), jx1 = last(dx1), jy1 = last(dy1);
+  const Lanes cross[3] = {ix0 * jy0 - iy0 * jx0, (ix0 * jy1 - iy0 * jx1) + (ix1 * jy0 - iy1 * jx0),
+                          ix1 * jy1 - iy1 * jx1};
+  Lanes term[5];
+  multiply2(p, cross, term);
+  const auto sum = [](const Lanes& x) { return x[0] + x[1] + x[2]; };
+  for (int m = 0; m < 5; ++m) f[m] = sum(term[m]);
+  if constexpr (certified) {
+    const Lanes at0 = abs(dx0) + abs(dy0), at1 = abs(dx1) + abs(dy1);
+    const Lanes far = at0 > at1 ? at0 : at1;
+    const Lanes s = far * far;
+    const Lanes eta = e.err + e.err[3] + 2 * u * far;
+    const Lanes ep = (3 * far + 2 * eta) * eta;
+    const Lanes size = next(far) * last(far);
+    const Lanes ex =
+        2 * (next(far) * last(eta) + last(far) * next(eta) + next(eta) * last(eta)) + 4 * u * size;
+    double error =
+        sum(s * ex + size * ep + ep * ex + u * (128 * (s * size))) * (1 + 0x1p-40) + 1e-290;
+    if (spread > 0) {
+      const Lanes way = far + 2 * eta;
+      const Lanes to_base = way * way, apart = (next(way) + last(way)) * (next(way) + last(way));
+      const double square = spread * spread;
+      const double pairs = sum(to_base + apart) + 3 * square, products = sum(to_base * apart);
+      error += spread * std::sqrt(pairs) * std::sqrt(2 * products + square * pairs) * (1 + 0x1p-40);
     }
+    return error;
   }
-  for (int k = 0; k < 5; ++k) f[k] = 0;
-  double error = 0;
-  for (int k = 0; k < 3; ++k) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;  // p_k (d_i x d_j), cyclic
-    const double cross[3] = {
-        dx0[i] * dy0[j] - dy0[i] * dx0[j],
-        (dx0[i] * dy1[j] - dy0[i] * dx1[j]) + (dx1[i] * dy0[j] - dy1[i] * dx0[j]),
-        dx1[i] * dy1[j] - dy1[i] * dx1[j]};
-    double term[5];
-    multiply2(p[k], cross, term);
-    for (int m = 0; m < 5; ++m) f[m] += term[m];
-    if constexpr (certified) {
-      const double ep = (3 * root[k] + 2 * eta[k]) * eta[k];
-      const double size = root[i] * root[j];
-      const double ex = 2 * (root[i] * eta[j] + root[j] * eta[i] + eta[i] * eta[j]) + 4 * u * size;
-      const double s = root[k] * root[k];
-      error += s * ex + size * ep + ep * ex + u * (128 * (s * size));
-    }
-  }
-  return certified ? error * (1 + 0x1p-40) + 1e-290 : 0;
+  return 0;
 }
 
 }  // namespace
 
 bool flip_polynomial_is_cocircularity(const Motion& motion, const Quad& q) {
-  const DoubleMotion& l = motion.doubles(q.l);
-  bool rounded = motion.seconds(q.l).er != 0 || motion.seconds(q.l).r != 0;
+  const double radius = motion.doubles(q.l).r;
   for (const GenId g : {q.r, q.s, q.e}) {
-    const DoubleMotion& m = motion.doubles(g);
-    if (m.r != l.r) return false;
-    rounded = rounded || motion.seconds(g).er != 0 || motion.seconds(g).r != 0;
+    if (motion.doubles(g).r != radius) return false;
   }
-  // Equal doubles are equal radii unless one is rounded: then ask for the values.
-  if (!rounded) return true;
+  if (motion.radii_are_doubles()) return true;
   const auto& disks = motion.input().disks;
   return q.l != container_id && disks[q.l].radius == disks[q.r].radius &&
          disks[q.l].radius == disks[q.s].radius && disks[q.l].radius == disks[q.e].radius;
 }
 
-template <bool certified>
-bool form_flip_polynomial(const Motion& motion, const Quad& q, double a, double b,
-                          BernsteinForm& out) {
+namespace {
+
+// A bound on the differences of the radii, where it is so small that C tells more than f, whose
+// roots it brings close to each other; else 0. Of four radii that all are one double, not equal.
+double small_spread(const Ends& e) {
+  const double least = std::min(std::min(e.r[0], e.r[1]), std::min(e.r[2], e.r[3]));
+  const double greatest = std::max(std::max(e.r[0], e.r[1]), std::max(e.r[2], e.r[3]));
+  const double small = kNearlyEqual * (std::fabs(e.x0[0] - e.x0[1]) + std::fabs(e.y0[0] - e.y0[1]));
+  if (greatest - least >= small) [[likely]]
+    return 0;
+  const double error = std::max({e.err[0], e.err[1], e.err[2], e.err[3]});
+  const double spread = ((greatest - least) + 2 * error) * (1 + 0x1p-40);
+  return spread < small ? spread : 0;
+}
+
+// Whether all scaled coefficients are beyond their bounds on one side.
+template <int degree>
+bool has_one_sign(const double* c, double err) {
+  const double side = c[0] > 0 ? 1 : -1;
+  if (!(side * c[degree] > err)) return false;
+  if constexpr (degree == 4) return exceeding(side * load(c), err * Lanes{1, 4, 6, 4}) == 0xf;
+  return (exceeding(side * load(c), err * Lanes{1, 8, 28, 56}) &
+          exceeding(side * load(c + 4), err * Lanes{70, 56, 28, 8})) == 0xf;
+}
+
+template <bool certified, bool nearly>
+bool form_flip_polynomial_of(const Motion& motion, const Quad& q, double a, double b,
+                             BernsteinForm& out) {
   Ends ends;
   place<certified>(motion, q, a, b, ends);
   const bool equal = ends.r[0] == ends.r[1] && ends.r[0] == ends.r[2] && ends.r[0] == ends.r[3] &&
                      flip_polynomial_is_cocircularity(motion, q);
-  out.degree = equal ? 4 : 8;
-  out.err = equal ? cocircularity_form<certified>(ends, out.c.data())
-                  : cotangency_form<certified>(ends, out.c.data());
-  const double* binomial = equal ? kBinomial4.data() : kBinomial8.data();
-  int positive = 0, negative = 0;
-  for (int k = 0; k <= out.degree; ++k) {
-    const double bound = certified ? out.err * binomial[k] : 0.0;
-    positive += out.c[k] > bound;
-    negative += out.c[k] < -bound;
+  out.spread = nearly && !equal ? small_spread(ends) : 0;
+  out.degree = equal || out.spread > 0 ? 4 : 8;
+  out.err = out.degree == 4 ? cocircularity_form<certified>(ends, out.spread, out.c.data())
+                            : cotangency_form<certified>(ends, out.c.data());
+  if (out.degree == 4 ? has_one_sign<4>(out.c.data(), out.err)
+                      : has_one_sign<8>(out.c.data(), out.err)) {
+    return true;
   }
-  if (positive == out.degree + 1 || negative == out.degree + 1) return true;
-  if (equal) {
+  if (out.degree == 4) {
     out.c[1] *= 0.25;
     out.c[2] *= 1.0 / 6;
     out.c[3] *= 0.25;
   } else {
     for (int k = 1; k < 8; ++k) out.c[k] *= kInverse8[k];
+    if constexpr (nearly) out.bound = growing_bound(ends);
   }
   return false;
+}
+
+}  // namespace
+
+template <bool certified>
+bool form_flip_polynomial(const Motion& motion, const Quad& q, double a, double b,
+                          BernsteinForm& out) {
+  return form_flip_polynomial_of<certified, false>(motion, q, a, b, out);
+}
+
+bool form_for_collapse(const Motion& motion, const Quad& q, double a, double b,
+                       BernsteinForm& out) {
+  return form_flip_polynomial_of<true, true>(motion, q, a, b, out);
 }
 
 template bool form_flip_polynomial<true>(const Motion&, const Quad&, double, double,

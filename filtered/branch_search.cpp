@@ -65,17 +65,20 @@ struct Interval {
 };
 
 // The zero of a branch that falls from certainly positive at a to certainly negative at b, between
-// times of the same kind that are near.
-Interval narrow(const Branch& branch, double a, double b) {
+// times of the same kind that are near. `slope`: over [a, b].
+Interval narrow(const Branch& branch, double a, double b, DoubleBall slope) {
   double lo = a, hi = b;
   for (int step = 0; step < 60; ++step) {
     const double m = 0.5 * (lo + hi);
-    const DoubleBall root = DoubleBall(m) - branch.value(DoubleBall(m)) / branch.over(lo, hi).slope;
+    const DoubleBall root = DoubleBall(m) - branch.value(DoubleBall(m)) / slope;
     const double left = std::max(lo, std::nextafter(root.mid - root.rad, a));
     const double right = std::min(hi, std::nextafter(root.mid + root.rad, b));
-    if (!(right - left < 0.5 * (hi - lo))) break;
+    const double gain = (right - left) / (hi - lo);
+    if (!(gain < 0.5)) break;
     lo = left;
     hi = right;
+    // Slopes are dear: one is kept as long as it serves well.
+    if (gain > 0x1p-6) slope = branch.over(lo, hi).slope;
   }
   const double m = 0.5 * (lo + hi);
   for (double reach = 2 * (hi - m) + 0x1p-48 * (b - a); reach < b - a; reach *= 8) {
@@ -128,7 +131,7 @@ Finding look(const Motion& motion, const Quad& q, double a, double b,
   const Sign after = sign(branch.value(DoubleBall(b)));
   if (before == Sign::negative || after == Sign::positive) return Finding::free;
   if (before != Sign::positive || after != Sign::negative) return Finding::unknown;
-  const Interval root = narrow(branch, a, b);
+  const Interval root = narrow(branch, a, b, over.slope);
   const auto at_root = sites(motion, q, DoubleBall::hull(root.lo, root.hi));
   if (circle_exists(EdgeTriples<DoubleBall>::of(q, at_root).start) != Sign::positive) {
     return Finding::unknown;
@@ -173,6 +176,14 @@ Collapse search_branches(const Motion& motion, const Quad& q, double start, doub
     pieces.push_back({piece.lo, middle});
   }
   return Collapse::none_until(end);
+}
+
+std::optional<Collapse> isolate_on_branch(const Motion& motion, const Quad& q, double lo,
+                                          double hi) {
+  const Branch branch(motion, q);
+  const DoubleBall slope = branch.over(lo, hi).slope;
+  if (sign(slope) != Sign::negative) return std::nullopt;
+  return isolate(branch, narrow(branch, lo, hi, slope));
 }
 
 DdBall refine_branch(const Motion& motion, const Quad& q, double lo, double hi) {

@@ -3,6 +3,8 @@
 // pair of roots is mostly one of each. Of nearly equal radii all roots of f come in such pairs.
 #pragma once
 
+#include <optional>
+
 #include "exact/ball.h"
 #include "exact/dual.h"
 #include "filtered/collapse.h"
@@ -15,6 +17,13 @@ namespace voroproof {
 // `root`, an isolated one of f; or `none` up to the time up to which there is none, which may be
 // `start`.
 Collapse search_branches(const Motion& motion, const Quad& q, double start, double end);
+
+// The zero of the in-circle function of q's start between lo, where it is positive, and hi, where
+// it is negative, isolated from other roots of f; nullopt where that cannot be seen.
+// Preconditions: the edge collapses wherever that function falls in [lo, hi], and no tangency of
+// the four vanishes there.
+std::optional<Collapse> isolate_on_branch(const Motion& motion, const Quad& q, double lo,
+                                          double hi);
 
 // The collapse of q that an interval [lo, hi] is known to hold, by the interval Newton method
 // for an in-circle function; the radius is infinite where that cannot say.

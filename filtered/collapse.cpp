@@ -120,6 +120,33 @@ Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, co
   return {true, Collapse::none_until(voroproof::round_down(end)), {}};
 }
 
+// What becomes of the edge at a root of its form; a collapse in `found`.
+Verdict judge_root(const Motion& motion, const Quad& q, const BernsteinForm& form,
+                   const DoubleRoot& root, Collapse& found) {
+  found = {Collapse::Kind::root, root.lo, root.hi, nullptr};
+  const Verdict verdict =
+      form.degree == 8 ? judge_roughly(motion, q, root.lo, root.hi, root.after)
+                       : judge_cocircular(motion, q, root.lo, root.hi, form.spread, root.after);
+  if (verdict == Verdict::stays) return verdict;
+  if (form.spread == 0) {
+    if (verdict == Verdict::collapses) return verdict;
+    const auto at_hull = sites(motion, q, DoubleBall::hull(root.lo, root.hi));
+    return judge(
+        q, at_hull, [&] { return sites(motion, q, DoubleBall(root.hi)); },
+        cotangency_sign(root.after, form.degree == 4));
+  }
+  // C has one root where f has two.
+  if (verdict == Verdict::collapses) {
+    const std::optional<Collapse> collapse = isolate_on_branch(motion, q, root.lo, root.hi);
+    if (collapse) found = *collapse;
+    return collapse ? verdict : Verdict::unknown;
+  }
+  found = search_branches(motion, q, root.lo, root.hi);
+  return found.kind == Collapse::Kind::root ? Verdict::collapses
+         : found.lo == root.hi              ? Verdict::stays
+                                            : Verdict::unknown;
+}
+
 // Whether some of the four go further in [start, end] than they are apart at its start, nearly.
 bool go_far(const Motion& motion, const Quad& q, double start, double end) {
   const Site<double> l = plain_site(motion, q.l, start);
@@ -176,21 +203,21 @@ std::optional<Collapse> CollapseSearch::while_cotangent(const Quad& q, const std
 // time to which the form tells, the start if it tells nothing.
 Collapse CollapseSearch::in_doubles(const Quad& q, const BernsteinForm& form, double start,
                                     double end) const {
-  if (!(std::fabs(form.c[0]) > form.err)) return Collapse::none_until(start);
   std::optional<Collapse> collapse;
-  const double reached = each_root(form, start, end, [&](const DoubleRoot& root) {
-    const Sign f = cotangency_sign(root.after, form.degree == 4);
-    Verdict verdict = judge_roughly(motion_, q, root.lo, root.hi, f);
-    if (verdict == Verdict::unknown) {
-      const auto at_hull = sites(motion_, q, DoubleBall::hull(root.lo, root.hi));
-      verdict = judge(
-          q, at_hull, [&] { return sites(motion_, q, DoubleBall(root.hi)); }, f);
-    }
-    if (verdict == Verdict::collapses) {
-      collapse = Collapse{Collapse::Kind::root, root.lo, root.hi, nullptr};
-    }
+  const auto on_root = [&](const DoubleRoot& root) {
+    Collapse found;
+    const Verdict verdict = judge_root(motion_, q, form, root, found);
+    if (verdict == Verdict::collapses) collapse = found;
     return verdict == Verdict::stays;
-  });
+  };
+  double reached = start;
+  if (form.degree == 8 && form.bound.first < form.err) {
+    if (std::fabs(form.c[0]) > form.bound.first) {
+      reached = each_root(form, form.bound, start, end, on_root);
+    }
+  } else if (std::fabs(form.c[0]) > form.err) {
+    reached = each_root(form, start, end, on_root);
+  }
   return collapse ? *collapse : Collapse::none_until(reached);
 }
 
@@ -208,7 +235,7 @@ Collapse CollapseSearch::in_pieces(const Quad& q, double start, double end) cons
     if (!(from < to)) break;
     BernsteinForm form;
     Collapse found = Collapse::none_until(to);
-    if (!form_flip_polynomial<true>(motion_, q, from, to, form)) {
+    if (!form_for_collapse(motion_, q, from, to, form)) {
       found = in_doubles(q, form, from, to);
       if (found.kind == Collapse::Kind::root) return found;
     }
@@ -242,7 +269,7 @@ Collapse CollapseSearch::after(const Quad& q, double start, double end, const Ro
   if (!(start < end)) return Collapse::none_until(end);
   if (!motion_.options().filters) return slow(q, to_rational(start), nullptr, end);
   BernsteinForm form;
-  const std::optional<Collapse> answer = form_flip_polynomial<true>(motion_, q, start, end, form)
+  const std::optional<Collapse> answer = form_for_collapse(motion_, q, start, end, form)
                                              ? Collapse::none_until(end)
                                              : filter(q, form, start, end);
   if (!answer) return slow(q, to_rational(start), nullptr, end);
@@ -272,7 +299,7 @@ Collapse CollapseSearch::from(const Quad& q, const Instant& now, double end) {
   if (now.lo < end && motion_.options().filters) {
     BernsteinForm form;
     std::optional<Collapse> answer;
-    if (form_flip_polynomial<true>(motion_, q, now.lo, end, form)) {
+    if (form_for_collapse(motion_, q, now.lo, end, form)) {
       answer = Collapse::none_until(end);
     } else if (std::fabs(form.c[0]) > form.err) {
       answer = filter(q, form, now.lo, end);
@@ -435,10 +462,10 @@ Collapse collapse_in_doubles(const Motion& motion, const Quad& q, double start, 
   if (form_flip_polynomial<false>(motion, q, start, end, form)) return Collapse::none_until(end);
   Collapse answer;
   const double reached = each_root(form, start, end, [&](const DoubleRoot& root) {
-    if (judge_in_doubles(motion, q, root.hi, cotangency_sign(root.after, form.degree == 4)) !=
-        Verdict::collapses) {
-      return true;
-    }
+    const Verdict verdict = form.degree == 8
+                                ? judge_in_doubles(motion, q, root.hi, root.after)
+                                : judge_cocircular_in_doubles(motion, q, root.hi, root.after);
+    if (verdict != Verdict::collapses) return true;
     answer = {Collapse::Kind::root, root.lo, root.hi, nullptr};
     return false;
   });

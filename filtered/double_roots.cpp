@@ -59,19 +59,8 @@ Lanes values(int degree, const double* c, const Lanes& x) {
   return degree == 8 ? values<8>(c, x) : values<4>(c, x);
 }
 
-}  // namespace
-
-void halve(int degree, const double* c, double* left, double* right) {
-  degree == 8 ? halve<8>(c, left, right) : halve<4>(c, left, right);
-}
-
-int count_roots(const Piece& p, int degree, double err) {
-  // The coefficients with certain signs, a bit for each.
-  unsigned positive = 0, negative = 0;
-  for (int k = 0; k <= degree; ++k) {
-    positive |= static_cast<unsigned>(p.c[k] > err) << k;
-    negative |= static_cast<unsigned>(p.c[k] < -err) << k;
-  }
+// How many roots, by the coefficients that are certainly positive and negative, a bit for each.
+int count_by_signs(unsigned positive, unsigned negative, int degree) {
   const unsigned all = (2U << degree) - 1;
   unsigned uncertain = all & ~(positive | negative);
   if (uncertain != 0) {
@@ -84,6 +73,44 @@ int count_roots(const Piece& p, int degree, double err) {
   }
   const int variations = std::popcount((positive ^ (positive >> 1)) & (all >> 1));
   return variations <= 1 ? variations : -1;
+}
+
+template <int degree>
+int count_roots(const double* c, const Lanes& low, const Lanes& high, double last) {
+  unsigned positive = exceeding(load(c), low) | static_cast<unsigned>(c[degree] > last) << degree;
+  unsigned negative = exceeding(-load(c), low) | static_cast<unsigned>(-c[degree] > last) << degree;
+  if constexpr (degree == 8) {
+    positive |= exceeding(load(c + 4), high) << 4;
+    negative |= exceeding(-load(c + 4), high) << 4;
+  }
+  return count_by_signs(positive, negative, degree);
+}
+
+}  // namespace
+
+void halve(int degree, const double* c, double* left, double* right) {
+  degree == 8 ? halve<8>(c, left, right) : halve<4>(c, left, right);
+}
+
+int count_roots(const Piece& p, int degree, double err) {
+  const Lanes bound{err, err, err, err};
+  return degree == 8 ? count_roots<8>(p.c.data(), bound, bound, err)
+                     : count_roots<4>(p.c.data(), bound, bound, err);
+}
+int count_roots(const Piece& p, int, const Errors& err) {
+  return count_roots<8>(p.c.data(), err.low, err.high, err.last);
+}
+
+Errors errors_of(const Piece& p, const GrowingBound& bound, double err) {
+  const double left = (1 - p.u0) + bound.growth * p.u0;
+  const double growth = ((1 - p.u1) + bound.growth * p.u1) / left;
+  const double left2 = left * left, left4 = left2 * left2, growth2 = growth * growth;
+  const double first = bound.first * (left4 * left4) * (1 + 0x1p-40);
+  const double growth4 = growth2 * growth2;
+  const Lanes low = first * Lanes{1, growth, growth2, growth2 * growth}, high = growth4 * low;
+  const Lanes all{err, err, err, err};
+  // In this order: what is no number is no bound.
+  return {low < all ? low : all, high < all ? high : all, std::min(err, growth4 * high[0])};
 }
 
 bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleRoot& root) {

@@ -2,10 +2,12 @@
 // beyond the error bound, tell how many roots a piece has.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "exact/rational.h"
 #include "filtered/bernstein.h"
+#include "filtered/lanes.h"
 
 namespace voroproof {
 
@@ -32,27 +34,35 @@ struct Piece {
   std::array<double, 9> c;
 };
 
-// How many roots a piece has: 0, 1 (a simple one, with certain signs at both ends), or
-// -1: not known yet.
+// Bounds of the coefficients of a piece of degree 8: of the first four, the next four, the last.
+struct Errors {
+  Lanes low, high;
+  double last;
+};
+// They grow or fall with the coefficient; none exceeds `err`.
+Errors errors_of(const Piece& p, const GrowingBound& bound, double err);
+inline double largest(const Errors& err) { return std::max(err.low[0], err.last); }
+inline double largest(double err) { return err; }
+
+// How many roots a piece has: 0, 1 (a simple one, with certain signs at both ends), or -1: not
+// known yet. `err`: of every coefficient or of each.
 int count_roots(const Piece& p, int degree, double err);
+int count_roots(const Piece& p, int degree, const Errors& err);
 void halve(int degree, const double* c, double* left, double* right);
 // Narrows the root of a piece. False where the ends of the piece are too near.
 bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleRoot& root);
 
-}  // namespace double_roots_detail
-
-// Roots of the form, first to last: calls `on_root(root)`, which says whether to go
-// on. Returns the time up to which everything is decided: the end of the window
-// unless the search was stopped or a piece cannot be decided.
-template <class OnRoot>
-double each_root(const BernsteinForm& form, double start, double end, OnRoot&& on_root) {
-  using namespace double_roots_detail;
+// As below; `errors(piece)`: of its coefficients.
+template <class ErrorsOf, class OnRoot>
+double each_root(const BernsteinForm& form, const ErrorsOf& errors, double start, double end,
+                 OnRoot&& on_root) {
   const TimeMap time(start, end);
   Piece stack[kMaxDepth + 2];
   int top = 0;
   stack[0] = {0, 1, form.c};
   while (top >= 0) {
-    const int roots = count_roots(stack[top], form.degree, form.err);
+    const auto err = errors(stack[top]);
+    const int roots = count_roots(stack[top], form.degree, err);
     if (roots == 0) {
       --top;
       continue;
@@ -61,7 +71,7 @@ double each_root(const BernsteinForm& form, double start, double end, OnRoot&& o
       const Piece piece = stack[top];
       --top;
       DoubleRoot root;
-      if (!narrow(piece, form.degree, form.err, time, root)) {
+      if (!narrow(piece, form.degree, largest(err), time, root)) {
         return piece.u0 == 0 ? start : time(piece.u0) - time.slack;
       }
       if (!on_root(root)) return root.lo;
@@ -80,6 +90,28 @@ double each_root(const BernsteinForm& form, double start, double end, OnRoot&& o
     ++top;
   }
   return end;
+}
+
+}  // namespace double_roots_detail
+
+// Roots of the form, first to last: calls `on_root(root)`, which says whether to go
+// on. Returns the time up to which everything is decided: the end of the window
+// unless the search was stopped or a piece cannot be decided.
+template <class OnRoot>
+double each_root(const BernsteinForm& form, double start, double end, OnRoot&& on_root) {
+  return double_roots_detail::each_root(
+      form, [&](const double_roots_detail::Piece&) { return form.err; }, start, end, on_root);
+}
+// The same by both bounds of a form of degree 8.
+template <class OnRoot>
+double each_root(const BernsteinForm& form, const GrowingBound& bound, double start, double end,
+                 OnRoot&& on_root) {
+  return double_roots_detail::each_root(
+      form,
+      [&](const double_roots_detail::Piece& p) {
+        return double_roots_detail::errors_of(p, bound, form.err);
+      },
+      start, end, on_root);
 }
 
 }  // namespace voroproof

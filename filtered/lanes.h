@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cmath>
-#ifdef __FMA__
+#ifdef __AVX__
 #include <immintrin.h>
 #endif
 
@@ -18,6 +18,27 @@ inline Lanes abs(const Lanes& a) {
   using Bits [[gnu::vector_size(32)]] = long long;
   return Lanes(Bits(a) & 0x7fffffffffffffffLL);
 }
+
+inline Lanes square_root(const Lanes& a) {
+#ifdef __AVX__
+  return Lanes(_mm256_sqrt_pd(a));
+#else
+  return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+#endif
+}
+
+// A bit for each lane in which a exceeds b, the lowest for the first.
+inline unsigned exceeding(const Lanes& a, const Lanes& b) {
+#ifdef __AVX__
+  return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_GT_OQ)));
+#else
+  unsigned bits = 0;
+  for (int k = 0; k < 4; ++k) bits |= static_cast<unsigned>(a[k] > b[k]) << k;
+  return bits;
+#endif
+}
+
+inline Lanes load(const double* from) { return Lanes{from[0], from[1], from[2], from[3]}; }
 
 // s + e = a + b, exactly: for doubles and for lanes.
 template <class T>

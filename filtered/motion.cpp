@@ -102,6 +102,7 @@ void Motion::set_radius(GenId g, const DdBall& r) {
   doubles_[g + 1].r = r.hi;
   seconds_[g + 1].r = r.lo;
   seconds_[g + 1].er = r.rad;
+  radii_are_doubles_ = radii_are_doubles_ && r.lo == 0 && r.rad == 0;
 }
 
 void Motion::set_state(GenId g, const DdBall& x, const DdBall& y, const DdBall& vx,

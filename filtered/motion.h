@@ -79,6 +79,8 @@ class Motion {
     const SecondMotion& s = seconds(g);
     return {{m.x, s.x, s.ex}, {m.y, s.y, s.ex}, {m.vx, s.vx, s.ev}, {m.vy, s.vy, s.ev}, radius(g)};
   }
+  // Whether every radius is a binary64.
+  bool radii_are_doubles() const { return radii_are_doubles_; }
   DdBall radius(GenId g) const { return {doubles(g).r, seconds(g).r, seconds(g).er}; }
   // Position at a time in the current motion of the generator.
   Site<DoubleBall> site(GenId g, const DoubleBall& t) const;
@@ -191,6 +193,7 @@ class Motion {
   std::vector<int> state_;     // per generator
   std::vector<DoubleMotion> doubles_;
   std::vector<SecondMotion> seconds_;
+  bool radii_are_doubles_ = true;
   // Factors of the laws of collision.
   DdBall disk_law_, wall_law_;
   // Of the uncertified instance.

@@ -12,4 +12,15 @@ namespace voroproof {
 // too coarse.
 Verdict judge_roughly(const Motion& motion, const Quad& q, double lo, double hi, Sign f);
 
+// The same at a root of C, whose sign beyond it is `after`, for four disks of equal radii: C is the
+// in-circle function of both circles, and an orientation tells whether one exists. For radii that
+// differ, by at most `spread`, where f is negative at lo and at hi, C has different signs there:
+// - stays: no collapse in [lo, hi];
+// - collapses: both in-circle functions are positive at lo and negative at hi, their zeros between
+//   are the same ones, and the edge collapses where they fall.
+Verdict judge_cocircular(const Motion& motion, const Quad& q, double lo, double hi, double spread,
+                         Sign after);
+// Without certificates, at the time t, for comparison only.
+Verdict judge_cocircular_in_doubles(const Motion& motion, const Quad& q, double t, Sign after);
+
 }  // namespace voroproof

@@ -91,6 +91,173 @@ TEST(RoughJudge, AfterCollisions) {
   expect_most_decided(tally);
 }
 
+// Roots of C against in-circle functions and circles in balls of 300 bits, from intervals of every
+// width: before and after a collapse, and that the circles exist there or one of them never.
+void expect_cocircular_verdicts(const RandomScene& family, Tally& tally) {
+  const MakeBall make{300};
+  at_end_of_runs(family, "3", 5, [&](Engine<true>& engine) {
+    const Motion& motion = engine.motion();
+    const double start = 3, end = start + 8;
+    const auto expect_right = [&](const Quad& q, const BernsteinForm& form, double lo, double hi,
+                                  Sign after) {
+      const Verdict verdict = judge_cocircular(motion, q, lo, hi, form.spread, after);
+      ++tally.roots;
+      tally.collapses += verdict == Verdict::collapses;
+      tally.stays += verdict == Verdict::stays;
+      tally.unknown += verdict == Verdict::unknown;
+      bool exist_throughout = true, one_never = false;
+      Sign missing[2] = {Sign::negative, Sign::negative};
+      for (const double t : {lo, 0.5 * (lo + hi), hi}) {
+        const auto at = sites(motion, q, make(to_rational(t)));
+        const auto circles = EdgeTriples<Ball>::of(q, at);
+        const Sign exist[2] = {circle_exists(circles.start), circle_exists(circles.end)};
+        for (int k = 0; k < 2; ++k) {
+          exist_throughout = exist_throughout && exist[k] == Sign::positive;
+          if (exist[k] != Sign::negative) missing[k] = Sign::positive;
+        }
+        if (t == lo || t == hi) {
+          const Sign c = t == hi ? after : -after;
+          if (verdict == Verdict::collapses) {
+            ASSERT_EQ(sign(incircle_value(circles.start, at[3], false)), c) << text(q) << lo;
+            ASSERT_EQ(sign(incircle_value(circles.end, at[2], false)), c) << text(q) << lo;
+          }
+        }
+        if (verdict == Verdict::collapses) {
+          ASSERT_TRUE(keeps_tangencies(at)) << text(q) << lo;
+          ASSERT_EQ(contact_order(q, at), Sign::positive) << text(q) << lo;
+        }
+      }
+      one_never = missing[0] == Sign::negative || missing[1] == Sign::negative;
+      if (verdict == Verdict::collapses) {
+        ASSERT_TRUE(exist_throughout) << text(q) << lo;
+        ASSERT_EQ(after, Sign::negative);
+      }
+      if (verdict == Verdict::stays) {
+        ASSERT_TRUE(one_never || (form.spread == 0 && after == Sign::positive)) << text(q) << lo;
+      }
+    };
+    for (int e = 0; e < engine.diagram().edges(); ++e) {
+      // And its mirror image, which is no edge: its circles do not exist.
+      for (const Quad& q : {engine.diagram().quad(2 * e), flipped(engine.diagram().quad(2 * e))}) {
+        BernsteinForm form;
+        if (q.s == q.e || form_for_collapse(motion, q, start, end, form) || form.degree != 4) {
+          continue;
+        }
+        each_root(form, start, end, [&](const DoubleRoot& root) {
+          expect_right(q, form, root.lo, root.hi, root.after);
+          for (const double widen : {1e-9, 1e-6, 1e-3}) {
+            // Over a wider interval C still changes its sign once, if no other root is near.
+            expect_right(q, form, root.lo - widen, root.hi, root.after);
+          }
+          return true;
+        });
+      }
+    }
+  });
+}
+
+TEST(RoughJudge, CocircularEqualRadii) {
+  Tally tally;
+  expect_cocircular_verdicts({.rmin = 5, .rmax = 5}, tally);
+  expect_cocircular_verdicts({.rmin = 0, .rmax = 0}, tally);
+  EXPECT_GT(tally.collapses, 200);
+  EXPECT_GT(tally.stays, 200);
+  EXPECT_LT(tally.unknown, tally.roots / 20);
+}
+
+TEST(RoughJudge, CocircularNearlyEqualRadii) {
+  for (const double difference : {1e-5, 1e-9, 1e-13}) {
+    Tally tally;
+    expect_cocircular_verdicts({.rmin = 5, .rmax = 5 + difference}, tally);
+    EXPECT_GT(tally.collapses, 100) << difference;
+    EXPECT_GT(tally.stays, 50) << difference;
+    // Of a root where C rises only the circles tell.
+    EXPECT_LT(tally.unknown, tally.roots / 2) << difference;
+  }
+}
+
+// About times at which three disks are on one line, where a circle begins or ends to exist: an
+// interval with such a time is none of a collapse, and one just beside it may be.
+TEST(RoughJudge, CocircularOverTheWholeInterval) {
+  std::mt19937 random(11);
+  int changes = 0, beside = 0;
+  at_end_of_runs({.n = 20, .rmin = 2, .rmax = 2}, "4", 6, [&](Engine<true>& engine) {
+    const Motion& motion = engine.motion();
+    std::vector<GenId> ids(20);
+    std::iota(ids.begin(), ids.end(), 0);
+    for (int trial = 0; trial < 400; ++trial) {
+      std::shuffle(ids.begin(), ids.end(), random);
+      const Quad q{ids[0], ids[1], ids[2], ids[3]};
+      // Twice the areas of both triangles, exactly but for the rounding of the motion.
+      const auto areas = [&](const Rational& t) {
+        const auto at = sites(motion, q, MakeBall{300}(t));
+        const auto area = [&](int a, int b, int c) {
+          return sign(Ball((at[b].x - at[a].x) * (at[c].y - at[a].y) -
+                           (at[b].y - at[a].y) * (at[c].x - at[a].x)));
+        };
+        return std::pair(area(0, 2, 1), area(1, 3, 0));
+      };
+      double before = 4, after = 8;
+      const auto first = areas(before);
+      if (areas(after).first != -first.first) continue;
+      for (int k = 0; k < 46; ++k) {
+        const double middle = 0.5 * (before + after);
+        (areas(to_rational(middle)).first == first.first ? before : after) = middle;
+      }
+      ++changes;
+      for (const double width : {0.0, 1e-12, 1e-9, 1e-6, 1e-3, 1e-1}) {
+        for (const double spread : {0.0, 1e-9}) {
+          ASSERT_NE(judge_cocircular(motion, q, before - width, after + 2 * width, spread,
+                                     Sign::negative),
+                    Verdict::collapses)
+              << text(q) << before;
+        }
+      }
+      for (const double past : {before - 1e-6, after + 1e-6}) {
+        const auto signs = areas(to_rational(past));
+        const Verdict verdict =
+            judge_cocircular(motion, q, past - 1e-8, past + 1e-8, 0, Sign::negative);
+        const bool both = signs.first == Sign::positive && signs.second == Sign::positive;
+        if (verdict == Verdict::unknown) continue;
+        ASSERT_EQ(verdict == Verdict::collapses, both) << text(q) << past;
+        beside += both;
+      }
+    }
+  });
+  EXPECT_GT(changes, 200);
+  EXPECT_GT(beside, 50);
+}
+
+// Three disks nearly on one line: whether their circle exists depends on radii that differ, too.
+TEST(RoughJudge, CocircularMindsTheSpread) {
+  std::mt19937 random(12);
+  const double spread = 0.25;
+  int collapses = 0, stays = 0;
+  at_end_of_runs({.n = 20, .rmin = 2, .rmax = 2 + spread}, "4", 6, [&](Engine<true>& engine) {
+    const Motion& motion = engine.motion();
+    std::vector<GenId> ids(20);
+    std::iota(ids.begin(), ids.end(), 0);
+    for (int trial = 0; trial < 2000; ++trial) {
+      std::shuffle(ids.begin(), ids.end(), random);
+      const Quad q{ids[0], ids[1], ids[2], ids[3]};
+      const double t = 4 + 0.001 * trial;
+      const Verdict verdict = judge_cocircular(motion, q, t, t, spread, Sign::negative);
+      if (verdict == Verdict::unknown) continue;
+      const auto at = sites(motion, q, MakeBall{300}(to_rational(t)));
+      const auto circles = EdgeTriples<Ball>::of(q, at);
+      const bool both = circle_exists(circles.start) == Sign::positive &&
+                        circle_exists(circles.end) == Sign::positive;
+      ASSERT_EQ(verdict == Verdict::collapses, both) << text(q) << t;
+      if (both) {
+        ASSERT_TRUE(keeps_tangencies(at)) << text(q) << t;
+      }
+      ++(both ? collapses : stays);
+    }
+  });
+  EXPECT_GT(collapses, 500);
+  EXPECT_GT(stays, 500);
+}
+
 // A sign of any four generators, about times at which it changes: an interval with such a time has
 // no sign, and one beside it is certain where it is narrow enough. `truth` and `told` say it of an
 // edge, the latter of its start or its end.
