@@ -11,6 +11,7 @@
 #include "filtered/bernstein.h"
 #include "filtered/de_casteljau.h"
 #include "filtered/edge_predicates.h"
+#include "filtered/flip_polynomial.h"
 #include "filtered/rough_circles.h"
 #include "filtered/rough_judge.h"
 
@@ -94,11 +95,16 @@ int most_roots(const Piece& p) {
   return voroproof::most_roots(above, below);
 }
 
-// Of the cotangency at the end of the piece: for four equal radii the form is C, and f = -C^2.
+// Of the polynomial at the end of the piece.
 Sign end_sign(const Piece& p) {
   const double last = p.c[p.degree];
-  if (!(std::fabs(last) > p.err)) return Sign::unknown;
-  return p.degree == 4 || last < 0 ? Sign::negative : Sign::positive;
+  return last > p.err ? Sign::positive : last < -p.err ? Sign::negative : Sign::unknown;
+}
+
+// Of the cotangency there: for four equal radii the form is C, and f = -C^2.
+Sign end_sign_of_cotangency(const Piece& p) {
+  const Sign s = end_sign(p);
+  return s == Sign::unknown ? s : cotangency_sign(s, p.degree == 4);
 }
 
 // Halves a piece at the time `at` by de Casteljau's algorithm. Each of its at most 8 rounds
@@ -173,11 +179,14 @@ bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts, int& l
   if (looks-- <= 0) return false;
   const int roots = most_roots(p);
   if (roots == 0) return true;
+  // For four equal radii C is the in-circle function of both circles: it has risen, or no root.
+  if (roots == 1 && p.degree == 4 && end_sign(p) == Sign::positive) return true;
   // The times of a piece are rounded: each cut within one adds at most 16u of the greatest. With
   // one root at most, what is positive at the end has been so throughout, or since the root.
   const double slop = 0x1p-45 * std::fmax(std::fabs(p.a), std::fabs(p.b));
   const double a = p.a - slop, b = p.b + slop;
-  if (roots == 1 && legal_over(m, q, p.b - slop, b, end_sign(p)) && separated(m, q, a, b)) {
+  if (roots == 1 && legal_over(m, q, p.b - slop, b, end_sign_of_cotangency(p)) &&
+      separated(m, q, a, b)) {
     return true;
   }
   if (cuts >= kShort && legal_throughout(m, q, a, b)) return true;
@@ -198,10 +207,14 @@ bool free_in(const Motion& m, const Quad& q, double a, double b, int depth, int&
   return free_in(m, q, a, middle, depth + 1, looks) && free_in(m, q, middle, b, depth + 1, looks);
 }
 
-// Whether the edge collapses at the one root in [a, b], `after` being the sign of the cotangency
-// just after it.
-bool collapses_at_root(const Motion& motion, const Quad& q, double a, double b, Sign after) {
-  if (judge_roughly(motion, q, a, b, after) == Verdict::collapses) return true;
+// Whether the edge collapses at the one root in [a, b], beyond which the flip polynomial, C if
+// `cocircular`, has the sign `beyond`.
+bool collapses_at_root(const Motion& motion, const Quad& q, double a, double b, bool cocircular,
+                       Sign beyond) {
+  const Sign after = cotangency_sign(beyond, cocircular);
+  const Verdict verdict = cocircular ? judge_cocircular(motion, q, a, b, 0, beyond)
+                                     : judge_roughly(motion, q, a, b, after);
+  if (verdict == Verdict::collapses) return true;
   const DoubleBall hull = DoubleBall::hull(a, b);
   const EdgeCircles over(motion, q, hull);
   if (over.start_exists() != Sign::positive || over.end_exists() != Sign::positive) return false;
@@ -230,7 +243,8 @@ bool proved_collapse(const Motion& motion, const Quad& q, double a, double b) {
   BernsteinForm form;
   if (q.s == q.e || !(a < b) || form_flip_polynomial<true>(motion, q, a, b, form)) return false;
   const Piece piece{a, b, form.degree, form.c, form.err};
-  return has_one_root(piece) && collapses_at_root(motion, q, a, b, end_sign(piece));
+  return has_one_root(piece) &&
+         collapses_at_root(motion, q, a, b, piece.degree == 4, end_sign(piece));
 }
 
 bool proved_first_collapse(const Motion& motion, const Quad& q, double from, double a, double b) {
@@ -254,7 +268,7 @@ bool proved_first_collapse(const Motion& motion, const Quad& q, double from, dou
   const double x = (a + slack - piece.a) / (piece.b - piece.a);
   const Sign before = piece.c[0] > 0 ? Sign::positive : Sign::negative;
   return x > 0 && x < 1 && sign_of_form(piece, x) == before &&
-         collapses_at_root(motion, q, a, b, end_sign(piece));
+         collapses_at_root(motion, q, a, b, piece.degree == 4, end_sign(piece));
 }
 
 std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch& search,
@@ -265,14 +279,11 @@ std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch
       sign(root - DdBall(b)) != Sign::negative) {
     return std::nullopt;
   }
-  Sign after = Sign::negative;
-  if (!flip_polynomial_is_cocircularity(motion, q)) {
-    const DdBall t(b);
-    after = sign(cotangency(motion.site(q.l, t), motion.site(q.r, t), motion.site(q.s, t),
-                            motion.site(q.e, t)));
-    if (!is_certain(after)) return std::nullopt;
+  const bool cocircular = flip_polynomial_is_cocircularity(motion, q);
+  const Sign beyond = sign(flip_value(motion, q, DdBall(b), cocircular));
+  if (!is_certain(beyond) || !collapses_at_root(motion, q, a, b, cocircular, beyond)) {
+    return std::nullopt;
   }
-  if (!collapses_at_root(motion, q, a, b, after)) return std::nullopt;
   return root;
 }
 

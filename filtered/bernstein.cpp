@@ -37,7 +37,8 @@ struct Ends {
 };
 
 template <bool certified>
-inline void place(const Motion& motion, const Quad& q, double a, double b, Ends& e) {
+[[gnu::always_inline]] inline void place(const Motion& motion, const Quad& q, double a, double b,
+                                         Ends& e) {
   const DoubleMotion* m[4] = {&motion.doubles(q.l), &motion.doubles(q.r), &motion.doubles(q.s),
                               &motion.doubles(q.e)};
   const auto lanes = [&](double DoubleMotion::*member) {
@@ -135,7 +136,7 @@ inline double cotangency_error(const Lanes& size, const Lanes& err, const Lanes&
 }
 
 template <bool certified>
-inline double cotangency_form(const Ends& e, double* f) {
+[[gnu::always_inline]] inline double cotangency_form(const Ends& e, double* f) {
   Pairs with_l, others;
   tangency_form<certified, 0, 0, 0, 1, 2, 3>(e, with_l);
   tangency_form<certified, 2, 1, 1, 3, 3, 2>(e, others);
@@ -195,11 +196,11 @@ struct PairSizes {
   }
 };
 
-// Infinite where nobody goes far: it would hardly be finer than one bound for all.
-GrowingBound growing_bound(const Ends& ends) {
+// Infinite where nobody goes far: the one bound for all serves well then.
+[[gnu::noinline]] GrowingBound growing_bound(const Ends& ends) {
   const PairSizes<0, 0, 0, 1, 2, 3> with_l(ends);
   const PairSizes<2, 1, 1, 3, 3, 2> others(ends);
-  if ((exceeding(with_l.s1, 4 * with_l.s0) | exceeding(others.s1, 4 * others.s0)) == 0) {
+  if ((exceeding(with_l.s1, 64 * with_l.s0) | exceeding(others.s1, 64 * others.s0)) == 0) {
     return {std::numeric_limits<double>::infinity(), 1};
   }
   const Lanes growths = with_l.s1 / with_l.s0, other_growths = others.s1 / others.s0;
@@ -216,9 +217,9 @@ GrowingBound growing_bound(const Ends& ends) {
 }
 
 // Scaled coefficients of C (four equal radii): with base 3, C = p0 (d1 x d2) + p1 (d2 x d0) + p2
-// (d0 x d1) for offsets d to the base and p = |d|^2. Sizes: |p| <= m^2, |d x d'| <= m m',
-// m as above; errors as above. The summands side by side in lanes; what is of two disks, in that of
-// the third.
+// (d0 x d1) for offsets d to the base and p = |d|^2. Sizes: |p| <= m^2, |d x d'| <= m m', m as
+// above; errors as above. The summands side by side in lanes; what is of two disks, in that of the
+// third.
 //
 // Radii that differ, by at most `spread`, do not appear in C, but f is -C^2 for equal ones only: a
 // pair's tangency is p = D - dr^2, D its squared distance, and f = a^2 + b^2 + c^2 - 2 (ab + bc +
@@ -226,7 +227,7 @@ GrowingBound growing_bound(const Ends& ends) {
 // + D_23 + spread^2), with e the sum of these bounds f by at most e (2 (a + b + c) + e), a + b + c
 // in terms of D. Beyond the square root of that |C| shows that f < 0: it is added to the bound.
 template <bool certified>
-inline double cocircularity_form(const Ends& e, double spread, double* f) {
+[[gnu::always_inline]] inline double cocircularity_form(const Ends& e, double spread, double* f) {
   const auto next = [](const Lanes& x) { return __builtin_shufflevector(x, x, 1, 2, 0, 3); };
   const auto last = [](const Lanes& x) { return __builtin_shufflevector(x, x, 2, 0, 1, 3); };
   const Lanes dx0 = e.x0 - e.x0[3], dy0 = e.y0 - e.y0[3];
@@ -243,8 +244,8 @@ inline double cocircularity_form(const Ends& e, double spread, double* f) {
   if constexpr (certified) {
     const Lanes at0 = abs(dx0) + abs(dy0), at1 = abs(dx1) + abs(dy1);
     const Lanes far = at0 > at1 ? at0 : at1;
-    const Lanes s = far * far;
     const Lanes eta = e.err + e.err[3] + 2 * u * far;
+    const Lanes s = far * far;
     const Lanes ep = (3 * far + 2 * eta) * eta;
     const Lanes size = next(far) * last(far);
     const Lanes ex =
@@ -278,17 +279,32 @@ bool flip_polynomial_is_cocircularity(const Motion& motion, const Quad& q) {
 
 namespace {
 
-// A bound on the differences of the radii, where it is so small that C tells more than f, whose
-// roots it brings close to each other; else 0. Of four radii that all are one double, not equal.
-double small_spread(const Ends& e) {
-  const double least = std::min(std::min(e.r[0], e.r[1]), std::min(e.r[2], e.r[3]));
-  const double greatest = std::max(std::max(e.r[0], e.r[1]), std::max(e.r[2], e.r[3]));
-  const double small = kNearlyEqual * (std::fabs(e.x0[0] - e.x0[1]) + std::fabs(e.y0[0] - e.y0[1]));
-  if (greatest - least >= small) [[likely]]
-    return 0;
-  const double error = std::max({e.err[0], e.err[1], e.err[2], e.err[3]});
-  const double spread = ((greatest - least) + 2 * error) * (1 + 0x1p-40);
-  return spread < small ? spread : 0;
+// Four radii that are equal, or where the search for a collapse asks, nearly: so that C tells more
+// than f, whose roots are close to each other then.
+struct Likeness {
+  bool equal = false;
+  double spread = 0;  // of those not equal, a bound on the differences; 0 where they are not small
+};
+
+template <bool nearly>
+[[gnu::always_inline]] inline Likeness likeness(const Motion& motion, const Quad& q,
+                                                const Ends& e) {
+  const Lanes differences = abs(e.r - e.r[0]);
+  double small = 0;
+  if constexpr (nearly) {
+    small = kNearlyEqual * (std::fabs(e.x0[0] - e.x0[1]) + std::fabs(e.y0[0] - e.y0[1]));
+  }
+  if (exceeding(differences, Lanes{small, small, small, small}) != 0) return {};
+  if (exceeding(differences, Lanes{}) == 0 && flip_polynomial_is_cocircularity(motion, q)) {
+    return {.equal = true};
+  }
+  if constexpr (nearly) {
+    const double error = std::max({e.err[0], e.err[1], e.err[2], e.err[3]});
+    const double largest = std::max({differences[1], differences[2], differences[3]});
+    const double spread = 2 * (largest + error) * (1 + 0x1p-40);
+    if (spread < 2 * small) return {.spread = spread};
+  }
+  return {};
 }
 
 // Whether all scaled coefficients are beyond their bounds on one side.
@@ -306,10 +322,9 @@ bool form_flip_polynomial_of(const Motion& motion, const Quad& q, double a, doub
                              BernsteinForm& out) {
   Ends ends;
   place<certified>(motion, q, a, b, ends);
-  const bool equal = ends.r[0] == ends.r[1] && ends.r[0] == ends.r[2] && ends.r[0] == ends.r[3] &&
-                     flip_polynomial_is_cocircularity(motion, q);
-  out.spread = nearly && !equal ? small_spread(ends) : 0;
-  out.degree = equal || out.spread > 0 ? 4 : 8;
+  const Likeness alike = likeness<nearly>(motion, q, ends);
+  out.spread = alike.spread;
+  out.degree = alike.equal || alike.spread > 0 ? 4 : 8;
   out.err = out.degree == 4 ? cocircularity_form<certified>(ends, out.spread, out.c.data())
                             : cotangency_form<certified>(ends, out.c.data());
   if (out.degree == 4 ? has_one_sign<4>(out.c.data(), out.err)

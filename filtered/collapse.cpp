@@ -269,12 +269,15 @@ Collapse CollapseSearch::after(const Quad& q, double start, double end, const Ro
   if (!(start < end)) return Collapse::none_until(end);
   if (!motion_.options().filters) return slow(q, to_rational(start), nullptr, end);
   BernsteinForm form;
-  const std::optional<Collapse> answer = form_for_collapse(motion_, q, start, end, form)
-                                             ? Collapse::none_until(end)
-                                             : filter(q, form, start, end);
-  if (!answer) return slow(q, to_rational(start), nullptr, end);
-  counts_.count(Predicate::flip_search, Tier::filter);
-  return *answer;
+  if (form_for_collapse(motion_, q, start, end, form)) {
+    counts_.count(Predicate::flip_search, Tier::filter);
+    return Collapse::none_until(end);
+  }
+  if (const std::optional<Collapse> answer = filter(q, form, start, end)) {
+    counts_.count(Predicate::flip_search, Tier::filter);
+    return *answer;
+  }
+  return slow(q, to_rational(start), nullptr, end);
 }
 
 // Next to a root that doubles do not isolate the sign of f is dear. The in-circle functions of an

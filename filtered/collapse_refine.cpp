@@ -16,10 +16,8 @@ DdBall CollapseSearch::newton(const Quad& q, double lo, double hi) const {
   // One step of the interval Newton method: the root lies in c - f(c) / f'([lo, hi]).
   const bool cocircular = flip_polynomial_is_cocircularity(motion_, q);
   const double c = 0.5 * (lo + hi);
-  if (!cocircular) {
-    const DdBall root = newton_step(motion_, q, lo, hi);
-    if (std::isfinite(root.rad)) return root;
-  }
+  const DdBall root = newton_step(motion_, q, lo, hi, cocircular);
+  if (std::isfinite(root.rad)) return root;
   const DoubleBall slope =
       flip_value_and_slope(motion_, q, DoubleBall::hull(lo, hi), cocircular).slope;
   const DdBall f = flip_value(motion_, q, DdBall(c), cocircular);

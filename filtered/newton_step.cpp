@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "filtered/lanes.h"
 
@@ -174,22 +175,23 @@ Jets products(const Jets& p, const Jets& q) {
   return a;
 }
 
-}  // namespace
+// A polynomial at c with its derivative, bounds of their errors, and of the second derivative
+// within h of c.
+struct Jet {
+  double value, slope, e_value, e_slope, curve;
+};
 
-DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi) {
-  const double c = 0.5 * (lo + hi);
-  const double h = std::max(hi - c, c - lo) * up;
-  const DdBall unknown(c, 0, std::numeric_limits<double>::infinity());
-  const Places places(motion, q, c);
+// f = g^2 - 4 b c.
+std::optional<Jet> cotangency_jet(const Places& places, double h) {
   // a = lr se, b = ls re, c = le rs.
   Jets with_l, others;
-  if (!tangency_jets<0, 0, 0, 1, 2, 3>(places, h, with_l)) return unknown;
-  if (!tangency_jets<2, 1, 1, 3, 3, 2>(places, h, others)) return unknown;
+  if (!tangency_jets<0, 0, 0, 1, 2, 3>(places, h, with_l)) return std::nullopt;
+  if (!tangency_jets<2, 1, 1, 3, 3, 2>(places, h, others)) return std::nullopt;
   const Jets all = products(with_l, others);
-  struct Jet {
+  struct Product {
     Dd<double> v;
     double d, V, D, e_v, e_d, Vh, Dh, D2h;
-    Jet(const Jets& a, int k)
+    Product(const Jets& a, int k)
         : v{a.v.hi[k], a.v.lo[k]},
           d(a.d[k]),
           V(a.V[k]),
@@ -200,7 +202,7 @@ DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi) {
           Dh(a.Dh[k]),
           D2h(a.D2h[k]) {}
   };
-  const Jet A(all, 0), B(all, 1), C(all, 2);
+  const Product A(all, 0), B(all, 1), C(all, 2);
 
   // f = g^2 - 4 b c for g = a - b - c, G = A + B + C.
   //   e_g   the three errors; two sums, 4 w G each: below 16 w G.
@@ -226,12 +228,77 @@ DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi) {
   const double Gh = A.Vh + B.Vh + C.Vh, Gh_d = A.Dh + B.Dh + C.Dh, Gh_dd = A.D2h + B.D2h + C.D2h;
   const double curve =
       2 * Gh_d * Gh_d + 2 * Gh * Gh_dd + 4 * (B.D2h * C.Vh + 2 * B.Dh * C.Dh + B.Vh * C.D2h);
+  return Jet{f.hi, slope, e_f, e_slope, curve};
+}
+
+// The cross products of the offsets to e of two of the three others, next to the tangency of the
+// third: of l, r and s in lanes 0 to 2, (x, y) of the next one and (x', y') of the one after it.
+//   e_v   from the offsets s e' + s' e + e e', s = |x| + |y| and e in both coordinates together.
+//         Products 9 w each and a difference, 4 w, of at most V = s s': below 16 w V.
+//   e_d   of w x' + x w' as for tangencies: (s + e) e_W' + W' e and the other way round, and below
+//         16 u D, D = s W' + s' W.
+bool cross_jets(const Places& at, double h, Jets& x) {
+  const auto next = [](const Lanes& z) { return __builtin_shufflevector(z, z, 1, 2, 0, 3); };
+  const auto last = [](const Lanes& z) { return __builtin_shufflevector(z, z, 2, 0, 1, 3); };
+  const auto base = [](const Lanes& z) { return __builtin_shufflevector(z, z, 3, 3, 3, 3); };
+  const auto offset = [&](const Dd<Lanes>& z) { return z - Dd<Lanes>{base(z.hi), base(z.lo)}; };
+  const Dd<Lanes> dx = offset(at.x), dy = offset(at.y);
+  const Lanes wx = at.vx - base(at.vx), wy = at.vy - base(at.vy);
+  const Lanes s = abs(dx.hi) + abs(dy.hi), W = abs(wx) + abs(wy);
+  const Lanes e_s = at.e_centre + base(at.e_centre) + 4 * w * (at.size + base(at.size));
+  const Lanes e_W = at.e_speed + base(at.e_speed) + u * W;
+  const auto of = [](const auto& turn, const Dd<Lanes>& z) {
+    return Dd<Lanes>{turn(z.hi), turn(z.lo)};
+  };
+  x.v = of(next, dx) * of(last, dy) - of(next, dy) * of(last, dx);
+  x.d = (next(wx) * last(dy.hi) - next(wy) * last(dx.hi)) +
+        (next(dx.hi) * last(wy) - next(dy.hi) * last(wx));
+  const Lanes far = s + e_s;
+  x.V = next(s) * last(s);
+  x.e_v = next(far) * last(e_s) + last(far) * next(e_s) + 16 * w * x.V + tiny;
+  x.D = next(s) * last(W) + next(W) * last(s);
+  x.e_d = next(far) * last(e_W) + last(far) * next(e_W) + next(W) * last(e_s) +
+          last(W) * next(e_s) + 16 * u * x.D + tiny;
+  const Lanes Wh = W + e_W, sh = far + Wh * h;
+  x.Vh = next(sh) * last(sh);
+  x.Dh = next(sh) * last(Wh) + next(Wh) * last(sh);
+  x.D2h = 2 * next(Wh) * last(Wh);
+  const auto known = x.e_v <= u * x.V;
+  return known[0] != 0 && known[1] != 0 && known[2] != 0;
+}
+
+// C = p_l (r x s) + p_r (s x l) + p_s (l x r), base e: three products and two sums, 4 w of the
+// sizes each for the value and 1 u for the slope.
+std::optional<Jet> cocircularity_jet(const Places& places, double h) {
+  Jets to_e, crosses;
+  if (!tangency_jets<0, 1, 2, 3, 3, 3>(places, h, to_e)) return std::nullopt;
+  if (!cross_jets(places, h, crosses)) return std::nullopt;
+  const Jets all = products(to_e, crosses);
+  const auto term = [&](int k) { return Dd<double>{all.v.hi[k], all.v.lo[k]}; };
+  const auto sum = [](const Lanes& z) { return z[0] + z[1] + z[2]; };
+  const Dd<double> value = term(0) + term(1) + term(2);
+  return Jet{value.hi, sum(all.d), sum(all.e_v) + 16 * w * sum(all.V) + tiny,
+             sum(all.e_d) + 4 * u * sum(all.D) + tiny, sum(all.D2h)};
+}
+
+}  // namespace
+
+DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi, bool cocircular) {
+  const double c = 0.5 * (lo + hi);
+  const double h = std::max(hi - c, c - lo) * up;
+  const DdBall unknown(c, 0, std::numeric_limits<double>::infinity());
+  const Places places(motion, q, c);
+  const std::optional<Jet> jet =
+      cocircular ? cocircularity_jet(places, h) : cotangency_jet(places, h);
+  if (!jet) return unknown;
+  const auto& [f, slope, e_f, e_slope, curve] = *jet;
 
   // The slope t at x is within sigma of the computed one, so at least `least` in magnitude. f is
-  // within e_f + u |f.hi| of f.hi, 1/t within sigma / (|slope| least) of 1/slope, and the quotient
-  // is rounded, once here and once in the bound. The root is no further from c than |f| / least, so
-  // that the slopes to be bounded are those within that distance: once more, with the same curve.
-  const double size = std::fabs(f.hi), step = f.hi / slope;
+  // within e_f + u |f| of its leading part f, 1/t within sigma / (|slope| least) of 1/slope, and
+  // the quotient is rounded, once here and once in the bound. The root is no further from c than
+  // |f| / least, so that the slopes to be bounded are those within that distance: once more, with
+  // the same curve.
+  const double size = std::fabs(f), step = f / slope;
   const auto sigma_within = [&](double reach) { return (e_slope + curve * reach) * up; };
   const auto least_for = [&](double sigma) { return (std::fabs(slope) - sigma) * (1 - 0x1p-50); };
   const double everywhere = least_for(sigma_within(h));

@@ -33,8 +33,18 @@ void expect_bounds(const RandomScene& family, const char* horizon, Tally& tally)
       ASSERT_LT(root.radius().to_double(), 1e-40);
       Rational truth;
       mpfr_get_q(truth.get_mpq_t(), root.midpoint());
+      // The narrowest, where the errors of the states and of double-doubles are all there is.
+      const double nearest = round_nearest(truth);
+      const bool cocircular = flip_polynomial_is_cocircularity(engine.motion(), q);
+      const DdBall narrow = newton_step(engine.motion(), q, std::nextafter(nearest, -INFINITY),
+                                        std::nextafter(nearest, INFINITY), cocircular);
+      if (narrow.rad < INFINITY) {
+        const Rational off = abs(Rational(truth - to_rational(narrow.hi) - to_rational(narrow.lo)));
+        ASSERT_LE(off, to_rational(narrow.rad)) << text(q);
+      }
       for (const double widen : {0.0, 1e-12, 1e-8, 1e-5, 1e-3, 1e-1}) {
-        const DdBall step = newton_step(engine.motion(), q, c.lo - widen, c.hi + 3 * widen);
+        const DdBall step =
+            newton_step(engine.motion(), q, c.lo - widen, c.hi + 3 * widen, cocircular);
         ++tally.roots;
         if (!(step.rad < INFINITY)) {
           ++tally.unknown;
@@ -62,6 +72,19 @@ TEST(NewtonStep, AfterCollisions) {
   expect_bounds({}, "30", tally);
   EXPECT_GT(tally.roots, 300);
   EXPECT_LT(tally.unknown, tally.roots / 3);
+}
+
+// Of C.
+TEST(NewtonStep, EqualRadii) {
+  for (const char* horizon : {"0", "30"}) {
+    Tally tally;
+    expect_bounds({.rmin = 5, .rmax = 5}, horizon, tally);
+    expect_bounds({.rmin = 0, .rmax = 0}, horizon, tally);
+    EXPECT_GT(tally.roots, 300);
+    EXPECT_LT(tally.unknown, tally.roots / 3);
+    EXPECT_GT(tally.worst, 0.003);
+    EXPECT_LT(tally.widest, 1e-13);
+  }
 }
 
 }  // namespace
