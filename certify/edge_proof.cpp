@@ -199,7 +199,9 @@ bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts, int& l
 
 bool free_in(const Motion& m, const Quad& q, double a, double b, int depth, int& looks) {
   BernsteinForm form;
-  if (form_flip_polynomial<true>(m, q, a, b, form)) return true;
+  if (form_for_collapse(m, q, a, b, form)) return true;
+  // Of nearly equal radii roots come in pairs, which pieces do not tell apart.
+  if (form.spread > 0) return false;
   if (piece_free(m, q, {a, b, form.degree, form.c, form.err}, 0, looks)) return true;
   const double middle = 0.5 * (a + b);
   if (depth == kMaxDepth || looks <= 0 || !(a < middle && middle < b)) return false;

@@ -186,19 +186,9 @@ DdBall Chronology::narrow(const Moment& m) const {
     const DdBall dd = contacts_.refine(m.i, m.j, middle);
     return dd.rad < best.rad ? dd : best;
   }
-  // Each step squares the relative width, or does not help.
-  double lo = m.lo, hi = m.hi;
-  for (int step = 0; step < 3; ++step) {
-    const DdBall dd = collapses_.refine(m.quad, lo, hi);
-    if (!(dd.rad < 0.5 * best.rad)) break;
-    best = dd;
-    if (best.rad < 0x1p-60 * (1 + best.hi)) break;
-    double below = 0, above = 0;
-    enclose(best, below, above);
-    lo = std::max(lo, below);
-    hi = std::min(hi, above);
-  }
-  return best;
+  const DdBall dd = collapses_.refine_until(
+      m.quad, m.lo, m.hi, [](const DdBall& t) { return t.rad < 0x1p-60 * (1 + t.hi); });
+  return dd.rad < best.rad ? dd : best;
 }
 
 Ball Chronology::ball(const Moment& m) const {

@@ -250,11 +250,24 @@ Collapse CollapseSearch::in_pieces(const Quad& q, double start, double end) cons
   return Collapse::none_until(from);
 }
 
+// Of nearly equal radii C tells nothing next to a root of f, a flip at the start say: past that by
+// the in-circle functions, then by C again.
+Collapse CollapseSearch::past_hidden(const Quad& q, double start, double end) const {
+  const double past = start + 0x1p-6 * (end - start);
+  const Collapse near = search_branches(motion_, q, start, past);
+  if (near.lo != past) return near;
+  BernsteinForm form;
+  return form_for_collapse(motion_, q, past, end, form) ? Collapse::none_until(end)
+                                                        : in_doubles(q, form, past, end);
+}
+
 // The first tier. Undecided where the filter cannot say what happens just after the start;
 // undecided parts further on wait for their turn (`none` up to there).
 std::optional<Collapse> CollapseSearch::filter(const Quad& q, const BernsteinForm& form,
                                                double start, double end) const {
   Collapse found = in_doubles(q, form, start, end);
+  if (found.kind == Collapse::Kind::root || found.lo == end) return found;
+  if (form.spread > 0) found = past_hidden(q, found.lo, end);
   if (found.kind == Collapse::Kind::root || found.lo == end) return found;
   found = in_pieces(q, found.lo, end);
   if (is_answer(found, start, end)) return found;

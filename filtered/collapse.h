@@ -9,6 +9,7 @@
 // exact algebra.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
@@ -86,6 +87,24 @@ class CollapseSearch {
   // The collapse in [lo, hi] as a double-double; the radius is infinite where the filter cannot
   // say. [lo, hi] has been isolated before.
   DdBall refine(const Quad& q, double lo, double hi) const;
+  // The same step by step, each from what the one before has left, until `enough(enclosure)` or
+  // double-doubles tell no more.
+  template <class Enough>
+  DdBall refine_until(const Quad& q, double lo, double hi, Enough&& enough) const {
+    DdBall best = refine(q, lo, hi);
+    for (int step = 1; step < 6 && best.rad < hi - lo && !enough(best); ++step) {
+      double below = 0, above = 0;
+      enclose(best, below, above);
+      below = std::max(lo, below);
+      above = std::min(hi, above);
+      DdBall next = refine(q, below, above);
+      // Of roots close together f tells less than an in-circle function.
+      if (!(next.rad < 0.5 * best.rad)) next = refine_on_branch(q, below, above);
+      if (!(next.rad < 0.5 * best.rad)) break;
+      best = next;
+    }
+    return best;
+  }
   // The same in balls of the given precision, from an enclosure [lo, hi] (an ExactTime
   // is the last resort).
   Ball refine(const Quad& q, const Rational& lo, const Rational& hi, int bits) const;
@@ -97,7 +116,10 @@ class CollapseSearch {
   bool has_rational_motion(const Quad& q) const;
 
  private:
+  // By an in-circle function instead of the flip polynomial.
+  DdBall refine_on_branch(const Quad& q, double lo, double hi) const;
   Collapse in_doubles(const Quad& q, const BernsteinForm& form, double start, double end) const;
+  Collapse past_hidden(const Quad& q, double start, double end) const;
   Collapse in_pieces(const Quad& q, double start, double end) const;
   std::optional<Collapse> filter(const Quad& q, const BernsteinForm& form, double start,
                                  double end) const;

@@ -27,8 +27,12 @@ DdBall CollapseSearch::newton(const Quad& q, double lo, double hi) const {
 DdBall CollapseSearch::refine(const Quad& q, double lo, double hi) const {
   const DdBall root = newton(q, lo, hi);
   if (root.rad < 0.25 * (hi - lo)) return root;
-  const DdBall by_branch = refine_branch(motion_, q, lo, hi);
+  const DdBall by_branch = refine_on_branch(q, lo, hi);
   return by_branch.rad < root.rad ? by_branch : root;
+}
+
+DdBall CollapseSearch::refine_on_branch(const Quad& q, double lo, double hi) const {
+  return refine_branch(motion_, q, lo, hi);
 }
 
 namespace {

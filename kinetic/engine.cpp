@@ -273,27 +273,19 @@ class Engine<certified>::Implementation {
       const double t = 0.5 * (f.lo + f.hi);
       return {item, t, t, DdBall(t), true};
     }
+    const auto is_fine = [](const DdBall& t) {
+      return t.rad <= kFine * (1 + t.hi) || rounds_to_leading(t);
+    };
     DdBall dd(0, 0, kInfinity);
     if (!options_.motion.filters) {
       dd = ball_refined(item);
     } else if (is_flip(item)) {
-      const Quad q = quad_of(item / 2);
-      dd = collapses_.refine(q, f.lo, f.hi);
-      // Each step from the interval that the one before has left, while that pays.
-      double width = f.hi - f.lo;
-      for (int step = 1; step < 6; ++step) {
-        if (dd.rad <= kFine * (1 + dd.hi) || rounds_to_leading(dd) || !(dd.rad < 0.25 * width))
-          break;
-        width = dd.rad;
-        double lo = 0, hi = 0;
-        enclose(dd, lo, hi);
-        dd = collapses_.refine(q, std::max(f.lo, lo), std::min(f.hi, hi));
-      }
+      dd = collapses_.refine_until(quad_of(item / 2), f.lo, f.hi, is_fine);
     } else {
       const auto [i, j] = pair_of(item);
       dd = contacts_.refine(i, j, 0.5 * (f.lo + f.hi));
     }
-    if (!(dd.rad <= kFine * (1 + dd.hi)) && !rounds_to_leading(dd)) dd = ball_refined(item);
+    if (!is_fine(dd)) dd = ball_refined(item);
     Candidate c{item, 0, 0, dd, true};
     enclose(dd, c.lo, c.hi);
     // The isolating interval may be the tighter one.
