@@ -291,7 +291,9 @@ DdBall newton_step(const Motion& motion, const Quad& q, double lo, double hi, bo
   const std::optional<Jet> jet =
       cocircular ? cocircularity_jet(places, h) : cotangency_jet(places, h);
   if (!jet) return unknown;
-  const auto& [f, slope, e_f, e_slope, curve] = *jet;
+  // Not a structured binding: C++20 lets lambdas have them, clang++ 14 does not.
+  const double f = jet->value, slope = jet->slope, curve = jet->curve;
+  const double e_f = jet->e_value, e_slope = jet->e_slope;
 
   // The slope t at x is within sigma of the computed one, so at least `least` in magnitude. f is
   // within e_f + u |f| of its leading part f, 1/t within sigma / (|slope| least) of 1/slope, and
