@@ -251,7 +251,7 @@ template <bool certified>
     const Lanes ex =
         2 * (next(far) * last(eta) + last(far) * next(eta) + next(eta) * last(eta)) + 4 * u * size;
     double error =
-        sum(s * ex + size * ep + ep * ex + u * (128 * (s * size))) * (1 + 0x1p-40) + 1e-290;
+        sum(s * ex + size * ep + ep * ex + u * ((64 * s) * (2 * size))) * (1 + 0x1p-40) + 1e-290;
     if (spread > 0) {
       const Lanes way = far + 2 * eta;
       const Lanes to_base = way * way, apart = (next(way) + last(way)) * (next(way) + last(way));
@@ -337,7 +337,11 @@ bool form_flip_polynomial_of(const Motion& motion, const Quad& q, double a, doub
     out.c[3] *= 0.25;
   } else {
     for (int k = 1; k < 8; ++k) out.c[k] *= kInverse8[k];
-    if constexpr (nearly) out.bound = growing_bound(ends);
+    if constexpr (nearly) {
+      // An infinite bound for all says that coefficients may have overflowed: no other holds then.
+      out.bound = out.err < std::numeric_limits<double>::infinity() ? growing_bound(ends)
+                                                                    : GrowingBound{out.err, 1};
+    }
   }
   return false;
 }

@@ -35,7 +35,7 @@ Sign counterclockwise(const RoughSite& a, const RoughSite& b, const RoughSite& c
   const auto [area, size] = orientation(a.at, b.at, c.at);
   const double eta = 2 * std::max({a.error, b.error, c.error}) + u * size;
   const double bound =
-      ((size + 2 * eta) * eta + u * size * size + spread * (size + 4 * eta)) * (1 + 0x1p-40) +
+      ((size + 2 * eta) * eta + u * (size * size) + spread * (size + 4 * eta)) * (1 + 0x1p-40) +
       1e-290;
   return area > bound ? Sign::positive : area < -bound ? Sign::negative : Sign::unknown;
 }

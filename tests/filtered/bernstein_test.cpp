@@ -331,6 +331,36 @@ TEST(Bernstein, GrowingBounds) {
   EXPECT_GT(finer, 20);
 }
 
+// Where coefficients overflow no bound may be finite, the growing one neither: over windows as long
+// as the generators are far apart, of lengths from 2^112 to 2^132.
+TEST(Bernstein, NoBoundIsFiniteWhereCoefficientsOverflow) {
+  Random random(11);
+  int overflowed = 0, finite = 0;
+  for (int k = 0; k < 4000 && !HasFatalFailure(); ++k) {
+    Family family;
+    family.extent = 20;
+    family.common_speed = false;
+    MotionInput in = random_input(family, random);
+    const Rational scale(Integer(1) << (112 + k % 21));
+    in.container_x *= scale;
+    in.container_y *= scale;
+    in.container_radius *= scale;
+    for (DiskInput& d : in.disks) {
+      d = {d.x * scale, d.y * scale, d.radius * scale, d.vx * scale, d.vy * scale, 1};
+    }
+    const Motion motion(in, {});
+    BernsteinForm form{};
+    if (form_for_collapse(motion, {0, 1, 2, 3}, 0, 200, form) || form.degree != 8) continue;
+    const bool all =
+        std::all_of(form.c.begin(), form.c.end(), [](double c) { return std::isfinite(c); });
+    overflowed += !all;
+    finite += std::isfinite(form.bound.first);
+    ASSERT_TRUE(all || !std::isfinite(form.bound.first));
+  }
+  EXPECT_GT(overflowed, 50);
+  EXPECT_GT(finite, 50);
+}
+
 // Radii that no double tells apart are equal only if their values are, whichever of the four
 // the odd one is and whether or not it is the one that a double holds.
 TEST(Bernstein, RadiiOfOneDoubleAreNotEqualForThat) {
