@@ -2,7 +2,10 @@
 //
 // An edge [l,r,s,e] that exists just after a certainly collapses at no time of (a, b] if over each
 // part of a subdivision of [a, b] one of these holds:
-//   - its flip polynomial has no root in the part (its Bernstein coefficients have one sign);
+//   - its flip polynomial has no root in the part (its Bernstein coefficients have one sign; those
+//     of C, beyond what the radii can do to it, for nearly equal radii);
+//   - the radii are equal and C, then the in-circle function of both circles, has one root in the
+//     part at most and is positive at its end;
 //   - one of its two in-circle functions is positive throughout the part: a collapse makes both
 //     negative just after it (paper, section 4.3);
 //   - one of its circles exists at no time of the part;

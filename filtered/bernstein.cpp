@@ -221,11 +221,13 @@ struct PairSizes {
 // above; errors as above. The summands side by side in lanes; what is of two disks, in that of the
 // third.
 //
-// Radii that differ, by at most `spread`, do not appear in C, but f is -C^2 for equal ones only: a
+// Radii that differ, by at most `spread`, do not appear in C, but f, here four times that
+// of the paper, is -4 C^2 for equal ones only: a
 // pair's tangency is p = D - dr^2, D its squared distance, and f = a^2 + b^2 + c^2 - 2 (ab + bc +
 // ca) in the products a = p_01 p_23 and so on. Putting D for p changes a by at most spread^2 (D_01
 // + D_23 + spread^2), with e the sum of these bounds f by at most e (2 (a + b + c) + e), a + b + c
-// in terms of D. Beyond the square root of that |C| shows that f < 0: it is added to the bound.
+// in terms of D. Beyond the square root of that, twice what would do, |C| shows that f < 0: it is
+// added to the bound.
 template <bool certified>
 [[gnu::always_inline]] inline double cocircularity_form(const Ends& e, double spread, double* f) {
   const auto next = [](const Lanes& x) { return __builtin_shufflevector(x, x, 1, 2, 0, 3); };

@@ -1,5 +1,5 @@
 // The flip polynomial of a quadruplet over a window of time, in the Bernstein basis
-// and in doubles, with one bound for the error of all coefficients.
+// and in doubles, with bounds for the errors of its coefficients.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ struct GrowingBound {
 // Coefficients c[0..degree] on a window: c[0] and c[degree] are the values at its
 // ends, and the values inside lie between the smallest and the largest. The degree
 // is 8 (cotangency) or, for four equal radii, 4 (cocircularity): see
-// flip_polynomial_is_cocircularity.
+// flip_polynomial_is_cocircularity. (Of nearly equal ones, too, where form_for_collapse() says so.)
 struct BernsteinForm {
   std::array<double, 9> c;
   int degree;

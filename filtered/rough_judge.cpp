@@ -27,7 +27,8 @@ Orientation orientation(const Site<double>& a, const Site<double>& b, const Site
 // circle, which then is the only one. With h of circle_exists(), d and d' the offsets to the first
 // disk and dr, dr' those of the radii: h has the sign of d x d', and its conjugate the other one,
 // where |dr d' - dr' d| <= spread (|d| + |d'|) < |d x d'|. No tangency vanishes there, because
-// |d x d'| is at most the product of any two sides of the triangle, so that each exceeds `spread`.
+// |d x d'| is at most the product of any two sides of the triangle, so that each exceeds `spread`;
+// nor that of the two beyond a common side, each of whose heights on it does.
 // Offsets err by eta each, in x and in y, the area by (size + 2 eta) eta and 3u of its products,
 // whose sum is at most size^2 / 4.
 Sign counterclockwise(const RoughSite& a, const RoughSite& b, const RoughSite& c, double spread) {
