@@ -30,6 +30,9 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
       last_instant_(history.header().horizon + history.header().horizon_error),
       search_end_(round_up(last_instant_)),
       horizon_down_(round_down(last_instant_)),
+      horizon_window_(history.header().horizon - history.header().horizon_error -
+                      options.tolerance),
+      horizon_window_down_(round_down(horizon_window_)),
       motion_(motion),
       begin_(begin),
       replay_(std::move(replay)),
@@ -41,6 +44,7 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
       tolerance_up_(round_up(options.tolerance)),
       near_tolerance_(ball(options.tolerance)),
       places_(std::move(places)),
+      recorded_(options.tolerance, horizon_window_),
       batch_(motion_),
       apart_(motion_) {}
 
@@ -85,6 +89,8 @@ Certificate Checker::run(const PartEnd* end) {
     prefix_until(frontier_.lo);
   }
   certificate_.highest_bits = motion_.highest_bits();
+  certificate_.rounding_overlaps = recorded_.rounded();
+  certificate_.left_out += recorded_.left_out();
   if (ulps_count_ > 0) certificate_.ulps_mean = ulps_sum_ / static_cast<double>(ulps_count_);
   return std::move(certificate_);
 }
@@ -168,6 +174,9 @@ void Checker::take(std::size_t k) {
 
 void Checker::done() {
   ++processed_;
+  if (options_.truth == Truth::recorded && time(*claim_) > horizon_window_down_) {
+    ++certificate_.at_horizon;
+  }
   if (options_.monitor && (processed_ & 0xff) == 0 && !options_.monitor(frontier_.lo, processed_)) {
     throw GivenUp{};
   }
@@ -237,7 +246,7 @@ std::size_t Checker::earliest() {
 std::optional<Moment> Checker::probe(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) {
     HalfEdge h = replay_.find(f->quad);
-    if (h < 0) h = replay_.find_mirrored(f->quad);
+    if (h < 0 && options_.unoriented) h = replay_.find_mirrored(f->quad);
     if (h >= 0 && lives_[h / 2].pending) begin_pending_lives();
     if (h < 0 || lives_[h / 2].illegal || lives_[h / 2].due) return std::nullopt;
     const Quad q = diagram_.quad(h);
@@ -249,9 +258,8 @@ std::optional<Moment> Checker::probe(const Event& event) {
   }
   if (options_.truth == Truth::recorded) return Moment::at(exact_time(event));
   if (const auto* c = std::get_if<CollideEvent>(&event)) {
-    const int e = replay_.adjacency(c->i, c->j);
-    if (e < 0) return std::nullopt;
-    const NextContact next = next_contact(e, c->i, c->j);
+    if (replay_.adjacency(c->i, c->j) < 0) return std::nullopt;
+    const NextContact next = next_contact(c->i, c->j);
     if (next.kind == NextContact::Kind::none) return std::nullopt;
     return moment_of(c->i, c->j, next);
   }
@@ -288,6 +296,9 @@ void Checker::advance(const Moment& m) {
   if (order > 0 || tied) frontier_tie_ = tied ? tie_.number : 0;
   if (order > 0) {
     leave_instant();
+    if (m.lo <= revealed_) {
+      throw Undecided("something happens while a generator may lie inside another");
+    }
     frontier_ = m;
     if (instant_ == std::numeric_limits<int>::max()) throw Undecided("too many instants to number");
     ++instant_;
@@ -320,7 +331,7 @@ void Checker::leave_instant() {
   begin_pending_lives();
   for (const int e : illegal_) {
     const Life& life = lives_[e];
-    if (life.illegal && life.born == instant_) {
+    if (life.illegal && life.born == instant_ && !left_out(frontier_)) {
       Collapse c;
       c.lo = frontier_.lo;
       c.hi = frontier_.hi;
