@@ -4,19 +4,12 @@
 // roots; a disk leaves the container where k > 0, before the smaller and after the larger root.
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "kernel/motion.h"
 
 namespace voroproof_kernel {
 namespace {
-
-// k = A s^2 + 2 B s + C, s = t - start.
-struct Gap {
-  Rat start, a, b, c;
-  Rat value(const Rat& t) const { return (a * (t - start) + 2 * b) * (t - start) + c; }
-  Rat slope(const Rat& t) const { return a * (t - start) + b; }  // half the derivative
-  bool has_roots() const { return a > 0 && b * b > a * c; }
-};
 
 // An instant: a root of a gap, the smaller (-1) or the larger (1), or the gap's start (0).
 struct When {
@@ -30,7 +23,7 @@ struct When {
     return slope == which && value == 0 ? 0 : -slope;
   }
 };
-When exact(const Rat& t) { return {{t, 0, 0, 0}, 0}; }
+When exact(const Rat& t) { return {Gap(t), 0}; }
 
 struct Overlap {
   When from;
@@ -41,7 +34,7 @@ struct Overlap {
 class Contacts {
  public:
   Contacts(const Problem& p, Counts& counts, std::int64_t& line)
-      : p_(p), counts_(counts), line_(line), walk_(p), lines_(p.disks()), turned_by_(p.disks(), -1) {}
+      : p_(p), slack_(p.exact() ? Rat(0) : p.tolerance), counts_(counts), line_(line), walk_(p), lines_(p.disks()), turned_by_(p.disks(), -1) {}
 
   void run() {
     std::int64_t number = 0;
@@ -55,6 +48,7 @@ class Contacts {
         continue;
       }
       const bool collision = c.kind == Claim::Kind::collision;
+      if (p_.exact()) require_first(c);
       if (collision) judge(c);
       for (const int disk : turned(c)) end_pairs(disk, c.t, collision ? &c : nullptr);
       if (collision) ++collisions_[{c.i, c.j}];
@@ -66,6 +60,7 @@ class Contacts {
       ++number;
     }
     line_ = p_.history.last_line;
+    at_end_ = true;
     for (int j = 0; j < p_.disks(); ++j) end_pairs(j, p_.horizon, nullptr, true);
     for (const auto& [pair, overlap] : open_) close(pair.first, pair.second, overlap, exact(p_.horizon));
   }
@@ -75,12 +70,7 @@ class Contacts {
 
   Rat reach(int i, int j) const { return abs(Rat(p_.radius(i) + p_.radius(j))); }
 
-  Gap gap(int i, int j) const {
-    const Leg &a = walk_.leg(i), &b = walk_.leg(j);
-    const Rat start = std::max(a.start, b.start);
-    const Vec d = minus(b.at(start), a.at(start)), w = minus(b.velocity, a.velocity);
-    return {start, norm2(w), dot(d, w), Rat(norm2(d) - square(reach(i, j)))};
-  }
+  Gap gap(int i, int j) const { return {walk_.leg(i), walk_.leg(j)}; }
 
   // What the rounding of the numbers of the lines so far can have moved i and j by.
   Rat delta(int i, int j) const {
@@ -96,11 +86,11 @@ class Contacts {
 
   bool shallow(int i, int j, const Rat& extreme) const {
     const Rat r = reach(i, j), d = delta(i, j);
-    if (4 * d > r) return false;
+    if (p_.exact() || 4 * d > r) return false;
     return i == container ? extreme <= square(Rat(r + d)) : extreme >= square(Rat(r - d));
   }
   bool near(const When& x, const Rat& t) const {
-    return x.against(Rat(t - p_.tolerance)) >= 0 && x.against(Rat(t + p_.tolerance)) <= 0;
+    return x.against(Rat(t - slack_)) >= 0 && x.against(Rat(t + slack_)) <= 0;
   }
 
   // An overlap is over: rounding, answered in time, or the horizon's.
@@ -108,12 +98,27 @@ class Contacts {
     if (shallow(i, j, o.extreme)) {
       ++counts_.rounding_overlaps;
     } else if (o.answer && near(o.from, *o.answer) && near(end, *o.answer)) {
-    } else if (o.from.against(Rat(p_.horizon - p_.tolerance)) >= 0) {
+    } else if (!p_.exact() && o.from.against(Rat(p_.horizon - slack_)) >= 0) {
       ++counts_.horizon_events;
     } else {
       refute("overlap: generators " + std::to_string(i) + " and " + std::to_string(j) +
              " overlap before " + about(walk_.leg(j).start > 0 ? walk_.leg(j).start : p_.horizon) +
              " and no collision in time answers it");
+    }
+  }
+
+  // Exact: no smaller pair of these disks, before a maneuver no pair, touches and approaches now.
+  void require_first(const Claim& c) {
+    for (const int disk : turned(c)) {
+      for (const int other : neighbours(disk)) {
+        const int i = std::min(disk, other), j = std::max(disk, other), out = i < 0 ? 1 : -1;
+        if (c.kind == Claim::Kind::collision && std::pair(i, j) >= std::pair(c.i, c.j)) continue;
+        const Gap g = gap(i, j);
+        if (g.start <= c.t && g.value(c.t) == 0 && sgn(g.slope(c.t)) == out) {
+          refute("generators " + std::to_string(i) + " and " + std::to_string(j) +
+                 " collide before that at the same instant");
+        }
+      }
     }
   }
 
@@ -133,14 +138,15 @@ class Contacts {
     const bool enters = g.has_roots() && entry.against(g.start) >= 0;
     if (enters && near(entry, c.t)) return;
     const auto open = open_.find({i, j});
-    if (open != open_.end() && open->second.from.against(Rat(c.t - p_.tolerance)) >= 0 &&
-        sgn(g.value(c.t)) == out && sgn(g.slope(c.t)) == out) {
+    if (open != open_.end() && sgn(g.value(c.t)) == out && sgn(g.slope(c.t)) == out &&
+        (open->second.from.against(Rat(c.t - slack_)) >= 0 ||
+         (g.start >= c.t - slack_ && shallow(i, j, open->second.extreme)))) {
       continues_ = true;
       return;
     }
-    if (!wall && !enters && g.a > 0) {
+    if (!p_.exact() && !wall && !enters && g.a > 0) {
       const Rat s = g.start - g.b / g.a, least = g.value(s) + square(reach(i, j));
-      if (s >= g.start && abs(Rat(s - c.t)) <= p_.tolerance && g.value(s) >= 0 &&
+      if (s >= g.start && abs(Rat(s - c.t)) <= slack_ && g.value(s) >= 0 &&
           least <= square(Rat(reach(i, j) + delta(i, j)))) {
         ++counts_.grazes;
         return;
@@ -149,19 +155,19 @@ class Contacts {
     refute(two + " do not come into contact then");
   }
 
+  std::set<int> neighbours(int disk) const {
+    if (!walk_.diagram) return {container};
+    std::set<int> all;
+    for (const int k : walk_.diagram->spokes(disk)) {
+      const Quad& q = walk_.diagram->edges()[k];
+      all.insert(q.l == disk ? q.r : q.l);
+    }
+    return all;
+  }
+
   // Ends the present lines of all pairs of a disk. `claim`: of these, the one that collides.
   void end_pairs(int disk, const Rat& t, const Claim* claim, bool once = false) {
-    std::vector<int> others;
-    if (!walk_.diagram) others.push_back(container);
-    if (walk_.diagram) {
-      for (const int k : walk_.diagram->spokes(disk)) {
-        const Quad& q = walk_.diagram->edges()[k];
-        others.push_back(q.l == disk ? q.r : q.l);
-      }
-    }
-    std::sort(others.begin(), others.end());
-    others.erase(std::unique(others.begin(), others.end()), others.end());
-    for (const int other : others) {
+    for (const int other : neighbours(disk)) {
       if (once && other > disk) continue;
       const int i = std::min(disk, other), j = std::max(disk, other);
       const bool own = claim != nullptr && claim->i == i && claim->j == j;
@@ -174,6 +180,7 @@ class Contacts {
   void part(int a, int b, const Rat& t) {
     const int i = std::min(a, b), j = std::max(a, b);
     end_lines(i, j, t, nullptr);
+    followed_[{i, j}] = t;
     const auto open = open_.find({i, j});
     if (open == open_.end()) return;
     close(i, j, open->second, exact(t));
@@ -184,9 +191,11 @@ class Contacts {
   void end_lines(int i, int j, const Rat& t, const Claim* claim) {
     ++counts_.pair_lives;
     const Gap g = gap(i, j);
-    const Rat& start = g.start;
     const bool wall = i == container;
-    if (t < start) refute("lines end before they begin");
+    Rat start = g.start;  // or when they were last looked at
+    if (t < start) refute("a disk turns before it did last");
+    const auto followed = followed_.find({i, j});
+    if (followed != followed_.end() && followed->second > start) start = followed->second;
     const auto open = open_.find({i, j});
     std::vector<std::pair<When, When>> intervals;  // of overlap, on the whole lines
     const When before = exact(Rat(start - 1)), after = exact(Rat(t + 1));
@@ -206,7 +215,9 @@ class Contacts {
     }
     for (auto& [x, y] : intervals) {
       const bool old = x.against(start) < 0;
-      if (y.against(start) <= 0 || x.against(t) >= 0) continue;
+      // Under the exact truth an entry at the horizon is due.
+      const int late = x.against(t);
+      if (y.against(start) <= 0 || late > 0 || (late == 0 && !(p_.exact() && at_end_))) continue;
       Overlap o = old && last ? *last : Overlap{old ? exact(start) : x, square(reach(i, j)), {}};
       if (old) last.reset();
       std::vector<Rat> at{start, t};
@@ -228,6 +239,7 @@ class Contacts {
   }
 
   const Problem& p_;
+  const Rat slack_;  // exact times have none
   Counts& counts_;
   std::int64_t& line_;
   Walk walk_;
@@ -235,6 +247,8 @@ class Contacts {
   std::vector<std::int64_t> turned_by_;  // the collision that turned it last, or -1
   std::map<Two, std::int64_t> collisions_;
   std::map<Two, Overlap> open_;
+  std::map<Two, Rat> followed_;  // to where the lines of some that are no neighbours were
+  bool at_end_ = false;
   bool continues_ = false;  // the claim answers an overlap begun on earlier lines
 };
 

@@ -64,6 +64,8 @@ class Edge4 {
   std::optional<Collapse> collapse_near(const Rat& a, const Rat& t);
   // The polynomial whose roots are the instants at which the four may touch one circle.
   Form roots_over(const Rat& a, const Rat& b);
+  // Whether the form made last is not that of f or C, which vanish identically.
+  bool always() const { return always_; }
 
   // The sign of an in-circle function at t: of the vertex [l,s,r] or of [l,r,e].
   int incircle_at(const Rat& t, bool start);

@@ -186,7 +186,7 @@ void read_two(const Json* json, bool wall, std::optional<Vec> (&to)[2]) {
 Claim read_claim(const Json& json, int n) {
   Fields fields(json);
   Claim claim{};
-  claim.t = history_number(fields.get("t"));
+  claim.t = claim.filed = history_number(fields.get("t"));
   if (const Json* flip = fields.find("flip")) {
     claim.kind = Claim::Kind::flip;
     claim.quad = edges(Json::array({*flip}), n)[0];

@@ -37,7 +37,8 @@ struct Quad {
 struct Claim {
   enum class Kind { flip, collision, maneuver } kind;
   std::int64_t line;
-  Rat t;
+  Rat t;             // of a collision or maneuver under the exact truth: its exact time
+  Rat filed;         // as the file has it
   Quad quad{};       // of a flip
   int i = 0, j = 0;  // of a collision, i < j; of a maneuver j
   std::optional<Vec> v[2], p[2];  // of i and j

@@ -66,13 +66,16 @@ class Lives {
       Instant& b = *birth.at;
       if (b.is_point()) return four_.first_collapse(b.lo, end);
       Form form = four_.roots_over(b.lo, b.hi);
-      const bool ends = !form.empty() && form.front() != 0 && form.back() != 0;
-      if (is_zero(form) || (ends && variations(form) == 0)) {
-        return four_.first_collapse(is_zero(form) ? b.hi : b.lo, end);
+      const bool ends = form.front() != 0 && form.back() != 0;
+      if (!four_.always() && ends && variations(form) == 0) {
+        return four_.first_collapse(b.lo, end);
       }
-      form = squarefree(form);
-      if (ends && variations(form) == 1 &&
-          variations(common(form, restricted(b.form, b.a, b.b, b.lo, b.hi))) % 2 == 1) {
+      bool same = is_zero(form);  // or cotangent throughout
+      if (!same && ends && variations(form = squarefree(form)) == 1) {
+        form = common(form, restricted(b.form, b.a, b.b, b.lo, b.hi));
+        same = variations(form) % 2 == 1;
+      }
+      if (same || (four_.always() && ends && variations(form) == 0)) {
         found = four_.first_collapse(b.hi, end);
         if (found && found->at.is_point() && found->at.lo == b.hi) found->at = b;
         return found;
@@ -91,9 +94,11 @@ class Lives {
       if (order > 0) refute("edge " + name(edges()[k]) + " is changed before it is there");
     }
     ++counts_.lives;
-    auto found = collapse(k, end->hi);
-    if (!found || compare(found->at, *end) >= 0) return;
-    if (compare(found->at, Rat(p_.horizon - p_.tolerance)) >= 0) {
+    // Under the exact truth a collapse at the horizon is due.
+    const bool last = p_.exact() && end->is_point() && end->lo == p_.horizon;
+    auto found = collapse(k, last ? Rat(end->hi + p_.tolerance) : end->hi);
+    if (!found || compare(found->at, *end) >= (last ? 1 : 0)) return;
+    if (!p_.exact() && compare(found->at, Rat(p_.horizon - p_.tolerance)) >= 0) {
       ++counts_.horizon_events;
       return;
     }
@@ -126,6 +131,7 @@ class Lives {
     if (compare(*now, lo) < 0 || compare(*now, hi) > 0) {
       refute("edge " + name(q) + " collapses at " + about(now->lo));
     }
+    if (p_.exact() && compare(*now, p_.horizon) > 0) refute("the flip is after the horizon");
     if (compare(*now, Rat(0)) <= 0) refute("the diagram at 0+ is that after all flips at 0");
     note_order(now);
     const std::array<int, 4> near = walk_.diagram->around(k);
@@ -187,8 +193,8 @@ std::vector<Part> parts_of(const Problem& p) {
   std::vector<Part> parts{{0, claims.size(), 0, p.horizon}};
   for (std::size_t k = 1; k < claims.size(); ++k) {
     if (k - parts.back().first < least) continue;
-    if (claims[k].t - claims[k - 1].t <= 4 * p.tolerance) continue;
-    const Rat cut = (claims[k].t + claims[k - 1].t) / 2;
+    if (claims[k].filed - claims[k - 1].filed <= 4 * p.tolerance) continue;
+    const Rat cut = (claims[k].filed + claims[k - 1].filed) / 2;
     parts.back().last = k;
     parts.back().end = cut;
     parts.push_back({k, claims.size(), cut, p.horizon});

@@ -16,8 +16,19 @@ struct Problem {
   Rat tolerance, law_tolerance, horizon;
   std::vector<std::vector<Leg>> legs;  // of generator g at [g + 1], one for each turn
 
+  bool exact() const { return options.truth == Truth::exact; }
   int disks() const { return static_cast<int>(scene.disks.size()); }
   Rat radius(int g) const { return g == container ? Rat(-scene.radius) : scene.disks[g].radius; }
+};
+
+// The gap |d(t)|^2 - reach^2 = A s^2 + 2 B s + C of two on their lines, s = t - start.
+struct Gap {
+  Rat start, a, b, c;
+  Gap(const Leg& i, const Leg& j);
+  explicit Gap(const Rat& t) : start(t) {}
+  Rat value(const Rat& t) const { return (a * (t - start) + 2 * b) * (t - start) + c; }
+  Rat slope(const Rat& t) const { return a * (t - start) + b; }  // half the derivative
+  bool has_roots() const { return a > 0 && b * b > a * c; }
 };
 
 // The disks that a claim turns.

@@ -78,9 +78,16 @@ class Tracer {
     }
   }
 
-  void claim(const Claim& c) {
+  void claim(Claim& c) {
     if (c.kind == Claim::Kind::flip) return;
     const bool two = c.kind == Claim::Kind::collision && c.i != container;
+    std::size_t due = 0;
+    if (c.kind == Claim::Kind::maneuver) due = maneuver_of(c);
+    if (p_.exact()) {
+      c.t = c.kind == Claim::Kind::maneuver ? p_.scene.maneuvers[due].t : exact_contact(c);
+      if (abs(Rat(c.t - c.filed)) > p_.tolerance) refute("its time is " + about(c.t));
+      if (c.t > p_.horizon) refute("its time is after the horizon");
+    }
     Pair at{}, before{}, after{};
     for (const int side : {0, 1}) {
       if (side == 0 && !two) continue;
@@ -89,7 +96,8 @@ class Tracer {
       before[side] = leg.velocity;
     }
     if (c.kind == Claim::Kind::maneuver) {
-      after[1] = maneuver(c);
+      after[1] = p_.exact() ? p_.scene.maneuvers[due].velocity : recorded_velocity(c, due);
+      if (p_.exact() && c.v[1]) check_velocity(*c.v[1], after[1], 0);
     } else {
       after = collide(c, at, before);
     }
@@ -103,18 +111,15 @@ class Tracer {
   void all_maneuvers_done() const {
     for (std::size_t k = 0; k < done_.size(); ++k) {
       const Maneuver& m = p_.scene.maneuvers[k];
-      if (done_[k] || m.t > p_.horizon) continue;
-      if (m.t < p_.horizon - p_.tolerance) {
-        refute("disk " + std::to_string(m.disk) + " has a maneuver at " + about(m.t));
-      }
-      ++counts_.horizon_events;
+      if (done_[k] || m.t > p_.horizon || (p_.history.stopped && m.t == p_.horizon)) continue;
+      refute("disk " + std::to_string(m.disk) + " has a maneuver at " + about(m.t));
     }
   }
 
  private:
-  Vec maneuver(const Claim& c) {
+  std::size_t maneuver_of(const Claim& c) {
     ++counts_.maneuvers;
-    auto& list = p_.scene.maneuvers;
+    const auto& list = p_.scene.maneuvers;
     std::size_t k = 0;
     while (k < list.size() && (done_[k] || list[k].disk != c.j)) ++k;
     if (k == list.size()) refute("the scene has no such maneuver");
@@ -122,7 +127,11 @@ class Tracer {
       refute("the maneuver is scheduled at " + about(list[k].t));
     }
     done_[k] = true;
-    const Vec due = list[k].velocity;
+    return k;
+  }
+
+  Vec recorded_velocity(const Claim& c, std::size_t k) const {
+    const Vec due = p_.scene.maneuvers[k].velocity;
     if (!c.v[1]) return {nearest_binary64(due[0]), nearest_binary64(due[1])};
     if (norm2(minus(*c.v[1], due)) > square(Rat(p_.law_tolerance * length_above(due)))) {
       refute("the maneuver gives another velocity");
@@ -137,6 +146,18 @@ class Tracer {
     if (c.i != container && scene.disks[c.i].mass + scene.disks[c.j].mass == 0) {
       undecided("two points without mass touch");
     }
+    if (p_.exact()) {
+      const Pair v = response(p_, c.i, c.j, at, before);
+      Rat s = length_above(before[1]);
+      if (c.i != container) s += length_above(before[0]);
+      const Rat reach = abs(Rat(p_.radius(c.i) + p_.radius(c.j)));
+      const Rat moved = 4 * p_.tolerance * s * s / reach, most = s / 1024;
+      const Rat allowed = p_.law_tolerance * s + std::min(moved, most);
+      for (const int side : {0, 1}) {
+        if (c.v[side]) check_velocity(*c.v[side], v[side], allowed);
+      }
+      return v;
+    }
     // The centres of the file serve the law as well: they are near the path.
     const Pair filed{c.p[0].value_or(at[0]), c.p[1].value_or(at[1])};
     if (c.v[1]) {
@@ -148,6 +169,26 @@ class Tracer {
     Pair v = response(p_, c.i, c.j, filed, before);
     for (Vec& one : v) one = {nearest_binary64(one[0]), nearest_binary64(one[1])};
     return v;
+  }
+
+  // When two come into contact next, if that is rational.
+  Rat exact_contact(const Claim& c) const {
+    const Gap g(p_.legs[c.i + 1].back(), p_.legs[c.j + 1].back());
+    const std::string two = std::to_string(c.i) + " and " + std::to_string(c.j);
+    if (!g.has_roots()) refute("generators " + two + " do not touch");
+    const Rat disc = g.b * g.b - g.a * g.c;
+    const Int p = sqrt(Int(numerator(disc))), q = sqrt(Int(denominator(disc)));
+    if (p * p != numerator(disc) || q * q != denominator(disc)) {
+      undecided("the collision time of " + two + " is irrational");
+    }
+    if (msb(denominator(g.start)) > 20000) undecided("exact times have become too long");
+    const Rat root(p, q);
+    return g.start + (c.i == container ? Rat(root - g.b) : Rat(-root - g.b)) / g.a;
+  }
+
+  static void check_velocity(const Vec& claimed, const Vec& due, const Rat& allowed) {
+    const Rat most = allowed + length_above(due) * power_of_two(-51);
+    if (norm2(minus(claimed, due)) > square(most)) refute("the velocity is another");
   }
 
   void check_center(const Vec& claimed, const Vec& at, const Vec& before, const Vec& after) const {
@@ -172,9 +213,16 @@ class Tracer {
 
 }  // namespace
 
+Gap::Gap(const Leg& i, const Leg& j) : start(std::max(i.start, j.start)) {
+  const Vec d = minus(j.at(start), i.at(start)), w = minus(j.velocity, i.velocity);
+  a = norm2(w);
+  b = dot(d, w);
+  c = norm2(d) - square(Rat(i.radius + j.radius));
+}
+
 void trace_paths(Problem& p, Counts& counts) {
   Tracer tracer(p, counts);
-  for (const Claim& c : p.history.claims) {
+  for (Claim& c : p.history.claims) {
     try {
       tracer.claim(c);
     } catch (Stop& stop) {
