@@ -94,6 +94,29 @@ void add_lattice(SceneData& s, int n, bool touching, Random& random) {
   }
 }
 
+// A rectangle of equal disks, two of which touch and approach: a tie at 0 that the velocities after
+// the collision decide.
+void add_rectangle(SceneData& s, Random& random) {
+  s.radius = 16;
+  s.horizon = random.integer(1, 6);
+  const double x = random.integer(-3, 3), y = random.integer(-3, 3), h = random.integer(3, 7);
+  const auto velocity = [&] { return random.integer(-4, 4) / 4.0; };
+  const double towards = random.integer(1, 4) / 4.0, common = velocity();
+  s.disks.push_back({x - 1, y, 1, common + towards, velocity(), 1});
+  s.disks.push_back({x + 1, y, 1, common - towards, velocity(), 1});
+  s.disks.push_back({x - 1, y + h, 1, velocity(), velocity(), 1});
+  s.disks.push_back({x + 1, y + h, 1, s.disks[2].vx, velocity(), 1});
+  for (int k = random.integer(0, 2); k > 0; --k) {
+    const DiskData d{static_cast<double>(random.integer(-12, 12)),
+                     static_cast<double>(random.integer(-12, 12)),
+                     1,
+                     velocity(),
+                     velocity(),
+                     1};
+    if (is_free(s, d, 0.01)) s.disks.push_back(d);
+  }
+}
+
 void add_mirrored(SceneData& s, int pairs, Random& random) {
   s.radius = 16;
   s.horizon = random.integer(2, 8);
@@ -224,6 +247,10 @@ SceneData scene_of(Family family, Random& random) {
     case Family::lattice:
     case Family::touching:
       s.cx = s.cy = 0;
+      if (family == Family::touching && random.chance(0.3)) {
+        add_rectangle(s, random);
+        break;
+      }
       add_lattice(s, random.integer(2, 8), family == Family::touching, random);
       if (family == Family::touching && random.chance(0.3)) {
         s.maneuvers.push_back({0, random.integer(0, s.size() - 1), 1.0 * random.integer(-1, 1),
