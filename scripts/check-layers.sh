@@ -33,6 +33,8 @@ check kinetic exact filtered topology kinetic
 check planning exact filtered topology history kinetic planning
 # The certifier judges the engine: it shares no code with it beyond the definitions.
 check certify exact filtered topology history certify
+# The kernel is a second checker: it shares nothing with the first.
+check kernel kernel
 check queries exact filtered topology history queries
 check corpus exact history corpus
 # The oracles are a second way to the truth: they share nothing.
