@@ -101,24 +101,24 @@ void save(const std::string& directory, const Made& found, Truth truth, Find fin
 }
 
 void print(const char* title, const std::map<std::pair<std::string, int>, Count>& counts) {
-  std::printf("%-20s %-8s %8s |%9s %8s %6s %4s |%9s %8s %6s |%7s %7s %6s |%6s %6s %6s %5s\n", title,
-              "truth", "made", "certified", "refuted", "undec", "inv", "k:cert", "k:ref", "k:und",
-              "right", "wrong", "uncl", "C-W", "R-R", "C-K", "fail");
+  std::printf("%-18s %-8s %8s |%8s %8s %6s |%8s %8s %6s |%8s %8s %6s |%6s %6s %6s %6s %6s\n", title,
+              "truth", "made", "c:cert", "c:ref", "c:und", "k:cert", "k:ref", "k:und", "right",
+              "wrong", "uncl", "cC-W", "kC-W", "cR-R", "kR-R", "C-K");
   for (const auto& [key, c] : counts) {
     const auto at = [](const auto& a, auto k) {
       return static_cast<long long>(a[static_cast<std::size_t>(k)]);
     };
     std::printf(
-        "%-20s %-8s %8lld |%9lld %8lld %6lld %4lld |%9lld %8lld %6lld |%7lld %7lld %6lld |%6lld "
-        "%6lld %6lld %5lld\n",
+        "%-18s %-8s %8lld |%8lld %8lld %6lld |%8lld %8lld %6lld |%8lld %8lld %6lld |%6lld %6lld "
+        "%6lld %6lld %6lld\n",
         key.first.c_str(), name(static_cast<Truth>(key.second)), static_cast<long long>(c.made),
         at(c.certifier, Verdict::certified), at(c.certifier, Verdict::refuted),
-        at(c.certifier, Verdict::undecided), at(c.certifier, Verdict::invalid),
-        at(c.kernel, Verdict::certified), at(c.kernel, Verdict::refuted),
-        at(c.kernel, Verdict::undecided), static_cast<long long>(c.oracle_right),
-        static_cast<long long>(c.oracle_wrong), static_cast<long long>(c.oracle_unclear),
-        at(c.finds, Find::certified_wrong), at(c.finds, Find::refuted_right),
-        at(c.finds, Find::disagreement), at(c.finds, Find::failure));
+        at(c.certifier, Verdict::undecided), at(c.kernel, Verdict::certified),
+        at(c.kernel, Verdict::refuted), at(c.kernel, Verdict::undecided),
+        static_cast<long long>(c.oracle_right), static_cast<long long>(c.oracle_wrong),
+        static_cast<long long>(c.oracle_unclear), at(c.finds, Find::certifier_lax),
+        at(c.finds, Find::kernel_lax), at(c.finds, Find::certifier_strict),
+        at(c.finds, Find::kernel_strict), at(c.finds, Find::disagreement));
   }
 }
 

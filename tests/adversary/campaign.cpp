@@ -208,10 +208,9 @@ std::string kind_of(const Recipe& recipe) {
 Judgement judge_all(const ReadScene& scene, const Made& made, Truth truth, bool always_oracle) {
   Judgement j = judge(scene, made.history, truth, made.recipe.long_decimals);
   const bool meant_right = made.recipe.fault.kind == FaultKind::none && !made.recipe.fuzzed;
-  const auto stands = [](const Answer& a) {
-    return a.verdict == Verdict::certified || a.verdict == Verdict::undecided;
-  };
-  if (always_oracle || meant_right || stands(j.certifier) || stands(j.kernel)) {
+  const Verdict c = j.certifier.verdict, k = j.kernel.verdict;
+  const bool stands = c != Verdict::refuted || k == Verdict::certified;
+  if (always_oracle || meant_right || stands) {
     ask_oracle(j, made.scene, made.history, truth, made.hints);
     // Where ties last or rounding breaks them, flips may be due and undone between all samples.
     const bool by_engine = made.recipe.by_engine && truth == Truth::exact;

@@ -42,6 +42,12 @@ struct Line {
   std::array<Pair2, 2> v{}, p{};
 };
 
+// Whether the line is about this generator.
+inline bool concerns(const Line& line, int id) {
+  if (line.kind != Line::Kind::flip) return line.i == id || line.j == id;
+  return line.edge[0] == id || line.edge[1] == id || line.edge[2] == id || line.edge[3] == id;
+}
+
 struct History {
   double horizon = 1;
   bool centres = true;  // whether its lines give p

@@ -209,6 +209,14 @@ Opinion judge_diagrams(const Motion& motion, const History& history,
           reverse_near || (other.kind == Line::Kind::flip && canonical(other.edge) == reverse &&
                            std::abs(other.t - line.t) <= 3 * tolerance);
     }
+    for (const Line& other : history.lines) {
+      const bool turns_it = other.kind != Line::Kind::flip &&
+                            (concerns(line, other.j) || (other.i >= 0 && concerns(line, other.i)));
+      // Whether the order of the file is right then, samples do not say.
+      if (turns_it && std::abs(other.t - line.t) <= 2 * tolerance) {
+        doubt = unclear("a flip near a turn of its generators");
+      }
+    }
     if (!claimed.flip(line.edge)) return wrong("a flip of an edge that is not there");
     const Opinion o = judge_flip(motion, line, end, reverse_near);
     if (take(o)) return o;

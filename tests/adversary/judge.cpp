@@ -98,22 +98,25 @@ Answer ask_kernel(const std::string& scene, const std::string& history, Truth tr
 Answer ask_kernel(const std::string&, const std::string&, Truth) { return {}; }
 #endif
 
-bool says(const Judgement& j, Verdict v) {
-  return j.certifier.verdict == v || j.kernel.verdict == v;
-}
-
 }  // namespace
 
 Find find_of(const Judgement& j) {
-  if (says(j, Verdict::failed)) return Find::failure;
-  const bool one_invalid =
-      (j.certifier.verdict == Verdict::invalid) != (j.kernel.verdict == Verdict::invalid);
-  if (one_invalid && j.kernel.verdict != Verdict::absent) return Find::failure;
-  const bool certified = says(j, Verdict::certified), refuted = says(j, Verdict::refuted);
-  if (certified && j.opinion && j.opinion->finding == Finding::wrong) return Find::certified_wrong;
-  if (refuted && j.opinion && j.opinion->finding == Finding::right) return Find::refuted_right;
-  if (certified && refuted) return Find::disagreement;
-  return Find::none;
+  const Verdict c = j.certifier.verdict, k = j.kernel.verdict;
+  if (c == Verdict::failed || k == Verdict::failed) return Find::failure;
+  if (k != Verdict::absent && (c == Verdict::invalid) != (k == Verdict::invalid)) {
+    return Find::failure;
+  }
+  if (j.opinion && j.opinion->finding == Finding::wrong) {
+    if (c == Verdict::certified) return Find::certifier_lax;
+    if (k == Verdict::certified) return Find::kernel_lax;
+  }
+  if (j.opinion && j.opinion->finding == Finding::right) {
+    if (c == Verdict::refuted) return Find::certifier_strict;
+    if (k == Verdict::refuted) return Find::kernel_strict;
+  }
+  const bool opposed = (c == Verdict::certified && k == Verdict::refuted) ||
+                       (c == Verdict::refuted && k == Verdict::certified);
+  return opposed ? Find::disagreement : Find::none;
 }
 
 std::optional<ReadScene> read(const SceneData& scene) {

@@ -33,17 +33,24 @@ struct Judgement {
   std::optional<Opinion> opinion;  // where it was asked for
 };
 
-// Why a judgement is a find.
+// Why a judgement is a find; the first that holds.
 enum class Find {
   none,
-  certified_wrong,  // by certifier or kernel, and the oracle refutes it
-  refuted_right,    // by one of them, and the oracle finds nothing
-  disagreement,     // one certifies what the other refutes
-  failure,          // an exception, or a file that one cannot read
+  failure,        // an exception, or a file that only one of the two can read
+  certifier_lax,  // certified, and the oracle refutes it
+  kernel_lax,
+  certifier_strict,  // refuted, and the oracle finds nothing
+  kernel_strict,
+  disagreement,  // one certifies what the other refutes
   count
 };
-inline constexpr std::array find_names{"none", "certified though wrong", "refuted though right",
-                                       "certifier and kernel disagree", "failure"};
+inline constexpr std::array find_names{"none",
+                                       "failure",
+                                       "certifier: certified though wrong",
+                                       "kernel: certified though wrong",
+                                       "certifier: refuted though right",
+                                       "kernel: refuted though right",
+                                       "certifier and kernel disagree"};
 inline const char* name(Find f) { return find_names[static_cast<std::size_t>(f)]; }
 
 Find find_of(const Judgement& j);

@@ -16,6 +16,8 @@ Opinion wrong(const std::string& why) { return {Finding::wrong, why}; }
 Opinion unclear(const std::string& why) { return {Finding::unclear, why}; }
 
 Wide norm(const WideVec& a) { return square_root(a.x * a.x + a.y * a.y); }
+// A bound of the length, as a certifier may take it.
+Wide length_bound(const WideVec& a) { return (a.x < 0 ? -a.x : a.x) + (a.y < 0 ? -a.y : a.y); }
 Wide dot(const WideVec& a, const WideVec& b) { return a.x * b.x + a.y * b.y; }
 WideVec minus(const WideVec& a, const WideVec& b) { return {a.x - b.x, a.y - b.y}; }
 WideVec wide(const Pair2& v) { return {v[0], v[1]}; }
@@ -28,15 +30,22 @@ Finding within(Wide value, Wide bound) {
                                   : Finding::wrong;
 }
 
+// The better of two.
+Finding either(Finding a, Finding b) {
+  if (a == Finding::right || b == Finding::right) return Finding::right;
+  return a == Finding::unclear || b == Finding::unclear ? Finding::unclear : Finding::wrong;
+}
+
+// The same where a bound may be taken larger than it need be.
+Finding within(Wide value, Wide least, Wide most) {
+  return either(within(value, least),
+                within(value, most) == Finding::wrong ? Finding::wrong : Finding::unclear);
+}
+
 // The worse of two.
 Finding both(Finding a, Finding b) {
   if (a == Finding::wrong || b == Finding::wrong) return Finding::wrong;
   return a == Finding::unclear || b == Finding::unclear ? Finding::unclear : Finding::right;
-}
-
-Finding either(Finding a, Finding b) {
-  if (a == Finding::right || b == Finding::right) return Finding::right;
-  return a == Finding::unclear || b == Finding::unclear ? Finding::unclear : Finding::wrong;
 }
 
 std::string text(const Line& line) {
@@ -75,7 +84,7 @@ class Recorded {
       }
     }
     for (std::size_t k = 0; k < done_.size(); ++k) {
-      if (!done_[k] && scene_.maneuvers[k].t < history_.horizon - 2 * tolerance) {
+      if (!done_[k] && scene_.maneuvers[k].t <= history_.horizon) {
         return wrong("a maneuver is missing");
       }
     }
@@ -131,6 +140,13 @@ class Recorded {
     } else if (g.entry(entry) && entry > -static_cast<Wide>(1e-12) * (1 + from)) {
       result = Finding::unclear;  // the entry is where the lines begin, within rounding
     }
+    // Two that rest in contact within rounding, and approach since they turned.
+    const Wide deep = i < 0 ? square_root(r * r - g(0)) - r : r - square_root(g(0) + r * r);
+    if (deep <= 4 * delta(i, j) && deep >= -4 * delta(i, j) && g.a * (t - from) + g.b < 0) {
+      const Finding rests =
+          deep >= 0 && deep <= delta(i, j) / 2 ? Finding::right : Finding::unclear;
+      result = either(result, both(rests, within(t - from, tolerance)));
+    }
     for (const Overlap& o : motion_.overlaps(i, j, from)) {
       if (!o.open) continue;
       const bool lasts = g(t - from) < 0 && !(g.exit(exit) && exit < t - from && exit > 0);
@@ -170,11 +186,13 @@ class Recorded {
       if (scene_.whole) vj = {e * vj.x, e * vj.y};
     }
     const Wide speed = norm(b.v) + (i < 0 ? Wide(0) : norm(a.v));
-    const Wide rho = 16 * norm(q) / (motion_.reach(i, j) * std::ldexp(1.0, 53));
-    if (rho >= 1) return Finding::unclear;
-    const Wide bound = (law_tolerance + rho) * speed;
-    Finding f = within(norm(minus(wide(line.v[1]), vj)), bound);
-    if (i >= 0) f = both(f, within(norm(minus(wide(line.v[0]), vi)), bound));
+    const Wide most_speed = length_bound(b.v) + (i < 0 ? Wide(0) : length_bound(a.v));
+    const Wide turned =
+        16 * (length_bound(q) + most_speed * line.t) / (motion_.reach(i, j) * std::ldexp(1.0, 53));
+    if (turned >= 1) return Finding::unclear;
+    const Wide least = law_tolerance * speed, most = (law_tolerance + turned) * most_speed;
+    Finding f = within(norm(minus(wide(line.v[1]), vj)), least, most);
+    if (i >= 0) f = both(f, within(norm(minus(wide(line.v[0]), vi)), least, most));
     return f;
   }
 
@@ -209,7 +227,8 @@ class Recorded {
       if (done_[k] || m.disk != line.j || time == Finding::wrong) continue;
       done_[k] = true;
       const WideVec v{m.vx, m.vy};
-      Finding f = both(time, within(norm(minus(wide(line.v[1]), v)), law_tolerance * norm(v)));
+      const Wide off = norm(minus(wide(line.v[1]), v));
+      Finding f = both(time, within(off, law_tolerance * norm(v), law_tolerance * length_bound(v)));
       f = both(f, near_path(line.j, line.p[1], line.v[1], line.t));
       path(line.j).turn(line.t, wide(line.v[1]));
       partners_[static_cast<std::size_t>(line.j)] = -2;
@@ -318,6 +337,14 @@ Opinion judge_exact(const SceneData& scene, const History& history,
   for (const DiskData& d : scene.disks) {
     motion.paths.emplace_back(Piece{0, {d.x, d.y}, {d.vx, d.vy}});
   }
+  // Of several turns at one instant the oracle gives the last one's velocity.
+  const auto velocity_after = [&](std::size_t k, int id) {
+    const auto& t = exact->times()[k];
+    if (k + 1 == lines.size() || exact->times()[k + 1] - t > 1e-60) return exact->velocity(id, t);
+    const std::vector<oracle::MotionRecord> first(
+        records.begin(), records.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    return Exact(motion_scene(scene), first).velocity(id, t);
+  };
   Finding f = Finding::right;
   std::string why;
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -335,13 +362,16 @@ Opinion judge_exact(const SceneData& scene, const History& history,
            "after the horizon");
     }
     // What the bound of velocities is made of: both before a collision, the scheduled one.
-    Wide speed = 0;
+    Wide speed = 0, most_speed = 0;
     if (line.kind == Line::Kind::maneuver) {
       const MovedTo& m = *records[k].maneuver;
       speed = std::hypot(m.vx.get_d(), m.vy.get_d());
+      most_speed = std::fabs(m.vx.get_d()) + std::fabs(m.vy.get_d());
     } else {
       for (const int id : {line.i, line.j}) {
-        if (id >= 0) speed += norm(motion.paths[static_cast<std::size_t>(id)].last().v);
+        if (id < 0) continue;
+        speed += norm(motion.paths[static_cast<std::size_t>(id)].last().v);
+        most_speed += length_bound(motion.paths[static_cast<std::size_t>(id)].last().v);
       }
     }
     if (line.kind == Line::Kind::collide && line.i >= 0) {
@@ -359,25 +389,27 @@ Opinion judge_exact(const SceneData& scene, const History& history,
       if (id < 0 || (side == 0 && line.kind == Line::Kind::maneuver)) continue;
       Path& path = motion.paths[static_cast<std::size_t>(id)];
       const auto p = exact->position(id, exact->times()[k]);
-      auto v = exact->velocity(id, exact->times()[k]);
+      const auto v = velocity_after(k, id);
       const WideVec before = path.last().v;
       const Piece piece{t, {wide(p[0]), wide(p[1])}, {wide(v[0]), wide(v[1])}};
-      // Of several turns at one instant only the last one's velocity can be asked for.
-      const bool again = k + 1 < lines.size() && exact->times()[k + 1] == exact->times()[k];
       path.put(piece);
       const auto s = static_cast<std::size_t>(side);
       const Wide reach = motion.reach(line.kind == Line::Kind::maneuver ? -1 : line.i, id);
-      Wide bound = law_tolerance * speed;
-      if (line.kind == Line::Kind::collide) {
-        bound += std::min(4 * tolerance * speed * speed / reach, speed * std::ldexp(1.0, -10));
-      }
-      if (!again && speed > 0) {
-        note(within(norm(minus(wide(line.v[s]), piece.v)), bound), "another velocity");
+      const auto bound = [&](Wide of) {
+        if (line.kind == Line::Kind::maneuver) return law_tolerance * of;
+        return law_tolerance * of +
+               std::min(4 * tolerance * of * of / reach, of * std::ldexp(1.0, -10));
+      };
+      if (speed > 0) {
+        note(within(norm(minus(wide(line.v[s]), piece.v)), bound(speed), bound(most_speed)),
+             "another velocity");
       }
       const Wide room =
-          tolerance * (norm(before) + norm(piece.v)) + 4 * norm(piece.at) * std::ldexp(1.0, -53);
+          tolerance * (norm(before) + norm(piece.v)) + 2 * norm(piece.at) * std::ldexp(1.0, -53);
+      const Wide most_room = tolerance * (length_bound(before) + length_bound(piece.v)) +
+                             4 * length_bound(piece.at) * std::ldexp(1.0, -53);
       if (history.centres) {
-        note(within(norm(minus(wide(line.p[s]), piece.at)), room), "another centre");
+        note(within(norm(minus(wide(line.p[s]), piece.at)), room, most_room), "another centre");
       }
     }
   }
