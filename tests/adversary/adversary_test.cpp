@@ -1,0 +1,99 @@
+// Some thousand wrong worlds of fixed seeds, and the finds of earlier campaigns (cases/).
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/adversary/campaign.h"
+
+namespace voroproof::adversary {
+namespace {
+
+std::string told(const Made& m, Truth truth, const Judgement& j) {
+  std::ostringstream out;
+  out << name(find_of(j)) << ": seed " << m.recipe.seed << ", family " << name(m.recipe.family)
+      << ", " << kind_of(m.recipe) << ", truth " << name(truth) << "\ncertifier "
+      << name(j.certifier.verdict) << " " << j.certifier.reason << "\nkernel "
+      << name(j.kernel.verdict) << " " << j.kernel.reason << "\noracle "
+      << (j.opinion ? j.opinion->why : "not asked");
+  return out.str();
+}
+
+void expect_no_find(const Made& m, Truth truth, const Judgement& j) {
+  EXPECT_EQ(find_of(j), Find::none) << told(m, truth, j);
+}
+
+TEST(Adversary, NoFindInMixedWorlds) {
+  Campaign campaign(false);
+  for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
+    campaign.run(seed, {}, {}, expect_no_find);
+  }
+  EXPECT_GT(campaign.histories(), 2000);
+}
+
+// Of each fault so many are made and refuted that a generator that makes nothing is seen.
+TEST(Adversary, EachFaultIsMadeAndRefuted) {
+  Campaign campaign(false);
+  for (int kind = 1; kind < static_cast<int>(FaultKind::count); ++kind) {
+    for (std::uint64_t seed = 100000; seed < 100080; ++seed) {
+      campaign.run(seed, {}, static_cast<FaultKind>(kind), expect_no_find);
+    }
+    // Faults of special scenes find their place there.
+    for (const Family family : {Family::touching, Family::touch_maneuver, Family::inelastic}) {
+      for (std::uint64_t seed = 200000; seed < 200030; ++seed) {
+        campaign.run(seed, family, static_cast<FaultKind>(kind), expect_no_find);
+      }
+    }
+  }
+  for (int kind = 1; kind < static_cast<int>(FaultKind::count); ++kind) {
+    const std::string fault(fault_names[static_cast<std::size_t>(kind)]);
+    for (const Truth truth : truths) {
+      const auto found = campaign.by_kind().find({fault, static_cast<int>(truth)});
+      ASSERT_NE(found, campaign.by_kind().end()) << fault;
+      const Count& c = found->second;
+      EXPECT_GE(c.made, 5) << fault;
+      EXPECT_GE(c.certifier[static_cast<std::size_t>(Verdict::refuted)], 3) << fault;
+    }
+  }
+}
+
+// Right histories of scenes in general position are found right by the oracle, nearly all.
+TEST(Adversary, RightWorldsAreRight) {
+  Campaign campaign(false);
+  for (std::uint64_t seed = 300000; seed < 300300; ++seed) {
+    campaign.run(seed, static_cast<Family>(seed % 9), FaultKind::none, expect_no_find);
+  }
+  for (const Truth truth : truths) {
+    const Count& c = campaign.by_kind().at({"none", static_cast<int>(truth)});
+    EXPECT_GE(c.oracle_right * 10, c.made * 9);
+    EXPECT_GE(c.certifier[static_cast<std::size_t>(Verdict::certified)] * 10, c.made * 9);
+  }
+}
+
+// cases/NAME.scene.json, NAME.history.jsonl and NAME.verdict: lines "truth verdict".
+TEST(Adversary, SavedCases) {
+  const std::filesystem::path folder(VOROPROOF_ADVERSARY_CASES);
+  int replayed = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".verdict") continue;
+    const std::string stem = (folder / entry.path().stem()).string();
+    std::ifstream expected(entry.path());
+    std::string truth, verdict;
+    while (expected >> truth >> verdict) {
+      const Truth t = truth == name(Truth::exact) ? Truth::exact : Truth::recorded;
+      const Judgement j = judge_files(stem + ".scene.json", stem + ".history.jsonl", t);
+      EXPECT_EQ(verdict, name(j.certifier.verdict))
+          << stem << ", " << truth << ": " << j.certifier.reason;
+      if (j.kernel.verdict != Verdict::absent) {
+        EXPECT_EQ(verdict, name(j.kernel.verdict))
+            << stem << ", " << truth << ": kernel " << j.kernel.reason;
+      }
+      ++replayed;
+    }
+  }
+  EXPECT_GT(replayed, 0);
+}
+
+}  // namespace
+}  // namespace voroproof::adversary

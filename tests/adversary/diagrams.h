@@ -1,0 +1,17 @@
+// Whether the diagram that a history claims is that of given paths, at instants between claims.
+#pragma once
+
+#include <vector>
+
+#include "tests/adversary/paths.h"
+#include "tests/adversary/truth.h"
+
+namespace voroproof::adversary {
+
+// Replays the claimed flips. `turns`: the times of turns on the paths, at which nothing is looked
+// at. Looks between all claims that are farther apart than twice the tolerance, at the hints, and
+// at each claimed flip: its edge must change from legal to illegal within the tolerance.
+Opinion judge_diagrams(const Motion& motion, const History& history,
+                       const std::vector<double>& turns, const std::vector<double>& hints);
+
+}  // namespace voroproof::adversary

@@ -1,0 +1,162 @@
+#include "tests/adversary/judge.h"
+
+#include <algorithm>
+#include <exception>
+#include <fstream>
+#include <iterator>
+
+#include "history/error.h"
+#include "history/sha256.h"
+#include "tests/certify/claimed_history.h"
+#ifdef VOROPROOF_KERNEL
+#include "kernel/kernel.h"
+#endif
+
+namespace voroproof::adversary {
+namespace {
+
+constexpr int most_bits = 1024;
+
+Quad quad(const Edge& q) { return canonical(Quad{q[0], q[1], q[2], q[3]}); }
+
+testing::ClaimedHistory claimed(const ReadScene& scene, const History& history) {
+  testing::ClaimedHistory h;
+  h.header.scene_sha256 = scene.scene.sha256;
+  h.header.horizon = to_rational(history.horizon);
+  h.header.producer = "adversary 1";
+  h.header.initial.emplace();
+  for (const Edge& q : history.initial) h.header.initial->push_back(quad(q));
+  std::sort(h.header.initial->begin(), h.header.initial->end());
+  for (const Line& line : history.lines) {
+    switch (line.kind) {
+      case Line::Kind::flip:
+        h.events.emplace_back(FlipEvent{line.t, quad(line.edge), {}});
+        break;
+      case Line::Kind::maneuver:
+        h.events.emplace_back(ManeuverEvent{line.t, line.j, line.v[1], {}, {}});
+        if (history.centres) std::get<ManeuverEvent>(h.events.back()).p = line.p[1];
+        break;
+      case Line::Kind::collide: {
+        CollideEvent e{.t = line.t, .i = line.i, .j = line.j};
+        e.v[1] = line.v[1];
+        if (line.i >= 0) e.v[0] = line.v[0];
+        if (history.centres) {
+          e.p[1] = line.p[1];
+          if (line.i >= 0) e.p[0] = line.p[0];
+        }
+        h.events.emplace_back(e);
+        break;
+      }
+    }
+  }
+  h.count();
+  return h;
+}
+
+Answer ask_certifier(const Scene& scene, const testing::ClaimedHistory& history, Truth truth) {
+  CertifyOptions options;
+  // Ties that cost seconds are left undecided.
+  options.motion.max_bits = most_bits;
+  options.truth = truth == Truth::exact ? voroproof::Truth::exact : voroproof::Truth::recorded;
+  try {
+    const Certificate c = testing::certify(scene, history, options);
+    switch (c.verdict) {
+      case voroproof::Verdict::certified:
+        return {Verdict::certified, {}};
+      case voroproof::Verdict::refuted:
+        return {Verdict::refuted,
+                std::string(fault_names[static_cast<std::size_t>(c.divergence->fault)]) +
+                    ", line " + std::to_string(c.divergence->line) + ": " + c.divergence->truth};
+      case voroproof::Verdict::undecided:
+        return {Verdict::undecided, c.reason};
+    }
+  } catch (const InputError& error) {
+    return {Verdict::invalid, error.what()};
+  } catch (const std::exception& error) {
+    return {Verdict::failed, error.what()};
+  }
+  return {};
+}
+
+#ifdef VOROPROOF_KERNEL
+Answer ask_kernel(const std::string& scene, const std::string& history, Truth truth) {
+  namespace k = voroproof_kernel;
+  k::Options options;
+  options.truth = truth == Truth::exact ? k::Truth::exact : k::Truth::recorded;
+  try {
+    const k::Result r = k::check(scene, history, options);
+    const Verdict v = r.verdict == k::Verdict::certified   ? Verdict::certified
+                      : r.verdict == k::Verdict::refuted   ? Verdict::refuted
+                      : r.verdict == k::Verdict::undecided ? Verdict::undecided
+                                                           : Verdict::invalid;
+    return {v, r.reason};
+  } catch (const std::exception& error) {
+    return {Verdict::failed, error.what()};
+  }
+}
+#else
+Answer ask_kernel(const std::string&, const std::string&, Truth) { return {}; }
+#endif
+
+}  // namespace
+
+Find find_of(const Judgement& j) {
+  const Verdict c = j.certifier.verdict, k = j.kernel.verdict;
+  if (c == Verdict::failed || k == Verdict::failed) return Find::failure;
+  if (k != Verdict::absent && (c == Verdict::invalid) != (k == Verdict::invalid)) {
+    return Find::failure;
+  }
+  if (j.opinion && j.opinion->finding == Finding::wrong) {
+    if (c == Verdict::certified) return Find::certifier_lax;
+    if (k == Verdict::certified) return Find::kernel_lax;
+  }
+  if (j.opinion && j.opinion->finding == Finding::right) {
+    if (c == Verdict::refuted) return Find::certifier_strict;
+    if (k == Verdict::refuted) return Find::kernel_strict;
+  }
+  const bool opposed = (c == Verdict::certified && k == Verdict::refuted) ||
+                       (c == Verdict::refuted && k == Verdict::certified);
+  return opposed ? Find::disagreement : Find::none;
+}
+
+std::optional<ReadScene> read(const SceneData& scene) {
+  ReadScene r{scene_text(scene), {}};
+  try {
+    r.scene = parse_scene(r.text, "scene");
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  return r;
+}
+
+Judgement judge(const ReadScene& scene, const History& history, Truth truth, bool long_decimals) {
+  return {ask_certifier(scene.scene, claimed(scene, history), truth),
+          ask_kernel(scene.text, history_text(history, scene.scene.sha256, long_decimals), truth),
+          {}};
+}
+
+Judgement judge_files(const std::string& scene_path, const std::string& history_path, Truth truth) {
+  const auto text = [](const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(in), {}};
+  };
+  Judgement j;
+  try {
+    const Scene scene = read_scene(scene_path);
+    const auto history = testing::read_claimed_history(history_path, scene);
+    j.certifier = history ? ask_certifier(scene, *history, truth)
+                          : Answer{Verdict::invalid, "not a complete history"};
+  } catch (const InputError& error) {
+    j.certifier = {Verdict::invalid, error.what()};
+  }
+  j.kernel = ask_kernel(text(scene_path), text(history_path), truth);
+  return j;
+}
+
+void ask_oracle(Judgement& j, const SceneData& scene, const History& history, Truth truth,
+                const std::vector<double>& hints) {
+  j.opinion = truth == Truth::exact ? judge_exact(scene, history, hints)
+                                    : judge_recorded(scene, history, hints);
+}
+
+}  // namespace voroproof::adversary

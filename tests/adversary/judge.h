@@ -1,0 +1,75 @@
+// What the certifier, the kernel and the oracle say of one history.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "history/scene.h"
+#include "tests/adversary/claims.h"
+#include "tests/adversary/truth.h"
+
+namespace voroproof::adversary {
+
+enum class Truth { exact, recorded };
+inline constexpr std::array truths{Truth::exact, Truth::recorded};
+inline constexpr std::array truth_names{"exact", "recorded"};
+
+enum class Verdict { certified, refuted, undecided, invalid, failed, absent };
+inline constexpr std::array verdict_names{"certified", "refuted", "undecided",
+                                          "invalid",   "failed",  "absent"};
+inline const char* name(Verdict v) { return verdict_names[static_cast<std::size_t>(v)]; }
+inline const char* name(Truth t) { return truth_names[static_cast<std::size_t>(t)]; }
+
+struct Answer {
+  Verdict verdict = Verdict::absent;
+  std::string reason;
+};
+
+struct Judgement {
+  Answer certifier, kernel;        // the kernel's is absent where there is none
+  std::optional<Opinion> opinion;  // where it was asked for
+};
+
+// Why a judgement is a find; the first that holds.
+enum class Find {
+  none,
+  failure,        // an exception, or a file that only one of the two can read
+  certifier_lax,  // certified, and the oracle refutes it
+  kernel_lax,
+  certifier_strict,  // refuted, and the oracle finds nothing
+  kernel_strict,
+  disagreement,  // one certifies what the other refutes
+  count
+};
+inline constexpr std::array find_names{"none",
+                                       "failure",
+                                       "certifier: certified though wrong",
+                                       "kernel: certified though wrong",
+                                       "certifier: refuted though right",
+                                       "kernel: refuted though right",
+                                       "certifier and kernel disagree"};
+inline const char* name(Find f) { return find_names[static_cast<std::size_t>(f)]; }
+
+Find find_of(const Judgement& j);
+
+// A scene as the certifier takes it; nothing where its reader refuses it.
+struct ReadScene {
+  std::string text;
+  Scene scene;
+};
+std::optional<ReadScene> read(const SceneData& scene);
+
+// Asks certifier and kernel.
+Judgement judge(const ReadScene& scene, const History& history, Truth truth, bool long_decimals);
+
+// The same of files.
+Judgement judge_files(const std::string& scene_path, const std::string& history_path, Truth truth);
+
+// Asks the oracle, too.
+void ask_oracle(Judgement& j, const SceneData& scene, const History& history, Truth truth,
+                const std::vector<double>& hints);
+
+}  // namespace voroproof::adversary
