@@ -77,9 +77,10 @@ ExitCode certify_files(Request& request) {
     throw Interrupted();
   }
   progress.reset();
+  const std::string evidence = checked_evidence(certificate, request.scene, request.history);
   if (report_file) {
     const CertificationRun run =
-        certification_run(producer(), request.scene, request.history, claim);
+        certification_run(producer(), request.scene, request.history, claim, evidence);
     report_file->write(report_text(run, options, certificate));
     report_file->commit();
   }
@@ -93,6 +94,7 @@ ExitCode certify_files(Request& request) {
               << certificate.prefix_events << " events, t = " << certificate.prefix_t << "; swaps "
               << certificate.swaps << '\n';
     for (const std::string& remark : certificate.remarks) std::cout << "c " << remark << '\n';
+    if (!evidence.empty()) std::cout << "c evidence: " << evidence << '\n';
   }
   std::cout << verdict_line(certificate.verdict) << '\n';
   return exit_code(certificate.verdict);
