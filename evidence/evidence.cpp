@@ -170,7 +170,7 @@ EvidenceCheck check_evidence(const Divergence& divergence) {
   const bool conflict = w.t && w.vertex && w.conflict;
   const bool overlap = w.t && !conflict && !w.polynomial.empty();
   if (!w.root && !conflict && !overlap) {
-    return {Evidence::none, "none (the refutation rests on the scene and on the claims before)"};
+    return {Evidence::none, "none (no polynomial and no circle to check)"};
   }
   std::vector<Mover> movers;
   for (const EvidenceMotion& motion : w.generators) {

@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
+#include <stdexcept>
 #include <utility>
 
+#include "apps/certification.h"
 #include "tests/certify/claimed_history.h"
 #include "tests/support/random_scenes.h"
 
@@ -257,6 +258,24 @@ TEST(Evidence, RootWithoutPolynomialIsSeen) {
   for (auto [name, d] : true_roots()) {
     d.witness.polynomial.clear();
     EXPECT_EQ(evidence_of(d), Evidence::contradicted) << name;
+  }
+}
+
+// An internal error of the program, which names the files to report.
+TEST(Evidence, ContradictionIsAnError) {
+  Certificate c;
+  EXPECT_EQ(checked_evidence(c, "a.scene.json", "a.history.jsonl"), "");
+  c.verdict = Verdict::refuted;
+  c.divergence = conflict(1, -9);
+  EXPECT_EQ(checked_evidence(c, "a.scene.json", "a.history.jsonl"),
+            "confirmed by CGAL's exact circles");
+  c.divergence = conflict(1, -10);
+  try {
+    checked_evidence(c, "a.scene.json", "a.history.jsonl");
+    FAIL();
+  } catch (const std::logic_error& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("a.scene.json and a.history.jsonl"), std::string::npos) << message;
   }
 }
 
