@@ -149,6 +149,11 @@ inline std::optional<CGAL::Bounded_side> apollonius_side(const TangentCircle& z,
   }
 }
 
+// Two ways of CGAL's, with two answers.
+struct Disagreement : std::logic_error {
+  Disagreement() : std::logic_error("CGAL's circle and its Apollonius predicate disagree") {}
+};
+
 // The side of the circle of the vertex [g0, g1, g2] on which the last generator lies; nothing where
 // there is no such circle.
 inline std::optional<CGAL::Bounded_side> side_of_vertex(const std::array<Circle, 4>& g) {
@@ -156,7 +161,7 @@ inline std::optional<CGAL::Bounded_side> side_of_vertex(const std::array<Circle,
   if (!z) return std::nullopt;
   const CGAL::Bounded_side side = side_of(*z, g[3]);
   if (const auto other = apollonius_side(*z, g); other && *other != side) {
-    throw std::logic_error("CGAL's circle and its Apollonius predicate disagree");
+    throw Disagreement();
   }
   return side;
 }

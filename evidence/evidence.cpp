@@ -50,6 +50,7 @@ EdgeSides edge_sides(const std::array<Mover, 4>& m, const Gmpq& t) {
 }
 
 EvidenceCheck check_flip(const std::array<Mover, 4>& m, const OneRoot& root) {
+  std::string fault = "at the root the circles of the edge do not exist";
   for (const int bits : kBitsAround) {
     const auto times = root.roots.around(root.index, bits);
     if (!times) continue;
@@ -58,9 +59,9 @@ EvidenceCheck check_flip(const std::array<Mover, 4>& m, const OneRoot& root) {
     if (before.both(CGAL::ON_UNBOUNDED_SIDE) && after.both(CGAL::ON_BOUNDED_SIDE)) {
       return {Evidence::confirmed, "confirmed by CGAL's algebraic kernel and its exact circles"};
     }
-    return contradicted("the edge does not turn from legal to illegal at the root");
+    fault = "the edge does not turn from legal to illegal at the root";
   }
-  return contradicted("at the root the circles of the edge do not exist");
+  return contradicted(fault);
 }
 
 // The sign of the polynomial of a contact where the two do not overlap.
@@ -178,8 +179,12 @@ EvidenceCheck check_evidence(const Divergence& divergence) {
     if (!m) return {Evidence::not_checkable, "not checked (motion is not rational)"};
     movers.push_back(*m);
   }
-  if (conflict) return check_conflict(w, movers);
-  return overlap ? check_overlap(divergence, movers) : check_root(divergence, movers);
+  try {
+    if (conflict) return check_conflict(w, movers);
+    return overlap ? check_overlap(divergence, movers) : check_root(divergence, movers);
+  } catch (const cgal::Disagreement& two) {
+    return contradicted(two.what());
+  }
 }
 
 }  // namespace voroproof
