@@ -38,15 +38,24 @@ Divergence missing_event(const RandomScene& family, const Wanted& wanted) {
   throw std::logic_error("no such refutation");
 }
 
-bool has_container(const Divergence& d) {
+// The place of the container among the generators of the witness, -1 if it is none of them.
+int place_of_container(const Divergence& d) {
   const auto& all = d.witness.generators;
-  return std::any_of(all.begin(), all.end(),
-                     [](const EvidenceMotion& m) { return m.id == container_id; });
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k].id == container_id) return static_cast<int>(k);
+  }
+  return -1;
 }
 
-Divergence missing_flip(bool with_container) {
+enum class Container { absent, crossing, traversing };  // in l or r, in s or e
+
+Divergence missing_flip(Container container) {
   return missing_event({.n = 8, .horizon = 15}, [=](const Divergence& d) {
-    return d.true_flip && has_container(d) == with_container;
+    const int place = place_of_container(d);
+    const Container is = place < 0   ? Container::absent
+                         : place < 2 ? Container::crossing
+                                     : Container::traversing;
+    return d.true_flip && is == container;
   });
 }
 Divergence missing_flip_of_equal_radii() {
@@ -56,7 +65,7 @@ Divergence missing_flip_of_equal_radii() {
 }
 Divergence missing_contact(bool with_container) {
   return missing_event({.n = 8, .horizon = 15}, [=](const Divergence& d) {
-    return d.true_contact && has_container(d) == with_container;
+    return d.true_contact && (place_of_container(d) >= 0) == with_container;
   });
 }
 
@@ -79,8 +88,9 @@ Divergence conflict(int x, int y) {
 
 // Refutations of all kinds that have something to check.
 std::vector<std::pair<std::string, Divergence>> true_witnesses() {
-  return {{"flip of disks", missing_flip(false)},
-          {"flip at the container", missing_flip(true)},
+  return {{"flip of disks", missing_flip(Container::absent)},
+          {"flip of an edge of the container", missing_flip(Container::crossing)},
+          {"flip at the container", missing_flip(Container::traversing)},
           {"flip of equal disks", missing_flip_of_equal_radii()},
           {"contact of disks", missing_contact(false)},
           {"contact with the container", missing_contact(true)},
@@ -170,8 +180,8 @@ TEST(Evidence, WrongGeneratorIsSeen) {
 
 // The same polynomial and root, of an edge in whose place another flips.
 TEST(Evidence, FlipOfAnotherEdgeIsSeen) {
-  for (const Divergence& d :
-       {missing_flip(false), missing_flip(true), missing_flip_of_equal_radii()}) {
+  for (const Divergence& d : {missing_flip(Container::absent), missing_flip(Container::crossing),
+                              missing_flip(Container::traversing), missing_flip_of_equal_radii()}) {
     std::array<int, 4> order{0, 1, 2, 3};
     int confirmed = 0;
     do {
