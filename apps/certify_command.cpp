@@ -77,9 +77,10 @@ ExitCode certify_files(Request& request) {
     throw Interrupted();
   }
   progress.reset();
+  const std::string evidence = checked_evidence(certificate, request.scene, request.history);
   if (report_file) {
     const CertificationRun run =
-        certification_run(producer(), request.scene, request.history, claim);
+        certification_run(producer(), request.scene, request.history, claim, evidence);
     report_file->write(report_text(run, options, certificate));
     report_file->commit();
   }
@@ -96,6 +97,7 @@ ExitCode certify_files(Request& request) {
       if (l.count > 0) std::cout << "c leniency: " << l.count << " " << l.words << '\n';
     }
     for (const std::string& remark : certificate.remarks) std::cout << "c " << remark << '\n';
+    if (!evidence.empty()) std::cout << "c evidence: " << evidence << '\n';
   }
   if (const std::string line = horizon_line(certificate); !line.empty()) {
     std::cout << "c " << line << '\n';

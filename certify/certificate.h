@@ -60,7 +60,8 @@ struct Witness {
   std::string polynomial_is;
   std::vector<EvidenceNumber> polynomial;
   std::optional<std::array<Rational, 2>> root;  // [lo, hi]
-  // Or: at this time the circle of the vertex contains a point of the generator.
+  // Or: at this time the two overlap, or the circle of the vertex contains a point of the
+  // generator.
   std::optional<Rational> t;
   std::optional<Triple> vertex;
   std::optional<GenId> conflict;

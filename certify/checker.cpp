@@ -1,11 +1,13 @@
 #include "certify/checker.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "certify/witness.h"
 #include "certify/wording.h"
 #include "exact/patience.h"
+#include "history/json_text.h"
 
 namespace voroproof {
 
@@ -13,6 +15,21 @@ namespace {
 
 // How many of the claims that are near each other in time are looked at together.
 constexpr std::size_t kMaxNear = 64;
+
+// Whether both are of the motion of one disk.
+bool turn_one_disk(const Event& a, const Event& b) {
+  const auto disks = [](const Event& event) -> std::array<GenId, 2> {
+    if (const auto* c = std::get_if<CollideEvent>(&event)) return {c->i, c->j};
+    if (const auto* m = std::get_if<ManeuverEvent>(&event)) return {m->disk, container_id};
+    return {container_id, container_id};
+  };
+  for (const GenId g : disks(a)) {
+    for (const GenId h : disks(b)) {
+      if (g != container_id && g == h) return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -187,7 +204,7 @@ void Checker::process_next() {
   const bool alone =
       near_.size() == 1 || time(near_[1].event) > time(near_[0].event) + 2 * tolerance_up_;
   const std::size_t k = alone ? 0 : earliest();
-  take(k);
+  take_before_others(k);
   if (const auto* f = std::get_if<FlipEvent>(&*claim_)) {
     flip(*f);
   } else if (const auto* c = std::get_if<CollideEvent>(&*claim_)) {
@@ -195,8 +212,22 @@ void Checker::process_next() {
   } else {
     maneuver(std::get<ManeuverEvent>(*claim_));
   }
-  if (k > 0) ++certificate_.swaps;
   done();
+}
+
+// Takes the k-th of the near claims, which in truth comes before those that the file has before it.
+// Two turns of one disk do not commute: whoever reads the file in its order takes the velocity of
+// the later line for the last one.
+void Checker::take_before_others(std::size_t k) {
+  for (std::size_t passed = 0; passed < k; ++passed) {
+    if (!turn_one_disk(near_[passed].event, near_[k].event)) continue;
+    const double later = time(near_[k].event);
+    take(passed);
+    refute(Fault::wrong_order,
+           "a turn of the same disk, claimed at t = " + number_text(later) + ", comes before it");
+  }
+  if (k > 0) ++certificate_.swaps;
+  take(k);
 }
 
 // Which of the near claims is the first in truth. Only a claim that is certainly earlier than
@@ -263,7 +294,10 @@ std::optional<Moment> Checker::probe(const Event& event) {
     if (next.kind == NextContact::Kind::none) return std::nullopt;
     return moment_of(c->i, c->j, next);
   }
-  return std::nullopt;
+  const auto& m = std::get<ManeuverEvent>(event);
+  const auto k = replay_.scheduled(m, exact_time(event));
+  if (!k) return std::nullopt;
+  return Moment::at(scene_.maneuvers[*k].t);
 }
 
 // ---- Time. ----

@@ -137,6 +137,7 @@ class Checker {
   std::size_t earliest();
   std::optional<Moment> probe(const Event& event);
   void take(std::size_t k);
+  void take_before_others(std::size_t k);
   void done();
   bool is_moment_of(const Tie& tie, const Moment& m) const;
   void advance(const Moment& m);

@@ -43,9 +43,8 @@ void Checker::start() {
         take(0);
         refute(Fault::wrong_order, "what is claimed on a later line happens at t = 0, before it");
       }
-      ++certificate_.swaps;
     }
-    take(*k);
+    take_before_others(*k);
     if (const auto* c = std::get_if<CollideEvent>(&*claim_)) {
       collide(*c);
     } else {

@@ -159,7 +159,7 @@ Checker::Found Checker::collapse_for(const FlipEvent& claim, HalfEdge h) {
     }
     const Moment& m = frontier_;
     if (!in_time(m)) {
-      mistimed(q, {Collapse::Kind::root, m.lo, m.hi, nullptr}, t);
+      mistimed(q, {Collapse::Kind::now, m.lo, m.hi, nullptr}, t);
     }
     return {{m, m.lo, m.hi}, false};
   }
@@ -168,7 +168,11 @@ Checker::Found Checker::collapse_for(const FlipEvent& claim, HalfEdge h) {
       life.due ? std::optional(due_.at(h / 2)) : first_collapse(q, life.from, end);
   if (!c) {
     c = first_collapse(q, std::max(life.from, end), search_end_);
-    if (c) mistimed(q, *c, t);
+    // Kept on beyond other events, the motion may lead to roots at which q is no longer an edge.
+    if (c) {
+      const auto [lo, hi] = interval_of(*c);
+      if (!proved_no_flip(motion_, q, lo, hi)) mistimed(q, *c, t);
+    }
     refute(Fault::spurious_event,
            "edge " + text_of(canonical(q)) + " does not collapse under its present motion",
            motion_witness(motion_, generators(q), t));
@@ -285,7 +289,9 @@ void Checker::mistimed(const Quad& q, const Collapse& c, const Rational& claimed
                           "edge " + text_of(canonical(q)) + " flips " + between(c.lo, c.hi));
   d.true_flip = canonical(q);
   d.true_time = {c.lo, c.hi};
-  d.witness = collapse_witness(motion_, q, lo, hi);
+  // Of an edge that is illegal from the instant on, other polynomials may isolate that.
+  d.witness = c.kind == Collapse::Kind::now ? motion_witness(motion_, generators(q), lo)
+                                            : collapse_witness(motion_, q, lo, hi);
   throw Refuted{d};
 }
 

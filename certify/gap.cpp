@@ -56,6 +56,13 @@ bool Gap::approach_at(const Rational& t) const {
   return wall_ ? sgn(slope) > 0 : sgn(slope) < 0;
 }
 
+bool Gap::shallow_at_start(const Rational& depth) const {
+  const Rational distance2 = k_.c + reach_ * reach_;
+  const Rational limit = wall_ ? Rational(reach_ + depth) : Rational(reach_ - depth);
+  if (wall_) return distance2 <= limit * limit;
+  return sgn(limit) < 0 || distance2 >= limit * limit;
+}
+
 bool Gap::hidden_at(const Rational& t) const {
   const Rational distance2 = (wall_ ? Rational(-value(t)) : value(t)) + reach_ * reach_;
   return wall_ ? distance2 >= hidden_reach2_ : distance2 <= hidden_reach2_;

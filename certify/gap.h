@@ -64,6 +64,8 @@ class Gap {
   std::optional<Graze> graze(const Rational& distance) const;
 
   bool overlap_at(const Rational& t) const { return sgn(value(t)) < 0; }
+  // Whether they overlap by no more than the depth at `from`.
+  bool shallow_at_start(const Rational& depth) const;
   // Whether the two come nearer at the time t: a disk to the container, outwards.
   bool approach_at(const Rational& t) const;
   // Whether the tangency of the two has the wrong sign at t, or vanishes.

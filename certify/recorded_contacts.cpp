@@ -92,16 +92,21 @@ RecordedContacts::Answer RecordedContacts::answer(const Lines& lines, const Rati
   const Gap& gap = lines.gap;
   const auto it = carried_.find(lines.pair);
   const bool in_progress = it != carried_.end() && !it->second.over;
+  // Of an overlap by a rounding, as these lines begin, nothing may have been carried on.
+  const bool resting = in_progress ? it->second.shallow
+                                   : it == carried_.end() && gap.overlap_at(lines.from) &&
+                                         gap.shallow_at_start(lines.rounding) &&
+                                         4 * lines.rounding <= lines.reach;
   const auto entry = gap.entry();
   Contact contact = Contact::none;
   std::optional<GapTime> answered;
   if (entry && within(*entry)) {
     contact = Contact::right;
     answered = entry;
-  } else if (in_progress && gap.approach_at(t) &&
-             (within(it->second.entry) || (it->second.shallow && lines.from >= t - tolerance_))) {
+  } else if (gap.approach_at(t) && ((in_progress && within(it->second.entry)) ||
+                                    (resting && lines.from >= t - tolerance_))) {
     contact = Contact::right;
-    answered = it->second.entry;
+    answered = in_progress ? it->second.entry : GapTime(lines.from);
   } else if (const auto graze = gap.graze(lines.rounding);
              graze && graze->near && abs(Rational(graze->t - t)) <= tolerance_) {
     contact = Contact::graze;

@@ -148,7 +148,10 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
   j["verdict"] = verdict_line(c.verdict).substr(2);
   j["reason"] = reason_line(c);
   j["certified_prefix"] = {{"events", c.prefix_events}, {"t", c.prefix_t}};
-  if (c.divergence) j["divergence"] = json(*c.divergence);
+  if (c.divergence) {
+    j["divergence"] = json(*c.divergence);
+    j["evidence"] = run.evidence;
+  }
   j["proved"] = {{"flips", c.flips},
                  {"collisions", c.collisions},
                  {"maneuvers", c.maneuvers},
