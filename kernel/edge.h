@@ -68,6 +68,10 @@ class Edge4 {
   // Whether the form made last is not that of f or C, which vanish identically.
   bool always() const { return always_; }
 
+  // At an instant at which both vertices' circles touch all four: whether they are one circle. (Two
+  // circles may touch the same four; then the edge leads from the one to the other and stays.)
+  bool one_circle(Instant& t);
+
   // The sign of an in-circle function at t: of the vertex [l,s,r] or of [l,r,e].
   int incircle_at(const Rat& t, bool start);
   // Of what is positive iff the circle exists at t; kTouching where two of the three touch.

@@ -120,6 +120,7 @@ class Lives {
     if (birth.at->is_point() || birth.own) found = four_.collapse_near(birth.at->hi, claim.t);
     else found = four_.collapse_near(birth.at->lo, claim.t);
     if (found && birth.at->hi >= found->at.lo) found.reset();
+    const bool near_it = found.has_value();
     if (!found) {
       found = collapse(k, hi + p_.tolerance);
       if (!found) refute("edge " + name(q) + " does not collapse by then");
@@ -131,6 +132,9 @@ class Lives {
       }
     }
     const Shared now = std::make_shared<Instant>(found->at);
+    if (!near_it && !four_.one_circle(*now)) {
+      refute("edge " + name(q) + " leads from one circle to another and stays");
+    }
     if (compare(*now, lo) < 0 || compare(*now, hi) > 0) {
       refute("edge " + name(q) + " collapses at " + about(now->lo));
     }
