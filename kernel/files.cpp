@@ -87,7 +87,8 @@ class Fields {
 };
 
 Rat number(const Json& json) {
-  // nlohmann converts with strtod, which rounds correctly; conversions of integers round to nearest.
+  // nlohmann converts with strtod, which rounds correctly; conversions of integers round to
+  // nearest.
   if (json.is_number()) return exactly(json.get<double>());
   if (json.is_string()) return exact_string(json.get_ref<const std::string&>());
   invalid("not a number");

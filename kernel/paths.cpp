@@ -161,7 +161,8 @@ class Tracer {
       return v;
     }
     if (c.v[1]) {
-      if (!obeyed(p_, c, at, before)) refute("the velocities are not those of the law of collision");
+      if (!obeyed(p_, c, at, before))
+        refute("the velocities are not those of the law of collision");
       return {c.v[0].value_or(Vec{}), *c.v[1]};
     }
     const Pair filed{c.p[0].value_or(at[0]), c.p[1].value_or(at[1])};
