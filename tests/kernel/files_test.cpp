@@ -69,7 +69,10 @@ TEST(KernelFiles, Scenes) {
   const Scene scene = read_scene(kScene);
   EXPECT_EQ(scene.disks[1].center[1], Rat(1, 3));
   EXPECT_EQ(scene.disks[0].mass, 1);
-  const std::pair<const char*, const char*> bad[] = {
+  struct Change {
+    const char *from, *to;
+  };
+  const Change bad[] = {
       {"\"version\": 1", "\"version\": 2"},
       {"\"version\": 1", "\"version\": 1, \"version\": 1"},
       {"\"version\": 1", "\"version\": 1, \"other\": 1"},
@@ -92,8 +95,8 @@ TEST(KernelFiles, Scenes) {
        "\"horizon\": 3, \"maneuvers\": [{\"t\": 1, \"disk\": 2, \"velocity\": [0, 0]}]"},
       {"}]}", "}]"},
   };
-  for (const auto& [from, to] : bad) {
-    EXPECT_TRUE(refused([&] { read_scene(changed(from, to)); })) << from << " -> " << to;
+  for (const Change& c : bad) {
+    EXPECT_TRUE(refused([&] { read_scene(changed(c.from, c.to)); })) << c.from << " -> " << c.to;
   }
   EXPECT_TRUE(refused([] { read_scene(std::string(100000, '[')); }));
   EXPECT_TRUE(refused([] { read_scene(""); }));
