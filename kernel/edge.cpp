@@ -130,17 +130,21 @@ void Edge4::tangencies() {
 }
 
 // Whether all tangencies have their right sign in the closed interval, or at least inside.
-Edge4::Separated Edge4::separated() const {
+Edge4::Separated Edge4::separated() {
   Separated all = Separated::yes;
+  const int id[4] = {quad_.l, quad_.r, quad_.s, quad_.e};
   for (int n = 0; n < 6; ++n) {
     const bool wall = kPairs[n][0] == wall_ || kPairs[n][1] == wall_;
     const int sign = wall ? -1 : 1;
     const int c0 = sign * sgn(p_[n][0]), c1 = sign * sgn(p_[n][1]), c2 = sign * sgn(p_[n][2]);
     if (quad_.s == quad_.e && n == 5) continue;
-    if (c0 < 0 || c2 < 0) return Separated::no;
-    if (c1 < 0 && Int(p_[n][1] * p_[n][1]) >= Int(4 * p_[n][0] * p_[n][2])) return Separated::no;
-    if (c0 == 0 && c1 == 0 && c2 == 0) return Separated::no;
-    if (c0 == 0 || c2 == 0) all = Separated::touching;
+    if (c0 > 0 && c1 >= 0 && c2 > 0) continue;
+    const bool inside = c0 < 0 || c2 < 0 || (c0 == 0 && c1 == 0 && c2 == 0) ||
+                        (c1 < 0 && p_[n][1] * p_[n][1] >= 4 * p_[n][0] * p_[n][2]);
+    if (!inside && c0 > 0 && c2 > 0) continue;
+    touched.insert({id[kPairs[n][0]], id[kPairs[n][1]]});
+    if (inside) all = Separated::no;
+    else if (all == Separated::yes) all = Separated::touching;
   }
   return all;
 }

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 
 #include "kernel/files.h"
 #include "kernel/roots.h"
@@ -75,12 +76,13 @@ class Edge4 {
   const Site<Int>* sites(const std::array<const Leg*, 4>& legs, const Rat& t);
 
   std::int64_t fresh_proofs = 0;
+  std::set<int> touched;  // generators of pairs whose tangency vanished or had the wrong sign
 
  private:
   void place(const Rat& a, const Rat& b);
   void tangencies();
   enum class Separated { yes, touching, no };
-  Separated separated() const;
+  Separated separated();
   const Form& form();
   int incircle(bool start, int f_sign);
   int legal(int f_sign);

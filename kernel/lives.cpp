@@ -34,10 +34,14 @@ class Lives {
       } else {
         turn(claims[k]);
       }
+      check_cells(k + 1 < part_.last ? Rat(claims[k + 1].filed - p_.tolerance) : part_.end);
     }
     const Shared end = std::make_shared<Instant>(at(part_.end));
-    if (part_.last == claims.size()) line_ = p_.history.last_line;
-    for (std::size_t k = 0; k < edges().size(); ++k) close(static_cast<int>(k), end);
+    const bool last = p_.exact() && part_.last == claims.size();
+    line_ = part_.last == claims.size() ? p_.history.last_line : line_;
+    for (std::size_t k = 0; k < edges().size(); ++k) close(static_cast<int>(k), end, last);
+    check_cells(part_.end);
+    counts_.fresh_proofs += four_.fresh_proofs;
   }
 
  private:
@@ -84,18 +88,17 @@ class Lives {
     }
   }
 
-  // Ends the life of edge k, which does not flip, at an instant.
-  void close(int k, const Shared& end) {
+  // Ends the life of edge k, which does not flip, at an instant; `last`: the horizon under the exact
+  // truth, at which a collapse is due.
+  void close(int k, const Shared& end, bool last = false) {
     const Birth& birth = births_[k];
     if (birth.at == end) return;
     if (birth.at->hi > end->lo || (birth.at->is_point() && end->is_point())) {
       const int order = compare(*birth.at, *end);
-      if (order == 0) return;
+      if (order == 0 && !last) return;
       if (order > 0) refute("edge " + name(edges()[k]) + " is changed before it is there");
     }
     ++counts_.lives;
-    // Under the exact truth a collapse at the horizon is due.
-    const bool last = p_.exact() && end->is_point() && end->lo == p_.horizon;
     auto found = collapse(k, last ? Rat(end->hi + p_.tolerance) : end->hi);
     if (!found || compare(found->at, *end) >= (last ? 1 : 0)) return;
     if (!p_.exact() && compare(found->at, Rat(p_.horizon - p_.tolerance)) >= 0) {
@@ -163,6 +166,15 @@ class Lives {
     for (const int k : all) close(k, now);
     walk_.apply(claim);
     for (const int k : all) births_[k] = {now};
+  }
+
+  // After generators were so near that circles between them ceased to exist: their cells anew, where
+  // there is time before the next claim.
+  void check_cells(const Rat& next) {
+    if (four_.touched.empty() || next <= latest_->hi) return;
+    const Rat t = (latest_->hi + next) / 2;
+    for (const int g : four_.touched) check_cell(walk_, g, t);
+    four_.touched.clear();
   }
 
   // Claims may be out of order within the tolerance, as the times of each edge are in order.

@@ -1,0 +1,163 @@
+// In-circle signs, existence and collapses against circles that are known beforehand: generators are
+// put around a given circle at rational directions, so that geometry needs no approximation.
+#include "kernel/edge.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace voroproof_kernel {
+namespace {
+
+// The direction of parameter m, increasing counterclockwise for m in (-oo, oo).
+Vec direction(const Rat& m) {
+  const Rat d = 1 + m * m;
+  return {Rat((1 - m * m) / d), Rat(2 * m / d)};
+}
+
+// A generator whose boundary is `away` from the circle about (3, -2) of radius `rho`.
+Leg placed(const Rat& m, const Rat& r, const Rat& rho, const Rat& away, const Vec& v = {0, 0},
+           bool wall = false) {
+  const Vec u = direction(m);
+  const Rat far = wall ? Rat(-(r - rho - away)) : Rat(rho + r + away);
+  return Leg(0, {Rat(3 + far * u[0]), Rat(far * u[1] - 2)}, v, wall ? Rat(-r) : r);
+}
+
+struct Four {
+  std::vector<Leg> legs;
+  Quad quad;
+  Edge4 edge;
+  void set() { edge.set(quad, {&legs[0], &legs[1], &legs[2], &legs[3]}); }
+};
+
+// Contacts in the order l, s, r, e; `wall`: which of l, r, s, e is the container.
+Four around_circle(std::mt19937& rng, const Rat& away, int wall, bool equal) {
+  std::vector<Rat> m;
+  while (m.size() < 4) {
+    const Rat next(static_cast<int>(rng() % 4001) - 2000, 300);
+    if (std::find(m.begin(), m.end(), next) == m.end()) m.push_back(next);
+  }
+  std::sort(m.begin(), m.end());
+  const int order[4] = {0, 2, 1, 3};  // of l, r, s, e by their contacts
+  const Rat rho(static_cast<int>(1 + rng() % 50), 7);
+  Four four{{}, {0, 1, 2, 3}, {}};
+  int* ids[4] = {&four.quad.l, &four.quad.r, &four.quad.s, &four.quad.e};
+  if (wall >= 0) *ids[wall] = container;
+  for (int k = 0; k < 4; ++k) {
+    const Rat r = k == wall ? Rat(100) : equal ? Rat(1, 3) : Rat(static_cast<int>(rng() % 40), 9);
+    four.legs.push_back(placed(m[order[k]], r, rho, k == 3 ? away : Rat(0), {0, 0}, k == wall));
+  }
+  four.set();
+  return four;
+}
+
+TEST(KernelEdge, InCircleIsWhereTheFourthLies) {
+  std::mt19937 rng(1);
+  Rat tiny = 1;
+  for (int k = 0; k < 40; ++k) tiny /= 10;
+  for (int n = 0; n < 400; ++n) {
+    const int wall = n % 5 - 1;
+    const bool equal = n % 3 == 0;
+    for (const Rat& away : {Rat(1, 1000), tiny, Rat(0), Rat(-tiny), Rat(-1, 1000)}) {
+      Four four = around_circle(rng, away, wall, equal);
+      EXPECT_EQ(four.edge.incircle_at(0, true), sgn(away)) << n;
+      EXPECT_EQ(four.edge.existence_at(0, true), 1) << n;
+      // The circle (l,r,e) is the same but for `away`.
+      if (away == 0) {
+        EXPECT_EQ(four.edge.incircle_at(0, false), 0) << n;
+      }
+    }
+  }
+}
+
+TEST(KernelEdge, TheOtherOrientationIsAnotherCircle) {
+  // Three equal disks in a row, far from the wall: no circle touches them clockwise and
+  // counterclockwise at once.
+  std::mt19937 rng(2);
+  for (int n = 0; n < 100; ++n) {
+    Four four = around_circle(rng, 0, -1, true);
+    std::swap(four.quad.l, four.quad.r);
+    std::swap(four.legs[0], four.legs[1]);
+    four.set();
+    EXPECT_LT(four.edge.existence_at(0, true), 1) << n;
+  }
+}
+
+// Whether the fourth is apart from the others at t.
+bool apart(const Four& four, const Rat& t) {
+  for (int k = 0; k < 3; ++k) {
+    const Leg &a = four.legs[k], &e = four.legs[3];
+    const Rat gap = norm2(minus(a.at(t), e.at(t))) - square(Rat(a.radius + e.radius));
+    if (a.radius < 0 || e.radius < 0 ? gap >= 0 : gap <= 0) return false;
+  }
+  return true;
+}
+
+TEST(KernelEdge, AFourthThatComesCollapsesTheEdgeOnce) {
+  std::mt19937 rng(3);
+  int tried = 0;
+  for (int n = 0; n < 400; ++n) {
+    const int wall = n % 4 - 1;
+    Four four = around_circle(rng, 0, wall, n % 3 == 0);
+    Leg& e = four.legs[3];
+    // e moves towards the circle's centre and touches at t = 2/3.
+    const Rat when(2, 3);
+    const Vec v{Rat((3 - e.from[0]) / 50), Rat((-2 - e.from[1]) / 50)};
+    e = Leg(0, {Rat(e.from[0] - v[0] * when), Rat(e.from[1] - v[1] * when)}, v, e.radius);
+    four.set();
+    if (!apart(four, 0) || !apart(four, when) || !apart(four, 1)) continue;
+    ++tried;
+    auto found = four.edge.first_collapse(0, 1);
+    ASSERT_TRUE(found) << n;
+    EXPECT_EQ(compare(found->at, when), 0) << n;
+    EXPECT_FALSE(four.edge.first_collapse(0, Rat(66, 100))) << n;
+    EXPECT_FALSE(four.edge.first_collapse(0, when)) << n;  // the open interval
+    auto near = four.edge.collapse_near(0, when);
+    if (near) {
+      EXPECT_EQ(compare(near->at, when), 0) << n;
+    }
+    auto later = four.edge.first_collapse(Rat(67, 100), 1);
+    ASSERT_TRUE(later) << n;
+    EXPECT_TRUE(later->at.is_point());
+  }
+  EXPECT_GT(tried, 50);
+}
+
+// Equal points, the fourth turns around on the circle: contact of even order, no collapse.
+TEST(KernelEdge, AContactOfEvenOrderIsNoCollapse) {
+  Four four{{Leg(0, {1, 0}, {0, 0}, 0), Leg(0, {-1, 0}, {0, 0}, 0), Leg(0, {0, 1}, {0, 0}, 0),
+             Leg(0, {-1, -1}, {1, 0}, 0)},
+            {0, 1, 2, 3},
+            {}};
+  four.set();  // e passes along the tangent at (0, -1)
+  EXPECT_FALSE(four.edge.first_collapse(0, 2));
+  four.legs[3] = Leg(0, {-1, Rat(-999, 1000)}, {1, 0}, 0);
+  four.set();
+  EXPECT_TRUE(four.edge.first_collapse(0, 2));
+}
+
+// Four cocircular points at rest: the dual of the edge joins the largest id to its opposite.
+TEST(KernelEdge, TheRuleOfTheLargestId) {
+  Four four{{Leg(0, {1, 0}, {0, 0}, 0), Leg(0, {-1, 0}, {0, 0}, 0), Leg(0, {0, 1}, {0, 0}, 0),
+             Leg(0, {0, -1}, {0, 0}, 0)},
+            {3, 1, 2, 0},
+            {}};
+  four.set();
+  EXPECT_FALSE(four.edge.first_collapse(0, 1));
+  four.quad = {0, 1, 2, 3};
+  four.set();
+  EXPECT_TRUE(four.edge.first_collapse(0, 1));
+}
+
+TEST(KernelEdge, SignWithRoot) {
+  EXPECT_EQ(sign_with_root(3, -2, 2), 1);    // 3 - 2 sqrt 2
+  EXPECT_EQ(sign_with_root(-3, 2, 2), -1);
+  EXPECT_EQ(sign_with_root(-2, 2, 2), 1);
+  EXPECT_EQ(sign_with_root(-4, 2, 4), 0);
+  EXPECT_EQ(sign_with_root(0, -1, 5), -1);
+  EXPECT_EQ(sign_with_root(0, -1, 0), 0);
+}
+
+}  // namespace
+}  // namespace voroproof_kernel

@@ -1,0 +1,229 @@
+// Wrong histories that go on consistently in their own world, each of two or three disks.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "kernel/files.h"
+#include "kernel/kernel.h"
+
+namespace voroproof_kernel {
+namespace {
+
+std::string scene_of(const std::string& disks, const std::string& horizon = "3",
+                     const std::string& more = "") {
+  return R"({"format":"voroproof-scene","version":1,"container":{"center":[0,0],"radius":50},)"
+         "\"horizon\":" +
+         horizon + more + ",\"disks\":[" + disks + "]}";
+}
+
+std::string disk(const std::string& x, const std::string& y, const std::string& r,
+                 const std::string& vx, const std::string& vy) {
+  return "{\"center\":[" + x + "," + y + "],\"radius\":" + r + ",\"velocity\":[" + vx + "," + vy +
+         "],\"mass\":1}";
+}
+
+// Two disks have one diagram, at all times.
+const std::string kTwo = "[[-1,0,1,1],[-1,1,0,0],[0,1,-1,-1]]";
+
+std::string history_of(const std::string& scene, const std::vector<std::string>& claims,
+                       const std::string& horizon = "3", const std::string& initial = kTwo) {
+  int flips = 0, collisions = 0, maneuvers = 0;
+  std::string lines = R"({"format":"voroproof-history","version":1,"scene_sha256":")" +
+                      sha256(scene) + "\",\"horizon\":" + horizon +
+                      ",\"producer\":\"hand\",\"initial\":" + initial + "}\n";
+  for (const std::string& c : claims) {
+    flips += c.find("flip") != std::string::npos;
+    collisions += c.find("collide") != std::string::npos;
+    maneuvers += c.find("maneuver") != std::string::npos;
+    lines += c + "\n";
+  }
+  return lines + "{\"end\":{\"t\":" + horizon + ",\"flips\":" + std::to_string(flips) +
+         ",\"collisions\":" + std::to_string(collisions) +
+         ",\"maneuvers\":" + std::to_string(maneuvers) + "}}\n";
+}
+
+Verdict verdict(const std::string& scene, const std::vector<std::string>& claims, Truth truth,
+                const std::string& horizon = "3") {
+  Options options;
+  options.truth = truth;
+  const Result r = check(scene, history_of(scene, claims, horizon), options);
+  EXPECT_NE(r.verdict, Verdict::invalid) << r.reason << ", line " << r.line;
+  return r.verdict;
+}
+
+const std::string kMeet = R"({"t":0,"collide":[0,1],"v":[[0,0],[1,0]],"p":[[-1,0],[1,0]]})";
+
+TEST(KernelFaults, F1TouchAndApproachAtTheStart) {
+  const std::string scene = scene_of(disk("-1", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
+  for (const Truth truth : {Truth::recorded, Truth::exact}) {
+    EXPECT_EQ(verdict(scene, {kMeet}, truth), Verdict::certified);
+    EXPECT_EQ(verdict(scene, {}, truth), Verdict::refuted);
+    EXPECT_EQ(verdict(scene, {R"({"t":0.5,"collide":[0,1],"v":[[0,0],[1,0]]})"}, truth),
+              Verdict::refuted);
+  }
+}
+
+TEST(KernelFaults, F1TouchAndApproachFromAManeuverOn) {
+  const std::string scene =
+      scene_of(disk("-1", "0", "1", "0", "0") + "," + disk("1", "0", "1", "0", "0"), "3",
+               R"(,"maneuvers":[{"t":1,"disk":0,"velocity":[1,0]}])");
+  const std::string turn = R"({"t":1,"maneuver":0,"v":[1,0],"p":[-1,0]})";
+  for (const Truth truth : {Truth::recorded, Truth::exact}) {
+    EXPECT_EQ(verdict(scene, {turn, R"({"t":1,"collide":[0,1],"v":[[0,0],[1,0]]})"}, truth),
+              Verdict::certified);
+    EXPECT_EQ(verdict(scene, {turn}, truth), Verdict::refuted);
+    EXPECT_EQ(verdict(scene, {}, truth), Verdict::refuted);
+  }
+}
+
+TEST(KernelFaults, F2TinyDisksPassThroughEachOther) {
+  const std::string scene =
+      scene_of(disk("-1", "0", "1e-7", "1", "0") + "," + disk("1", "0", "4e-7", "0", "0"));
+  const std::string right = R"({"t":1.9999995,"collide":[0,1],"v":[[0,0],[1,0]]})";
+  EXPECT_EQ(verdict(scene, {right}, Truth::recorded), Verdict::certified);
+  EXPECT_EQ(verdict(scene, {}, Truth::recorded), Verdict::refuted);
+  // Claimed when they have passed: they turn back into each other.
+  EXPECT_EQ(verdict(scene, {R"({"t":2.000001,"collide":[0,1],"v":[[0,0],[1,0]]})"}, Truth::recorded),
+            Verdict::refuted);
+}
+
+TEST(KernelFaults, F3ANearMissIsNoCollision) {
+  const std::string scene = scene_of(disk("-2", "0", "1", "1000", "0") + "," +
+                                         disk("0", "2.00001", "1", "0", "0"), "0.01");
+  EXPECT_EQ(verdict(scene, {}, Truth::recorded, "0.01"), Verdict::certified);
+  EXPECT_EQ(verdict(scene, {R"({"t":0.002,"collide":[0,1],"v":[[1000,0],[0,0]]})"}, Truth::recorded,
+                    "0.01"),
+            Verdict::refuted);
+  // Parting, too.
+  EXPECT_EQ(verdict(scene, {R"({"t":0.0020001,"collide":[0,1],"v":[[1000,0],[0,0]]})"},
+                    Truth::recorded, "0.01"),
+            Verdict::refuted);
+}
+
+std::string file(const std::string& name) {
+  std::ifstream in(std::string(VOROPROOF_CORPUS) + "/" + name, std::ios::binary);
+  EXPECT_TRUE(in) << name;
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+TEST(KernelFaults, F4MirroredQuadrupletsNeedTheirOption) {
+  const std::string scene = file("scenes/disks.scene.json");
+  const std::string right = file("certified/disks.history.jsonl");
+  for (const int faults : {1, 2, 7}) {
+    std::istringstream lines(right);
+    std::string wrong, line;
+    int left = faults;
+    while (std::getline(lines, line)) {
+      const std::size_t at = line.find("\"flip\":[");
+      if (at != std::string::npos && left > 0) {
+        int l, r, s, e;
+        ASSERT_EQ(std::sscanf(line.c_str() + at, "\"flip\":[%d,%d,%d,%d]", &l, &r, &s, &e), 4);
+        std::ostringstream flip;
+        flip << line.substr(0, at) << "\"flip\":[" << l << ',' << r << ',' << e << ',' << s << "]}";
+        line = flip.str();
+        --left;
+      }
+      wrong += line + "\n";
+    }
+    ASSERT_EQ(left, 0);
+    Options options;
+    EXPECT_EQ(check(scene, right, options).verdict, Verdict::certified);
+    EXPECT_EQ(check(scene, wrong, options).verdict, Verdict::refuted);
+    options.unoriented = true;
+    const Result r = check(scene, wrong, options);
+    EXPECT_EQ(r.verdict, Verdict::certified) << r.reason;
+    EXPECT_EQ(r.counts.unoriented, faults);
+  }
+}
+
+TEST(KernelFaults, F5VelocitiesOfTheTwoThatMeetOnly) {
+  // Disk 1 was fast once; the collision of two slow disks is not judged by that.
+  const std::string scene =
+      scene_of(disk("-1", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"), "3",
+               R"(,"maneuvers":[{"t":1,"disk":1,"velocity":[1e6,0]},)"
+               R"({"t":1.000001,"disk":1,"velocity":[1,0]}])");
+  const std::vector<std::string> fast = {R"({"t":1,"maneuver":1,"v":[1e6,0]})",
+                                         R"({"t":1.000001,"maneuver":1,"v":[1,0]})"};
+  for (const Truth truth : {Truth::recorded, Truth::exact}) {
+    EXPECT_EQ(verdict(scene, {kMeet, fast[0], fast[1]}, truth), Verdict::certified);
+    EXPECT_EQ(verdict(scene, {R"({"t":0,"collide":[0,1],"v":[[0,0.1],[1,0]]})", fast[0], fast[1]}, truth),
+              Verdict::refuted);
+  }
+}
+
+TEST(KernelFaults, F6ACollisionOfTheStartClaimedLater) {
+  const std::string scene = scene_of(disk("-1", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
+  const std::string late = R"({"t":5e-7,"collide":[0,1],"v":[[0,0],[1,0]]})";
+  EXPECT_EQ(verdict(scene, {late}, Truth::exact), Verdict::certified);
+}
+
+TEST(KernelFaults, F7AfterTheHorizon) {
+  // They touch at 3 + 1e-8, exactly.
+  const std::string scene =
+      scene_of(disk("\"-4.00000001\"", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
+  const std::string claim = R"({"t":3,"collide":[0,1],"v":[[0,0],[1,0]]})";
+  EXPECT_EQ(verdict(scene, {}, Truth::exact), Verdict::certified);
+  EXPECT_EQ(verdict(scene, {claim}, Truth::exact), Verdict::refuted);
+  // At the horizon it is due under the exact truth.
+  const std::string at = scene_of(disk("-4", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
+  EXPECT_EQ(verdict(at, {claim}, Truth::exact), Verdict::certified);
+  EXPECT_EQ(verdict(at, {}, Truth::exact), Verdict::refuted);
+  EXPECT_EQ(verdict(at, {}, Truth::recorded), Verdict::certified);
+}
+
+TEST(KernelFaults, F8ALineTwice) {
+  const std::string scene = scene_of(disk("-1", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"),
+                                     "3", ",\"restitution\":0");
+  const std::string once = R"({"t":0,"collide":[0,1],"v":[[0.5,0],[0.5,0]]})";
+  for (const Truth truth : {Truth::recorded, Truth::exact}) {
+    EXPECT_EQ(verdict(scene, {once}, truth), Verdict::certified);
+    EXPECT_EQ(verdict(scene, {once, once}, truth), Verdict::refuted);
+  }
+  // A graze has no effect, and one line is one too many under the exact truth.
+  const std::string graze =
+      scene_of(disk("-2", "0", "1", "1", "0") + "," + disk("0", "2", "1", "0", "0"));
+  const std::string hit = R"({"t":2,"collide":[0,1],"v":[[1,0],[0,0]]})";
+  EXPECT_EQ(verdict(graze, {hit}, Truth::recorded), Verdict::certified);
+  EXPECT_EQ(verdict(graze, {hit, hit}, Truth::recorded), Verdict::refuted);
+  EXPECT_EQ(verdict(graze, {hit}, Truth::exact), Verdict::refuted);
+}
+
+TEST(KernelFaults, UndecidedSaysWhy) {
+  const auto reason = [](const std::string& scene, const std::vector<std::string>& claims, Truth truth) {
+    Options options;
+    options.truth = truth;
+    const Result r = check(scene, history_of(scene, claims), options);
+    EXPECT_EQ(r.verdict, Verdict::undecided) << r.reason;
+    return r.reason;
+  };
+  const std::string slide =
+      scene_of(disk("49", "0", "1", "0", "0") + "," + disk("1", "0", "1", "0", "0"), "3",
+               R"(,"maneuvers":[{"t":1,"disk":0,"velocity":[0,1]}])");
+  EXPECT_EQ(reason(slide, {R"({"t":1,"maneuver":0,"v":[0,1]})"}, Truth::recorded),
+            "disk 0 slides along the container");
+  const std::string points = scene_of(disk("-1", "0", "0", "1", "0") + "," + disk("1", "0", "0", "0", "0"));
+  EXPECT_EQ(reason(points, {R"({"t":2,"collide":[0,1],"v":[[0,0],[1,0]]})"}, Truth::recorded),
+            "two points that meet");
+  const std::string oblique =
+      scene_of(disk("-4", "1", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
+  EXPECT_EQ(reason(oblique, {R"({"t":3,"collide":[0,1],"v":[[0,0],[1,0]]})"}, Truth::exact),
+            "the collision time of 0 and 1 is irrational");
+}
+
+TEST(KernelFaults, AForeignHorizonIsSaid) {
+  const std::string scene = scene_of(disk("-4", "9", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
+  Options options;
+  const std::string history = history_of(scene, {}, "2");
+  const Result r = check(scene, history, options);
+  EXPECT_EQ(r.verdict, Verdict::certified);
+  EXPECT_EQ(r.horizon_note, "horizon 2 of the scene's 3");
+  options.strict = true;
+  EXPECT_EQ(check(scene, history, options).verdict, Verdict::refuted);
+}
+
+}  // namespace
+}  // namespace voroproof_kernel

@@ -1,0 +1,145 @@
+// What the kernel's readers refuse, and numbers read exactly.
+#include "kernel/files.h"
+
+#include <gtest/gtest.h>
+
+#include "kernel/kernel.h"
+
+namespace voroproof_kernel {
+namespace {
+
+template <class Read>
+bool refused(Read&& read) {
+  try {
+    read();
+  } catch (const Stop& stop) {
+    return stop.verdict == Verdict::invalid;
+  }
+  return false;
+}
+
+TEST(KernelFiles, ExactStrings) {
+  EXPECT_EQ(exact_string("0.1"), Rat(1, 10));
+  EXPECT_EQ(exact_string("-1.5e3"), -1500);
+  EXPECT_EQ(exact_string("1/3"), Rat(1, 3));
+  EXPECT_EQ(exact_string("0x1.8p-3"), Rat(3, 16));
+  for (const char* bad : {"", "-", ".5", "1.", "1e", "1e+", "1/0", "1/-3", "0x", "0x1p", "1e999", "nan",
+                          "inf", "1 ", "0x1p9999", "--1", "1/2/3", "1.5/2"}) {
+    EXPECT_TRUE(refused([&] { exact_string(bad); })) << bad;
+  }
+  EXPECT_TRUE(refused([] { exact_string(std::string(5000, '1')); }));
+}
+
+TEST(KernelFiles, Binary64) {
+  for (const double x : {0.1, 1e-300, 5e-324, 1.7976931348623157e308, -3.0, 0x1p-1074, 0.3}) {
+    EXPECT_EQ(nearest_binary64(exactly(x)), exactly(x));
+  }
+  // One tenth lies between two neighbours; 0.1 is the nearest.
+  EXPECT_EQ(nearest_binary64(Rat(1, 10)), exactly(0.1));
+  EXPECT_EQ(nearest_binary64(Rat(-1, 3)), exactly(-1.0 / 3.0));
+  const Rat ulp = power_of_two(-52);
+  EXPECT_EQ(nearest_binary64(1 + ulp / 2), 1);            // ties to even
+  EXPECT_EQ(nearest_binary64(1 + ulp * 3 / 2), 1 + 2 * ulp);
+  EXPECT_EQ(nearest_binary64(power_of_two(-1076)), 0);
+  EXPECT_TRUE(refused([] { nearest_binary64(power_of_two(1024)); }));
+}
+
+TEST(KernelFiles, LengthsAreBoundedFromAbove) {
+  for (const Vec& v : {Vec{3, 4}, Vec{Rat(1, 3), 0}, Vec{power_of_two(-300), power_of_two(-301)},
+                       Vec{power_of_two(200), 1}}) {
+    const Rat bound = length_above(v);
+    EXPECT_GE(square(bound), norm2(v));
+    EXPECT_LE(square(Rat(bound * (1 - power_of_two(-50)))), norm2(v));
+  }
+}
+
+const std::string kScene = R"({"format": "voroproof-scene", "version": 1,
+ "container": {"center": [0, 0], "radius": 10}, "horizon": 3,
+ "disks": [{"center": [-2, 0], "radius": 1, "velocity": [1, 0]},
+           {"center": [2, "1/3"], "radius": 1, "velocity": [0, 0]}]})";
+
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = kScene;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(KernelFiles, Scenes) {
+  const Scene scene = read_scene(kScene);
+  EXPECT_EQ(scene.disks[1].center[1], Rat(1, 3));
+  EXPECT_EQ(scene.disks[0].mass, 1);
+  const std::pair<const char*, const char*> bad[] = {
+      {"\"version\": 1", "\"version\": 2"},
+      {"\"version\": 1", "\"version\": 1, \"version\": 1"},
+      {"\"version\": 1", "\"version\": 1, \"other\": 1"},
+      {"\"horizon\": 3", "\"horizon\": -3"},
+      {"\"horizon\": 3", "\"horizon\": 1e-400"},
+      {"\"horizon\": 3", "\"horizon\": 1e999"},
+      {"\"horizon\": 3", "\"horizon\": null"},
+      {"\"radius\": 10", "\"radius\": 0"},
+      {"[-2, 0]", "[-12, 0]"},
+      {"[-2, 0]", "[0.5, 0]"},
+      {"[-2, 0]", "[-2]"},
+      {"\"radius\": 1, \"velocity\": [1, 0]", "\"radius\": 0, \"velocity\": [1, 0]"},
+      {"\"radius\": 1, \"velocity\": [1, 0]", "\"radius\": -1, \"velocity\": [1, 0]"},
+      {"\"radius\": 1, \"velocity\": [1, 0]", "\"radius\": 1, \"mass\": 0, \"velocity\": [1, 0]"},
+      {"[-2, 0], \"radius\": 1, \"velocity\": [1, 0]", "[-9, 0], \"radius\": 1, \"velocity\": [0, 1]"},
+      {"\"horizon\": 3", "\"restitution\": 2, \"horizon\": 3"},
+      {"\"horizon\": 3", "\"container_law\": \"odd\", \"horizon\": 3"},
+      {"\"horizon\": 3", "\"horizon\": 3, \"maneuvers\": [{\"t\": 1, \"disk\": 2, \"velocity\": [0, 0]}]"},
+      {"}]}", "}]"},
+  };
+  for (const auto& [from, to] : bad) {
+    EXPECT_TRUE(refused([&] { read_scene(changed(from, to)); })) << from << " -> " << to;
+  }
+  EXPECT_TRUE(refused([] { read_scene(std::string(100000, '[')); }));
+  EXPECT_TRUE(refused([] { read_scene(""); }));
+}
+
+std::string history(const std::string& lines, const std::string& horizon = "3") {
+  return R"({"format":"voroproof-history","version":1,"scene_sha256":")" + sha256(kScene) +
+         R"(","horizon":)" + horizon + R"(,"producer":"hand"})" + "\n" + lines;
+}
+const std::string kEnd = R"({"end":{"t":3,"flips":0,"collisions":0,"maneuvers":0}})";
+
+TEST(KernelFiles, Histories) {
+  EXPECT_FALSE(read_history(history(kEnd), 2).stopped);
+  EXPECT_TRUE(read_history(history(R"({"stopped":{"t":1,"reason":"x"}})"), 2).stopped);
+  for (const char* bad : {
+           "",
+           "{\"t\":1,\"flip\":[0,1,-1,-1]}",
+           "{\"t\":2,\"flip\":[0,1,-1,-1]}\n{\"t\":1,\"flip\":[0,1,-1,-1]}\n",
+           "{\"t\":4,\"flip\":[0,1,-1,-1]}\n",
+           "{\"t\":1,\"flip\":[0,2,-1,-1]}\n",
+           "{\"t\":1,\"flip\":[0,0,-1,-1]}\n",
+           "{\"t\":1,\"flip\":[0,1,-1,-1],\"v\":1}\n",
+           "{\"t\":1,\"collide\":[1,0]}\n",
+           "{\"t\":1,\"collide\":[-1,0],\"v\":[[0,0],[0,0]]}\n",
+           "{\"t\":1,\"collide\":[0,1],\"v\":[null,[0,0]]}\n",
+           "{\"t\":1,\"maneuver\":-1}\n",
+           "{\"t\":1}\n",
+           "{\"t\":1e-400,\"maneuver\":0}\n",
+           "{\"t\":1,\"t\":1,\"maneuver\":0}\n",
+           "[]\n",
+           "\n",
+       }) {
+    EXPECT_TRUE(refused([&] { read_history(history(std::string(bad) + kEnd), 2); }) ||
+                refused([&] { read_history(history(bad), 2); }))
+        << bad;
+  }
+  EXPECT_TRUE(refused([] { read_history(history(kEnd + "\n\n"), 2); }));
+  EXPECT_TRUE(refused([] { read_history(history(kEnd, "2"), 2); }));
+}
+
+TEST(KernelFiles, VerdictsOnBadInput) {
+  EXPECT_EQ(check("", "", {}).verdict, Verdict::invalid);
+  EXPECT_EQ(check(kScene, history(kEnd) + "x", {}).verdict, Verdict::invalid);
+  EXPECT_EQ(check(kScene + " ", history(kEnd), {}).verdict, Verdict::invalid);  // another hash
+  Options options;
+  options.tolerance = "-1";
+  EXPECT_EQ(check(kScene, history(kEnd), options).verdict, Verdict::invalid);
+}
+
+}  // namespace
+}  // namespace voroproof_kernel
