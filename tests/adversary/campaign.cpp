@@ -74,8 +74,12 @@ Fault fault_of(FaultKind kind, Random& random) {
       f.amount = random.integer(0, 2);
       break;
     case FaultKind::miss_several:
-    case FaultKind::back_and_forth:
       f.nth = random.integer(0, 30);
+      break;
+    case FaultKind::all_late:
+    case FaultKind::all_flips_late:
+      f.amount = random.chance(0.7) ? random.uniform(0.3, 0.99) * tolerance
+                                    : random.log_uniform(tolerance, 1e-3);
       break;
     default:
       f.amount = random.chance(0.3) ? random.log_uniform(1e-9, 1.2 * tolerance)

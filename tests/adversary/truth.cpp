@@ -101,7 +101,8 @@ class Recorded {
       }
     }
     looks_.insert(looks_.end(), hints.begin(), hints.end());
-    const Opinion diagrams = judge_diagrams(motion_, history_, turns_, looks_);
+    const Opinion diagrams =
+        judge_diagrams(motion_, history_, history_.horizon - 1.01 * tolerance, turns_, looks_);
     return diagrams.finding == Finding::right ? opinion_ : diagrams;
   }
 
@@ -425,7 +426,7 @@ Opinion judge_exact(const SceneData& scene, const History& history,
       }
     }
   }
-  const Opinion diagrams = judge_diagrams(motion, history, turns, hints);
+  const Opinion diagrams = judge_diagrams(motion, history, history.horizon, turns, hints);
   if (diagrams.finding != Finding::right) return diagrams;
   return {f, why};
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "tests/adversary/truth.h"
 #include "tests/adversary/world_state.h"
 
 namespace voroproof::adversary {
@@ -197,7 +198,9 @@ void World::collide(const Next& event) {
       p.next = never;
       return;
     }
-    if (strikes(FaultKind::late_collision)) return postpone(t + fault_.amount);
+    if (strikes(FaultKind::late_collision) || fault_.kind == FaultKind::all_late) {
+      return postpone(t + fault_.amount);
+    }
     if (fault_.kind == FaultKind::late_at_start && t == 0) return postpone(fault_.amount);
     if (strikes(FaultKind::wrong_order)) {
       const Next other = next_event(true, event);
@@ -277,7 +280,9 @@ void World::flip(const Next& event) {
       struck(t);
       return predict_edge(e, over);
     }
-    if (strikes(FaultKind::late_flip)) return postpone(t + fault_.amount);
+    if (strikes(FaultKind::late_flip) || fault_.kind == FaultKind::all_flips_late) {
+      return postpone(t + fault_.amount);
+    }
     if (strikes(FaultKind::wrong_order)) {
       const Next other = next_event(true, event);
       if (other.kind != Next::Kind::none && other.kind != Next::Kind::look) {
@@ -306,13 +311,13 @@ void World::flip(const Next& event) {
   move_to(t);
   if (strikes(FaultKind::back_and_forth)) {
     struck(t);
-    if (fault_.nth % 2 == 0) {
+    if (fault_.amount < tolerance) {
       // There and back, and there.
       apply_flip(event.edge);
       apply_flip(event.edge);
     } else {
       // Another edge, there and back.
-      const std::size_t other = static_cast<std::size_t>(fault_.nth) * 7 % edges_.size();
+      const std::size_t other = static_cast<std::size_t>(1e6 * fault_.amount) % edges_.size();
       apply_flip(other);
       apply_flip(other);
     }
