@@ -40,7 +40,8 @@ TEST(Adversary, EachFaultIsMadeAndRefuted) {
       campaign.run(seed, {}, static_cast<FaultKind>(kind), expect_no_find);
     }
     // Faults of special scenes find their place there.
-    for (const Family family : {Family::touching, Family::touch_maneuver, Family::inelastic}) {
+    for (const Family family :
+         {Family::touching, Family::touch_maneuver, Family::inelastic, Family::lattice}) {
       for (std::uint64_t seed = 200000; seed < 200030; ++seed) {
         campaign.run(seed, family, static_cast<FaultKind>(kind), expect_no_find);
       }

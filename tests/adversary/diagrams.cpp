@@ -154,11 +154,12 @@ Opinion judge_diagrams(const Motion& motion, const History& history, double end,
   // Where nothing may be looked at: around claims and turns.
   std::vector<double> taboo = turns;
   for (const Line& line : history.lines) taboo.push_back(line.t);
+  const bool claims_at_start = std::count(taboo.begin(), taboo.end(), 0.0) > 0;
   taboo.push_back(0);
   std::sort(taboo.begin(), taboo.end());
   std::vector<double> samples;
   for (std::size_t k = 0; k < taboo.size(); ++k) {
-    const double a = taboo[k] + (taboo[k] == 0 ? 0 : 1.01 * tolerance);
+    const double a = taboo[k] + (taboo[k] == 0 && !claims_at_start ? 0 : 1.01 * tolerance);
     const double b = std::min(end, k + 1 < taboo.size() ? taboo[k + 1] - 1.01 * tolerance : end);
     if (!(a < b)) continue;
     const double near = std::min(0.01 * (b - a), tolerance);
