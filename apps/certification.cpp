@@ -1,5 +1,8 @@
 #include "apps/certification.h"
 
+#include <stdexcept>
+
+#include "evidence/evidence.h"
 #include "kinetic/static_diagram.h"
 
 namespace voroproof {
@@ -11,8 +14,21 @@ std::vector<Quad> construct_initial(Motion& motion) {
   return diagram.quads();
 }
 
+std::string checked_evidence(const Certificate& certificate, const std::string& scene_path,
+                             const std::string& history_path) {
+  if (!certificate.divergence) return {};
+  const EvidenceCheck check = check_evidence(*certificate.divergence);
+  if (check.evidence == Evidence::contradicted) {
+    throw std::logic_error("CGAL contradicts the witness of the refutation (" + check.sentence +
+                           "); please report the files " + scene_path + " and " + history_path +
+                           " (" + reason_line(certificate) + ")");
+  }
+  return check.sentence;
+}
+
 CertificationRun certification_run(const std::string& producer, const std::string& scene_path,
-                                   const std::string& history_path, const Claim& claim) {
+                                   const std::string& history_path, const Claim& claim,
+                                   const std::string& evidence) {
   const HistoryHeader& header = claim.history->header();
   return {.producer = producer,
           .scene_file = scene_path,
@@ -20,7 +36,8 @@ CertificationRun certification_run(const std::string& producer, const std::strin
           .scene_sha256 = claim.scene.sha256,
           .history_producer = header.producer,
           .disks = static_cast<int>(claim.scene.disks.size()),
-          .horizon = header.horizon};
+          .horizon = header.horizon,
+          .evidence = evidence};
 }
 
 }  // namespace voroproof

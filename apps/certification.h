@@ -13,8 +13,15 @@ namespace voroproof {
 // or refutes it.
 std::vector<Quad> construct_initial(Motion& motion);
 
-// What the report says of the two files; `producer` is this program.
+// What a third party says to the witness of a refutation (evidence/evidence.h); empty without one.
+// Throws std::logic_error, with the files to report, where it says that the witness is false: then
+// the certifier is not to be believed, and nothing may be printed.
+std::string checked_evidence(const Certificate& certificate, const std::string& scene_path,
+                             const std::string& history_path);
+
+// What the report says of the two files and of the evidence; `producer` is this program.
 CertificationRun certification_run(const std::string& producer, const std::string& scene_path,
-                                   const std::string& history_path, const Claim& claim);
+                                   const std::string& history_path, const Claim& claim,
+                                   const std::string& evidence);
 
 }  // namespace voroproof

@@ -77,9 +77,10 @@ ExitCode certify_files(Request& request) {
     throw Interrupted();
   }
   progress.reset();
+  const std::string evidence = checked_evidence(certificate, request.scene, request.history);
   if (report_file) {
     const CertificationRun run =
-        certification_run(producer(), request.scene, request.history, claim);
+        certification_run(producer(), request.scene, request.history, claim, evidence);
     report_file->write(report_text(run, options, certificate));
     report_file->commit();
   }
@@ -92,7 +93,14 @@ ExitCode certify_files(Request& request) {
               << " collisions, " << certificate.maneuvers << " maneuvers proved; certified prefix "
               << certificate.prefix_events << " events, t = " << certificate.prefix_t << "; swaps "
               << certificate.swaps << '\n';
+    for (const Leniency& l : leniencies(certificate)) {
+      if (l.count > 0) std::cout << "c leniency: " << l.count << " " << l.words << '\n';
+    }
     for (const std::string& remark : certificate.remarks) std::cout << "c " << remark << '\n';
+    if (!evidence.empty()) std::cout << "c evidence: " << evidence << '\n';
+  }
+  if (const std::string line = horizon_line(certificate); !line.empty()) {
+    std::cout << "c " << line << '\n';
   }
   std::cout << verdict_line(certificate.verdict) << '\n';
   return exit_code(certificate.verdict);
@@ -115,7 +123,10 @@ void add_certify(CLI::App& app, Action& action) {
            "of the claimed velocities, relative to the speeds that meet; at most 1")
       ->capture_default_str();
   verb->add_flag("--strict", request->options.strict,
-                 "refute claims that are out of order, however near they are");
+                 "refute claims that are out of order, however near they are, quadruplets without\n"
+                 "orientation, and another horizon than the scene's");
+  verb->add_flag("--unoriented", request->options.unoriented,
+                 "quadruplets may have their third generators exchanged, as in .evtsq files");
   verb->add_option("--threads", request->options.threads,
                    "threads to use, for the recorded truth; the certificate is the same")
       ->check(whole_number())
@@ -129,6 +140,7 @@ void add_certify(CLI::App& app, Action& action) {
       ->capture_default_str();
   verb->add_flag("--quiet", request->quiet, "no progress on the terminal, nothing but the verdict");
   verb->footer(
+      "What s CERTIFIED says is stated in docs/claim.md.\n"
       "The last line of the output is s CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) or\n"
       "s UNDECIDED (3).\n"
       "Example:\n  voroproof certify a.scene.json a.history.jsonl --truth recorded --report "

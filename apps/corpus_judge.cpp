@@ -31,8 +31,9 @@ int certify_into(const std::string& scene, const std::string& history, Truth tru
     options.propose_initial = construct_initial;
     const Certificate certificate =
         certify(claim.scene, motion_input(claim.scene), *claim.history, options);
-    write_text(report,
-               report_text(certification_run("", scene, history, claim), options, certificate));
+    const std::string evidence = checked_evidence(certificate, scene, history);
+    write_text(report, report_text(certification_run("", scene, history, claim, evidence), options,
+                                   certificate));
     return reported;
   } catch (const InputError& error) {
     // Without the name of the file, which is a scratch file's.

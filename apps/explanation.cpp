@@ -93,6 +93,8 @@ class Explainer {
     }
     out_ << "  truth: " << d["truth"].text() << '\n';
     explain_witness(d["witness"], d["t"].number());
+    // Reports of before it was checked lack it.
+    if (report_.has("evidence")) out_ << "Evidence: " << report_["evidence"].text() << ".\n";
   }
 
   void explain_witness(const JsonField& w, double t) {
@@ -134,6 +136,8 @@ class Explainer {
       out_ << "  At t = " << w["t"].text() << " the circle of the vertex "
            << w["vertex"].json().dump() << " contains a point of " << name_of(id_of(w["contains"]))
            << ".\n";
+    } else if (w.has("t")) {
+      out_ << "  At t = " << w["t"].text() << " they overlap.\n";
     }
   }
 

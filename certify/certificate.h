@@ -30,12 +30,13 @@ enum class Fault {
   overlap,                // generators overlap and no collision is claimed
   bad_count,              // the counts of the last line are not those of the events
   edge_not_present,       // the edge claimed to flip is not in the diagram
+  other_horizon,          // the history ends at another time than its scene asks for (--strict)
   count
 };
 inline constexpr std::array<std::string_view, static_cast<int>(Fault::count)> fault_names{
-    "missing event", "spurious event", "wrong quadruple", "wrong time",
-    "wrong order",   "wrong pair",     "wrong response",  "wrong initial diagram",
-    "overlap",       "bad count",      "edge not present"};
+    "missing event", "spurious event", "wrong quadruple",  "wrong time",
+    "wrong order",   "wrong pair",     "wrong response",   "wrong initial diagram",
+    "overlap",       "bad count",      "edge not present", "other horizon"};
 
 // A number as evidence: exact ("3/8") where it is rational and short enough, else an enclosure.
 struct EvidenceNumber {
@@ -59,7 +60,8 @@ struct Witness {
   std::string polynomial_is;
   std::vector<EvidenceNumber> polynomial;
   std::optional<std::array<Rational, 2>> root;  // [lo, hi]
-  // Or: at this time the circle of the vertex contains a point of the generator.
+  // Or: at this time the two overlap, or the circle of the vertex contains a point of the
+  // generator.
   std::optional<Rational> t;
   std::optional<Triple> vertex;
   std::optional<GenId> conflict;
@@ -90,11 +92,17 @@ struct Certificate {
   std::int64_t edge_lives = 0, pair_lives = 0;  // intervals proved free of collapse, of contact
   std::int64_t beyond_filter = 0;               // of these and of the flips, decided past doubles
   std::int64_t simultaneous = 0;                // events proved simultaneous with the one before
+  // What was accepted by leniency (docs/claim.md).
   std::int64_t swaps = 0;     // claims out of order within the tolerance, whose events commute
   std::int64_t resolved = 0;  // quadruplets without orientation that were resolved
-  // What the first of them amounts to where that is not the producer's way, and the prefix then.
-  std::optional<Divergence> first_resolved;
-  std::int64_t first_resolved_prefix = 0;
+  std::int64_t grazes = 0;    // collisions of two that come near, and touch but for roundings
+  std::int64_t rounding_overlaps = 0;    // overlaps no deeper than roundings, without a collision
+  std::int64_t at_horizon = 0;           // claims within the tolerance of the horizon
+  std::int64_t left_out = 0;             // events there that are not claimed
+  std::int64_t proved_anew = 0;          // pairs of which one lay inside the other for a moment
+  std::int64_t computed_velocities = 0;  // collisions without velocities: by the law
+  // The history's horizon and the scene's, where they are not one.
+  std::optional<std::array<Rational, 2>> other_horizon;
   // Of the claimed times against the exact ones, in units in the last place of the claim.
   double ulps_max = 0, ulps_mean = 0;
   std::int64_t ulps_max_line = 0;

@@ -10,20 +10,23 @@ namespace voroproof {
 
 namespace {
 
-// Quadruplets that had to be resolved are the producer's way only where there are many.
-void settle_orientation(Certificate& c, bool strict) {
-  if (!c.first_resolved) return;
-  if (!strict && c.resolved >= 2 && 5 * c.resolved >= c.flips) {
-    c.remarks.push_back("the quadruplets are not oriented: " + std::to_string(c.resolved) +
-                        " were resolved by the diagram, the first on line " +
-                        std::to_string(c.first_resolved->line));
-    return;
-  }
-  if (c.verdict == Verdict::undecided) return;
+// The history's horizon and the scene's, where they differ by more than the file can say.
+std::optional<std::array<Rational, 2>> other_horizon(const Scene& scene,
+                                                     const HistoryHeader& header) {
+  if (abs(Rational(header.horizon - scene.horizon)) <= header.horizon_error) return std::nullopt;
+  return std::array{header.horizon, scene.horizon};
+}
+
+// With --strict that is a fault.
+Certificate refuted_for(const std::array<Rational, 2>& horizons) {
+  Certificate c;
   c.verdict = Verdict::refuted;
-  c.divergence = c.first_resolved;
-  c.prefix_events = c.first_resolved_prefix;
-  c.prefix_t = std::min(c.prefix_t, c.first_resolved->t);
+  c.divergence.emplace();
+  c.divergence->fault = Fault::other_horizon;
+  c.divergence->line = 1;
+  c.divergence->truth = "the horizon of the scene is " + horizons[1].get_str();
+  c.other_horizon = horizons;
+  return c;
 }
 
 // A missing flip may be claimed, as one that is none.
@@ -51,7 +54,11 @@ void name_shadow(Certificate& c, HistorySource& history, double tolerance) {
 }  // namespace
 
 Certificate certify(const Scene& scene, const MotionInput& input, HistorySource& history,
-                    const CertifyOptions& options) {
+                    const CertifyOptions& asked) {
+  CertifyOptions options = asked;
+  options.unoriented = !asked.strict && (asked.unoriented || !history.header().oriented);
+  const std::optional<std::array<Rational, 2>> other = other_horizon(scene, history.header());
+  if (other && asked.strict) return refuted_for(*other);
   Certificate c;
   if (options.truth == Truth::recorded) {
     c = certify_in_parts(scene, input, history, options);
@@ -59,9 +66,9 @@ Certificate certify(const Scene& scene, const MotionInput& input, HistorySource&
     Motion motion(checked_input(input, history.header()), options.motion);
     c = Checker(scene, motion, history, options, Replay(scene, options)).run();
   }
+  c.other_horizon = other;
   const auto told = history.remarks();
   c.remarks.insert(c.remarks.begin(), told.begin(), told.end());
-  settle_orientation(c, options.strict);
   name_shadow(c, history, round_up(options.tolerance));
   return c;
 }

@@ -27,8 +27,9 @@ struct CertifyOptions {
   Truth truth = Truth::exact;
   Rational tolerance{1, 1000000};         // of times
   Rational law_tolerance{1, 1000000000};  // of velocities, relative to the speeds involved
-  bool strict = false;                    // claims out of order are refuted, however near
-  int threads = 1;                        // for the recorded truth; the certificate is the same
+  bool strict = false;      // swaps, unoriented quadruplets and another horizon are refuted
+  bool unoriented = false;  // quadruplets may exchange their third generators, as in .evtsq files
+  int threads = 1;          // for the recorded truth; the certificate is the same
   // Recorded truth: the history is certified in parts of so many claims at least, and of one in
   // 512 of that for each disk.
   std::size_t least_part = 4096;

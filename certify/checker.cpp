@@ -1,11 +1,13 @@
 #include "certify/checker.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "certify/witness.h"
 #include "certify/wording.h"
 #include "exact/patience.h"
+#include "history/json_text.h"
 
 namespace voroproof {
 
@@ -13,6 +15,21 @@ namespace {
 
 // How many of the claims that are near each other in time are looked at together.
 constexpr std::size_t kMaxNear = 64;
+
+// Whether both are of the motion of one disk.
+bool turn_one_disk(const Event& a, const Event& b) {
+  const auto disks = [](const Event& event) -> std::array<GenId, 2> {
+    if (const auto* c = std::get_if<CollideEvent>(&event)) return {c->i, c->j};
+    if (const auto* m = std::get_if<ManeuverEvent>(&event)) return {m->disk, container_id};
+    return {container_id, container_id};
+  };
+  for (const GenId g : disks(a)) {
+    for (const GenId h : disks(b)) {
+      if (g != container_id && g == h) return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -30,6 +47,9 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
       last_instant_(history.header().horizon + history.header().horizon_error),
       search_end_(round_up(last_instant_)),
       horizon_down_(round_down(last_instant_)),
+      horizon_window_(history.header().horizon - history.header().horizon_error -
+                      options.tolerance),
+      horizon_window_down_(round_down(horizon_window_)),
       motion_(motion),
       begin_(begin),
       replay_(std::move(replay)),
@@ -41,6 +61,7 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
       tolerance_up_(round_up(options.tolerance)),
       near_tolerance_(ball(options.tolerance)),
       places_(std::move(places)),
+      recorded_(options.tolerance, horizon_window_),
       batch_(motion_),
       apart_(motion_) {}
 
@@ -85,6 +106,8 @@ Certificate Checker::run(const PartEnd* end) {
     prefix_until(frontier_.lo);
   }
   certificate_.highest_bits = motion_.highest_bits();
+  certificate_.rounding_overlaps = recorded_.rounded();
+  certificate_.left_out += recorded_.left_out();
   if (ulps_count_ > 0) certificate_.ulps_mean = ulps_sum_ / static_cast<double>(ulps_count_);
   return std::move(certificate_);
 }
@@ -168,6 +191,9 @@ void Checker::take(std::size_t k) {
 
 void Checker::done() {
   ++processed_;
+  if (options_.truth == Truth::recorded && time(*claim_) > horizon_window_down_) {
+    ++certificate_.at_horizon;
+  }
   if (options_.monitor && (processed_ & 0xff) == 0 && !options_.monitor(frontier_.lo, processed_)) {
     throw GivenUp{};
   }
@@ -178,7 +204,7 @@ void Checker::process_next() {
   const bool alone =
       near_.size() == 1 || time(near_[1].event) > time(near_[0].event) + 2 * tolerance_up_;
   const std::size_t k = alone ? 0 : earliest();
-  take(k);
+  take_before_others(k);
   if (const auto* f = std::get_if<FlipEvent>(&*claim_)) {
     flip(*f);
   } else if (const auto* c = std::get_if<CollideEvent>(&*claim_)) {
@@ -186,8 +212,22 @@ void Checker::process_next() {
   } else {
     maneuver(std::get<ManeuverEvent>(*claim_));
   }
-  if (k > 0) ++certificate_.swaps;
   done();
+}
+
+// Takes the k-th of the near claims, which in truth comes before those that the file has before it.
+// Two turns of one disk do not commute: whoever reads the file in its order takes the velocity of
+// the later line for the last one.
+void Checker::take_before_others(std::size_t k) {
+  for (std::size_t passed = 0; passed < k; ++passed) {
+    if (!turn_one_disk(near_[passed].event, near_[k].event)) continue;
+    const double later = time(near_[k].event);
+    take(passed);
+    refute(Fault::wrong_order,
+           "a turn of the same disk, claimed at t = " + number_text(later) + ", comes before it");
+  }
+  if (k > 0) ++certificate_.swaps;
+  take(k);
 }
 
 // Which of the near claims is the first in truth. Only a claim that is certainly earlier than
@@ -237,7 +277,7 @@ std::size_t Checker::earliest() {
 std::optional<Moment> Checker::probe(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) {
     HalfEdge h = replay_.find(f->quad);
-    if (h < 0) h = replay_.find_mirrored(f->quad);
+    if (h < 0 && options_.unoriented) h = replay_.find_mirrored(f->quad);
     if (h >= 0 && lives_[h / 2].pending) begin_pending_lives();
     if (h < 0 || lives_[h / 2].illegal || lives_[h / 2].due) return std::nullopt;
     const Quad q = diagram_.quad(h);
@@ -249,13 +289,15 @@ std::optional<Moment> Checker::probe(const Event& event) {
   }
   if (options_.truth == Truth::recorded) return Moment::at(exact_time(event));
   if (const auto* c = std::get_if<CollideEvent>(&event)) {
-    const int e = replay_.adjacency(c->i, c->j);
-    if (e < 0) return std::nullopt;
-    const NextContact next = next_contact(e, c->i, c->j);
+    if (replay_.adjacency(c->i, c->j) < 0) return std::nullopt;
+    const NextContact next = next_contact(c->i, c->j);
     if (next.kind == NextContact::Kind::none) return std::nullopt;
     return moment_of(c->i, c->j, next);
   }
-  return std::nullopt;
+  const auto& m = std::get<ManeuverEvent>(event);
+  const auto k = replay_.scheduled(m, exact_time(event));
+  if (!k) return std::nullopt;
+  return Moment::at(scene_.maneuvers[*k].t);
 }
 
 // ---- Time. ----
@@ -288,6 +330,9 @@ void Checker::advance(const Moment& m) {
   if (order > 0 || tied) frontier_tie_ = tied ? tie_.number : 0;
   if (order > 0) {
     leave_instant();
+    if (m.lo <= revealed_) {
+      throw Undecided("something happens while a generator may lie inside another");
+    }
     frontier_ = m;
     if (instant_ == std::numeric_limits<int>::max()) throw Undecided("too many instants to number");
     ++instant_;
@@ -320,7 +365,7 @@ void Checker::leave_instant() {
   begin_pending_lives();
   for (const int e : illegal_) {
     const Life& life = lives_[e];
-    if (life.illegal && life.born == instant_) {
+    if (life.illegal && life.born == instant_ && !left_out(frontier_)) {
       Collapse c;
       c.lo = frontier_.lo;
       c.hi = frontier_.hi;

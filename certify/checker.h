@@ -8,10 +8,12 @@
 //   checker_ends.cpp the start and the end of the history or of a part
 //   edge_lives.cpp   lives of edges, flips
 //   pair_lives.cpp   lives of pairs: contacts and overlaps
+//   hidden.cpp       generators that lie inside others for a moment
 //   collisions.cpp   collisions and maneuvers
 //   instant_order.cpp  the order of what one instant changes
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +25,7 @@
 #include "certify/collision_law.h"
 #include "certify/contact_proof.h"
 #include "certify/moment.h"
+#include "certify/recorded_contacts.h"
 #include "certify/replay.h"
 #include "certify/rootless.h"
 #include "filtered/carry.h"
@@ -95,13 +98,19 @@ class Checker {
     bool pending = false;  // it begins when all that turns at that instant has turned
   };
 
-  // The pair of a V-edge likewise: apart or parting, no contact until `from`. Under the recorded
-  // truth it may overlap then: since `overlap` before.
+  // The pair of a V-edge is adjacent and on its present lines since `from`, or a little later.
   struct Adjacency {
     double from = 0;
-    int born = 0;  // the instant at which that was
-    double overlap = 0;
   };
+
+  // Exact truth: when the present motion of a disk began, and the number of that instant.
+  struct Birth {
+    Moment moment;
+    int instant;
+  };
+
+  // Why the life of a pair ends: one of the two turns; its edge flips; the history ends, or a part.
+  enum class PairEnd { turn, flip, end };
 
   // A root of a flip polynomial, the only one in [lo, hi].
   struct Isolated {
@@ -128,6 +137,7 @@ class Checker {
   std::size_t earliest();
   std::optional<Moment> probe(const Event& event);
   void take(std::size_t k);
+  void take_before_others(std::size_t k);
   void done();
   bool is_moment_of(const Tie& tie, const Moment& m) const;
   void advance(const Moment& m);
@@ -152,6 +162,7 @@ class Checker {
   void start();
   void take_initial_diagram();
   bool turns_at_start(const Event& event);
+  std::optional<std::size_t> next_turn_at_start();
   void resume(double t);
   void finish_part(const PartEnd& end);
   void finish();
@@ -170,42 +181,55 @@ class Checker {
   HalfEdge claimed(const Quad& q) const;
   void flip(const FlipEvent& claim);
   void resolve(HalfEdge h);
+  bool left_out(const Moment& m);
   void count_ulps(const Moment& m, double claimed);
   [[noreturn]] void mistimed(const Quad& q, const Collapse& c, const Rational& claimed);
 
   // ---- pair_lives.cpp ----
-  void begin_pair(int edge, const Moment& m);
-  void go_on_with_pair(int edge, const Moment& m);
-  void end_pair(int edge, const Moment& m, bool closed = false, bool apart = false);
-  void end_pairs(std::span<const int> edges, const Moment& m, bool closed = false);
-  Instant since(const Adjacency& pair) const;
+  const Birth* birth(GenId i, GenId j) const;
+  Moment born(GenId i, GenId j) const;
+  bool born_at_present(GenId i, GenId j) const;
+  Instant since(GenId i, GenId j) const;
+  void note_birth(GenId g, const Moment& m);
   Moment moment_of(GenId i, GenId j, const NextContact& c) const;
-  NextContact next_contact(int edge, GenId i, GenId j);
+  NextContact next_contact(GenId i, GenId j);
+  void require_no_contact(GenId i, GenId j, const Moment& m, PairEnd why);
+  void end_pair(int edge, const Moment& m, PairEnd why, bool apart = false);
+  void end_pairs(std::span<const int> edges, const Moment& m, PairEnd why);
+  Rational rounding(GenId i, GenId j) const;
+  bool certainly_shallow(GenId i, GenId j, const DoubleBall& excess) const;
+  bool certainly_part(GenId i, GenId j, double from) const;
+  bool certainly_clear(int edge, const Moment& m, bool apart) const;
   Contact<Rational> recorded_contact(GenId i, GenId j, const Rational& at) const;
-  void check_parting(GenId i, GenId j, double from, const Moment& m);
-  void check_at_rest(int edge, const Moment& m);
-  bool hardly_overlap(int edge, const Contact<Rational>& k, const Moment& m) const;
-  void check_overlap(int edge, const Moment& m);
-  bool certainly_inside_soon(int edge, const Moment& m) const;
-  bool certainly_in_contact(GenId i, GenId j, const BallPair& at) const;
-  void check_recorded_contact(const CollideEvent& claim, const BallPair& at);
+  RecordedContacts::Lines recorded_lines(GenId i, GenId j, double adjacent_since) const;
+  void pass_recorded(int edge, const Moment& m, PairEnd why);
+  int watching(int edge, int besides = -1) const;
+  bool certainly_in_contact(const CollideEvent& claim, double from, const BallPair& at) const;
+  void check_recorded_contact(const CollideEvent& claim, int edge, const BallPair& at);
+
+  // ---- hidden.cpp ----
+  std::vector<int> prove_hidden_anew(const std::vector<int>& edges);
 
   // ---- collisions.cpp ----
   void collide(const CollideEvent& claim);
-  void collide_exactly(const CollideEvent& claim, int edge);
-  void collide_as_recorded(const CollideEvent& claim);
+  void collide_exactly(const CollideEvent& claim);
+  void collide_as_recorded(const CollideEvent& claim, int edge);
   void maneuver(const ManeuverEvent& claim);
   void require_maneuvers_before(double t);
   void collect_around(GenId i, GenId j);
   void end_around(const Moment& m);
   void require_no_contact_at_start(GenId g);
+  void require_after_start() const;
   bool turned_at_present(GenId g) const;
   void begin_around(const Moment& m);
   void begin_pending_lives();
   void check_state(const CollideEvent& claim, int side, const RoundedState& truth);
   static BallVec2 claimed_center(const CollideEvent& claim, int side);
   bool certainly_near(const CollideEvent& claim, int side, const BallVec2& at) const;
-  void check_center(const std::optional<ExactVec2>& p, const ExactVec2& true_p);
+  static bool certainly_equal(const CollideEvent& claim, int side, const RoundedState& truth);
+  Rational allowed_distance(GenId g, const ExactVec2& after, const ExactVec2& at) const;
+  void check_center(GenId g, const std::optional<ExactVec2>& p, const ExactVec2& after,
+                    const ExactVec2& true_p);
   [[noreturn]] void refute_response(const CollideEvent& claim, const ExactPair& p);
   void turn(GenId g);
   void remark_velocities(bool centers);
@@ -220,9 +244,11 @@ class Checker {
   HistorySource& history_;
   const CertifyOptions& options_;
   Certificate certificate_;
-  Rational last_instant_;  // no event that the file may claim lies beyond it
-  double search_end_;      // nor beyond this
-  double horizon_down_;    // nor at or before it beyond the last instant
+  Rational last_instant_;    // no event that the file may claim lies beyond it
+  double search_end_;        // nor beyond this
+  double horizon_down_;      // nor at or before it beyond the last instant
+  Rational horizon_window_;  // the horizon less the tolerance
+  double horizon_window_down_;
   Motion& motion_;
   std::optional<double> begin_;  // of a part that is not the first
   Replay replay_;
@@ -256,6 +282,9 @@ class Checker {
   std::vector<Life> lives_;
   std::unordered_map<int, Collapse> due_;  // the roots of edges whose lives are due, and old ones
   std::vector<Adjacency> pairs_;
+  std::vector<std::shared_ptr<const Birth>> births_;  // by disk; empty before the first
+  RecordedContacts recorded_;
+  double revealed_ = 0;  // up to here a generator lay inside another at the last such moment
   RootlessBatch batch_;
   ApartBatch apart_;
   std::vector<int> illegal_;                          // edges that have to flip at this instant

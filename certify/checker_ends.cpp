@@ -1,4 +1,5 @@
 // The start and the end of a history, and of a part of one.
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
 
@@ -9,27 +10,41 @@
 
 namespace voroproof {
 
-// Whether a claim at t = 0 is of a change of the motion, and not one that in truth comes later.
+// Whether a claim is of a change of the motion that happens at t = 0, in truth.
 bool Checker::turns_at_start(const Event& event) {
   if (std::holds_alternative<FlipEvent>(event)) return false;
-  if (options_.truth == Truth::recorded) return true;
+  if (options_.truth == Truth::recorded) return sgn(exact_time(event)) == 0;
   if (const auto* m = std::get_if<ManeuverEvent>(&event)) {
-    const auto k = replay_.scheduled(*m, 0);
-    return !k || scene_.maneuvers[*k].t == 0;
+    const auto k = replay_.scheduled(*m, exact_time(event));
+    return k && scene_.maneuvers[*k].t == 0;
   }
   const auto& claim = std::get<CollideEvent>(event);
-  const NextContact c = next_contact(0, claim.i, claim.j);
-  return c.kind == NextContact::Kind::none ||
+  const NextContact c = next_contact(claim.i, claim.j);
+  return c.kind != NextContact::Kind::none &&
          chronology_.compare(moment_of(claim.i, claim.j, c), frontier_) <= 0;
+}
+
+// The next of these claims, wherever within the tolerance the file has it.
+std::optional<std::size_t> Checker::next_turn_at_start() {
+  for (std::size_t k = 0; k < near_.size(); ++k) {
+    if (exact_time(near_[k].event) > options_.tolerance) break;
+    if (turns_at_start(near_[k].event)) return k;
+  }
+  return std::nullopt;
 }
 
 void Checker::start() {
   frontier_ = Moment::at(Rational(0));
   refill();
   // What happens to the motion at t = 0 comes before the diagram at 0+.
-  while (!near_.empty() && sgn(exact_time(near_.front().event)) == 0 &&
-         turns_at_start(near_.front().event)) {
-    take(0);
+  while (const auto k = next_turn_at_start()) {
+    if (*k > 0) {
+      if (options_.strict) {
+        take(0);
+        refute(Fault::wrong_order, "what is claimed on a later line happens at t = 0, before it");
+      }
+    }
+    take_before_others(*k);
     if (const auto* c = std::get_if<CollideEvent>(&*claim_)) {
       collide(*c);
     } else {
@@ -48,7 +63,6 @@ void Checker::start() {
   const Moment now = Moment::at(Rational(0));
   chronology_.note_collisions(now);
   begin_lives(all_edges(), now);
-  for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) begin_pair(e, now);
   begun_ = true;
 }
 
@@ -120,20 +134,14 @@ void Checker::resume(double t) {
   collected_.assign(diagram_.edges(), 0);
   pairs_.resize(motion_.size() == 1 ? 1 : diagram_.edges());
   begun_ = true;
-  for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
-    // From their last change of motion, so that an overlap is measured whole.
-    const auto [i, j] = replay_.pair_of(e);
-    double from = replay_.path(j).since_up();
-    if (i != container_id) from = std::max(from, replay_.path(i).since_up());
-    pairs_[e].from = from;
-  }
+  for (Adjacency& pair : pairs_) pair.from = t;
 }
 
 // `closed`: nothing may be left that has to happen at m itself either.
 void Checker::end_all_lives(const Moment& m, bool closed) {
   std::vector<int> edges(pairs_.size());
   std::iota(edges.begin(), edges.end(), 0);
-  end_pairs(edges, m, closed);
+  end_pairs(edges, m, closed ? PairEnd::end : PairEnd::turn);
   end_lives(all_edges(), m, closed);
 }
 
@@ -186,7 +194,9 @@ void Checker::finish() {
                                  " maneuvers");
   }
   certificate_.prefix_events = processed_;
-  certificate_.prefix_t = round_down(end);
+  certificate_.prefix_t = certificate_.left_out + recorded_.left_out() > 0
+                              ? std::max(0.0, horizon_window_down_)
+                              : round_down(end);
   if (stop != nullptr) {
     certificate_.verdict = Verdict::undecided;
     certificate_.reason = "the history stops at t = " + number_text(stop->t) +

@@ -128,13 +128,14 @@ bool CollisionLaw::obeyed_in_some_direction(const CollideEvent& claim, const Exa
          square(2 * tolerance_ * m * speed);
 }
 
-bool CollisionLaw::obeyed(const CollideEvent& claim, const ExactPair& p,
-                          const ExactPair& before) const {
+bool CollisionLaw::obeyed(const CollideEvent& claim, const ExactPair& p, const ExactPair& before,
+                          const Rational& t) const {
   const GenId i = claim.i, j = claim.j;
   Rational speed = length_bound(before[1]);
   if (i != container_id) speed += length_bound(before[0]);
   // The centres' roundings turn the normal, or hide it: then any will do.
-  const Rational error = 16 * length_bound(p[1]), distance = reach(i, j) * (Rational(1) << 53);
+  const Rational error = 16 * (length_bound(p[1]) + speed * t);
+  const Rational distance = reach(i, j) * (Rational(1) << 53);
   const bool hidden = error >= distance;
   if (hidden || error > tolerance_ * distance) {
     if (!obeyed_in_some_direction(claim, before, speed)) return false;

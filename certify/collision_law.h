@@ -23,10 +23,11 @@ class CollisionLaw {
   ExactPair after(GenId i, GenId j, const ExactPair& p, const ExactPair& v) const;
 
   // Whether the velocities claimed are, within the tolerance, those after a collision with centres
-  // p and velocities v before it. The centres are written as binary64, so that the normal is known
-  // no better than that, or not at all: then the velocities are those of some normal. Throws
-  // Undecided where the two have no mass.
-  bool obeyed(const CollideEvent& claim, const ExactPair& p, const ExactPair& v) const;
+  // p and velocities v before it. The centres are written as binary64, or those of paths at a time
+  // that is (`t`, else 0), so that the normal is known no better than that, or not at all: then the
+  // velocities are those of some normal. Throws Undecided where the two have no mass.
+  bool obeyed(const CollideEvent& claim, const ExactPair& p, const ExactPair& v,
+              const Rational& t) const;
 
   // The same in doubles, from enclosures: false says nothing.
   bool certainly_obeyed(const CollideEvent& claim, const BallPair& p, const BallPair& v);

@@ -87,7 +87,7 @@ void Checker::refute_missing_contacts() {
   for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
     if (!(pairs_[e].from < now)) continue;
     try {
-      end_pair(e, Moment::at(now));
+      end_pair(e, Moment::at(now), PairEnd::turn);
     } catch (const Undecided&) {
       // Another may tell.
     }
@@ -107,8 +107,10 @@ Divergence Checker::first_event_missing(const Divergence& found) {
   for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
     const auto [i, j] = replay_.pair_of(e);
     if (replay_.partners(i, j) || proved_apart(motion_, i, j, pairs_[e].from, limit)) continue;
-    const Moment begin = Moment::at(pairs_[e].from);
-    const NextContact c = contacts_.from(i, j, chronology_.instant(begin), limit);
+    const Instant begin = options_.truth == Truth::exact
+                              ? since(i, j)
+                              : chronology_.instant(Moment::at(pairs_[e].from));
+    const NextContact c = contacts_.from(i, j, begin, limit);
     if (c.kind == NextContact::Kind::none || c.hi >= limit - margin - tolerance_up_) continue;
     limit = c.lo;
     first = missing_contact(i, j, c.lo, c.hi);

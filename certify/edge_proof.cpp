@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "certify/edge_circles.h"
+#include "certify/edge_signs.h"
 #include "certify/rootless.h"
 #include "filtered/bernstein.h"
 #include "filtered/de_casteljau.h"
@@ -287,6 +288,20 @@ std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch
     return std::nullopt;
   }
   return root;
+}
+
+bool proved_no_flip(const Motion& motion, const Quad& q, const Rational& lo, const Rational& hi) {
+  const auto signs = [&](const Rational& time) {
+    const Ball t(time, motion.goal_bits() + 32);
+    const auto l = motion.site(q.l, t), r = motion.site(q.r, t);
+    const auto s = motion.site(q.s, t), e = motion.site(q.e, t);
+    return edge_signs(q, l, r, s, e, sign(cotangency(l, r, s, e)));
+  };
+  const auto is_not = [](const EdgeSigns& at, Sign legality) {
+    return at.start_exists == Sign::negative || at.end_exists == Sign::negative ||
+           at.end_in_start == -legality || at.start_in_end == -legality;
+  };
+  return is_not(signs(lo), Sign::positive) || is_not(signs(hi), Sign::negative);
 }
 
 bool proved_not_cotangent(const Motion& motion, const Quad& q, double a, double b) {

@@ -47,6 +47,10 @@ bool proved_first_collapse(const Motion& motion, const Quad& q, double from, dou
 std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch& search,
                                       const Quad& q, double a, double b);
 
+// Whether the root of q in [lo, hi] is provably no flip of an edge of a diagram: before or after it
+// a circle does not exist, q is illegal before it, or legal after it.
+bool proved_no_flip(const Motion& motion, const Quad& q, const Rational& lo, const Rational& hi);
+
 // Whether the four generators of q are provably not cotangent at any time of [a, b].
 bool proved_not_cotangent(const Motion& motion, const Quad& q, double a, double b);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "certify/edge_signs.h"
 #include "exact/names.h"
@@ -110,6 +111,34 @@ class InitialProof {
       if (auto f = edge_fault(diagram_.quad(h))) return f;
     }
     for (GenId g = container_id; g < diagram_.disks(); ++g) {
+      if (auto f = cell_fault(g)) return f;
+    }
+    return std::nullopt;
+  }
+
+  // Of what depends on the tangency of i and j.
+  std::optional<InitialFault> fault_around(GenId i, GenId j) {
+    std::vector<GenId> cells{i, j};
+    const auto look = [&](HalfEdge h) -> std::optional<InitialFault> {
+      const Quad q = diagram_.quad(h);
+      const auto among = [&](GenId g) { return g == q.l || g == q.r || g == q.s || g == q.e; };
+      if (!among(i) || !among(j)) return std::nullopt;
+      if (auto f = vertex_fault(h)) return f;
+      if (auto f = vertex_fault(h ^ 1)) return f;
+      for (const GenId g : {q.s, q.e}) {
+        if (std::find(cells.begin(), cells.end(), g) == cells.end()) cells.push_back(g);
+      }
+      return edge_fault(q);
+    };
+    // Around the disk: its spokes, and the edges opposite to it.
+    const HalfEdge first = diagram_.anchor(j);
+    HalfEdge h = first;
+    do {
+      if (auto f = look(h)) return f;
+      if (auto f = look(diagram_.next(h))) return f;
+      h = diagram_.rotate(h);
+    } while (h != first);
+    for (const GenId g : cells) {
       if (auto f = cell_fault(g)) return f;
     }
     return std::nullopt;
@@ -268,6 +297,11 @@ class InitialProof {
 std::optional<InitialFault> initial_fault(const Diagram& diagram, Motion& motion, const Rational& t,
                                           TierCounts& counts) {
   return InitialProof(diagram, motion, t, counts).fault();
+}
+
+std::optional<InitialFault> fault_around(const Diagram& diagram, Motion& motion, GenId i, GenId j,
+                                         const Rational& t, TierCounts& counts) {
+  return InitialProof(diagram, motion, t, counts).fault_around(i, j);
 }
 
 }  // namespace voroproof

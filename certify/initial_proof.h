@@ -30,4 +30,11 @@ struct InitialFault {
 std::optional<InitialFault> initial_fault(const Diagram& diagram, Motion& motion, const Rational& t,
                                           TierCounts& counts);
 
+// The same of what depends on the tangency of i and j, at a time t at which they have parted after
+// an overlap: the vertices that touch both, the edges that have both among their four generators,
+// and the winding of the cells around these. `i` and `j` are neighbours. Whatever is not proved
+// there, ties included, is named. Throws Undecided.
+std::optional<InitialFault> fault_around(const Diagram& diagram, Motion& motion, GenId i, GenId j,
+                                         const Rational& t, TierCounts& counts);
+
 }  // namespace voroproof

@@ -11,96 +11,51 @@
 
 namespace voroproof {
 
-namespace {
-// Of roots of quadratics with rational coefficients, where doubles do not decide.
-constexpr int kBits = 512;
-}  // namespace
+// ---- Exact truth. ----
 
-void Checker::begin_pair(int edge, const Moment& m) { pairs_[edge] = {m.lo, instant_}; }
-
-// As only the motion of the pair changes: an overlap goes on.
-void Checker::go_on_with_pair(int edge, const Moment& m) {
-  const bool collided = colliding_ && replay_.pair_of(edge) == *colliding_;
-  pairs_[edge] = {m.lo, instant_, collided ? 0 : pairs_[edge].overlap};
+// When the present motion of the pair began: with the later of the last turns of the two. Nothing
+// where neither has turned.
+const Checker::Birth* Checker::birth(GenId i, GenId j) const {
+  const auto of = [this](GenId g) {
+    return g == container_id || births_.empty() ? nullptr : births_[g].get();
+  };
+  const Birth *a = of(i), *b = of(j);
+  if (a == nullptr || b == nullptr) return a != nullptr ? a : b;
+  // States are numbered in their order of time.
+  return motion_.state_id(i) > motion_.state_id(j) ? a : b;
 }
 
-// When the life of a pair began, or a time just before. At the present instant itself two may touch
-// and approach that did not before: what is known of the instant tells.
-Instant Checker::since(const Adjacency& pair) const {
-  if (pair.born == instant_ && frontier_.kind != Moment::Kind::flip) {
-    return chronology_.present(frontier_);
-  }
-  return chronology_.instant(Moment::at(pair.from));
+Moment Checker::born(GenId i, GenId j) const {
+  const Birth* b = birth(i, j);
+  return b != nullptr ? b->moment : Moment::at(0.0);
+}
+
+bool Checker::born_at_present(GenId i, GenId j) const {
+  const Birth* b = birth(i, j);
+  return (b != nullptr ? b->instant : 0) == instant_ && frontier_.kind != Moment::Kind::flip;
+}
+
+// The same as an instant. Of the present one more is known.
+Instant Checker::since(GenId i, GenId j) const {
+  return born_at_present(i, j) ? chronology_.present(frontier_) : chronology_.instant(born(i, j));
+}
+
+void Checker::note_birth(GenId g, const Moment& m) {
+  if (g == container_id) return;
+  births_.resize(motion_.size());
+  births_[g] = std::make_shared<const Birth>(Birth{m, instant_});
 }
 
 // When i and j touch: `c` is not `none`.
 Moment Checker::moment_of(GenId i, GenId j, const NextContact& c) const {
-  return c.kind == NextContact::Kind::now ? frontier_ : Moment::of(i, j, c);
+  if (c.kind != NextContact::Kind::now) return Moment::of(i, j, c);
+  return born_at_present(i, j) ? frontier_ : born(i, j);
 }
 
-// The pair's adjacency, or its motion, ends at m without a collision of the two; `closed`: a
-// contact at m itself is missed too; `apart`: the two are proved to be apart until m.hi.
-void Checker::end_pair(int edge, const Moment& m, bool closed, bool apart) {
-  const auto [i, j] = replay_.pair_of(edge);
-  if (replay_.partners(i, j)) {
-    pairs_[edge].overlap = 0;
-    if (options_.truth == Truth::recorded) check_parting(i, j, pairs_[edge].from, m);
-    return;
-  }
-  ++certificate_.pair_lives;
-  const double from = pairs_[edge].from;
-  if (options_.truth == Truth::recorded && motion_.same_velocity(i, j)) {
-    check_at_rest(edge, m);
-    return;
-  }
-  if ((apart || proved_apart(motion_, i, j, from, m.hi)) && certainly_inside_soon(edge, m)) {
-    pairs_[edge].overlap = 0;
-    return;
-  }
-  ++certificate_.beyond_filter;
-  if (options_.truth == Truth::recorded) {
-    check_overlap(edge, m);
-    return;
-  }
-  const NextContact c = contacts_.from(i, j, since(pairs_[edge]), std::nextafter(m.hi, HUGE_VAL));
-  if (c.kind == NextContact::Kind::none) return;
-  const int order = chronology_.compare(moment_of(i, j, c), m);
-  if (order > 0) return;
-  // Collisions come before maneuvers; with the velocities between two maneuvers nothing moves.
-  const bool averted = maneuvering_ && (i == *maneuvering_ || j == *maneuvering_) &&
-                       !turned_at_present(i == *maneuvering_ ? j : i);
-  if (order == 0 && !closed && !averted) {
-    // They touch as something else happens. If they still approach after it, that is for their
-    // next life; but of collisions at one instant the smallest pair comes first.
-    if (colliding_ && std::pair(i, j) < *colliding_) {
-      refute(Fault::wrong_order, "generators " + text_of(i, j) +
-                                     " touch and approach at the same instant and come first");
-    }
-    return;
-  }
-  throw Refuted{missing_contact(i, j, c.lo, c.hi)};
-}
-
-void Checker::end_pairs(std::span<const int> edges, const Moment& m, bool closed) {
-  apart_.clear();
-  for (const int e : edges) {
-    const auto [i, j] = replay_.pair_of(e);
-    apart_.add(i, j, pairs_[e].from);
-  }
-  apart_.prove(m.hi);
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    if (!colliding_ || replay_.pair_of(edges[k]) != *colliding_) {
-      end_pair(edges[k], m, closed, apart_.apart(k));
-    }
-  }
-}
-
-// Exact truth: when the two touch next; `edge` is one between them. Before the lives begin: from
-// t = 0 on.
-NextContact Checker::next_contact(int edge, GenId i, GenId j) {
+// When the two touch next, from the birth of their present motion on.
+NextContact Checker::next_contact(GenId i, GenId j) {
   if (replay_.partners(i, j)) return {};
-  const Instant from = begun_ ? since(pairs_[edge]) : chronology_.instant(Moment::at(0.0));
-  NextContact c = contacts_.from(i, j, from, search_end_);
+  NextContact c = contacts_.from(i, j, since(i, j), search_end_);
   if (c.kind != NextContact::Kind::at) return c;
   const DdBall dd = contacts_.refine(i, j, 0.5 * (c.lo + c.hi));
   if (std::isfinite(dd.rad)) {
@@ -112,7 +67,124 @@ NextContact Checker::next_contact(int edge, GenId i, GenId j) {
   return c;
 }
 
+// The pair does not touch while it approaches from the birth of its motion to m; at m itself it may
+// only where its motion ends there, too.
+void Checker::require_no_contact(GenId i, GenId j, const Moment& m, PairEnd why) {
+  const NextContact c = contacts_.from(i, j, since(i, j), std::nextafter(m.hi, HUGE_VAL));
+  if (c.kind == NextContact::Kind::none) return;
+  const int order = chronology_.compare(moment_of(i, j, c), m);
+  if (order > 0) return;
+  // Collisions come before maneuvers; with the velocities between two maneuvers nothing moves.
+  const bool averted = maneuvering_ && (i == *maneuvering_ || j == *maneuvering_) &&
+                       !turned_at_present(i == *maneuvering_ ? j : i);
+  if (order == 0 && why == PairEnd::turn && !averted) {
+    // They touch as something else happens. If they still approach after it, that is for their
+    // next life; but of collisions at one instant the smallest pair comes first.
+    if (colliding_ && std::pair(i, j) < *colliding_) {
+      refute(Fault::wrong_order, "generators " + text_of(i, j) +
+                                     " touch and approach at the same instant and come first");
+    }
+    return;
+  }
+  throw Refuted{missing_contact(i, j, c.lo, c.hi)};
+}
+
+// ---- Lives. ----
+
+// The pair's adjacency, or its motion, ends at m without a collision of the two; `apart`: the two
+// are proved to be apart from their birth until m.hi.
+void Checker::end_pair(int edge, const Moment& m, PairEnd why, bool apart) {
+  const auto [i, j] = replay_.pair_of(edge);
+  const bool partners = replay_.partners(i, j);
+  if (!partners) ++certificate_.pair_lives;
+  const double from = pairs_[edge].from;
+  if (options_.truth == Truth::recorded) {
+    if (!recorded_.carries({i, j}) &&
+        (partners ? certainly_part(i, j, from) : certainly_clear(edge, m, apart))) {
+      return;
+    }
+    if (!partners) ++certificate_.beyond_filter;
+    pass_recorded(edge, Moment(m), why);
+    return;
+  }
+  if (partners || apart || proved_apart(motion_, i, j, from, m.hi)) return;
+  ++certificate_.beyond_filter;
+  require_no_contact(i, j, m, why);
+}
+
+void Checker::end_pairs(std::span<const int> edges, const Moment& m, PairEnd why) {
+  apart_.clear();
+  for (const int e : edges) {
+    const auto [i, j] = replay_.pair_of(e);
+    apart_.add(i, j, pairs_[e].from);
+  }
+  apart_.prove(m.hi);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    if (!colliding_ || replay_.pair_of(edges[k]) != *colliding_) {
+      end_pair(edges[k], m, why, apart_.apart(k));
+    }
+  }
+}
+
 // ---- Recorded truth. ----
+
+namespace {
+
+// |d|^2 - reach^2 of a pair at a time, in doubles.
+DoubleBall excess(const Motion& motion, GenId i, GenId j, double t) {
+  const DoubleBall at(t);
+  return Contact<DoubleBall>(motion.moving_site(i, at), motion.moving_site(j, at)).c;
+}
+
+}  // namespace
+
+// How far roundings of the file may have moved the two towards each other.
+Rational Checker::rounding(GenId i, GenId j) const {
+  const Rational extent = abs(scene_.cx) + abs(scene_.cy) + scene_.container_radius;
+  return extent / (Rational(1) << 51) * std::max(1, replay_.turns(i) + replay_.turns(j));
+}
+
+// Whether two certainly overlap by no more than half of what is a rounding, so that nothing has to
+// be carried on, given their `excess` at the time of the greatest overlap; and the tangency of the
+// two certainly has the right sign.
+bool Checker::certainly_shallow(GenId i, GenId j, const DoubleBall& excess) const {
+  const DoubleMotion &m = motion_.doubles(i), &n = motion_.doubles(j);
+  const double reach = std::fabs(m.r + n.r);
+  const double extent = std::fabs(motion_.doubles(container_id).r);
+  const double depth = 0x1p-52 * extent;
+  if (!(8 * depth <= reach)) return false;
+  const DoubleBall slack(depth * reach),
+      product(4 * std::fabs(m.r) * std::fabs(n.r) * (1 - 0x1p-40));
+  if (i == container_id) {
+    return sign(excess - slack) == Sign::negative && sign(excess - product) == Sign::negative;
+  }
+  return sign(excess + slack) == Sign::positive && sign(excess + product) == Sign::positive;
+}
+
+// After their own collision at `from`: whether the two certainly part, and overlap no more than by
+// a rounding.
+bool Checker::certainly_part(GenId i, GenId j, double from) const {
+  const DoubleBall at(from);
+  const Contact<DoubleBall> k(motion_.moving_site(i, at), motion_.moving_site(j, at));
+  const Sign parting = sign(k.b);
+  return (parting == Sign::positive || parting == Sign::zero) && certainly_shallow(i, j, k.c);
+}
+
+// Whether the two certainly do not overlap in the life that ends at m: in doubles, false says
+// nothing. What lies outside the container at the beginning by a rounding may have hit it there.
+bool Checker::certainly_clear(int edge, const Moment& m, bool apart) const {
+  const auto [i, j] = replay_.pair_of(edge);
+  const double from = pairs_[edge].from;
+  if (motion_.same_velocity(i, j)) {
+    return sign(excess(motion_, i, j, from)) ==
+           (i == container_id ? Sign::negative : Sign::positive);
+  }
+  if (!apart && !proved_apart(motion_, i, j, from, m.hi)) return false;
+  if (i != container_id) return true;
+  const DoubleBall first = excess(motion_, i, j, from);
+  return sign(first) == Sign::negative ||
+         (replay_.hit_container(j) && certainly_shallow(i, j, first));
+}
 
 // |offset + w s|^2 - reach^2, s from the time `at`: all rational.
 Contact<Rational> Checker::recorded_contact(GenId i, GenId j, const Rational& at) const {
@@ -126,138 +198,61 @@ Contact<Rational> Checker::recorded_contact(GenId i, GenId j, const Rational& at
   return {site(i), site(j)};
 }
 
-// After its own collision a pair parts. The law holds within a tolerance, so that one that should
-// stay in contact may come nearer again, but not far.
-void Checker::check_parting(GenId i, GenId j, double from, const Moment& m) {
-  const DoubleBall start(from);
-  const Contact<DoubleBall> near(motion_.moving_site(i, start), motion_.moving_site(j, start));
-  const Sign parting = sign(near.b);
-  if (parting == Sign::positive || parting == Sign::zero) return;
-  const Contact<Rational> k = recorded_contact(i, j, to_rational(from));
-  if (sgn(k.b) >= 0) return;
-  // At the nearest point of the life.
-  const Rational end = to_rational(m.hi) - to_rational(from);
-  Rational s = -k.b / k.a;
-  if (s > end) s = end;
-  const Rational lost = -s * (k.a * s + 2 * k.b);  // of the squared distance
-  const Rational depth = options_.tolerance * to_rational(replay_.top_speed());
-  if (lost <= 2 * law_.reach(i, j) * depth) return;
-  throw Refuted{missing_contact(i, j, from, m.hi)};
-}
-
-// Two with the same velocity, or a disk at rest and the container, may overlap no longer than
-// others, but for a rounding error.
-void Checker::check_at_rest(int edge, const Moment& m) {
-  const auto [i, j] = replay_.pair_of(edge);
+// The pair on its present lines, watched from the time on at which it is on these and adjacent.
+RecordedContacts::Lines Checker::recorded_lines(GenId i, GenId j, double adjacent_since) const {
   const bool wall = i == container_id;
-  Adjacency& pair = pairs_[edge];
-  const double before = std::exchange(pair.overlap, 0);
-  const DoubleBall start(pair.from);
-  const Contact<DoubleBall> near(motion_.moving_site(i, start), motion_.moving_site(j, start));
-  if (sign(near.c) == (wall ? Sign::negative : Sign::positive)) return;
-  const Rational from = to_rational(pair.from), reach = law_.reach(i, j);
-  const Rational over = recorded_contact(i, j, from).c * (wall ? 1 : -1);
-  if (over <= 2 * options_.law_tolerance * reach * reach) return;
-  pair.overlap = before + (m.hi - pair.from);
-  if (pair.overlap <= tolerance_up_) return;
-  throw Refuted{missing_contact(i, j, pair.from, m.hi)};
+  Rational from = std::max(to_rational(adjacent_since), replay_.path(j).since());
+  if (!wall) from = std::max(from, replay_.path(i).since());
+  const Rational r_j = scene_.disks[j].radius;
+  const Rational r_i = wall ? Rational(-scene_.container_radius) : Rational(scene_.disks[i].radius);
+  const Rational reach = law_.reach(i, j), hidden_reach2 = square(Rational(r_i - r_j));
+  return {{i, j},
+          Gap(recorded_contact(i, j, from), wall, from, reach, hidden_reach2),
+          from,
+          reach,
+          rounding(i, j),
+          (wall ? replay_.hit_container(j) : replay_.partners(i, j)) &&
+              from == replay_.path(j).since()};
 }
 
-// Recorded truth: whether a disk that is inside the container at the end of the life, but perhaps
-// not at its beginning, certainly comes back before it has been outside for the tolerance. Of other
-// pairs and under the exact truth there is nothing to ask. The squared distance less the squared
-// reach is convex in time, so that it lies below its chord.
-bool Checker::certainly_inside_soon(int edge, const Moment& m) const {
-  const auto [i, j] = replay_.pair_of(edge);
-  if (options_.truth == Truth::exact || i != container_id) return true;
-  const Adjacency& pair = pairs_[edge];
-  const auto outside = [&, i = i, j = j](double t) {
-    const DoubleBall at(t);
-    return Contact<DoubleBall>(motion_.moving_site(i, at), motion_.moving_site(j, at)).c;
-  };
-  const DoubleBall first = outside(pair.from), last = outside(m.hi);
-  if (sign(first) == Sign::negative) return true;
-  const double over = first.mid + first.rad, under = -(last.mid + last.rad);
-  const double until = (m.hi - pair.from) * (over / (over + under));
-  return under > 0 && 2 * (pair.overlap + until) < tolerance_up_;
-}
-
-// Whether two overlap no deeper than the roundings of their centres let them: such are disks that
-// stay in contact or leave it sideways. Where their velocities are the same but for roundings, no
-// deeper than two at rest may.
-bool Checker::hardly_overlap(int edge, const Contact<Rational>& k, const Moment& m) const {
-  const auto [i, j] = replay_.pair_of(edge);
-  const bool wall = i == container_id;
-  const ExactPair v = replay_.velocities(i, j);
-  const Rational speeds = (wall ? Rational(0) : norm2(v[0])) + norm2(v[1]);
-  const bool at_rest = k.a * (Rational(1) << 92) <= speeds;
-  const Rational end = to_rational(m.hi) - to_rational(pairs_[edge].from);
-  const auto value = [&](const Rational& s) { return Rational((k.a * s + 2 * k.b) * s + k.c); };
-  const Rational nearest = std::max(Rational(0), std::min(end, Rational(-k.b / k.a)));
-  const Rational over = wall ? std::max(value(0), value(end)) : Rational(-value(nearest));
-  const Rational reach = law_.reach(i, j);
-  const Rational extent = abs(scene_.cx) + abs(scene_.cy) + scene_.container_radius;
-  const Rational rounding = extent / (Rational(1) << 49);
-  return over <=
-         2 * reach *
-             (at_rest ? std::max(rounding, Rational(options_.law_tolerance * reach)) : rounding);
-}
-
-// Two disks may overlap, or a disk leave the container, for no longer than the tolerance.
-void Checker::check_overlap(int edge, const Moment& m) {
-  const auto [i, j] = replay_.pair_of(edge);
-  const bool wall = i == container_id;
-  Adjacency& pair = pairs_[edge];
-  const double from = pair.from, before = std::exchange(pair.overlap, 0);
-  const Contact<Rational> k = recorded_contact(i, j, to_rational(from));
-  const Rational discriminant = k.b * k.b - k.a * k.c;
-  if (sgn(k.a) == 0) {
-    pair.overlap = before;
-    check_at_rest(edge, m);
-    return;
-  }
-  if (hardly_overlap(edge, k, m)) return;
-  if (sgn(discriminant) <= 0) {
-    // Their distance is nowhere less than the reach: disks stay apart, and a disk outside the
-    // container does not come back.
-    if (!wall) return;
-    pair.overlap = before + (m.hi - from);
-    if (pair.overlap <= tolerance_up_) return;
-    throw Refuted{missing_contact(i, j, from, m.hi)};
-  }
-  const Ball a(k.a, kBits), b(k.b, kBits), root = sqrt(Ball(discriminant, kBits));
-  const Ball enter = (-b - root) / a, leave = (root - b) / a;
-  const Ball end(Rational(to_rational(m.hi) - to_rational(from)), kBits), zero(kBits);
-  const Ball tolerance(options_.tolerance, kBits);
-  const auto first = [&](const Ball& x, const Ball& y) {
-    return sign(x - y) == Sign::negative ? x : y;
-  };
-  const auto last = [&](const Ball& x, const Ball& y) {
-    return sign(x - y) == Sign::positive ? x : y;
-  };
-  // An overlap from lo to hi of this life. Ends that cannot be told apart differ by nothing that
-  // counts.
-  const auto allowed = [&](const Ball& lo, const Ball& hi) {
-    Ball length = hi - lo;
-    if (sign(length) != Sign::positive) return true;
-    if (sign(lo) != Sign::positive) length = length + Ball(to_rational(before), kBits);
-    if (sign(end - hi) != Sign::positive) {
-      double low = 0;
-      length.to_interval(low, pair.overlap);
+// Two generators may be neighbours along several V-edges: the one that has been there for longest
+// stands for the pair. `besides`: one that counts no more. -1 where there is none.
+int Checker::watching(int edge, int besides) const {
+  if (diagram_.edges() == 0) return edge;
+  const auto pair = replay_.pair_of(edge);
+  int oldest = -1;
+  const HalfEdge first = diagram_.anchor(pair.second);
+  HalfEdge h = first;
+  do {
+    const int e = h / 2;
+    if (e != besides && replay_.pair_of(e) == pair &&
+        (oldest < 0 || std::pair(pairs_[e].from, e) < std::pair(pairs_[oldest].from, oldest))) {
+      oldest = e;
     }
-    return sign(length - tolerance) == Sign::negative;
-  };
-  const bool fine = wall ? allowed(zero, first(enter, end)) && allowed(last(leave, zero), end)
-                         : allowed(last(enter, zero), first(leave, end));
-  if (fine) return;
-  double lo = 0, hi = 0;
-  (Ball(to_rational(from), kBits) + (wall ? leave : last(enter, zero))).to_interval(lo, hi);
-  throw Refuted{missing_contact(i, j, lo, hi)};
+    h = diagram_.rotate(h);
+  } while (h != first);
+  return oldest;
+}
+
+void Checker::pass_recorded(int edge, const Moment& m, PairEnd why) {
+  if (watching(edge) != edge) return;
+  const auto [i, j] = replay_.pair_of(edge);
+  const auto lines = recorded_lines(i, j, pairs_[edge].from);
+  const Rational end = m.kind == Moment::Kind::rational ? m.exact() : to_rational(m.hi);
+  const int next = why == PairEnd::flip ? watching(edge, edge) : -1;
+  if (const auto missing = recorded_.pass(lines, end, why == PairEnd::turn || next >= 0)) {
+    throw Refuted{missing_contact(i, j, missing->lo, missing->hi)};
+  }
+  if (next >= 0) pairs_[next].from = std::max(pairs_[next].from, m.hi);
 }
 
 // In doubles, whether the two, whose paths are at `at` at the claimed time, come into contact
-// within the tolerance of it. False says nothing.
-bool Checker::certainly_in_contact(GenId i, GenId j, const BallPair& at) const {
+// within the tolerance of it, on the lines that they have been on for longer, and overlap at that
+// time by no more than a rounding. False says nothing.
+bool Checker::certainly_in_contact(const CollideEvent& claim, double from,
+                                   const BallPair& at) const {
+  const GenId i = claim.i, j = claim.j;
+  if (!(from < claim.t - 2 * tolerance_up_)) return false;
   const BallPair v = replay_.near_velocities(i, j);
   const auto site = [&](int side, GenId g) -> MovingSite<DoubleBall> {
     const DoubleMotion& m = motion_.doubles(g);
@@ -273,53 +268,57 @@ bool Checker::certainly_in_contact(GenId i, GenId j, const BallPair& at) const {
   const DoubleBall& s = near_tolerance_;
   const Sign before = sign((k.a * s - DoubleBall(2) * k.b) * s + k.c);
   const Sign after = sign((k.a * s + DoubleBall(2) * k.b) * s + k.c);
-  return i == container_id ? before == Sign::negative && after == Sign::positive
-                           : before == Sign::positive && after == Sign::negative;
+  return (i == container_id ? before == Sign::negative && after == Sign::positive
+                            : before == Sign::positive && after == Sign::negative) &&
+         certainly_shallow(i, j, k.c);
 }
 
-// The pair, enclosed by `at` at the claimed time, touches within the tolerance of it, or the claim
-// is refuted.
-void Checker::check_recorded_contact(const CollideEvent& claim, const BallPair& at) {
+// The pair of the edge, enclosed by `at` at the claimed time, is in contact then, or the claim is
+// refuted.
+void Checker::check_recorded_contact(const CollideEvent& claim, int edge, const BallPair& at) {
   const GenId i = claim.i, j = claim.j;
-  if (certainly_in_contact(i, j, at)) return;
+  if (replay_.partners(i, j)) {
+    refute(Fault::spurious_event, "generators " + text_of(i, j) +
+                                      " have collided, and neither has turned since: they part");
+  }
+  const double from = begun_ ? pairs_[watching(edge)].from : 0;
+  if (begun_ && !recorded_.carries({i, j}) && certainly_in_contact(claim, from, at)) return;
   const Rational t = exact_time(*claim_);
-  const Contact<Rational> k = recorded_contact(i, j, t);
-  const Rational& tol = options_.tolerance;
-  const auto value = [&](const Rational& s) { return Rational((k.a * s + 2 * k.b) * s + k.c); };
-  const bool wall = i == container_id;
-  const Rational before = value(-tol), after = value(tol);
-  // A change from apart to overlapping within the tolerance; not two that are at rest in contact.
-  if (before != after &&
-      (wall ? sgn(before) <= 0 && sgn(after) >= 0 : sgn(before) >= 0 && sgn(after) <= 0)) {
-    return;
+  const auto lines = recorded_lines(i, j, from);
+  using Contact = RecordedContacts::Contact;
+  RecordedContacts::Answer answer{Contact::elsewhere};
+  if (const auto missing = recorded_.pass(lines, t, true)) {
+    answer.lo = missing->lo;
+    answer.hi = missing->hi;
+  } else {
+    answer = recorded_.answer(lines, t);
   }
-  const Rational discriminant = k.b * k.b - k.a * k.c;
-  if (sgn(k.a) > 0 && sgn(discriminant) >= 0) {
-    const Ball root = sqrt(Ball(discriminant, kBits)), b(k.b, kBits), a(k.a, kBits);
-    const Ball contact = wall ? (root - b) / a : (-b - root) / a;
-    const Ball limit(tol, kBits);
-    if (sign(contact - limit) != Sign::positive && sign(contact + limit) != Sign::negative) return;
-    double lo = 0, hi = 0;
-    (Ball(t, kBits) + contact).to_interval(lo, hi);
-    const bool near = std::fabs(lo - round_nearest(t)) <= kMistimed * tolerance_up_;
-    Divergence d = divergence_at_claim(near ? Fault::wrong_time : Fault::spurious_event,
-                                       "generators " + text_of(i, j) + " touch " + between(lo, hi));
-    d.true_contact = {i, j};
-    d.true_time = {lo, hi};
-    d.witness = contact_witness(motion_, i, j, to_rational(lo), to_rational(hi));
-    throw Refuted{d};
+  switch (answer.contact) {
+    case Contact::right:
+      return;
+    case Contact::graze:
+      ++certificate_.grazes;
+      return;
+    case Contact::elsewhere: {
+      const bool near = std::fabs(answer.lo - round_nearest(t)) <= kMistimed * tolerance_up_;
+      if (!near && t > to_rational(answer.hi)) {
+        throw Refuted{missing_contact(i, j, answer.lo, answer.hi)};
+      }
+      Divergence d = divergence_at_claim(
+          near ? Fault::wrong_time : Fault::spurious_event,
+          "generators " + text_of(i, j) + " touch " + between(answer.lo, answer.hi));
+      d.true_contact = {i, j};
+      d.true_time = {answer.lo, answer.hi};
+      d.witness = contact_witness(motion_, i, j, to_rational(answer.lo), to_rational(answer.hi));
+      throw Refuted{d};
+    }
+    case Contact::parting:
+      refute(Fault::spurious_event, "generators " + text_of(i, j) + " do not approach",
+             motion_witness(motion_, {i, j}, t));
+    case Contact::none:
+      break;
   }
-  if (!wall && sgn(k.a) > 0) {
-    // They only come near: a graze. Near enough for a contact within the tolerance of time?
-    Rational s = -k.b / k.a;
-    s = std::max(Rational(-tol), std::min(tol, s));
-    const Rational distance2 = value(s) + square(law_.reach(i, j));
-    const Rational reach = law_.reach(i, j) + tol * to_rational(std::sqrt(round_up(k.a)));
-    if (distance2 <= square(reach)) return;
-  }
-  refute(Fault::spurious_event,
-         "generators " + text_of(i, j) +
-             (sgn(k.a) == 0 && sgn(k.c) == 0 ? " do not approach" : " do not touch"),
+  refute(Fault::spurious_event, "generators " + text_of(i, j) + " do not touch",
          motion_witness(motion_, {i, j}, t));
 }
 

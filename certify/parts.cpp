@@ -22,10 +22,6 @@ namespace voroproof {
 namespace {
 
 void add(Certificate& total, Certificate&& part) {
-  if (part.first_resolved && !total.first_resolved) {
-    total.first_resolved = std::move(part.first_resolved);
-    total.first_resolved_prefix = total.prefix_events + part.first_resolved_prefix;
-  }
   total.verdict = part.verdict;
   total.divergence = std::move(part.divergence);
   total.reason = std::move(part.reason);
@@ -41,6 +37,12 @@ void add(Certificate& total, Certificate&& part) {
   total.simultaneous += part.simultaneous;
   total.swaps += part.swaps;
   total.resolved += part.resolved;
+  total.grazes += part.grazes;
+  total.rounding_overlaps += part.rounding_overlaps;
+  total.at_horizon += part.at_horizon;
+  total.left_out += part.left_out;
+  total.proved_anew += part.proved_anew;
+  total.computed_velocities += part.computed_velocities;
   total.highest_bits = std::max(total.highest_bits, part.highest_bits);
   total.tiers += part.tiers;
   for (std::string& remark : part.remarks) {

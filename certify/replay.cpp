@@ -10,11 +10,11 @@ Replay::Replay(const Scene& scene, const CertifyOptions& options)
     : scene_(&scene),
       options_(&options),
       diagram_(static_cast<int>(scene.disks.size())),
-      last_change_(scene.disks.size() + 1, 0) {
+      last_change_(scene.disks.size() + 1, 0),
+      turns_(scene.disks.size()) {
   for (const DiskSpec& d : scene.disks) {
     velocities_.emplace_back(d.vx, d.vy);
     if (options.truth == Truth::recorded) paths_.emplace_back(d.x, d.y, velocities_.back());
-    note_speed(velocities_.back());
   }
 }
 
@@ -94,12 +94,6 @@ ExactPair Replay::positions(GenId i, GenId j, const Rational& t) const {
   return p;
 }
 
-void Replay::note_speed(const Velocity& v) {
-  const DoubleBall speed = sqrt(norm2(v.exact ? ball(*v.exact) : ball(v.near)));
-  top_speed_ = std::max(
-      top_speed_, std::nextafter(speed.mid + speed.rad, std::numeric_limits<double>::infinity()));
-}
-
 void Replay::note_collision(const CollideEvent& claim, const std::optional<ExactPair>& computed) {
   ++changes_;
   for (const int side : {0, 1}) {
@@ -112,12 +106,13 @@ void Replay::note_collision(const CollideEvent& claim, const std::optional<Exact
       velocities_[g] = Velocity(exact ? *exact : computed.value()[side]);
     }
     last_change_[g + 1] = changes_;
+    ++turns_[g].count;
+    turns_[g].at_container = claim.i == container_id;
   }
 }
 
 void Replay::turn(GenId g, const Event& claim) {
   const Velocity& v = velocities_[g];
-  note_speed(v);
   const bool plain = std::visit([](const auto& c) { return c.exact == nullptr; }, claim);
   if (plain) {
     paths_[g].turn(time(claim), v);
@@ -185,6 +180,8 @@ void Replay::note_maneuver(std::size_t k, const ManeuverEvent& claim) {
   const Maneuver& m = scene_->maneuvers[k];
   velocities_[claim.disk] = Velocity(exact_velocity(claim).value_or(ExactVec2{m.vx, m.vy}));
   last_change_[claim.disk + 1] = ++changes_;
+  ++turns_[claim.disk].count;
+  turns_[claim.disk].at_container = false;
 }
 
 std::optional<Diagram::HalfEdge> Replay::flip(const FlipEvent& claim) {
@@ -197,8 +194,9 @@ std::optional<Diagram::HalfEdge> Replay::flip(const FlipEvent& claim) {
     if (found.s == q.e && found.e == q.s) mirrored = g;
     return false;
   });
-  if (h < 0 || (mirrored >= 0 &&
-                means_mirrored(*this, *scene_, *options_, claim, diagram_.quad(mirrored)))) {
+  if (options_->unoriented &&
+      (h < 0 || (mirrored >= 0 &&
+                 means_mirrored(*this, *scene_, *options_, claim, diagram_.quad(mirrored))))) {
     h = mirrored;
   }
   if (h < 0) return std::nullopt;

@@ -60,12 +60,14 @@ class Replay : public GivenMotion {
   // How many changes of the motion there have been, and whether the one of g was not after so many.
   int changes() const { return changes_; }
   bool unchanged_since(GenId g, int changes) const { return last_change_[g + 1] <= changes; }
-  // Whether the last thing that happened to both was their own collision.
+  // Whether the last thing that happened to both disks was their own collision.
   bool partners(GenId i, GenId j) const {
     return i != container_id && moved(i) && last_change_[i + 1] == last_change_[j + 1];
   }
-  double top_speed() const { return top_speed_; }  // an upper bound of all speeds so far
-  void note_speed(const Velocity& v);
+  // Whether the last thing that happened to the disk was a collision with the container.
+  bool hit_container(GenId g) const { return turns_[g].at_container; }
+  // How many claims have moved the generator so far; 0 for the container.
+  int turns(GenId g) const { return g == container_id ? 0 : turns_[g].count; }
 
   // The collision has happened; `computed` are the velocities where the claim gives none, and are
   // there if it does not.
@@ -117,9 +119,13 @@ class Replay : public GivenMotion {
   std::vector<Path> paths_;       // of the recorded truth
   std::vector<int> last_change_;  // of each generator: of its motion, numbered; 0 for none
   int changes_ = 0;
+  struct Turns {
+    int count = 0;
+    bool at_container = false;  // the last of them
+  };
+  std::vector<Turns> turns_;  // of each disk
   std::size_t next_maneuver_ = 0;
   std::set<std::size_t> done_maneuvers_;  // those past next_maneuver_
-  double top_speed_ = 0;
 };
 
 }  // namespace voroproof

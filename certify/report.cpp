@@ -106,6 +106,29 @@ std::string reason_line(const Certificate& c) {
   return "line " + std::to_string(c.reason_line) + ": " + c.reason;
 }
 
+std::vector<Leniency> leniencies(const Certificate& c) {
+  return {
+      {"swaps", c.swaps, "claims out of order within the tolerance, which commute"},
+      {"resolved_quadruplets", c.resolved, "quadruplets without orientation"},
+      {"grazes", c.grazes, "collisions of two that come within the rounding of each other"},
+      {"rounding_overlaps", c.rounding_overlaps, "overlaps no deeper than the rounding"},
+      {"at_horizon", c.at_horizon, "claims within the tolerance of the horizon"},
+      {"left_out", c.left_out, "events within the tolerance of the horizon that are not claimed"},
+      {"proved_anew", c.proved_anew, "pairs of which one lay inside the other for a moment"},
+      {"computed_velocities", c.computed_velocities, "collisions without velocities"},
+  };
+}
+
+std::string horizon_line(const Certificate& c) {
+  if (!c.other_horizon) return {};
+  const auto text = [](const Rational& q) {
+    const double near = round_nearest(q);
+    return to_rational(near) == q ? number_text(near) : q.get_str();
+  };
+  return "horizon " + text((*c.other_horizon)[0]) + " of the scene's " +
+         text((*c.other_horizon)[1]);
+}
+
 std::string report_text(const CertificationRun& run, const CertifyOptions& options,
                         const Certificate& c) {
   Json j;
@@ -125,7 +148,10 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
   j["verdict"] = verdict_line(c.verdict).substr(2);
   j["reason"] = reason_line(c);
   j["certified_prefix"] = {{"events", c.prefix_events}, {"t", c.prefix_t}};
-  if (c.divergence) j["divergence"] = json(*c.divergence);
+  if (c.divergence) {
+    j["divergence"] = json(*c.divergence);
+    j["evidence"] = run.evidence;
+  }
   j["proved"] = {{"flips", c.flips},
                  {"collisions", c.collisions},
                  {"maneuvers", c.maneuvers},
@@ -135,6 +161,10 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
                  {"simultaneous", c.simultaneous}};
   j["swaps"] = c.swaps;
   j["resolved_quadruplets"] = c.resolved;
+  Json lenient = Json::object();
+  for (const Leniency& l : leniencies(c)) lenient[std::string(l.name)] = l.count;
+  lenient["other_horizon"] = horizon_line(c);
+  j["leniency"] = std::move(lenient);
   if (options.truth == Truth::exact) {
     j["time_error_ulps"] = {
         {"max", c.ulps_max}, {"max_line", c.ulps_max_line}, {"mean", c.ulps_mean}};

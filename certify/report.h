@@ -1,7 +1,10 @@
 // The report of a certification, as JSON (docs/certificate.md lists its fields).
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "certify/certifier.h"
 
@@ -12,6 +15,7 @@ struct CertificationRun {
   std::string producer, scene_file, history_file, scene_sha256, history_producer;
   int disks = 0;
   Rational horizon;
+  std::string evidence;  // of a refutation: whether its witness was checked, and by what
 };
 
 // One line: "s CERTIFIED" and so on.
@@ -19,6 +23,18 @@ std::string_view verdict_line(Verdict verdict);
 
 // Why, in one line, for a person; empty for a certified history.
 std::string reason_line(const Certificate& certificate);
+
+// What was accepted by leniency (docs/claim.md, section 5): the name of its count in the report,
+// and in words for a person. Those that are zero too.
+struct Leniency {
+  std::string_view name;
+  std::int64_t count;
+  std::string_view words;
+};
+std::vector<Leniency> leniencies(const Certificate& certificate);
+
+// "horizon 5 of the scene's 1000", where the history has another; else empty.
+std::string horizon_line(const Certificate& certificate);
 
 // The text of the report file.
 std::string report_text(const CertificationRun& run, const CertifyOptions& options,

@@ -1,5 +1,6 @@
 #include "certify/witness.h"
 
+#include <algorithm>
 #include <array>
 
 #include "exact/polynomial.h"
@@ -95,6 +96,21 @@ void add_polynomial(Witness& w, const std::string& is, const Polynomial<Rational
   for (const Rational& c : f.coefficients()) w.polynomial.push_back(number(c));
 }
 
+// Narrows the interval of a contact to the side of the nearest time, or of the farthest from the
+// container's centre, on which they approach. Where that has no root, the two overlap in it.
+void locate_contact(Witness& w, const Polynomial<Rational>& f, bool wall) {
+  const std::vector<Rational>& c = f.coefficients();
+  auto& [lo, hi] = *w.root;
+  if (c.size() == 3) {
+    const Rational turn = -c[1] / (2 * c[2]);
+    if (wall ? lo < turn : turn < hi) (wall ? lo : hi) = std::max(lo, std::min(turn, hi));
+  }
+  const auto apart = [&](const Rational& t) { return sgn(f.evaluate(t)) * (wall ? -1 : 1); };
+  if (apart(lo) >= 0 && apart(hi) <= 0) return;
+  w.t = apart(lo) < 0 ? lo : hi;
+  w.root.reset();
+}
+
 }  // namespace
 
 Witness collapse_witness(const Motion& motion, const Quad& q, const Rational& lo,
@@ -122,7 +138,9 @@ Witness contact_witness(const Motion& motion, GenId i, GenId j, const Rational& 
   Site<Polynomial<Rational>> a, b;
   if (evidence.path(i, a) && evidence.path(j, b)) {
     const auto dx = b.x - a.x, dy = b.y - a.y, reach = a.r + b.r;
-    add_polynomial(w, "contact", dx * dx + dy * dy - reach * reach);
+    const Polynomial<Rational> f = dx * dx + dy * dy - reach * reach;
+    add_polynomial(w, "contact", f);
+    locate_contact(w, f, i == container_id || j == container_id);
   }
   return w;
 }

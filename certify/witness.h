@@ -10,7 +10,8 @@ namespace voroproof {
 Witness collapse_witness(const Motion& motion, const Quad& q, const Rational& lo,
                          const Rational& hi);
 
-// The contact of i and j in [lo, hi], likewise.
+// The contact of i and j in [lo, hi], likewise; or, where their motion is rational and they do not
+// come into contact then, a time of [lo, hi] at which they overlap.
 Witness contact_witness(const Motion& motion, GenId i, GenId j, const Rational& lo,
                         const Rational& hi);
 

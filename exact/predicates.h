@@ -237,6 +237,31 @@ std::array<T, 3> tangent_circle(const TangentTriple<T>& t, Root&& square_root = 
   return {t.base.x + n[0] / k2, t.base.y + n[1] / k2, n2 / k2 - t.base.r};
 }
 
+// Where the counterclockwise tangent circle of the triple touches its sites and others: the unit
+// vector from its centre to the contact. No division by kappa: the circle may be a line.
+template <class T>
+class ContactDirections {
+ public:
+  explicit ContactDirections(const TangentTriple<T>& t)
+      : base_(t.base), n2_(t.xp * t.xp + t.yp * t.yp), n_(circle_direction(t)), k2_(n2_) {
+    const T root = sqrt(T(n2_ - t.sp * t.sp));
+    const T u = t.xp * t.xs + t.yp * t.ys;
+    const T kappa = t.with_container ? T(u - root * t.xy) : T(u + root * t.xy);
+    k2_ = kappa + kappa;
+  }
+  // Of a site that the circle touches.
+  std::array<T, 2> of(const Site<T>& s) const {
+    const T reach = n2_ + (s.r - base_.r) * k2_;
+    return {((s.x - base_.x) * k2_ - n_[0]) / reach, ((s.y - base_.y) * k2_ - n_[1]) / reach};
+  }
+
+ private:
+  Site<T> base_;
+  T n2_;
+  std::array<T, 2> n_;
+  T k2_;
+};
+
 // The contact of two moving sites: with d their offset and w their relative
 // velocity, a s^2 + 2 b s + c = |d + w s|^2 - reach^2 vanishes at contact. The reach
 // is r_i + r_j, for a disk in the container R - r_i: |r_i + r_j| with signed radii.

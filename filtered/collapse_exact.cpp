@@ -12,6 +12,9 @@ namespace voroproof {
 
 namespace {
 
+// A root that is still to come is narrowed no further.
+constexpr int kBitsBeforeWaiting = 256;
+
 std::array<Site<Polynomial<Tower>>, 4> paths(const Quad& q, ExactMotion& exact) {
   std::array<Site<Polynomial<Tower>>, 4> out;
   const GenId ids[4] = {q.l, q.r, q.s, q.e};
@@ -47,12 +50,6 @@ std::array<Sign, 2> exact_incircles(const Quad& q, const Rational& t, ExactMotio
   const Sign f = sign(cotangency(at[0], at[1], at[2], at[3]));
   return {incircle(triples.start, at[3], q.e == container_id, f),
           incircle(triples.end, at[2], q.s == container_id, f)};
-}
-
-std::array<Sign, 2> exact_existence(const Quad& q, const Rational& t, ExactMotion& exact) {
-  const auto at = exact_sites(q, t, exact);
-  const auto triples = EdgeTriples<Tower>::of(q, at);
-  return {circle_exists(triples.start), circle_exists(triples.end)};
 }
 
 }  // namespace
@@ -130,7 +127,7 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
       return t;
     };
     // Whether both circles of the edge are in conflict after the root, and one at it.
-    const auto shrinks = [&]() {
+    const auto shrinks = [&](int limit) {
       const auto s = exact_incircles(q, after_root(), exact);
       if (s[0] != Sign::negative || s[1] != Sign::negative) return false;
       for (int bits = least;; bits *= 2) {
@@ -140,51 +137,30 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
         if (is_certain(contacts)) {
           return contacts == Sign::positive;
         }
-        if (bits > most) throw RootTooBlurred("the order of the contacts at a flip", bits);
+        if (bits > limit) throw RootTooBlurred("the order of the contacts at a flip", bits);
         roots[k].refine(Rational(Integer(1), Integer(1) << bits));
       }
     };
     if (order == 0) {
       roots[k].refine(hair);
-      if (shrinks()) return answer;
+      if (shrinks(most)) return answer;
       continue;
     }
-    // Later: does the edge collapse here? Narrow until both circles certainly
-    // exist, or one certainly does not, all the way from the root.
+    // Later: does the edge collapse here? Whether its circles exist is not asked: those of an edge
+    // of the diagram do, and others are not there any more. Where the answer takes many bits it can
+    // wait, for an event may come before the root.
     if (compare(roots[k], finish) > 0) break;
-    // Where that takes many bits it can wait: an event may come before the root.
-    const double from = now != nullptr ? now->hi : voroproof::round_up(start);
-    Verdict verdict = Verdict::unknown;
-    for (int bits = 64; verdict == Verdict::unknown; bits *= 2) {
-      const double reached = voroproof::round_down(before_root());
-      const bool can_wait = reached > from;
-      if (can_wait && bits > 256) return Collapse::none_until(reached);
-      if (bits > most) {
-        throw RootTooBlurred("a circle through three generators may become a line at the flip",
-                             most);
-      }
-      roots[k].refine(Rational(Integer(1), Integer(1) << bits));
-      std::array<Sign, 2> exists;
-      if (roots[k].is_point()) {
-        exists = exact_existence(q, roots[k].interval().lo, exact);
-        if (exists[0] == Sign::zero || exists[1] == Sign::zero) {
-          if (can_wait) return Collapse::none_until(reached);
-          throw Undecided("a circle through three generators becomes a line at a flip", q);
-        }
-      } else {
-        const MakeBall make{2 * bits};
-        const auto at =
-            sites(motion_, q, make.hull(roots[k].interval().lo, roots[k].interval().hi));
-        const auto triples = EdgeTriples<Ball>::of(q, at);
-        exists = {circle_exists(triples.start), circle_exists(triples.end)};
-      }
-      if (exists[0] == Sign::negative || exists[1] == Sign::negative) {
-        verdict = Verdict::stays;
-      } else if (exists[0] == Sign::positive && exists[1] == Sign::positive) {
-        verdict = shrinks() ? Verdict::collapses : Verdict::stays;
-      }
+    roots[k].refine(hair);
+    const double reached = voroproof::round_down(before_root());
+    const bool can_wait = reached > (now != nullptr ? now->hi : voroproof::round_up(start));
+    bool collapses = false;
+    try {
+      collapses = shrinks(can_wait ? std::min(most, kBitsBeforeWaiting) : most);
+    } catch (const RootTooBlurred&) {
+      if (!can_wait) throw;
+      return Collapse::none_until(reached);
     }
-    if (verdict == Verdict::collapses) {
+    if (collapses) {
       // A root that is a point needs an interval all the same: it may not be an end.
       return Collapse::at_root(before_root(), after_root());
     }

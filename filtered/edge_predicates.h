@@ -39,13 +39,9 @@ struct EdgeTriples {
 // other: mirror images in pairs are always such. Sites given perhaps over an interval.
 template <class T>
 Sign contact_order(const Quad& q, const std::array<Site<T>, 4>& at) {
-  const std::array<T, 3> circle = tangent_circle(EdgeTriples<T>::of(q, at).start);
+  const ContactDirections<T> contacts(EdgeTriples<T>::of(q, at).start);
   std::array<T, 2> direction[3];
-  for (int k = 0; k < 3; ++k) {
-    const Site<T>& s = at[k == 0 ? 1 : k == 1 ? 3 : 0];
-    const T reach = circle[2] + s.r;
-    direction[k] = {(s.x - circle[0]) / reach, (s.y - circle[1]) / reach};
-  }
+  for (int k = 0; k < 3; ++k) direction[k] = contacts.of(at[k == 0 ? 1 : k == 1 ? 3 : 0]);
   const auto& [r, e, l] = direction;
   return sign(T((e[0] - r[0]) * (l[1] - r[1]) - (e[1] - r[1]) * (l[0] - r[0])));
 }
@@ -53,16 +49,16 @@ Sign contact_order(const Quad& q, const std::array<Site<T>, 4>& at) {
 // What becomes of the edge at an isolated root: seen from a time just after it.
 enum class Verdict { collapses, stays, unknown };
 
-// Reads the verdict off the signs just after the root. Both circles must exist from
-// the root to that time: `exist` is evaluated over the whole interval.
+// Reads the verdict off the signs just after the root. Circles that certainly do not exist make an
+// edge that is no longer there; whether they do need not be known: the circles of an edge of the
+// diagram exist for as long as it is one (docs/certificate.md, section 3).
 template <class T, class SitesAfter>
 Verdict judge(const Quad& q, const std::array<Site<T>, 4>& at_hull, SitesAfter&& sites_after,
               Sign f_after) {
   const EdgeTriples<T> hull = EdgeTriples<T>::of(q, at_hull);
-  const Sign start_exists = circle_exists(hull.start);
-  if (start_exists == Sign::negative) return Verdict::stays;
-  const Sign end_exists = circle_exists(hull.end);
-  if (end_exists == Sign::negative) return Verdict::stays;
+  if (circle_exists(hull.start) == Sign::negative || circle_exists(hull.end) == Sign::negative) {
+    return Verdict::stays;
+  }
   const auto in_start = [&](const EdgeTriples<T>& t, const std::array<Site<T>, 4>& at) {
     return incircle(t.start, at[3], q.e == container_id, f_after);
   };
@@ -80,14 +76,8 @@ Verdict judge(const Quad& q, const std::array<Site<T>, 4>& at_hull, SitesAfter&&
     a = in_start(after, at_after);
     b = in_end(after, at_after);
   }
-  if (a == Sign::positive || b == Sign::positive) {
-    return start_exists == Sign::positive && end_exists == Sign::positive ? Verdict::stays
-                                                                          : Verdict::unknown;
-  }
-  if (a == Sign::negative && b == Sign::negative && start_exists == Sign::positive &&
-      end_exists == Sign::positive) {
-    return Verdict::collapses;
-  }
+  if (a == Sign::positive || b == Sign::positive) return Verdict::stays;
+  if (a == Sign::negative && b == Sign::negative) return Verdict::collapses;
   return Verdict::unknown;
 }
 

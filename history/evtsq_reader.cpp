@@ -138,6 +138,7 @@ class EvtsqHistory : public HistorySource {
     const EvtsqHeader& h = lines_.header();
     header_.producer = h.generator;
     header_.horizon = h.horizon;
+    header_.oriented = false;
     if (horizon && abs(Rational(*horizon - h.horizon)) <= kEvtsqRounding) {
       header_.horizon = *horizon;
     } else {

@@ -23,6 +23,7 @@ struct HistoryHeader {
   std::string producer;                      // "name version"
   std::optional<std::vector<Quad>> initial;  // the diagram at 0+: canonical, sorted
   Rational horizon_error{};  // what the format's rounding may have done to the horizon
+  bool oriented = true;      // false where the format cannot tell [l,r,s,e] from [l,r,e,s]
 };
 
 struct HistoryCounts {

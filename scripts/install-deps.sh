@@ -15,7 +15,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build pkg-config
   libgmp-dev libmpfr-dev             # exact numbers, balls
-  libboost-dev libcgal-dev           # ring buffers; spatial sorting; oracles of the tests
+  libboost-dev libcgal-dev           # ring buffers; spatial sorting; evidence; oracles of the tests
   nlohmann-json3-dev libsimdjson-dev # files
   libcli11-dev                       # command line
   libssl-dev libcairo2-dev           # SHA-256, pictures

@@ -34,6 +34,7 @@ class NearFlips : public ::testing::Test {
     EXPECT_EQ(flips.size(), 2u);
     if (exchanged) std::swap(flips[0]->quad, flips[1]->quad);
     if (!oriented) {
+      h.header.oriented = false;
       for (FlipEvent* f : flips) std::swap(f->quad.s, f->quad.e);
     }
     CertifyOptions options;

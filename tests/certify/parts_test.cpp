@@ -31,6 +31,7 @@ Quad without_orientation(const Quad& q) {
 }
 
 void strip_orientation(ClaimedHistory& h) {
+  h.header.oriented = false;
   for (auto& event : h.events) {
     if (auto* flip = std::get_if<FlipEvent>(&event)) flip->quad = without_orientation(flip->quad);
   }

@@ -212,6 +212,7 @@ TEST_F(Rewriting, SwapsAreRefutedUnderStrict) {
 TEST_F(Rewriting, QuadrupletsWithoutOrientation) {
   for (const Truth truth : {Truth::exact, Truth::recorded}) {
     expect_certified(truth, 1e-6, [this](ClaimedHistory& h) {
+      h.header.oriented = false;
       std::size_t mirrored = 0, flips = 0;
       for (auto& e : h.events) {
         auto* f = std::get_if<FlipEvent>(&e);

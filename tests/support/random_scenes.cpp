@@ -9,6 +9,7 @@ namespace voroproof::testing {
 namespace {
 
 constexpr double kContainer = 100;
+constexpr int kMaxFailures = 1'000'000;
 
 struct Place {
   double x, y;
@@ -49,6 +50,7 @@ Scene random_scene(const RandomScene& options, Random& random) {
   scene.container_radius = kContainer;
   scene.horizon = options.horizon;
   std::vector<Place> places;
+  int failures = 0;
   while (places.size() < radii.size()) {
     const double r = radii[places.size()];
     const Place d = direction(random);
@@ -59,7 +61,14 @@ Scene random_scene(const RandomScene& options, Random& random) {
       const double gap = std::hypot(p.x - places[k].x, p.y - places[k].y) - r - radii[k];
       free = free && gap > 1e-9;
     }
-    if (free) places.push_back(p);
+    if (free) {
+      places.push_back(p);
+      failures = 0;
+    } else if (++failures == kMaxFailures) {
+      // A large disk in the middle can leave no room for the next.
+      places.clear();
+      failures = 0;
+    }
   }
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Place d = direction(random);

@@ -1,0 +1,137 @@
+#include "certify/recorded_contacts.h"
+
+#include "filtered/motion_input.h"
+
+namespace voroproof {
+
+bool RecordedContacts::hidden(const Pair& pair) const {
+  const auto it = carried_.find(pair);
+  return it != carried_.end() && it->second.hidden;
+}
+
+void RecordedContacts::reveal(const Pair& pair, const Rational& t) {
+  const auto it = carried_.find(pair);
+  if (it == carried_.end()) return;
+  it->second.hidden = false;
+  it->second.revealed = t;
+  forget_if_done(it);
+}
+
+// What is carried is done with where the overlap is over and answered, and no proof is owed.
+void RecordedContacts::forget_if_done(Pairs::iterator it) {
+  const Carried& c = it->second;
+  if (c.over && c.answered && !c.hidden) carried_.erase(it);
+}
+
+std::optional<RecordedContacts::Missing> RecordedContacts::pass(const Lines& lines,
+                                                                const Rational& end, bool watched) {
+  auto it = carried_.find(lines.pair);
+  if (lines.from < end) {
+    const auto overlaps = lines.gap.overlaps(end, lines.rounding);
+    const bool goes_on = !overlaps.empty() && overlaps.front().at_start;
+    if (it != carried_.end() && !goes_on) it->second.over = true;
+    for (const Gap::Overlap& o : overlaps) {
+      if (it == carried_.end() || it->second.over) {
+        if (it != carried_.end()) {
+          // The two have been apart, and meet again.
+          if (const auto m = give_up(it)) return m;
+        }
+        it = carried_.emplace(lines.pair, Carried{o.begin, false, true, false, {}, {}}).first;
+        // What their own collision has left of an overlap, too little to have been carried over.
+        if (o.at_start && lines.collided) it->second.answered = lines.from;
+      }
+      Carried& c = it->second;
+      c.shallow = c.shallow && is_rounding(lines, o);
+      // On the lines on which it was revealed, parting, nothing is hidden again.
+      const bool known = o.at_start && c.revealed && *c.revealed >= lines.from &&
+                         !lines.gap.approach_at(*c.revealed);
+      c.hidden = c.hidden || (o.hidden && !known);
+      c.over = !o.to_end;
+      if (c.answered && !c.shallow && o.end.compare(*c.answered + tolerance_) > 0) {
+        return missing(c);
+      }
+    }
+  }
+  if (it == carried_.end()) return std::nullopt;
+  if (!watched) return give_up(it);
+  const Carried& c = it->second;
+  // What is not answered by now will not be.
+  if (!c.answered && c.entry.compare(end - tolerance_) < 0) {
+    if (!c.shallow && !at_horizon(c.entry)) return missing(c);
+    if (c.shallow && c.over) return give_up(it);
+  }
+  forget_if_done(it);
+  return std::nullopt;
+}
+
+// The pair's overlap is answered no more: it is excused, or missing.
+std::optional<RecordedContacts::Missing> RecordedContacts::give_up(Pairs::iterator it) {
+  const Carried c = it->second;
+  carried_.erase(it);
+  if (!c.answered && !c.shallow) {
+    if (!at_horizon(c.entry)) return missing(c);
+    ++left_out_;
+    return std::nullopt;
+  }
+  if (c.hidden) {
+    throw Undecided("a generator lay inside another, and what came of that is not proved");
+  }
+  if (!c.answered) ++rounded_;
+  return std::nullopt;
+}
+
+RecordedContacts::Missing RecordedContacts::missing(const Carried& c) {
+  const auto [lo, hi] = c.entry.enclosure();
+  return {lo, hi};
+}
+
+RecordedContacts::Answer RecordedContacts::answer(const Lines& lines, const Rational& t) {
+  const auto within = [&](const GapTime& at) {
+    return at.compare(t - tolerance_) >= 0 && at.compare(t + tolerance_) <= 0;
+  };
+  const Gap& gap = lines.gap;
+  const auto it = carried_.find(lines.pair);
+  const bool in_progress = it != carried_.end() && !it->second.over;
+  // Of an overlap by a rounding, as these lines begin, nothing may have been carried on.
+  const bool resting = in_progress ? it->second.shallow
+                                   : it == carried_.end() && gap.overlap_at(lines.from) &&
+                                         gap.shallow_at_start(lines.rounding) &&
+                                         4 * lines.rounding <= lines.reach;
+  const auto entry = gap.entry();
+  Contact contact = Contact::none;
+  std::optional<GapTime> answered;
+  if (entry && within(*entry)) {
+    contact = Contact::right;
+    answered = entry;
+  } else if (gap.approach_at(t) && ((in_progress && within(it->second.entry)) ||
+                                    (resting && lines.from >= t - tolerance_))) {
+    contact = Contact::right;
+    answered = in_progress ? it->second.entry : GapTime(lines.from);
+  } else if (const auto graze = gap.graze(lines.rounding);
+             graze && graze->near && abs(Rational(graze->t - t)) <= tolerance_) {
+    contact = Contact::graze;
+  }
+  // What the two have passed through before is not answered by a claim of the next entry.
+  const bool passed = it != carried_.end() && it->second.over && !it->second.answered &&
+                      !it->second.shallow && !(answered && answered->compare(t) <= 0);
+  if (passed) {
+    const Missing m = missing(it->second);
+    return {Contact::elsewhere, m.lo, m.hi};
+  }
+  if (contact == Contact::none) {
+    if (entry) {
+      const auto [lo, hi] = entry->enclosure();
+      return {Contact::elsewhere, lo, hi};
+    }
+    return {in_progress && !gap.approach_at(t) ? Contact::parting : Contact::none};
+  }
+  if (it != carried_.end()) {
+    it->second.answered = t;
+    forget_if_done(it);
+  } else if (answered && gap.overlap_at(t)) {
+    carried_.emplace(lines.pair, Carried{*answered, false, false, gap.hidden_at(t), t, {}});
+  }
+  return {contact};
+}
+
+}  // namespace voroproof

@@ -1,0 +1,281 @@
+// Histories that err once and go on consistently in their own world: small ones, made by hand, each
+// wrong at one rule of docs/claim.md and right everywhere else, with neighbours that are right.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "certify/report.h"
+#include "tests/certify/claimed_history.h"
+
+namespace voroproof::testing {
+namespace {
+
+using History = ClaimedHistory;
+
+// Two disks have one diagram, which never flips.
+const std::vector<Quad> kTwo{{-1, 0, 1, 1}, {-1, 1, 0, 0}, {0, 1, -1, -1}};
+
+History history_of(const Scene& scene, const std::vector<Quad>& initial,
+                   std::vector<voroproof::Event> events) {
+  History h;
+  h.header.horizon = scene.horizon;
+  h.header.initial = initial;
+  h.events = std::move(events);
+  h.count();
+  return h;
+}
+
+CollideEvent collision(double t, GenId i, GenId j, std::optional<Vec2> v_i, Vec2 v_j) {
+  return {.t = t, .i = i, .j = j, .v = {v_i, v_j}};
+}
+
+void expect(Verdict verdict, const Scene& scene, const History& h, Truth truth,
+            CertifyOptions options = {}) {
+  options.truth = truth;
+  const Certificate c = certify(scene, h, options);
+  EXPECT_EQ(c.verdict, verdict) << (truth == Truth::exact ? "exact" : "recorded") << ": "
+                                << reason_line(c) << "\n"
+                                << text(scene) << text(h);
+}
+
+void expect_refuted(const Scene& scene, const History& h) {
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    for (const bool strict : {false, true}) {
+      CertifyOptions options;
+      options.strict = strict;
+      expect(Verdict::refuted, scene, h, truth, options);
+    }
+  }
+}
+
+void expect_certified(const Scene& scene, const History& h) {
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    expect(Verdict::certified, scene, h, truth);
+  }
+}
+
+// Two that touch and approach at 0, head-on and aslant, and pass through each other.
+TEST(ConsistentFaults, TouchingAtStartAndPassingThrough) {
+  for (const double vy : {0.0, 0.5}) {
+    const Scene scene = scene_of(50, 10, {disk(-1, 0, 1, 1, vy), disk(1, 0, 1, -1, 0)});
+    expect_refuted(scene, history_of(scene, kTwo, {}));
+    const History right = claimed_history(scene, run(scene));
+    expect_certified(scene, right);
+    // Claimed late, within the tolerance and beyond it.
+    for (const double late : {9e-7, 2e-6}) {
+      History h = right;
+      std::get<CollideEvent>(h.events.front()).t = late;
+      std::get<CollideEvent>(h.events.front()).p = {};
+      expect(late < 1e-6 ? Verdict::certified : Verdict::refuted, scene, h, Truth::exact);
+    }
+  }
+}
+
+// The same from a maneuver on, and with a third disk that goes on meanwhile.
+TEST(ConsistentFaults, TouchingFromAManeuverOn) {
+  Scene scene = scene_of(50, 4, {disk(-1, 0, 1, 0, 0), disk(1, 0, 1, 0, 0)});
+  scene.maneuvers.push_back({2, 0, 1, 0});
+  const ManeuverEvent turn{2, 0, Vec2{1, 0}, Vec2{-1, 0}, {}};
+  expect_refuted(scene, history_of(scene, kTwo, {turn}));
+  expect_certified(scene, claimed_history(scene, run(scene)));
+}
+
+// Of disks smaller than their way in the tolerance, two that pass through each other.
+TEST(ConsistentFaults, TinyDisksPassThroughEachOther) {
+  for (const auto& [radius, speed] : {std::pair(1e-7, 1.0), {4e-7, 1.0}, {0.1, 1e7}, {1e-3, 1e5}}) {
+    const double start = 0.25 * speed;
+    const Scene scene =
+        scene_of(Rational(100 * speed), 1,
+                 {disk(-start, 0, radius, speed, 0), disk(start, 0, radius, -speed, 0)});
+    expect_refuted(scene, history_of(scene, kTwo, {}));
+    expect_certified(scene, claimed_history(scene, run(scene)));
+  }
+}
+
+// A collision that never happens: disks that pass each other closely; claimed when they are
+// nearest, before and after. The velocities obey the law.
+TEST(ConsistentFaults, NearMissTakenForAHit) {
+  for (const double gap : {1e-5, 1e-7, 1e-9}) {
+    for (const double when : {0.0, -1e-6, 1e-6, -1e-4}) {
+      const double speed = 1000;
+      const Scene scene =
+          scene_of(2000, 1, {disk(0, 0, 1, 0, 0), disk(-250, 2 + gap, 1, speed, 0)});
+      const double t = 0.25 + when;
+      const double x = -250 + speed * t, y = 2 + gap, n2 = x * x + y * y;
+      const double q = speed * x / n2;  // (w.n) / n.n, equal masses
+      const CollideEvent hit = collision(t, 0, 1, Vec2{q * x, q * y}, Vec2{speed - q * x, -q * y});
+      History h = history_of(scene, kTwo, {hit});
+      expect(Verdict::refuted, scene, h, Truth::recorded);
+      expect(Verdict::refuted, scene, h, Truth::exact);
+      h = history_of(scene, kTwo, {});
+      expect_certified(scene, h);
+    }
+  }
+}
+
+// A collision after the horizon.
+TEST(ConsistentFaults, CollisionAfterTheHorizon) {
+  const Scene scene = scene_of(50, 2, {disk(-3, 0, 1, 1, 0), disk(3.0000000002, 0, 1, -1, 0)});
+  const CollideEvent hit = collision(2, 0, 1, Vec2{-1, 0}, Vec2{1, 0});
+  const History with = history_of(scene, kTwo, {hit}), without = history_of(scene, kTwo, {});
+  expect(Verdict::refuted, scene, with, Truth::exact);
+  expect(Verdict::certified, scene, without, Truth::exact);
+  // The recorded truth may have it or not, and says so.
+  for (const History& h : {with, without}) expect(Verdict::certified, scene, h, Truth::recorded);
+  CertifyOptions options;
+  options.truth = Truth::recorded;
+  EXPECT_EQ(certify(scene, with, options).at_horizon, 1);
+}
+
+// A collision line twice: without restitution the second changes nothing; of tiny disks it is near.
+TEST(ConsistentFaults, CollisionLineTwice) {
+  for (const double radius : {1.0, 1e-7}) {
+    for (const int restitution : {0, 1}) {
+      Scene scene = scene_of(50, 10, {disk(-3, 0, radius, 1, 0, 1), disk(3, 0, radius, -1, 0, 1)});
+      scene.restitution = restitution;
+      History h = claimed_history(scene, run(scene));
+      ASSERT_FALSE(h.events.empty());
+      expect_certified(scene, h);
+      const auto first = std::get<CollideEvent>(h.events.front());
+      for (const double later : {0.0, 5e-7}) {
+        History twice = h;
+        CollideEvent again = first;
+        again.t += later;
+        again.p = {};
+        twice.events.insert(twice.events.begin() + 1, again);
+        twice.count();
+        expect_refuted(scene, twice);
+      }
+    }
+  }
+}
+
+// Velocities that are not those of the collision, where another disk is fast for a moment: no
+// stranger widens the bound.
+TEST(ConsistentFaults, WrongVelocitiesBesideAFastStranger) {
+  Scene scene =
+      scene_of(1000, 10, {disk(-3, 0, 1, 1, 0), disk(3, 0, 1, -1, 0), disk(500, 500, 1, 0, 0)});
+  scene.maneuvers.push_back({1, 2, Rational(-100000), 0});
+  scene.maneuvers.push_back({Rational(1) + Rational(1, 1000), 2, 0, 0});
+  const History right = claimed_history(scene, run(scene));
+  expect_certified(scene, right);
+  History wrong = right;
+  for (auto& event : wrong.events) {
+    auto* hit = std::get_if<CollideEvent>(&event);
+    if (hit == nullptr) continue;
+    hit->p = {};
+    hit->v = {Vec2{-1, 0.01}, Vec2{1, 0.01}};
+    break;
+  }
+  expect_refuted(scene, wrong);
+}
+
+// Two flips of several with their ends exchanged, in a file that could have told.
+TEST(ConsistentFaults, SomeQuadrupletsMirrored) {
+  const Scene scene = scene_of(30, 40,
+                               {disk(-9, 3, 2, 1, 0.25), disk(8, -2, 3, -1, 0.5),
+                                disk(1, 11, 1, 0.125, -1), disk(-3, -9, 2, 0.5, 0.75)});
+  const History right = claimed_history(scene, run(scene));
+  expect_certified(scene, right);
+  std::vector<std::size_t> flips;
+  for (std::size_t k = 0; k < right.events.size(); ++k) {
+    if (std::holds_alternative<FlipEvent>(right.events[k])) flips.push_back(k);
+  }
+  ASSERT_GE(flips.size(), 3u);
+  for (std::size_t mirrored = 1; mirrored <= flips.size(); mirrored += 2) {
+    History h = right;
+    for (std::size_t k = 0; k < mirrored; ++k) {
+      Quad& q = std::get<FlipEvent>(h.events[flips[k]]).quad;
+      std::swap(q.s, q.e);
+      q = canonical(q);
+    }
+    expect_refuted(scene, h);
+    CertifyOptions options;
+    options.unoriented = true;
+    expect(Verdict::certified, scene, h, Truth::exact, options);
+    expect(Verdict::certified, scene, h, Truth::recorded, options);
+  }
+}
+
+// Four cocircular disks at rest, of which one is hit at t = 0 by a fifth. The diagram at 0+ depends
+// on that blow. Claimed a little later, behind the diagram of before it and a flip that never is.
+TEST(ConsistentFaults, DiagramBeforeACollisionAtStart) {
+  const std::vector<DiskSpec> disks{disk(3, 0, 0.5, 0, 0), disk(0, 3, 0.5, 0, 0),
+                                    disk(-3, 0, 0.5, 0, 0), disk(0, -3, 0.5, 0, 0)};
+  int changed = 0;
+  for (int target = 0; target < 4; ++target) {
+    const double x = disks[target].x.value().get_d(), y = disks[target].y.value().get_d();
+    for (const int inwards : {1, -1}) {
+      std::vector<DiskSpec> with = disks;
+      // Beside the target, on the side from which the blow comes.
+      with.push_back(disk(x * (1 + inwards / 3.0), y * (1 + inwards / 3.0), 0.5, -inwards * x / 3,
+                          -inwards * y / 3));
+      const Scene scene = scene_of(20, 1, with);
+      if (!is_acceptable(scene)) continue;
+      const History right = claimed_history(scene, run(scene));
+      expect_certified(scene, right);
+      std::vector<DiskSpec> before = with;
+      before.back().vx = 0;
+      before.back().vy = 0;
+      const auto old = run(scene_of(20, 1, before)).initial;
+      if (old == *right.header.initial) continue;
+      ++changed;
+      std::vector<Quad> gone, come;
+      for (const Quad& q : old) {
+        if (std::find(right.header.initial->begin(), right.header.initial->end(), q) ==
+            right.header.initial->end()) {
+          gone.push_back(q);
+        }
+      }
+      // The one flip that leads from the old diagram to the right one.
+      for (const Quad& q : gone) {
+        History wrong = right;
+        wrong.header.initial = old;
+        std::get<CollideEvent>(wrong.events.front()).t = 5e-7;
+        std::get<CollideEvent>(wrong.events.front()).p = {};
+        wrong.events.insert(wrong.events.begin(), FlipEvent{2e-7, q, {}});
+        wrong.count();
+        expect(Verdict::refuted, scene, wrong, Truth::exact);
+      }
+    }
+  }
+  EXPECT_GT(changed, 0);
+}
+
+// A history that sets its own horizon is certified up to that, and says so; not with --strict.
+TEST(ConsistentFaults, AnotherHorizon) {
+  const Scene scene = scene_of(50, 10, {disk(-3, 0, 1, 1, 0), disk(3, 0, 1, -1, 0)});
+  History h = history_of(scene, kTwo, {});
+  h.header.horizon = 1;
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    CertifyOptions options;
+    options.truth = truth;
+    const Certificate c = certify(scene, h, options);
+    EXPECT_EQ(c.verdict, Verdict::certified);
+    EXPECT_EQ(horizon_line(c), "horizon 1 of the scene's 10");
+    options.strict = true;
+    EXPECT_EQ(certify(scene, h, options).verdict, Verdict::refuted);
+  }
+}
+
+// A point hits a disk and the wall, by rounding a little inside and outside: right, and what
+// depends on the tangency is proved anew.
+TEST(ConsistentFaults, PointsHitByARounding) {
+  int anew = 0;
+  for (int k = 0; k < 20; ++k) {
+    const Scene scene = scene_of(
+        10, 40,
+        {disk(-3.1 + 0.01 * k, 0.3, 0, 1, 0.11 + 0.01 * k, 1), disk(3, 0.1 * k, 1, -1, 0.2),
+         disk(0.3, -4, 0, 0.3, -0.7, 2), disk(1, 5, 1.5, 0.1, 0.3)});
+    const History right = claimed_history(scene, run(scene));
+    expect_certified(scene, right);
+    CertifyOptions options;
+    options.truth = Truth::recorded;
+    anew += static_cast<int>(certify(scene, right, options).proved_anew);
+  }
+  EXPECT_GT(anew, 0);
+}
+
+}  // namespace
+}  // namespace voroproof::testing
