@@ -1,6 +1,7 @@
 // What both parts of the oracle use: lengths, and values held against bounds.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "tests/adversary/paths.h"
@@ -49,6 +50,25 @@ inline Finding both(Finding a, Finding b) {
 inline std::string text(const Line& line) {
   return "t " + std::to_string(line.t) + " of " + std::to_string(line.i) + " and " +
          std::to_string(line.j);
+}
+
+// The velocities after the collision of a line, by the law, with these centres and velocities
+// before.
+inline std::array<WideVec, 2> response(const SceneData& scene, const Line& line,
+                                       const std::array<WideVec, 2>& p,
+                                       const std::array<WideVec, 2>& before) {
+  const WideVec vi = before[0], vj = before[1], n = minus(p[1], p[0]);
+  const Wide towards = dot(minus(vj, vi), n) / dot(n, n);
+  if (line.i >= 0) {
+    const Wide mi = scene.disks[static_cast<std::size_t>(line.i)].mass,
+               mj = scene.disks[static_cast<std::size_t>(line.j)].mass;
+    const Wide k = (1 + Wide(scene.restitution)) * towards / (mi + mj);
+    return {WideVec{vi.x + k * mj * n.x, vi.y + k * mj * n.y},
+            WideVec{vj.x - k * mi * n.x, vj.y - k * mi * n.y}};
+  }
+  const Wide e = scene.wall_restitution, k = scene.whole ? Wide(2) : 1 + e;
+  const WideVec back{vj.x - k * towards * n.x, vj.y - k * towards * n.y};
+  return {vi, scene.whole ? WideVec{e * back.x, e * back.y} : back};
 }
 
 }  // namespace voroproof::adversary

@@ -124,6 +124,22 @@ Opinion judge_exact(const SceneData& scene, const History& history,
       const bool hardly = approach < static_cast<Wide>(1e-9) * speed * motion.reach(line.i, line.j);
       note(hardly ? Finding::unclear : Finding::right, "hardly an approach");
     }
+    if (line.kind == Line::Kind::collide && history.velocities && history.centres) {
+      // Whether a line must obey the law in itself, with its own centres, is left open here.
+      const auto at = [&](int id, std::size_t side) {
+        return id < 0 ? WideVec{scene.cx, scene.cy} : wide(line.p[side]);
+      };
+      const auto before = [&](int id) {
+        return id < 0 ? WideVec{} : motion.paths[static_cast<std::size_t>(id)].last().v;
+      };
+      const auto v =
+          response(scene, line, {at(line.i, 0), at(line.j, 1)}, {before(line.i), before(line.j)});
+      const Wide bound = law_tolerance * speed / 2;
+      const bool obeyed =
+          within(norm(minus(wide(line.v[1]), v[1])), bound) == Finding::right &&
+          (line.i < 0 || within(norm(minus(wide(line.v[0]), v[0])), bound) == Finding::right);
+      note(obeyed ? Finding::right : Finding::unclear, "the law with the file's centres");
+    }
     for (const int side : {0, 1}) {
       const int id = side == 0 ? line.i : line.j;
       if (id < 0 || (side == 0 && line.kind == Line::Kind::maneuver)) continue;

@@ -122,26 +122,6 @@ class Recorded {
     return result;
   }
 
-  // The velocities after a collision with centres p and q, by the law.
-  std::array<WideVec, 2> response(int i, int j, const WideVec& p, const WideVec& q) {
-    WideVec vi = present(i).v, vj = present(j).v;
-    const WideVec n = minus(q, p);
-    const Wide towards = dot(minus(vj, vi), n) / dot(n, n);
-    if (i >= 0) {
-      const Wide mi = scene_.disks[static_cast<std::size_t>(i)].mass,
-                 mj = scene_.disks[static_cast<std::size_t>(j)].mass;
-      const Wide k = (1 + Wide(scene_.restitution)) * towards / (mi + mj);
-      vi = {vi.x + k * mj * n.x, vi.y + k * mj * n.y};
-      vj = {vj.x - k * mi * n.x, vj.y - k * mi * n.y};
-    } else {
-      const Wide e = scene_.wall_restitution;
-      const Wide k = scene_.whole ? Wide(2) : 1 + e;
-      vj = {vj.x - k * towards * n.x, vj.y - k * towards * n.y};
-      if (scene_.whole) vj = {e * vj.x, e * vj.y};
-    }
-    return {vi, vj};
-  }
-
   // Where a line gives none: from the file's centres, else from the path's, rounded.
   void compute_velocities(Line& line) {
     if (line.kind == Line::Kind::maneuver) {
@@ -153,7 +133,7 @@ class Recorded {
     const bool filed = history_.centres;
     const WideVec p = line.i < 0 || !filed ? Path::at(present(line.i), line.t) : wide(line.p[0]);
     const WideVec q = filed ? wide(line.p[1]) : Path::at(present(line.j), line.t);
-    const auto v = response(line.i, line.j, p, q);
+    const auto v = response(scene_, line, {p, q}, {present(line.i).v, present(line.j).v});
     for (std::size_t side = 0; side < 2; ++side) {
       line.v[side] = {static_cast<double>(v[side].x), static_cast<double>(v[side].y)};
     }
@@ -165,7 +145,7 @@ class Recorded {
     const Piece a = present(i), b = present(j);
     const WideVec p = Path::at(a, line.t), q = Path::at(b, line.t), n = minus(q, p);
     if (dot(n, n) == 0) return Finding::unclear;
-    const auto [vi, vj] = response(i, j, p, q);
+    const auto [vi, vj] = response(scene_, line, {p, q}, {a.v, b.v});
     const Wide speed = norm(b.v) + (i < 0 ? Wide(0) : norm(a.v));
     const Wide most_speed = length_bound(b.v) + (i < 0 ? Wide(0) : length_bound(a.v));
     const Wide turned =
@@ -180,9 +160,13 @@ class Recorded {
   Finding near_path(int id, const Pair2& p, const Pair2& v, double t) {
     if (!history_.centres) return Finding::right;
     const WideVec at = Path::at(present(id), t);
-    const Wide bound =
-        tolerance * (norm(present(id).v) + norm(wide(v))) + 4 * norm(at) * std::ldexp(1.0, -53);
-    return within(norm(minus(wide(p), at)), bound);
+    // Where a line gives no velocity, the speed after may count or not.
+    const Wide after = history_.velocities ? norm(wide(v)) : Wide(0);
+    const Wide least =
+        tolerance * (norm(present(id).v) + after) + 2 * norm(at) * std::ldexp(1.0, -53);
+    const Wide most = tolerance * (length_bound(present(id).v) + length_bound(wide(v))) +
+                      4 * length_bound(at) * std::ldexp(1.0, -53);
+    return within(norm(minus(wide(p), at)), least, most);
   }
 
   Finding centres(const Line& line) {
