@@ -34,7 +34,13 @@ struct Overlap {
 class Contacts {
  public:
   Contacts(const Problem& p, Counts& counts, std::int64_t& line)
-      : p_(p), slack_(p.exact() ? Rat(0) : p.tolerance), counts_(counts), line_(line), walk_(p), lines_(p.disks()), turned_by_(p.disks(), -1) {}
+      : p_(p),
+        slack_(p.exact() ? Rat(0) : p.tolerance),
+        counts_(counts),
+        line_(line),
+        walk_(p),
+        lines_(p.disks()),
+        turned_by_(p.disks(), -1) {}
 
   void run() {
     std::int64_t number = 0;
@@ -62,7 +68,8 @@ class Contacts {
     line_ = p_.history.last_line;
     at_end_ = true;
     for (int j = 0; j < p_.disks(); ++j) end_pairs(j, p_.horizon, nullptr, true);
-    for (const auto& [pair, overlap] : open_) close(pair.first, pair.second, overlap, exact(p_.horizon));
+    for (const auto& [pair, overlap] : open_)
+      close(pair.first, pair.second, overlap, exact(p_.horizon));
   }
 
  private:

@@ -30,7 +30,9 @@ void Diagram::join(int i, int j, int k, std::array<int, 3> edges) {
 }
 
 Diagram::Diagram(const std::vector<Quad>& edges, int n) : edges_(edges), spokes_(n + 1) {
-  const auto wrong = [](const char* what) { refute(std::string("wrong initial diagram: ") + what); };
+  const auto wrong = [](const char* what) {
+    refute(std::string("wrong initial diagram: ") + what);
+  };
   if (static_cast<int>(edges.size()) != 3 * (n + 1) - 6) wrong("not 3 (n + 1) - 6 edges");
   for (int k = 0; k < static_cast<int>(edges.size()); ++k) {
     const Quad& q = edges[k];

@@ -143,8 +143,10 @@ Edge4::Separated Edge4::separated() {
                         (c1 < 0 && p_[n][1] * p_[n][1] >= 4 * p_[n][0] * p_[n][2]);
     if (!inside && c0 > 0 && c2 > 0) continue;
     touched.insert({id[kPairs[n][0]], id[kPairs[n][1]]});
-    if (inside) all = Separated::no;
-    else if (all == Separated::yes) all = Separated::touching;
+    if (inside)
+      all = Separated::no;
+    else if (all == Separated::yes)
+      all = Separated::touching;
   }
   return all;
 }
@@ -349,8 +351,10 @@ std::optional<Collapse> Edge4::first_collapse(const Rat& a, const Rat& b, bool f
       sites_at(0, 0);
       for (const bool start : {true, false}) {
         if (exists(start) <= 0 || incircle(start, kUnknown) < 0) {
-          if (!found) found = Collapse{at(a), t};
-          else found->at = at(a);
+          if (!found)
+            found = Collapse{at(a), t};
+          else
+            found->at = at(a);
         }
       }
     }
@@ -399,6 +403,35 @@ std::optional<Collapse> Edge4::between_contacts(const Rat& a, const Rat& b) {
     if (auto found = first_collapse(a + (b - a) * lo, a + (b - a) * hi, lo > 0)) return found;
   }
   return std::nullopt;
+}
+
+// With w = (D_xp, D_yp) of the end vertex and d the direction from the common base to the start's
+// circle, w x d = -sp (w x w1) - eps sqrt(Gamma) (w . w1) in terms of the start; the circles of
+// both orientations lie on either side of w, the end's on the side of -eps of the end.
+bool Edge4::one_circle(Instant& t) {
+  const bool flip = wall_ == 0;
+  const int b = flip ? 1 : 0, j1 = flip ? 0 : 2, k1 = flip ? 2 : 1, j2 = flip ? 3 : 1,
+            k2 = flip ? 0 : 3;
+  for (int round = 0; round < 200; ++round) {
+    place(t.lo, t.hi);
+    Site<Form> site[4];
+    for (int i = 0; i < 4; ++i) {
+      site[i] = {Form{x_[i][0], x_[i][1]}, Form{y_[i][0], y_[i][1]}, Form{r_[i], r_[i]}};
+    }
+    const Circle<Form> c1(site[b], site[j1], site[k1]), c2(site[b], site[j2], site[k2]);
+    const int eps1 = j1 == wall_ || k1 == wall_ ? 1 : -1,
+              eps2 = j2 == wall_ || k2 == wall_ ? 1 : -1;
+    const Form u = c1.sp * (c1.xp * c2.yp - c1.yp * c2.xp);
+    const Form v = c2.xp * c1.xp + c2.yp * c1.yp;
+    const Form gamma = c1.xp * c1.xp + c1.yp * c1.yp - c1.sp * c1.sp;
+    const Form norm = u * u - gamma * v * v;
+    if (norm[0] != 0 && norm.back() != 0 && (t.is_point() || variations(norm) == 0)) {
+      return sign_with_root(u[0], eps1 < 0 ? v[0] : Int(-v[0]), gamma[0]) == -eps2;
+    }
+    if (t.is_point()) break;
+    t.refine();
+  }
+  undecided("whether two circles touch the same four");
 }
 
 std::optional<Collapse> Edge4::collapse_near(const Rat& a, const Rat& t) {

@@ -2,9 +2,9 @@
 //
 // A generator has a signed radius, -R for the container. p_ij = |c_i - c_j|^2 - (r_i - r_j)^2 is
 // positive for two disks neither of which holds the other, and negative for a disk and the
-// container. An edge [l,r,s,e] has two in-circle functions, of e in the circle (l,s,r) and of s in the
-// circle (l,r,e): q = G - eps sqrt(Gamma) C, positive while the fourth stays outside. q times its
-// conjugate is N f with N > 0 where Gamma > 0, so that signs of G, C and f give that of q.
+// container. An edge [l,r,s,e] has two in-circle functions, of e in the circle (l,s,r) and of s in
+// the circle (l,r,e): q = G - eps sqrt(Gamma) C, positive while the fourth stays outside. q times
+// its conjugate is N f with N > 0 where Gamma > 0, so that signs of G, C and f give that of q.
 #pragma once
 
 #include <array>
@@ -68,6 +68,10 @@ class Edge4 {
   // Whether the form made last is not that of f or C, which vanish identically.
   bool always() const { return always_; }
 
+  // At an instant at which both vertices' circles touch all four: whether they are one circle. (Two
+  // circles may touch the same four; then the edge leads from the one to the other and stays.)
+  bool one_circle(Instant& t);
+
   // The sign of an in-circle function at t: of the vertex [l,s,r] or of [l,r,e].
   int incircle_at(const Rat& t, bool start);
   // Of what is positive iff the circle exists at t; kTouching where two of the three touch.
@@ -92,7 +96,7 @@ class Edge4 {
 
   Quad quad_{};
   std::array<const Leg*, 4> legs_{};
-  int wall_ = -1;  // which of the four is the container
+  int wall_ = -1;                        // which of the four is the container
   bool equal_ = false, always_ = false;  // four equal radii; f vanishes identically
   Int x_[4][2], y_[4][2], r_[4];         // at both ends of the interval, on one scale
   Int p_[6][3];                          // tangencies of lr, ls, le, rs, re, se

@@ -60,34 +60,29 @@ Json parse(const char* begin, const char* end) {
   return result;
 }
 
-// The fields of an object; all must be asked for.
-class Fields {
- public:
-  explicit Fields(const Json& object) : object_(object) {
-    if (!object.is_object()) invalid("not a JSON object");
-  }
-  ~Fields() noexcept(false) {
-    if (std::uncaught_exceptions() == 0 && asked_ != object_.size()) invalid("an unknown field");
-  }
-  const Json* find(const char* name) {
-    const auto it = object_.find(name);
-    if (it == object_.end()) return nullptr;
-    ++asked_;
-    return &*it;
-  }
-  const Json& get(const char* name) {
-    const Json* field = find(name);
-    if (field == nullptr) invalid(std::string("the field '") + name + "' is missing");
-    return *field;
-  }
+using Names = std::initializer_list<const char*>;
 
- private:
-  const Json& object_;
-  std::size_t asked_ = 0;
-};
+// That an object has all fields of the first list, and of others only those of the second.
+void expect_fields(const Json& object, Names required, Names optional = {}) {
+  if (!object.is_object()) invalid("not a JSON object");
+  std::size_t known = required.size();
+  for (const char* name : required) {
+    if (!object.contains(name)) invalid(std::string("the field '") + name + "' is missing");
+  }
+  for (const char* name : optional) known += object.contains(name);
+  if (known != object.size()) invalid("an unknown field");
+}
+
+void expect_format(const Json& object, const char* format) {
+  if (object["format"] != format || !object["version"].is_number_integer() ||
+      object["version"] != 1) {
+    invalid("another format or version");
+  }
+}
 
 Rat number(const Json& json) {
-  // nlohmann converts with strtod, which rounds correctly; conversions of integers round to nearest.
+  // nlohmann converts with strtod, which rounds correctly; conversions of integers round to
+  // nearest.
   if (json.is_number()) return exactly(json.get<double>());
   if (json.is_string()) return exact_string(json.get_ref<const std::string&>());
   invalid("not a number");
@@ -122,11 +117,6 @@ std::int64_t whole(const Json& json, std::int64_t least, std::int64_t most) {
   const auto x = json.get<std::int64_t>();
   if (x < least || x > most) invalid("an integer beyond its limits");
   return x;
-}
-
-void expect(Fields& fields, const char* format) {
-  if (fields.get("format") != format) invalid("another format");
-  if (whole(fields.get("version"), 0, INT64_MAX) != 1) invalid("an unknown version");
 }
 
 // Disks lie in the container and do not overlap: by a sweep over their least abscissas.
@@ -175,96 +165,134 @@ std::vector<Quad> edges(const Json& json, int n) {
 }
 
 // v or p of a collision.
-void read_two(const Json* json, bool wall, std::optional<Vec> (&to)[2]) {
-  if (json == nullptr) return;
-  if (!json->is_array() || json->size() != 2) invalid("not a list of two");
-  if ((*json)[0].is_null() != wall) invalid("null stands for the container, and only for it");
-  if (!wall) to[0] = pair_of((*json)[0], history_number);
-  to[1] = pair_of((*json)[1], history_number);
+void read_two(const Json& claim, const char* name, bool wall, std::optional<Vec> (&to)[2]) {
+  if (!claim.contains(name)) return;
+  const Json& two = claim[name];
+  if (!two.is_array() || two.size() != 2) invalid("not a list of two");
+  if (two[0].is_null() != wall) invalid("null stands for the container, and only for it");
+  if (!wall) to[0] = pair_of(two[0], history_number);
+  to[1] = pair_of(two[1], history_number);
 }
 
 Claim read_claim(const Json& json, int n) {
-  Fields fields(json);
   Claim claim{};
-  claim.t = claim.filed = history_number(fields.get("t"));
-  if (const Json* flip = fields.find("flip")) {
+  if (json.contains("flip")) {
+    expect_fields(json, {"t", "flip"});
     claim.kind = Claim::Kind::flip;
-    claim.quad = edges(Json::array({*flip}), n)[0];
-  } else if (const Json* two = fields.find("collide")) {
+    claim.quad = edges(Json::array({json["flip"]}), n)[0];
+  } else if (json.contains("collide")) {
+    expect_fields(json, {"t", "collide"}, {"v", "p"});
     claim.kind = Claim::Kind::collision;
-    if (!two->is_array() || two->size() != 2) invalid("not a pair");
-    claim.i = static_cast<int>(whole((*two)[0], container, n - 1));
-    claim.j = static_cast<int>(whole((*two)[1], 0, n - 1));
+    const Json& two = json["collide"];
+    if (!two.is_array() || two.size() != 2) invalid("not a pair");
+    claim.i = static_cast<int>(whole(two[0], container, n - 1));
+    claim.j = static_cast<int>(whole(two[1], 0, n - 1));
     if (claim.i >= claim.j) invalid("the smaller id comes first");
-    read_two(fields.find("v"), claim.i == container, claim.v);
-    read_two(fields.find("p"), claim.i == container, claim.p);
+    read_two(json, "v", claim.i == container, claim.v);
+    read_two(json, "p", claim.i == container, claim.p);
   } else {
+    expect_fields(json, {"t", "maneuver"}, {"v", "p"});
     claim.kind = Claim::Kind::maneuver;
-    claim.j = static_cast<int>(whole(fields.get("maneuver"), 0, n - 1));
-    claim.i = claim.j;
-    if (const Json* v = fields.find("v")) claim.v[1] = pair_of(*v, history_number);
-    if (const Json* p = fields.find("p")) claim.p[1] = pair_of(*p, history_number);
+    claim.i = claim.j = static_cast<int>(whole(json["maneuver"], 0, n - 1));
+    if (json.contains("v")) claim.v[1] = pair_of(json["v"], history_number);
+    if (json.contains("p")) claim.p[1] = pair_of(json["p"], history_number);
   }
+  claim.t = claim.filed = history_number(json["t"]);
   return claim;
+}
+
+// The first line.
+void read_header(const Json& json, int n, History& history) {
+  expect_fields(json, {"format", "version", "scene_sha256", "horizon", "producer"}, {"initial"});
+  expect_format(json, "voroproof-history");
+  if (!json["scene_sha256"].is_string() || !json["producer"].is_string()) invalid("not a string");
+  history.scene_sha256 = json["scene_sha256"].get<std::string>();
+  history.horizon = history_number(json["horizon"]);
+  if (history.horizon < 0) invalid("a negative horizon");
+  if (json.contains("initial")) history.initial = edges(json["initial"], n);
+}
+
+// The last line.
+void read_end(const Json& json, History& history) {
+  history.stopped = json.contains("stopped");
+  const char* kind = history.stopped ? "stopped" : "end";
+  expect_fields(json, {kind});
+  const Json& end = json[kind];
+  if (history.stopped) {
+    expect_fields(end, {"t", "reason"}, {"events"});
+    const Rat t = history_number(end["t"]);
+    if (t < 0 || t > std::max(history.horizon, nearest_binary64(history.horizon)) ||
+        !end["reason"].is_string() || (end.contains("events") && !end["events"].is_array())) {
+      invalid("a bad last line");
+    }
+    history.horizon = t;
+    return;
+  }
+  const char* names[] = {"flips", "collisions", "maneuvers"};
+  expect_fields(end, {"t", names[0], names[1], names[2]});
+  const Rat t = history_number(end["t"]);
+  if (t != history.horizon && t != nearest_binary64(history.horizon)) {
+    invalid("the last line's t is not the horizon");
+  }
+  for (int k = 0; k < 3; ++k) history.ended[k] = whole(end[names[k]], 0, INT64_MAX);
+}
+
+Disk read_disk(const Json& json, bool alone) {
+  expect_fields(json, {"center", "radius", "velocity"}, {"mass"});
+  Disk disk{pair_of(json["center"], scene_number), pair_of(json["velocity"], scene_number),
+            scene_number(json["radius"]), 0};
+  if (disk.radius < 0) invalid("a negative radius");
+  disk.mass = json.contains("mass") ? scene_number(json["mass"]) : square(disk.radius);
+  if (disk.mass <= 0 && (json.contains("mass") || !alone)) invalid("a mass that is not positive");
+  return disk;
 }
 
 }  // namespace
 
 Scene read_scene(const std::string& text) {
   const Json json = parse(text.data(), text.data() + text.size());
-  Scene scene;
-  Fields top(json);
-  expect(top, "voroproof-scene");
+  expect_fields(json, {"format", "version", "container", "horizon", "disks"},
+                {"name", "comment", "seed", "container_law", "restitution", "maneuvers"});
+  expect_format(json, "voroproof-scene");
   for (const char* name : {"name", "comment"}) {
-    const Json* word = top.find(name);
-    if (word != nullptr && !word->is_string()) invalid("not a string");
+    if (json.contains(name) && !json[name].is_string()) invalid("not a string");
   }
-  const Json* seed = top.find("seed");
-  if (seed != nullptr && !seed->is_string() && !seed->is_number()) invalid("not a seed");
-  {
-    Fields wall(top.get("container"));
-    scene.center = pair_of(wall.get("center"), scene_number);
-    scene.radius = scene_number(wall.get("radius"));
-    if (const Json* e = wall.find("restitution")) scene.wall_restitution = scene_number(*e);
+  if (json.contains("seed") && !json["seed"].is_string() && !json["seed"].is_number_integer()) {
+    invalid("not a seed");
   }
-  if (scene.radius <= 0) invalid("the container's radius is not positive");
-  if (scene.wall_restitution <= 0 || scene.wall_restitution > 1) invalid("a restitution beyond 1");
-  if (const Json* law = top.find("container_law")) {
-    scene.whole_law = *law == "whole";
-    if (!scene.whole_law && *law != "normal") invalid("an unknown law of the container");
+  Scene scene;
+  const Json& wall = json["container"];
+  expect_fields(wall, {"center", "radius"}, {"restitution"});
+  scene.center = pair_of(wall["center"], scene_number);
+  scene.radius = scene_number(wall["radius"]);
+  if (wall.contains("restitution")) scene.wall_restitution = scene_number(wall["restitution"]);
+  if (json.contains("restitution")) scene.restitution = scene_number(json["restitution"]);
+  scene.horizon = scene_number(json["horizon"]);
+  if (scene.radius <= 0 || scene.horizon < 0) invalid("a negative radius or horizon");
+  if (scene.wall_restitution <= 0 || scene.wall_restitution > 1 || scene.restitution < 0 ||
+      scene.restitution > 1) {
+    invalid("a restitution beyond its limits");
   }
-  if (const Json* e = top.find("restitution")) scene.restitution = scene_number(*e);
-  if (scene.restitution < 0 || scene.restitution > 1) invalid("a restitution beyond 1");
-  scene.horizon = scene_number(top.get("horizon"));
-  if (scene.horizon < 0) invalid("a negative horizon");
-  const Json& disks = top.get("disks");
-  if (!disks.is_array() || disks.size() > 2000000) invalid("not a list of disks");
-  for (const Json& one : disks) {
-    Fields fields(one);
-    Disk disk;
-    disk.center = pair_of(fields.get("center"), scene_number);
-    disk.radius = scene_number(fields.get("radius"));
-    disk.velocity = pair_of(fields.get("velocity"), scene_number);
-    if (disk.radius < 0) invalid("a negative radius");
-    const Json* mass = fields.find("mass");
-    disk.mass = mass == nullptr ? square(disk.radius) : scene_number(*mass);
-    if (mass != nullptr && disk.mass <= 0) invalid("a mass that is not positive");
-    if (disk.mass == 0 && disks.size() > 1) invalid("a disk of radius 0 without a mass");
-    scene.disks.push_back(disk);
+  if (json.contains("container_law")) {
+    scene.whole_law = json["container_law"] == "whole";
+    if (!scene.whole_law && json["container_law"] != "normal") invalid("an unknown law");
   }
-  if (const Json* list = top.find("maneuvers")) {
-    if (!list->is_array() || list->size() > 2000000) invalid("not a list of maneuvers");
-    std::set<std::pair<Rat, int>> seen;
-    for (const Json& one : *list) {
-      Fields fields(one);
-      Maneuver m{scene_number(fields.get("t")), 0, {}};
-      m.disk = static_cast<int>(whole(fields.get("disk"), 0, (std::int64_t)disks.size() - 1));
-      m.velocity = pair_of(fields.get("velocity"), scene_number);
-      if (m.t < 0 || (!scene.maneuvers.empty() && m.t < scene.maneuvers.back().t)) {
-        invalid("maneuvers are sorted by t, from 0");
-      }
-      if (!seen.emplace(m.t, m.disk).second) invalid("two maneuvers of a disk at one instant");
-      scene.maneuvers.push_back(m);
+  const Json &disks = json["disks"], none = Json::array();
+  const Json& maneuvers = json.contains("maneuvers") ? json["maneuvers"] : none;
+  if (!disks.is_array() || disks.size() > 2000000 || !maneuvers.is_array() ||
+      maneuvers.size() > 2000000) {
+    invalid("not a list, or too long");
+  }
+  for (const Json& one : disks) scene.disks.push_back(read_disk(one, disks.size() == 1));
+  std::set<std::pair<Rat, int>> seen;
+  for (const Json& one : maneuvers) {
+    expect_fields(one, {"t", "disk", "velocity"});
+    const auto disk = whole(one["disk"], 0, static_cast<std::int64_t>(disks.size()) - 1);
+    scene.maneuvers.push_back(
+        {scene_number(one["t"]), static_cast<int>(disk), pair_of(one["velocity"], scene_number)});
+    const Maneuver& m = scene.maneuvers.back();
+    if (m.t < 0 || !seen.emplace(m.t, m.disk).second || m.t < seen.rbegin()->first) {
+      invalid("maneuvers are sorted by t, from 0, one of a disk at an instant");
     }
   }
   check_places(scene);
@@ -273,64 +301,38 @@ Scene read_scene(const std::string& text) {
 
 History read_history(const std::string& text, int n) {
   History history;
-  std::size_t at = 0;
   std::int64_t line = 0;
-  Rat latest;
   try {
-    for (bool done = false; !done; at = std::min(text.find('\n', at), text.size() - 1) + 1) {
+    for (std::size_t at = 0;;) {
       ++line;
       if (at >= text.size()) invalid("the file ends without its last line");
       const std::size_t end = std::min(text.find('\n', at), text.size());
       if (end - at > std::size_t(1) << (line == 1 ? 28 : 20)) invalid("a line too long");
       const Json json = parse(text.data() + at, text.data() + end);
+      at = std::min(end + 1, text.size());
       if (line == 1) {
-        Fields fields(json);
-        expect(fields, "voroproof-history");
-        const Json &hash = fields.get("scene_sha256"), &producer = fields.get("producer");
-        if (!hash.is_string() || !producer.is_string()) invalid("not a string");
-        history.scene_sha256 = hash.get<std::string>();
-        history.horizon = history_number(fields.get("horizon"));
-        if (history.horizon < 0) invalid("a negative horizon");
-        latest = nearest_binary64(history.horizon);
-        if (latest < history.horizon) latest = history.horizon;
-        if (const Json* initial = fields.find("initial")) history.initial = edges(*initial, n);
-      } else if (json.contains("end")) {
-        Fields fields(json);
-        Fields last(fields.get("end"));
-        const Rat t = history_number(last.get("t"));
-        if (t != history.horizon && t != nearest_binary64(history.horizon)) {
-          invalid("the last line's t is not the horizon");
-        }
-        const char* names[] = {"flips", "collisions", "maneuvers"};
-        for (int k = 0; k < 3; ++k) history.ended[k] = whole(last.get(names[k]), 0, INT64_MAX);
-        done = true;
-      } else if (json.contains("stopped")) {
-        Fields fields(json);
-        Fields last(fields.get("stopped"));
-        const Rat t = history_number(last.get("t"));
-        if (t > latest || t < 0 || !last.get("reason").is_string()) invalid("a bad last line");
-        const Json* events = last.find("events");
-        if (events != nullptr && !events->is_array()) invalid("not a list");
-        history.horizon = t;
-        history.stopped = done = true;
+        read_header(json, n, history);
+      } else if (json.contains("end") || json.contains("stopped")) {
+        read_end(json, history);
+        if (at < text.size()) invalid("something follows the last line");
+        history.last_line = line;
+        return history;
       } else {
-        history.claims.push_back(read_claim(json, n));
-        Claim& claim = history.claims.back();
+        Claim claim = read_claim(json, n);
         claim.line = line;
-        const std::size_t count = history.claims.size();
-        if (claim.t < 0 || (count > 1 && claim.t < history.claims[count - 2].t)) {
+        if (claim.t < (history.claims.empty() ? Rat(0) : history.claims.back().t)) {
           invalid("the times decrease");
         }
-        if (claim.t > latest) invalid("an event after the horizon");
+        if (claim.t > std::max(history.horizon, nearest_binary64(history.horizon))) {
+          invalid("an event after the horizon");
+        }
+        history.claims.push_back(std::move(claim));
       }
     }
-    if (at < text.size()) invalid("something follows the last line");
   } catch (Stop& stop) {
     if (stop.line == 0) stop.line = line;
     throw;
   }
-  history.last_line = line;
-  return history;
 }
 
 std::string sha256(const std::string& text) {

@@ -63,8 +63,8 @@ void check_cell(const Walk& walk, int g, const Rat& t) {
     if (q.l != g) q = {q.r, q.l, q.e, q.s};
     // The end vertex [g, r, e]; the next spoke counterclockwise is that of e.
     const auto at = four.sites({&walk.leg(g), &walk.leg(q.r), &walk.leg(q.e), &walk.leg(q.s)}, t);
-    vertices.push_back(direction(at[0], at[1], at[2], g == container,
-                                 q.r == container || q.e == container));
+    vertices.push_back(
+        direction(at[0], at[1], at[2], g == container, q.r == container || q.e == container));
     k = d.next_spoke(k, g);
   } while (k != first);
   // Angles from 0 to 2 pi: the lower half plane follows the upper. One step falls back.
@@ -96,7 +96,8 @@ void check_initial(const Walk& walk) {
     for (const bool start : {true, false}) {
       const int exists = four.existence_at(0, start);
       if (exists == kTouching) undecided("a point touches another generator at the start");
-      if (exists <= 0) refute("wrong initial diagram: a circle of edge " + name + " does not exist");
+      if (exists <= 0)
+        refute("wrong initial diagram: a circle of edge " + name + " does not exist");
       if (q.s != q.e && four.incircle_at(0, start) < 0) {
         refute("wrong initial diagram: edge " + name + " is not legal");
       }

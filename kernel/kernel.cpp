@@ -11,9 +11,10 @@ namespace voroproof_kernel {
 namespace {
 
 std::int64_t Counts::*const kCounts[] = {
-    &Counts::flips,  &Counts::collisions, &Counts::maneuvers, &Counts::lives,
-    &Counts::pair_lives, &Counts::fresh_proofs, &Counts::swaps, &Counts::grazes,
-    &Counts::rounding_overlaps, &Counts::horizon_events, &Counts::unoriented};
+    &Counts::flips,          &Counts::collisions, &Counts::maneuvers,
+    &Counts::lives,          &Counts::pair_lives, &Counts::fresh_proofs,
+    &Counts::swaps,          &Counts::grazes,     &Counts::rounding_overlaps,
+    &Counts::horizon_events, &Counts::unoriented};
 
 // The verdict of one task: 0 checks the contacts, k the lives of part k - 1.
 Result work(const Problem& p, const std::vector<Part>& parts, std::size_t task) {
@@ -38,7 +39,9 @@ Result work(const Problem& p, const std::vector<Part>& parts, std::size_t task) 
 void add(Result& all, const Result& r) {
   for (const auto count : kCounts) all.counts.*count += r.counts.*count;
   const auto rank = [](const Result& x) {
-    return std::pair(x.verdict == Verdict::refuted ? 0 : x.verdict == Verdict::undecided ? 1 : 2,
+    return std::pair(x.verdict == Verdict::refuted     ? 0
+                     : x.verdict == Verdict::undecided ? 1
+                                                       : 2,
                      x.line);
   };
   if (rank(r) >= rank(all)) return;

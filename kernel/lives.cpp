@@ -88,8 +88,8 @@ class Lives {
     }
   }
 
-  // Ends the life of edge k, which does not flip, at an instant; `last`: the horizon under the exact
-  // truth, at which a collapse is due.
+  // Ends the life of edge k, which does not flip, at an instant; `last`: the horizon under the
+  // exact truth, at which a collapse is due.
   void close(int k, const Shared& end, bool last = false) {
     const Birth& birth = births_[k];
     if (birth.at == end) return;
@@ -117,9 +117,12 @@ class Lives {
     set(k);
     std::optional<Collapse> found;
     const Rat lo = claim.t - p_.tolerance, hi = claim.t + p_.tolerance;
-    if (birth.at->is_point() || birth.own) found = four_.collapse_near(birth.at->hi, claim.t);
-    else found = four_.collapse_near(birth.at->lo, claim.t);
+    if (birth.at->is_point() || birth.own)
+      found = four_.collapse_near(birth.at->hi, claim.t);
+    else
+      found = four_.collapse_near(birth.at->lo, claim.t);
     if (found && birth.at->hi >= found->at.lo) found.reset();
+    const bool near_it = found.has_value();
     if (!found) {
       found = collapse(k, hi + p_.tolerance);
       if (!found) refute("edge " + name(q) + " does not collapse by then");
@@ -131,6 +134,9 @@ class Lives {
       }
     }
     const Shared now = std::make_shared<Instant>(found->at);
+    if (!near_it && !four_.one_circle(*now)) {
+      refute("edge " + name(q) + " leads from one circle to another and stays");
+    }
     if (compare(*now, lo) < 0 || compare(*now, hi) > 0) {
       refute("edge " + name(q) + " collapses at " + about(now->lo));
     }
@@ -154,8 +160,8 @@ class Lives {
       all.insert(all.end(), some.begin(), some.end());
       for (const int k : some) {
         const Birth& b = births_[k];
-        const bool its = b.four.l == disk || b.four.r == disk || b.four.s == disk ||
-                         b.four.e == disk;
+        const bool its =
+            b.four.l == disk || b.four.r == disk || b.four.s == disk || b.four.e == disk;
         if (b.flip && its && b.at->hi >= claim.t && compare(*b.at, claim.t) == 0) {
           refute("disk " + std::to_string(disk) + " turns at the instant of a flip before it");
         }
@@ -168,8 +174,8 @@ class Lives {
     for (const int k : all) births_[k] = {now};
   }
 
-  // After generators were so near that circles between them ceased to exist: their cells anew, where
-  // there is time before the next claim.
+  // After generators were so near that circles between them ceased to exist: their cells anew,
+  // where there is time before the next claim.
   void check_cells(const Rat& next) {
     if (four_.touched.empty() || next <= latest_->hi) return;
     const Rat t = (latest_->hi + next) / 2;

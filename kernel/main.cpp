@@ -30,14 +30,22 @@ int main(int argc, char** argv) {
   for (int k = 1; k < argc; ++k) {
     const std::string word = argv[k];
     const auto value = [&] { return std::string(k + 1 < argc ? argv[++k] : ""); };
-    if (word == "--strict") options.strict = true;
-    else if (word == "--unoriented") options.unoriented = true;
-    else if (word == "--tolerance") options.tolerance = value();
-    else if (word == "--law-tolerance") options.law_tolerance = value();
-    else if (word == "--jobs") options.jobs = std::max(1, std::atoi(value().c_str()));
-    else if (word == "--truth") options.truth = value() == "exact" ? Truth::exact : Truth::recorded;
-    else if (given < 2) files[given++] = word;
-    else given = 3;
+    if (word == "--strict")
+      options.strict = true;
+    else if (word == "--unoriented")
+      options.unoriented = true;
+    else if (word == "--tolerance")
+      options.tolerance = value();
+    else if (word == "--law-tolerance")
+      options.law_tolerance = value();
+    else if (word == "--jobs")
+      options.jobs = std::max(1, std::atoi(value().c_str()));
+    else if (word == "--truth")
+      options.truth = value() == "exact" ? Truth::exact : Truth::recorded;
+    else if (given < 2)
+      files[given++] = word;
+    else
+      given = 3;
   }
   if (given != 2) {
     std::cerr << kUsage;
@@ -51,8 +59,8 @@ int main(int argc, char** argv) {
   const Result r = check(scene, history, options);
   const Counts& c = r.counts;
   std::cout << "c " << c.flips << " flips, " << c.collisions << " collisions, " << c.maneuvers
-            << " maneuvers; " << c.lives << " lives of edges, " << c.pair_lives
-            << " of pairs, " << c.fresh_proofs << " fresh proofs\n"
+            << " maneuvers; " << c.lives << " lives of edges, " << c.pair_lives << " of pairs, "
+            << c.fresh_proofs << " fresh proofs\n"
             << "c " << c.swaps << " swaps, " << c.grazes << " grazes, " << c.rounding_overlaps
             << " overlaps by rounding, " << c.horizon_events << " events at the horizon, "
             << c.unoriented << " quadruplets without orientation\n";

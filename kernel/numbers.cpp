@@ -1,5 +1,7 @@
 #include "kernel/numbers.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace voroproof_kernel {
@@ -34,76 +36,52 @@ Rat nearest_binary64(const Rat& x) {
   return x < 0 ? Rat(-r) : r;
 }
 
-namespace {
-
-// A decimal or hexadecimal number without sign; `text` is what remains after the sign.
-Rat plain(const std::string& text, bool hex) {
-  const auto bad = [] { invalid("not an exact number"); };
-  std::size_t at = hex ? 2 : 0;
-  Int digits = 0;
-  long shift = 0, seen = 0;
-  bool point = false;
-  for (; at < text.size(); ++at) {
-    const char c = text[at];
-    if (c == '.') {
-      if (point) bad();
-      point = true;
-      continue;
-    }
-    const int d = c >= '0' && c <= '9'          ? c - '0'
-                  : hex && c >= 'a' && c <= 'f' ? c - 'a' + 10
-                  : hex && c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                                : -1;
-    if (d < 0) break;
-    digits = digits * (hex ? 16 : 10) + d;
-    ++seen;
-    if (point) ++shift;
-  }
-  if (seen == 0 || text[at - 1] == '.') bad();
-  long exponent = 0;
-  if (at < text.size()) {
-    const char mark = text[at++];
-    if (hex ? mark != 'p' && mark != 'P' : mark != 'e' && mark != 'E') bad();
-    const bool minus = at < text.size() && text[at] == '-';
-    if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
-    if (at == text.size()) bad();
-    for (; at < text.size(); ++at) {
-      if (text[at] < '0' || text[at] > '9') bad();
-      exponent = exponent * 10 + (text[at] - '0');
-      if (exponent > (hex ? 1200 : 400)) invalid("the exponent of an exact number is too large");
-    }
-    if (minus) exponent = -exponent;
-  }
-  if (hex) return digits * power_of_two(exponent - 4 * shift);
-  exponent -= shift;
-  const Int scale = pow(Int(10), static_cast<unsigned>(exponent < 0 ? -exponent : exponent));
-  return exponent < 0 ? Rat(digits, scale) : Rat(digits * scale);
-}
-
-}  // namespace
-
 Rat exact_string(const std::string& text) {
   if (text.size() > 4096) invalid("an exact number of more than 4096 characters");
-  std::string rest = text;
-  const bool minus = !rest.empty() && rest[0] == '-';
-  if (minus) rest.erase(0, 1);
-  if (rest.empty() || rest[0] < '0' || rest[0] > '9') invalid("not an exact number");
-  const bool hex = rest.size() > 2 && rest[0] == '0' && (rest[1] == 'x' || rest[1] == 'X');
-  const std::size_t slash = rest.find('/');
+  const char* at = text.c_str();
+  const bool minus = *at == '-';
+  if (minus) ++at;
+  const bool hex = at[0] == '0' && (at[1] == 'x' || at[1] == 'X');
+  if (hex) at += 2;
+  const auto digits = [&](bool with_letters) {
+    const char* begin = at;
+    while ((*at >= '0' && *at <= '9') || (with_letters && std::isxdigit(*at))) ++at;
+    if (at == begin) invalid("not an exact number");
+    return std::string(begin, at);
+  };
+  // With leading zeros GMP would read octal digits.
+  const auto whole = [&](std::string word) {
+    word.erase(0, std::min(word.find_first_not_of('0'), word.size() - 1));
+    return Int((hex ? "0x" : "") + word);
+  };
+  const std::string first = digits(hex);
   Rat value;
-  if (slash == std::string::npos) {
-    value = plain(rest, hex);
+  if (!hex && *at == '/') {
+    ++at;
+    const Int below = whole(digits(false));
+    if (below == 0) invalid("a fraction with denominator zero");
+    value = Rat(whole(first), below);
   } else {
-    const auto whole = [](const std::string& s) {
-      if (s.empty() || s.find_first_not_of("0123456789") != std::string::npos) {
-        invalid("not an exact number");
-      }
-      return numerator(plain(s, false));
-    };
-    const Int p = whole(rest.substr(0, slash)), q = whole(rest.substr(slash + 1));
-    if (q == 0) invalid("a fraction with denominator zero");
-    value = Rat(p, q);
+    const std::string rest = *at == '.' ? (++at, digits(hex)) : "";
+    long exponent = 0;
+    if (*at == (hex ? 'p' : 'e') || *at == (hex ? 'P' : 'E')) {
+      const bool down = *++at == '-';
+      if (*at == '-' || *at == '+') ++at;
+      const std::string word = digits(false);
+      exponent = word.size() > 9 ? 1000000000 : std::stol(word);
+      if (exponent > (hex ? 1200 : 400)) invalid("the exponent of an exact number is too large");
+      if (down) exponent = -exponent;
+    }
+    value = whole(first + rest);
+    const long scale = exponent - static_cast<long>(rest.size()) * (hex ? 4 : 1);
+    const Int power = pow(Int(hex ? 2 : 10), static_cast<unsigned>(std::labs(scale)));
+    if (scale < 0) {
+      value /= power;
+    } else {
+      value *= power;
+    }
   }
+  if (at != text.c_str() + text.size()) invalid("not an exact number");
   return minus ? Rat(-value) : value;
 }
 

@@ -168,8 +168,8 @@ int compare(Instant& x, Instant& y) {
     if (y.hi <= x.lo) return 1;
     if (round % 16 == 8) {
       const Rat lo = std::max(x.lo, y.lo), hi = std::min(x.hi, y.hi);
-      const Form g = common(restricted(x.form, x.a, x.b, lo, hi),
-                            restricted(y.form, y.a, y.b, lo, hi));
+      const Form g =
+          common(restricted(x.form, x.a, x.b, lo, hi), restricted(y.form, y.a, y.b, lo, hi));
       if (variations(g) % 2 == 1) return 0;
     }
     x.refine();

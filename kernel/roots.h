@@ -1,9 +1,9 @@
 // Polynomials over an interval of time, and instants that are their roots.
 //
-// Over [a, b] time is t = (a + z b)/(1 + z), z in (0, oo). A form of degree d is the polynomial in z
-// that (1 + z)^d makes of a polynomial of degree d in t; c[0] is its value at a, c[d] that at b, up
-// to positive factors. By Descartes' rule it has at most V roots in (a, b), V the sign changes of its
-// coefficients, counted with multiplicity, and as many modulo 2.
+// Over [a, b] time is t = (a + z b)/(1 + z), z in (0, oo). A form of degree d is the polynomial in
+// z that (1 + z)^d makes of a polynomial of degree d in t; c[0] is its value at a, c[d] that at b,
+// up to positive factors. By Descartes' rule it has at most V roots in (a, b), V the sign changes
+// of its coefficients, counted with multiplicity, and as many modulo 2.
 #pragma once
 
 #include <vector>

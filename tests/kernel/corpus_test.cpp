@@ -45,16 +45,18 @@ std::string name(const fs::path& folder) {
 
 // Under the recorded truth all right histories but these are certified.
 TEST(KernelCorpus, RecordedRight) {
-  const std::string stops = "the history stops before its horizon", no = "the history has no initial diagram";
+  const std::string stops = "the history stops before its horizon",
+                    no = "the history has no initial diagram";
   const std::map<std::string, std::string> undecided = {
-      {"collapse/four-in-line", stops},      {"collapse/point-touches-at-start", no},
-      {"collapse/points-meet", stops},       {"collapse/settling-on-the-wall", stops},
-      {"collapse/slides-by-maneuver", stops}, {"collapse/three-in-line", stops},
+      {"collapse/four-in-line", stops},         {"collapse/point-touches-at-start", no},
+      {"collapse/points-meet", stops},          {"collapse/settling-on-the-wall", stops},
+      {"collapse/slides-by-maneuver", stops},   {"collapse/three-in-line", stops},
       {"collapse/slides-after-a-collision", no}};
   // Velocities are rounded: the recorded motion has flips that the true one has not.
   const std::set<std::string> refuted = {"lattices/turning-by-maneuvers-3x3"};
   for (const fs::path& folder : cases()) {
-    const Result r = judged(folder / "scene.scene.json", folder / "exact.history.jsonl", Truth::recorded);
+    const Result r =
+        judged(folder / "scene.scene.json", folder / "exact.history.jsonl", Truth::recorded);
     const auto reason = undecided.find(name(folder));
     if (reason != undecided.end()) {
       EXPECT_EQ(r.verdict, Verdict::undecided) << folder;
@@ -70,7 +72,8 @@ TEST(KernelCorpus, RecordedRight) {
 TEST(KernelCorpus, ExactRight) {
   int certified = 0;
   for (const fs::path& folder : cases()) {
-    const Result r = judged(folder / "scene.scene.json", folder / "exact.history.jsonl", Truth::exact);
+    const Result r =
+        judged(folder / "scene.scene.json", folder / "exact.history.jsonl", Truth::exact);
     certified += r.verdict == Verdict::certified;
     if (r.verdict == Verdict::certified) continue;
     EXPECT_EQ(r.verdict, Verdict::undecided) << folder << ": " << r.reason;
@@ -97,12 +100,12 @@ TEST(KernelCorpus, ExactWrong) {
   EXPECT_EQ(undecided, 52);
 }
 
-// Of the recorded truth they are right where rounding, or the file's own order at one recorded time,
-// leaves no other motion.
+// Of the recorded truth they are right where rounding, or the file's own order at one recorded
+// time, leaves no other motion.
 TEST(KernelCorpus, RecordedWrong) {
   const std::set<std::string> right = {"collision-order", "graze-taken-for-hit", "maneuver-first"};
-  const std::set<std::string> near = {"multiple-roots/simple-at-the-horizon", "near-misses/inside-1e-15",
-                                      "zero/horizon-zero"};
+  const std::set<std::string> near = {"multiple-roots/simple-at-the-horizon",
+                                      "near-misses/inside-1e-15", "zero/horizon-zero"};
   int refuted = 0, certified = 0;
   for (const fs::path& folder : cases()) {
     if (!fs::exists(folder / "wrong")) continue;
@@ -141,7 +144,8 @@ TEST(KernelCorpus, ListedCases) {
     if (truth == "exact" && history.find("invalid/") != 0) continue;
     const fs::path scene_file = corpus / "scenes" / (scene + ".scene.json");
     const auto other = otherwise.find(history);
-    const Verdict due = other != otherwise.end() ? other->second : words.at(history.substr(0, history.find('/')));
+    const Verdict due =
+        other != otherwise.end() ? other->second : words.at(history.substr(0, history.find('/')));
     const Result r = judged(scene_file, corpus / history, Truth::recorded);
     EXPECT_EQ(r.verdict, due) << history << ": " << r.reason;
     ++count;

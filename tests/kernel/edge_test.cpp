@@ -1,5 +1,5 @@
-// In-circle signs, existence and collapses against circles that are known beforehand: generators are
-// put around a given circle at rational directions, so that geometry needs no approximation.
+// In-circle signs, existence and collapses against circles that are known beforehand: generators
+// are put around a given circle at rational directions, so that geometry needs no approximation.
 #include "kernel/edge.h"
 
 #include <gtest/gtest.h>
@@ -151,7 +151,7 @@ TEST(KernelEdge, TheRuleOfTheLargestId) {
 }
 
 TEST(KernelEdge, SignWithRoot) {
-  EXPECT_EQ(sign_with_root(3, -2, 2), 1);    // 3 - 2 sqrt 2
+  EXPECT_EQ(sign_with_root(3, -2, 2), 1);  // 3 - 2 sqrt 2
   EXPECT_EQ(sign_with_root(-3, 2, 2), -1);
   EXPECT_EQ(sign_with_root(-2, 2, 2), 1);
   EXPECT_EQ(sign_with_root(-4, 2, 4), 0);

@@ -58,7 +58,8 @@ Verdict verdict(const std::string& scene, const std::vector<std::string>& claims
 const std::string kMeet = R"({"t":0,"collide":[0,1],"v":[[0,0],[1,0]],"p":[[-1,0],[1,0]]})";
 
 TEST(KernelFaults, F1TouchAndApproachAtTheStart) {
-  const std::string scene = scene_of(disk("-1", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
+  const std::string scene =
+      scene_of(disk("-1", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
   for (const Truth truth : {Truth::recorded, Truth::exact}) {
     EXPECT_EQ(verdict(scene, {kMeet}, truth), Verdict::certified);
     EXPECT_EQ(verdict(scene, {}, truth), Verdict::refuted);
@@ -87,13 +88,14 @@ TEST(KernelFaults, F2TinyDisksPassThroughEachOther) {
   EXPECT_EQ(verdict(scene, {right}, Truth::recorded), Verdict::certified);
   EXPECT_EQ(verdict(scene, {}, Truth::recorded), Verdict::refuted);
   // Claimed when they have passed: they turn back into each other.
-  EXPECT_EQ(verdict(scene, {R"({"t":2.000001,"collide":[0,1],"v":[[0,0],[1,0]]})"}, Truth::recorded),
-            Verdict::refuted);
+  EXPECT_EQ(
+      verdict(scene, {R"({"t":2.000001,"collide":[0,1],"v":[[0,0],[1,0]]})"}, Truth::recorded),
+      Verdict::refuted);
 }
 
 TEST(KernelFaults, F3ANearMissIsNoCollision) {
-  const std::string scene = scene_of(disk("-2", "0", "1", "1000", "0") + "," +
-                                         disk("0", "2.00001", "1", "0", "0"), "0.01");
+  const std::string scene = scene_of(
+      disk("-2", "0", "1", "1000", "0") + "," + disk("0", "2.00001", "1", "0", "0"), "0.01");
   EXPECT_EQ(verdict(scene, {}, Truth::recorded, "0.01"), Verdict::certified);
   EXPECT_EQ(verdict(scene, {R"({"t":0.002,"collide":[0,1],"v":[[1000,0],[0,0]]})"}, Truth::recorded,
                     "0.01"),
@@ -150,13 +152,15 @@ TEST(KernelFaults, F5VelocitiesOfTheTwoThatMeetOnly) {
                                          R"({"t":1.000001,"maneuver":1,"v":[1,0]})"};
   for (const Truth truth : {Truth::recorded, Truth::exact}) {
     EXPECT_EQ(verdict(scene, {kMeet, fast[0], fast[1]}, truth), Verdict::certified);
-    EXPECT_EQ(verdict(scene, {R"({"t":0,"collide":[0,1],"v":[[0,0.1],[1,0]]})", fast[0], fast[1]}, truth),
-              Verdict::refuted);
+    EXPECT_EQ(
+        verdict(scene, {R"({"t":0,"collide":[0,1],"v":[[0,0.1],[1,0]]})", fast[0], fast[1]}, truth),
+        Verdict::refuted);
   }
 }
 
 TEST(KernelFaults, F6ACollisionOfTheStartClaimedLater) {
-  const std::string scene = scene_of(disk("-1", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
+  const std::string scene =
+      scene_of(disk("-1", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
   const std::string late = R"({"t":5e-7,"collide":[0,1],"v":[[0,0],[1,0]]})";
   EXPECT_EQ(verdict(scene, {late}, Truth::exact), Verdict::certified);
 }
@@ -169,15 +173,17 @@ TEST(KernelFaults, F7AfterTheHorizon) {
   EXPECT_EQ(verdict(scene, {}, Truth::exact), Verdict::certified);
   EXPECT_EQ(verdict(scene, {claim}, Truth::exact), Verdict::refuted);
   // At the horizon it is due under the exact truth.
-  const std::string at = scene_of(disk("-4", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
+  const std::string at =
+      scene_of(disk("-4", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
   EXPECT_EQ(verdict(at, {claim}, Truth::exact), Verdict::certified);
   EXPECT_EQ(verdict(at, {}, Truth::exact), Verdict::refuted);
   EXPECT_EQ(verdict(at, {}, Truth::recorded), Verdict::certified);
 }
 
 TEST(KernelFaults, F8ALineTwice) {
-  const std::string scene = scene_of(disk("-1", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"),
-                                     "3", ",\"restitution\":0");
+  const std::string scene =
+      scene_of(disk("-1", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"), "3",
+               ",\"restitution\":0");
   const std::string once = R"({"t":0,"collide":[0,1],"v":[[0.5,0],[0.5,0]]})";
   for (const Truth truth : {Truth::recorded, Truth::exact}) {
     EXPECT_EQ(verdict(scene, {once}, truth), Verdict::certified);
@@ -193,7 +199,8 @@ TEST(KernelFaults, F8ALineTwice) {
 }
 
 TEST(KernelFaults, UndecidedSaysWhy) {
-  const auto reason = [](const std::string& scene, const std::vector<std::string>& claims, Truth truth) {
+  const auto reason = [](const std::string& scene, const std::vector<std::string>& claims,
+                         Truth truth) {
     Options options;
     options.truth = truth;
     const Result r = check(scene, history_of(scene, claims), options);
@@ -205,7 +212,8 @@ TEST(KernelFaults, UndecidedSaysWhy) {
                R"(,"maneuvers":[{"t":1,"disk":0,"velocity":[0,1]}])");
   EXPECT_EQ(reason(slide, {R"({"t":1,"maneuver":0,"v":[0,1]})"}, Truth::recorded),
             "disk 0 slides along the container");
-  const std::string points = scene_of(disk("-1", "0", "0", "1", "0") + "," + disk("1", "0", "0", "0", "0"));
+  const std::string points =
+      scene_of(disk("-1", "0", "0", "1", "0") + "," + disk("1", "0", "0", "0", "0"));
   EXPECT_EQ(reason(points, {R"({"t":2,"collide":[0,1],"v":[[0,0],[1,0]]})"}, Truth::recorded),
             "two points that meet");
   const std::string oblique =
@@ -215,7 +223,8 @@ TEST(KernelFaults, UndecidedSaysWhy) {
 }
 
 TEST(KernelFaults, AForeignHorizonIsSaid) {
-  const std::string scene = scene_of(disk("-4", "9", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
+  const std::string scene =
+      scene_of(disk("-4", "9", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
   Options options;
   const std::string history = history_of(scene, {}, "2");
   const Result r = check(scene, history, options);

@@ -23,8 +23,8 @@ TEST(KernelFiles, ExactStrings) {
   EXPECT_EQ(exact_string("-1.5e3"), -1500);
   EXPECT_EQ(exact_string("1/3"), Rat(1, 3));
   EXPECT_EQ(exact_string("0x1.8p-3"), Rat(3, 16));
-  for (const char* bad : {"", "-", ".5", "1.", "1e", "1e+", "1/0", "1/-3", "0x", "0x1p", "1e999", "nan",
-                          "inf", "1 ", "0x1p9999", "--1", "1/2/3", "1.5/2"}) {
+  for (const char* bad : {"", "-", ".5", "1.", "1e", "1e+", "1/0", "1/-3", "0x", "0x1p", "1e999",
+                          "nan", "inf", "1 ", "0x1p9999", "--1", "1/2/3", "1.5/2"}) {
     EXPECT_TRUE(refused([&] { exact_string(bad); })) << bad;
   }
   EXPECT_TRUE(refused([] { exact_string(std::string(5000, '1')); }));
@@ -38,7 +38,7 @@ TEST(KernelFiles, Binary64) {
   EXPECT_EQ(nearest_binary64(Rat(1, 10)), exactly(0.1));
   EXPECT_EQ(nearest_binary64(Rat(-1, 3)), exactly(-1.0 / 3.0));
   const Rat ulp = power_of_two(-52);
-  EXPECT_EQ(nearest_binary64(1 + ulp / 2), 1);            // ties to even
+  EXPECT_EQ(nearest_binary64(1 + ulp / 2), 1);  // ties to even
   EXPECT_EQ(nearest_binary64(1 + ulp * 3 / 2), 1 + 2 * ulp);
   EXPECT_EQ(nearest_binary64(power_of_two(-1076)), 0);
   EXPECT_TRUE(refused([] { nearest_binary64(power_of_two(1024)); }));
@@ -69,7 +69,10 @@ TEST(KernelFiles, Scenes) {
   const Scene scene = read_scene(kScene);
   EXPECT_EQ(scene.disks[1].center[1], Rat(1, 3));
   EXPECT_EQ(scene.disks[0].mass, 1);
-  const std::pair<const char*, const char*> bad[] = {
+  struct Change {
+    const char *from, *to;
+  };
+  const Change bad[] = {
       {"\"version\": 1", "\"version\": 2"},
       {"\"version\": 1", "\"version\": 1, \"version\": 1"},
       {"\"version\": 1", "\"version\": 1, \"other\": 1"},
@@ -84,14 +87,16 @@ TEST(KernelFiles, Scenes) {
       {"\"radius\": 1, \"velocity\": [1, 0]", "\"radius\": 0, \"velocity\": [1, 0]"},
       {"\"radius\": 1, \"velocity\": [1, 0]", "\"radius\": -1, \"velocity\": [1, 0]"},
       {"\"radius\": 1, \"velocity\": [1, 0]", "\"radius\": 1, \"mass\": 0, \"velocity\": [1, 0]"},
-      {"[-2, 0], \"radius\": 1, \"velocity\": [1, 0]", "[-9, 0], \"radius\": 1, \"velocity\": [0, 1]"},
+      {"[-2, 0], \"radius\": 1, \"velocity\": [1, 0]",
+       "[-9, 0], \"radius\": 1, \"velocity\": [0, 1]"},
       {"\"horizon\": 3", "\"restitution\": 2, \"horizon\": 3"},
       {"\"horizon\": 3", "\"container_law\": \"odd\", \"horizon\": 3"},
-      {"\"horizon\": 3", "\"horizon\": 3, \"maneuvers\": [{\"t\": 1, \"disk\": 2, \"velocity\": [0, 0]}]"},
+      {"\"horizon\": 3",
+       "\"horizon\": 3, \"maneuvers\": [{\"t\": 1, \"disk\": 2, \"velocity\": [0, 0]}]"},
       {"}]}", "}]"},
   };
-  for (const auto& [from, to] : bad) {
-    EXPECT_TRUE(refused([&] { read_scene(changed(from, to)); })) << from << " -> " << to;
+  for (const Change& c : bad) {
+    EXPECT_TRUE(refused([&] { read_scene(changed(c.from, c.to)); })) << c.from << " -> " << c.to;
   }
   EXPECT_TRUE(refused([] { read_scene(std::string(100000, '[')); }));
   EXPECT_TRUE(refused([] { read_scene(""); }));
