@@ -40,7 +40,8 @@ TEST(Adversary, EachFaultIsMadeAndRefuted) {
       campaign.run(seed, {}, static_cast<FaultKind>(kind), expect_no_find);
     }
     // Faults of special scenes find their place there.
-    for (const Family family : {Family::touching, Family::touch_maneuver, Family::inelastic}) {
+    for (const Family family :
+         {Family::touching, Family::touch_maneuver, Family::inelastic, Family::lattice}) {
       for (std::uint64_t seed = 200000; seed < 200030; ++seed) {
         campaign.run(seed, family, static_cast<FaultKind>(kind), expect_no_find);
       }
@@ -85,7 +86,8 @@ TEST(Adversary, SavedCases) {
       const Judgement j = judge_files(stem + ".scene.json", stem + ".history.jsonl", t);
       EXPECT_EQ(verdict, name(j.certifier.verdict))
           << stem << ", " << truth << ": " << j.certifier.reason;
-      if (j.kernel.verdict != Verdict::absent) {
+      // The kernel leaves open what takes irrational numbers.
+      if (j.kernel.verdict != Verdict::absent && j.kernel.verdict != Verdict::undecided) {
         EXPECT_EQ(verdict, name(j.kernel.verdict))
             << stem << ", " << truth << ": kernel " << j.kernel.reason;
       }

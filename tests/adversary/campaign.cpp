@@ -74,8 +74,12 @@ Fault fault_of(FaultKind kind, Random& random) {
       f.amount = random.integer(0, 2);
       break;
     case FaultKind::miss_several:
-    case FaultKind::back_and_forth:
       f.nth = random.integer(0, 30);
+      break;
+    case FaultKind::all_late:
+    case FaultKind::all_flips_late:
+      f.amount = random.chance(0.7) ? random.uniform(0.3, 0.99) * tolerance
+                                    : random.log_uniform(tolerance, 1e-3);
       break;
     default:
       f.amount = random.chance(0.3) ? random.log_uniform(1e-9, 1.2 * tolerance)
@@ -165,6 +169,7 @@ Recipe recipe_of(std::uint64_t seed, std::optional<Family> family, std::optional
   }
   r.long_decimals = random.chance(0.2);
   r.centres = random.chance(0.75);
+  r.velocities = random.chance(0.9);
   r.by_engine =
       kind == FaultKind::none && random.chance(in_general_position(r.family) ? 0.05 : 0.7);
   return r;
@@ -191,6 +196,7 @@ std::optional<Made> make(const Recipe& recipe, SceneData scene) {
     made.history = std::move(*written);
   }
   made.history.centres = recipe.centres;
+  made.history.velocities = recipe.velocities;
   Random random(recipe.seed * 0xc2b2ae3d27d4eb4fu + 11);
   rewrite(made.history, recipe.rewriting, random);
   if (recipe.fuzzed) fuzz(made.history, random);

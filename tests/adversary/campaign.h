@@ -23,7 +23,7 @@ struct Recipe {
   Fault fault{};
   Rewriting rewriting = Rewriting::none;
   bool fuzzed = false;
-  bool centres = true;     // whether lines give p
+  bool centres = true, velocities = true;  // whether lines give p and v
   bool by_engine = false;  // the project's own engine writes it: right, also where ties last
   bool long_decimals = false;
 };
@@ -72,12 +72,11 @@ class Campaign {
   std::int64_t histories() const { return histories_; }
   double seconds_making() const { return seconds_[0]; }
   double seconds_judging() const { return seconds_[1]; }
-  double seconds_oracle() const { return seconds_[2]; }
 
  private:
   bool all_;
   std::int64_t histories_ = 0;
-  std::array<double, 3> seconds_{};
+  std::array<double, 2> seconds_{};
   std::map<std::pair<std::string, int>, Count> by_kind_, by_family_;
   std::map<std::string, std::int64_t> undecided_;
 };

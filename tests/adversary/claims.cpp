@@ -49,20 +49,21 @@ class Text {
   std::string out_;
 };
 
-void put(Text& out, const Line& line, bool centres) {
+void put(Text& out, const Line& line, const History& h) {
   out << "{\"t\":" << line.t;
   switch (line.kind) {
     case Line::Kind::flip:
       out << ",\"flip\":" << canonical(line.edge);
       break;
     case Line::Kind::maneuver:
-      out << ",\"maneuver\":" << line.j << ",\"v\":" << line.v[1];
-      if (centres) out << ",\"p\":" << line.p[1];
+      out << ",\"maneuver\":" << line.j;
+      if (h.velocities) out << ",\"v\":" << line.v[1];
+      if (h.centres) out << ",\"p\":" << line.p[1];
       break;
     case Line::Kind::collide:
       out << ",\"collide\":[" << line.i << "," << line.j << "]";
       for (const bool velocity : {true, false}) {
-        if (!velocity && !centres) continue;
+        if (!(velocity ? h.velocities : h.centres)) continue;
         const auto& of = velocity ? line.v : line.p;
         out << (velocity ? ",\"v\":[" : ",\"p\":[");
         if (line.i < 0) {
@@ -114,7 +115,7 @@ std::string history_text(const History& h, const std::string& sha256, bool long_
   out << "]}\n";
   std::array<int, 3> counts{};
   for (const Line& line : h.lines) {
-    put(out, line, h.centres);
+    put(out, line, h);
     ++counts[static_cast<std::size_t>(line.kind)];
   }
   out << "{\"end\":{\"t\":" << h.horizon << ",\"flips\":" << counts[0]

@@ -50,7 +50,7 @@ inline bool concerns(const Line& line, int id) {
 
 struct History {
   double horizon = 1;
-  bool centres = true;  // whether its lines give p
+  bool centres = true, velocities = true;  // whether its lines give p and v
   std::vector<Edge> initial;
   std::vector<Line> lines;
 };

@@ -144,7 +144,7 @@ Opinion judge_flip(const Motion& motion, const Line& line, double horizon, bool 
 
 }  // namespace
 
-Opinion judge_diagrams(const Motion& motion, const History& history,
+Opinion judge_diagrams(const Motion& motion, const History& history, double end,
                        const std::vector<double>& turns, const std::vector<double>& hints) {
   Claimed claimed(history.initial);
   const int generators = motion.scene->size() + 1;
@@ -154,13 +154,13 @@ Opinion judge_diagrams(const Motion& motion, const History& history,
   // Where nothing may be looked at: around claims and turns.
   std::vector<double> taboo = turns;
   for (const Line& line : history.lines) taboo.push_back(line.t);
+  const bool claims_at_start = std::count(taboo.begin(), taboo.end(), 0.0) > 0;
   taboo.push_back(0);
   std::sort(taboo.begin(), taboo.end());
   std::vector<double> samples;
-  const double end = history.horizon;
   for (std::size_t k = 0; k < taboo.size(); ++k) {
-    const double a = taboo[k] + (taboo[k] == 0 ? 0 : 1.01 * tolerance);
-    const double b = (k + 1 < taboo.size() ? taboo[k + 1] : end + tolerance) - 1.01 * tolerance;
+    const double a = taboo[k] + (taboo[k] == 0 && !claims_at_start ? 0 : 1.01 * tolerance);
+    const double b = std::min(end, k + 1 < taboo.size() ? taboo[k + 1] - 1.01 * tolerance : end);
     if (!(a < b)) continue;
     const double near = std::min(0.01 * (b - a), tolerance);
     for (const double t : {a + near, a + 0.25 * (b - a), (a + b) / 2, b - near}) {
@@ -193,7 +193,7 @@ Opinion judge_diagrams(const Motion& motion, const History& history,
   std::size_t next = 0;
   bool first = true;
   for (std::size_t k = 0; k <= history.lines.size(); ++k) {
-    const double until = k < history.lines.size() ? history.lines[k].t : end;
+    const double until = k < history.lines.size() ? history.lines[k].t : history.horizon;
     for (; next < samples.size() && samples[next] < until; ++next) {
       const Opinion o = look(motion, claimed, samples[next], first);
       if (take(o)) return o;
@@ -218,7 +218,7 @@ Opinion judge_diagrams(const Motion& motion, const History& history,
       }
     }
     if (!claimed.flip(line.edge)) return wrong("a flip of an edge that is not there");
-    const Opinion o = judge_flip(motion, line, end, reverse_near);
+    const Opinion o = judge_flip(motion, line, history.horizon, reverse_near);
     if (take(o)) return o;
   }
   return doubt;

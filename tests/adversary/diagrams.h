@@ -9,9 +9,9 @@
 namespace voroproof::adversary {
 
 // Replays the claimed flips. `turns`: the times of turns on the paths, at which nothing is looked
-// at. Looks between all claims that are farther apart than twice the tolerance, at the hints, and
-// at each claimed flip: its edge must change from legal to illegal within the tolerance.
-Opinion judge_diagrams(const Motion& motion, const History& history,
+// at. Looks up to `end`, between all claims that are farther apart than twice the tolerance, at the
+// hints, and at each claimed flip: its edge must change from legal to illegal within the tolerance.
+Opinion judge_diagrams(const Motion& motion, const History& history, double end,
                        const std::vector<double>& turns, const std::vector<double>& hints);
 
 }  // namespace voroproof::adversary

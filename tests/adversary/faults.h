@@ -19,6 +19,7 @@ enum class FaultKind {
   late_at_start,     // collisions of 0 are claimed at `amount`, after a diagram made without them
   miss_at_maneuver,  // a pair that touches and approaches from a maneuver on
   miss_several,      // each collision with probability one half
+  all_late,          // all collisions, by `amount`
   // The law.
   restitution,        // another, by `amount`, at one collision
   mass,               // of one disk times 1 + amount
@@ -30,6 +31,7 @@ enum class FaultKind {
   // Flips.
   miss_flip,       // the edge stays
   late_flip,       // by `amount`
+  all_flips_late,  // by `amount`
   early_flip,      // by `amount`
   shadow_flip,     // a root of the cotangency that is no flip
   other_edge,      // of two with the same CDP or TDP
@@ -61,6 +63,7 @@ inline constexpr std::array<std::string_view, static_cast<int>(FaultKind::count)
     "late at start",
     "miss at maneuver",
     "miss several",
+    "all late",
     "restitution",
     "mass",
     "radius",
@@ -70,6 +73,7 @@ inline constexpr std::array<std::string_view, static_cast<int>(FaultKind::count)
     "stranger velocity",
     "miss flip",
     "late flip",
+    "all flips late",
     "early flip",
     "shadow flip",
     "other edge",

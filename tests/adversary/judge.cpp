@@ -33,13 +33,16 @@ testing::ClaimedHistory claimed(const ReadScene& scene, const History& history) 
         h.events.emplace_back(FlipEvent{line.t, quad(line.edge), {}});
         break;
       case Line::Kind::maneuver:
-        h.events.emplace_back(ManeuverEvent{line.t, line.j, line.v[1], {}, {}});
+        h.events.emplace_back(ManeuverEvent{line.t, line.j, {}, {}, {}});
+        if (history.velocities) std::get<ManeuverEvent>(h.events.back()).v = line.v[1];
         if (history.centres) std::get<ManeuverEvent>(h.events.back()).p = line.p[1];
         break;
       case Line::Kind::collide: {
         CollideEvent e{.t = line.t, .i = line.i, .j = line.j};
-        e.v[1] = line.v[1];
-        if (line.i >= 0) e.v[0] = line.v[0];
+        if (history.velocities) {
+          e.v[1] = line.v[1];
+          if (line.i >= 0) e.v[0] = line.v[0];
+        }
         if (history.centres) {
           e.p[1] = line.p[1];
           if (line.i >= 0) e.p[0] = line.p[0];

@@ -10,6 +10,9 @@
 
 namespace voroproof::adversary {
 
+// Events closer than this, relative to 1 + t, are of one instant.
+inline constexpr Real one_instant = 1e-15L;
+
 struct Body {
   Vec base{};  // the centre at time `since`
   Real since = 0;
@@ -64,7 +67,7 @@ class World {
   void predict_around(int id);
   void predict_all();
 
-  // ---- Events (wrong_world.cpp). ----
+  // ---- Events (wrong_world.cpp, world_events.cpp). ----
   Next next_event(bool without, const Next& excluded) const;
   void start();
   void collide(const Next& event);
