@@ -40,9 +40,11 @@ int main(int argc, char** argv) {
       options.law_tolerance = value();
     else if (word == "--jobs")
       options.jobs = std::max(1, std::atoi(value().c_str()));
-    else if (word == "--truth")
-      options.truth = value() == "exact" ? Truth::exact : Truth::recorded;
-    else if (given < 2)
+    else if (word == "--truth") {
+      const std::string truth = value();
+      if (truth == "exact") options.truth = Truth::exact;
+      if (truth != "exact" && truth != "recorded") given = 3;
+    } else if (given < 2 && word.substr(0, 2) != "--")
       files[given++] = word;
     else
       given = 3;
