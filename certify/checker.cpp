@@ -204,7 +204,11 @@ void Checker::process_next() {
   const bool alone =
       near_.size() == 1 || time(near_[1].event) > time(near_[0].event) + 2 * tolerance_up_;
   const std::size_t k = alone ? 0 : earliest();
-  take_before_others(k);
+  if (k > 0) {
+    take_before_others(k);
+  } else {
+    take(0);
+  }
   if (const auto* f = std::get_if<FlipEvent>(&*claim_)) {
     flip(*f);
   } else if (const auto* c = std::get_if<CollideEvent>(&*claim_)) {
@@ -216,9 +220,11 @@ void Checker::process_next() {
 }
 
 // Takes the k-th of the near claims, which in truth comes before those that the file has before it.
-// Two turns of one disk do not commute: whoever reads the file in its order takes the velocity of
-// the later line for the last one.
+// It has to commute with them. Two turns of one disk do not: whoever reads the file in its order
+// takes the velocity of the later line for the last one. Flips do where each names an edge that is
+// there in the file's order, too.
 void Checker::take_before_others(std::size_t k) {
+  const auto flips = [this](std::size_t m) { return std::get_if<FlipEvent>(&near_[m].event); };
   for (std::size_t passed = 0; passed < k; ++passed) {
     if (!turn_one_disk(near_[passed].event, near_[k].event)) continue;
     const double later = time(near_[k].event);
@@ -226,7 +232,23 @@ void Checker::take_before_others(std::size_t k) {
     refute(Fault::wrong_order,
            "a turn of the same disk, claimed at t = " + number_text(later) + ", comes before it");
   }
-  if (k > 0) ++certificate_.swaps;
+  if (flips(k) != nullptr) {
+    Diagram in_file_order = diagram_;
+    for (std::size_t m = 0; m <= k; ++m) {
+      if (flips(m) == nullptr) continue;
+      const Quad q = flips(m)->quad;
+      HalfEdge h = find_edge(in_file_order, q);
+      if (h < 0 && options_.unoriented) h = find_edge(in_file_order, {q.l, q.r, q.e, q.s});
+      if (h >= 0 && q.s != q.e) {
+        in_file_order.flip(h);
+        continue;
+      }
+      take(m);
+      refute(Fault::edge_not_present, "no edge of the diagram has the quadruplet " + text_of(q) +
+                                          " after the claims before it");
+    }
+  }
+  ++certificate_.swaps;
   take(k);
 }
 

@@ -38,13 +38,14 @@ void Checker::start() {
   refill();
   // What happens to the motion at t = 0 comes before the diagram at 0+.
   while (const auto k = next_turn_at_start()) {
-    if (*k > 0) {
-      if (options_.strict) {
-        take(0);
-        refute(Fault::wrong_order, "what is claimed on a later line happens at t = 0, before it");
-      }
+    if (*k == 0) {
+      take(0);
+    } else if (options_.strict) {
+      take(0);
+      refute(Fault::wrong_order, "what is claimed on a later line happens at t = 0, before it");
+    } else {
+      take_before_others(*k);
     }
-    take_before_others(*k);
     if (const auto* c = std::get_if<CollideEvent>(&*claim_)) {
       collide(*c);
     } else {

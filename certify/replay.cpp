@@ -6,6 +6,34 @@
 
 namespace voroproof {
 
+namespace {
+
+// Visits the half-edges from l to r, until `visit` returns true.
+template <class Visit>
+void each_between(const Diagram& diagram, GenId l, GenId r, Visit&& visit) {
+  if (diagram.edges() == 0) return;
+  // Around a disk: the container has many neighbours.
+  const bool wall = l == container_id;
+  const GenId other = wall ? l : r;
+  const Diagram::HalfEdge first = diagram.anchor(wall ? r : l);
+  Diagram::HalfEdge h = first;
+  do {
+    if (diagram.dest(h) == other && visit(wall ? Diagram::twin(h) : h)) return;
+    h = diagram.rotate(h);
+  } while (h != first);
+}
+
+}  // namespace
+
+Diagram::HalfEdge find_edge(const Diagram& diagram, const Quad& q) {
+  Diagram::HalfEdge found = -1;
+  each_between(diagram, q.l, q.r, [&](Diagram::HalfEdge h) {
+    if (diagram.quad(h) == q) found = h;
+    return found >= 0;
+  });
+  return found;
+}
+
 Replay::Replay(const Scene& scene, const CertifyOptions& options)
     : scene_(&scene),
       options_(&options),
@@ -18,29 +46,7 @@ Replay::Replay(const Scene& scene, const CertifyOptions& options)
   }
 }
 
-// Visits the half-edges from l to r, until `visit` returns true.
-template <class Visit>
-void Replay::each_between(GenId l, GenId r, Visit&& visit) const {
-  if (diagram_.edges() == 0) return;
-  // Around a disk: the container has many neighbours.
-  const bool wall = l == container_id;
-  const GenId other = wall ? l : r;
-  const HalfEdge first = diagram_.anchor(wall ? r : l);
-  HalfEdge h = first;
-  do {
-    if (diagram_.dest(h) == other && visit(wall ? Diagram::twin(h) : h)) return;
-    h = diagram_.rotate(h);
-  } while (h != first);
-}
-
-Diagram::HalfEdge Replay::find(const Quad& q) const {
-  HalfEdge found = -1;
-  each_between(q.l, q.r, [&](HalfEdge h) {
-    if (diagram_.quad(h) == q) found = h;
-    return found >= 0;
-  });
-  return found;
-}
+Diagram::HalfEdge Replay::find(const Quad& q) const { return find_edge(diagram_, q); }
 
 Diagram::HalfEdge Replay::find_mirrored(const Quad& q) const {
   return q.s == q.e ? -1 : find({q.l, q.r, q.e, q.s});
@@ -188,7 +194,7 @@ std::optional<Diagram::HalfEdge> Replay::flip(const FlipEvent& claim) {
   const Quad& q = claim.quad;
   if (q.s == q.e) return std::nullopt;
   HalfEdge h = -1, mirrored = -1;
-  each_between(q.l, q.r, [&](HalfEdge g) {
+  each_between(diagram_, q.l, q.r, [&](HalfEdge g) {
     const Quad found = diagram_.quad(g);
     if (found.s == q.s && found.e == q.e) h = g;
     if (found.s == q.e && found.e == q.s) mirrored = g;

@@ -14,6 +14,9 @@
 
 namespace voroproof {
 
+// The half-edge of a diagram with this quadruplet, or -1.
+Diagram::HalfEdge find_edge(const Diagram& diagram, const Quad& q);
+
 class Replay : public GivenMotion {
  public:
   using HalfEdge = Diagram::HalfEdge;
@@ -108,8 +111,6 @@ class Replay : public GivenMotion {
   }
 
  private:
-  template <class Visit>
-  void each_between(GenId l, GenId r, Visit&& visit) const;
   std::optional<HalfEdge> flip(const FlipEvent& claim);
 
   const Scene* scene_;
