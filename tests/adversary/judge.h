@@ -26,6 +26,7 @@ inline const char* name(Truth t) { return truth_names[static_cast<std::size_t>(t
 struct Answer {
   Verdict verdict = Verdict::absent;
   std::string reason;
+  std::optional<double> when{};  // of what is missing, by the one that refutes
 };
 
 struct Judgement {

@@ -38,6 +38,7 @@ class TrueMotion {
     motion_.scene = &scene;
     for (const DiskData& d : scene.disks) {
       motion_.paths.emplace_back(Piece{0, {d.x, d.y}, {d.vx, d.vy}});
+      claimed_.push_back({d.vx, d.vy});
     }
   }
 
@@ -63,8 +64,11 @@ class TrueMotion {
   }
 
   const Path& path(int id) const { return motion_.paths[static_cast<std::size_t>(id)]; }
-  // Just before the line that is judged.
+  // Just before the line that is judged: the true one, and the one last claimed.
   WideVec velocity(int id) const { return id < 0 ? WideVec{} : path(id).last().v; }
+  WideVec claimed(int id) const {
+    return id < 0 ? WideVec{} : claimed_[static_cast<std::size_t>(id)];
+  }
 
   // The turns that the lines claim, each maneuver as it is scheduled.
   std::optional<Opinion> read_lines() {
@@ -118,6 +122,14 @@ class TrueMotion {
       const bool clearly = t > end * (1 + static_cast<Wide>(1e-15));
       note(clearly ? Finding::wrong : Finding::unclear, "after the horizon", line);
     }
+    if (k > 0 && exact_->times()[k] - exact_->times()[k - 1] < 1e-60) {
+      // Of the order at one instant only this is known here: the smallest pair that is due comes
+      // first.
+      const Line& other = *lines_[k - 1];
+      if (std::pair(line.i, line.j) < std::pair(other.i, other.j)) {
+        note(Finding::unclear, "the order at an instant", line);
+      }
+    }
     // What the bounds of velocities are made of: both before a collision, the scheduled one.
     std::array<Wide, 2> speed{};
     const auto add = [&](const WideVec& v) {
@@ -140,7 +152,7 @@ class TrueMotion {
     }
   }
 
-  // What makes a collision doubtful.
+  // Approach and response of a collision.
   void judge_contact(const Line& line, Wide t, Wide speed) {
     if (line.i >= 0) {
       // Of a pair that hardly approaches no digits say whether it does.
@@ -151,16 +163,18 @@ class TrueMotion {
       }
     }
     if (!history_.velocities || !history_.centres) return;
-    // Whether a line must obey the law in itself, with its own centres, is left open here.
+    // The claimed values obey the law among themselves.
     const WideVec p = line.i < 0 ? WideVec{scene_.cx, scene_.cy} : wide(line.p[0]);
-    const auto v =
-        response(scene_, line, {p, wide(line.p[1])}, {velocity(line.i), velocity(line.j)});
+    const WideVec q = wide(line.p[1]), vi = claimed(line.i), vj = claimed(line.j);
+    const auto v = response(scene_, line, {p, q}, {vi, vj});
+    const Wide least = norm(vi) + norm(vj), most = length_bound(vi) + length_bound(vj);
+    const Wide turned =
+        16 * length_bound(q) / (motion_.reach(line.i, line.j) * std::ldexp(1.0, 53));
     for (const std::size_t side : {0, 1}) {
       if (side == 0 && line.i < 0) continue;
-      if (within(norm(minus(wide(line.v[side]), v[side])), law_tolerance * speed / 2) !=
-          Finding::right) {
-        note(Finding::unclear, "the law with the file's centres", line);
-      }
+      const Wide off = norm(minus(wide(line.v[side]), v[side]));
+      note(within(off, law_tolerance * least, (law_tolerance + turned) * most), "another response",
+           line);
     }
   }
 
@@ -172,6 +186,7 @@ class TrueMotion {
     const WideVec before = velocity(id);
     const Piece piece{t, {to_wide(p[0]), to_wide(p[1])}, velocity_after(k, id)};
     motion_.paths[static_cast<std::size_t>(id)].put(piece);
+    claimed_[static_cast<std::size_t>(id)] = history_.velocities ? wide(line.v[side]) : piece.v;
     const auto bound = [&](Wide of) {
       const Wide law = law_tolerance * of;
       if (line.kind == Line::Kind::maneuver) return law;
@@ -211,6 +226,7 @@ class TrueMotion {
   std::vector<const Line*> lines_;  // one each record
   std::optional<Exact> exact_;
   Motion motion_;
+  std::vector<WideVec> claimed_;  // velocities
   std::vector<double> turns_;
   Finding finding_ = Finding::right;
   std::string why_;
