@@ -96,11 +96,10 @@ struct Certificate {
   std::int64_t swaps = 0;     // claims out of order within the tolerance, whose events commute
   std::int64_t resolved = 0;  // quadruplets without orientation that were resolved
   std::int64_t grazes = 0;    // collisions of two that come near, and touch but for roundings
-  std::int64_t rounding_overlaps = 0;  // overlaps no deeper than roundings, without a collision
-  std::int64_t at_horizon = 0;         // claims within the tolerance of the horizon
-  std::int64_t left_out = 0;           // events there that are not claimed
-  std::int64_t proved_anew = 0;        // pairs of which one lay inside the other for a moment
-  std::int64_t own_centers = 0;        // collisions that obey the law with the file's centres only
+  std::int64_t rounding_overlaps = 0;    // overlaps no deeper than roundings, without a collision
+  std::int64_t at_horizon = 0;           // claims within the tolerance of the horizon
+  std::int64_t left_out = 0;             // events there that are not claimed
+  std::int64_t proved_anew = 0;          // pairs of which one lay inside the other for a moment
   std::int64_t computed_velocities = 0;  // collisions without velocities: by the law
   // The history's horizon and the scene's, where they are not one.
   std::optional<std::array<Rational, 2>> other_horizon;

@@ -153,20 +153,6 @@ bool CollisionLaw::obeyed(const CollideEvent& claim, const ExactPair& p, const E
   return true;
 }
 
-bool CollisionLaw::obeyed_at_own_centers(const CollideEvent& claim, const ExactPair& before,
-                                         const Rational& tolerance) const {
-  const auto p_j = exact_center(claim, 1);
-  if (!p_j) return false;
-  ExactPair p{ExactVec2{}, *p_j};
-  Rational speed = length_bound(before[1]);
-  if (claim.i != container_id) {
-    p[0] = exact_center(claim, 0).value();
-    speed += length_bound(before[0]);
-  }
-  if (1024 * tolerance * speed > reach(claim.i, claim.j)) return false;
-  return obeyed(claim, p, before, 0);
-}
-
 std::string CollisionLaw::expectation(GenId i, GenId j, const ExactPair& p,
                                       const ExactPair& before) const {
   if (norm2(normal(i, p)) == 0) return "the centres coincide and give no normal";

@@ -29,12 +29,6 @@ class CollisionLaw {
   bool obeyed(const CollideEvent& claim, const ExactPair& p, const ExactPair& v,
               const Rational& t) const;
 
-  // The same with the centres that the claim gives, which are where the disks are within the
-  // tolerance of time. Where that is less than a part in 1024 of the reach, so that the normal is
-  // that of the contact but for as much. False where it gives none.
-  bool obeyed_at_own_centers(const CollideEvent& claim, const ExactPair& v,
-                             const Rational& tolerance) const;
-
   // The same in doubles, from enclosures: false says nothing.
   bool certainly_obeyed(const CollideEvent& claim, const BallPair& p, const BallPair& v);
 

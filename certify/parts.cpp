@@ -42,7 +42,6 @@ void add(Certificate& total, Certificate&& part) {
   total.at_horizon += part.at_horizon;
   total.left_out += part.left_out;
   total.proved_anew += part.proved_anew;
-  total.own_centers += part.own_centers;
   total.computed_velocities += part.computed_velocities;
   total.highest_bits = std::max(total.highest_bits, part.highest_bits);
   total.tiers += part.tiers;

@@ -115,7 +115,6 @@ std::vector<Leniency> leniencies(const Certificate& c) {
       {"at_horizon", c.at_horizon, "claims within the tolerance of the horizon"},
       {"left_out", c.left_out, "events within the tolerance of the horizon that are not claimed"},
       {"proved_anew", c.proved_anew, "pairs of which one lay inside the other for a moment"},
-      {"own_centers", c.own_centers, "collisions that obey the law with the file's centres only"},
       {"computed_velocities", c.computed_velocities, "collisions without velocities"},
   };
 }

@@ -57,7 +57,6 @@ class Contacts {
       if (p_.exact()) require_first(c);
       if (collision) judge(c);
       for (const int disk : turned(c)) end_pairs(disk, c.t, collision ? &c : nullptr);
-      if (collision) ++collisions_[{c.i, c.j}];
       for (const int disk : turned(c)) {
         ++lines_[disk];
         turned_by_[disk] = collision ? number : -1;
@@ -83,11 +82,7 @@ class Contacts {
   Rat delta(int i, int j) const {
     const Vec& o = p_.scene.center;
     const Rat extent = abs(o[0]) + abs(o[1]) + p_.scene.radius;
-    std::int64_t n = lines_[j];
-    if (i != container) {
-      const auto both = collisions_.find({i, j});
-      n += lines_[i] - (both == collisions_.end() ? 0 : both->second);
-    }
+    const std::int64_t n = lines_[j] + (i == container ? 0 : lines_[i]);
     return extent * power_of_two(-51) * std::max<std::int64_t>(1, n);
   }
 
@@ -252,7 +247,6 @@ class Contacts {
   Walk walk_;
   std::vector<std::int64_t> lines_;      // claims so far that moved a disk
   std::vector<std::int64_t> turned_by_;  // the collision that turned it last, or -1
-  std::map<Two, std::int64_t> collisions_;
   std::map<Two, Overlap> open_;
   std::map<Two, Rat> followed_;  // to where the lines of some that are no neighbours were
   bool at_end_ = false;

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "kernel/lives.h"
@@ -14,7 +15,7 @@ std::int64_t Counts::*const kCounts[] = {
     &Counts::flips,          &Counts::collisions, &Counts::maneuvers,
     &Counts::lives,          &Counts::pair_lives, &Counts::fresh_proofs,
     &Counts::swaps,          &Counts::grazes,     &Counts::rounding_overlaps,
-    &Counts::horizon_events, &Counts::unoriented};
+    &Counts::horizon_events, &Counts::unoriented, &Counts::own_centers};
 
 // The verdict of one task: 0 checks the contacts, k the lives of part k - 1.
 Result work(const Problem& p, const std::vector<Part>& parts, std::size_t task) {
@@ -140,6 +141,9 @@ Result check(const std::string& scene_text, const std::string& history_text,
     p.scene = read_scene(scene_text);
     p.history = read_history(history_text, p.disks());
     p.horizon = p.history.horizon;
+    // A tolerance of times beyond that would accept any.
+    if (p.tolerance > std::max(p.horizon, Rat(1, 1000000)))
+      invalid("a tolerance beyond the horizon");
     if (p.history.scene_sha256 != sha256(scene_text)) invalid("another scene's history", 1);
     judge(p, result);
   } catch (const Stop& stop) {

@@ -40,9 +40,11 @@ int main(int argc, char** argv) {
       options.law_tolerance = value();
     else if (word == "--jobs")
       options.jobs = std::max(1, std::atoi(value().c_str()));
-    else if (word == "--truth")
-      options.truth = value() == "exact" ? Truth::exact : Truth::recorded;
-    else if (given < 2)
+    else if (word == "--truth") {
+      const std::string truth = value();
+      if (truth == "exact") options.truth = Truth::exact;
+      if (truth != "exact" && truth != "recorded") given = 3;
+    } else if (given < 2 && word.substr(0, 2) != "--")
       files[given++] = word;
     else
       given = 3;
@@ -63,7 +65,8 @@ int main(int argc, char** argv) {
             << c.fresh_proofs << " fresh proofs\n"
             << "c " << c.swaps << " swaps, " << c.grazes << " grazes, " << c.rounding_overlaps
             << " overlaps by rounding, " << c.horizon_events << " events at the horizon, "
-            << c.unoriented << " quadruplets without orientation\n";
+            << c.unoriented << " quadruplets without orientation, " << c.own_centers
+            << " by the file's centres\n";
   if (!r.horizon_note.empty()) std::cout << "c " << r.horizon_note << "\n";
   if (!r.reason.empty()) {
     std::cout << "c ";

@@ -150,6 +150,31 @@ TEST(KernelEdge, TheRuleOfTheLargestId) {
   EXPECT_TRUE(four.edge.first_collapse(0, 1));
 }
 
+TEST(KernelEdge, TheCirclesAreOneWhereTheyAre) {
+  std::mt19937 rng(4);
+  for (int n = 0; n < 200; ++n) {
+    Four four = around_circle(rng, 0, n % 5 - 1, n % 3 == 0);
+    Instant now = at(0);
+    EXPECT_TRUE(four.edge.one_circle(now)) << n;
+  }
+}
+
+// All centres on the axis: two circles, mirror images, touch the four, and the edge leads from the
+// one to the other.
+TEST(KernelEdge, TwoCirclesTouchTheSameFour) {
+  Four four{{Leg(0, {-3, 0}, {0, 0}, 1), Leg(0, {3, 0}, {0, 0}, 1),
+             Leg(0, {Rat(-7, 6), 0}, {0, 0}, Rat(1, 6)), Leg(0, {Rat(7, 6), 0}, {0, 0}, Rat(1, 6))},
+            {0, 1, 2, 3},
+            {}};
+  four.set();
+  for (const bool start : {true, false}) {
+    EXPECT_EQ(four.edge.existence_at(0, start), 1);
+    EXPECT_EQ(four.edge.incircle_at(0, start), 0);
+  }
+  Instant now = at(0);
+  EXPECT_FALSE(four.edge.one_circle(now));
+}
+
 TEST(KernelEdge, SignWithRoot) {
   EXPECT_EQ(sign_with_root(3, -2, 2), 1);  // 3 - 2 sqrt 2
   EXPECT_EQ(sign_with_root(-3, 2, 2), -1);

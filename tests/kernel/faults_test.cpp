@@ -9,6 +9,7 @@
 
 #include "kernel/files.h"
 #include "kernel/kernel.h"
+#include "kernel/lives.h"
 
 namespace voroproof_kernel {
 namespace {
@@ -196,6 +197,31 @@ TEST(KernelFaults, F8ALineTwice) {
   EXPECT_EQ(verdict(graze, {hit}, Truth::recorded), Verdict::certified);
   EXPECT_EQ(verdict(graze, {hit, hit}, Truth::recorded), Verdict::refuted);
   EXPECT_EQ(verdict(graze, {hit}, Truth::exact), Verdict::refuted);
+}
+
+// Disk 2 flies through between the others: with nothing claimed the first diagram turns inside out.
+TEST(KernelFaults, CellsThatTurnInsideOut) {
+  const std::string scene =
+      scene_of(disk("-5", "0", "1", "0", "0") + "," + disk("5", "0", "1", "0", "0") + "," +
+               disk("0", "5", "1", "0", "-10"));
+  const std::string initial = "[[-1,0,1,2],[-1,1,2,0],[-1,2,0,1],[0,1,-1,2],[0,2,1,-1],[1,2,-1,0]]";
+  Problem p;
+  p.scene = read_scene(scene);
+  p.history = read_history(history_of(scene, {}, "3", initial), 3);
+  Counts counts;
+  trace_paths(p, counts);
+  const Walk walk(p);
+  int wrong = 0;
+  for (int g = container; g < 3; ++g) {
+    EXPECT_NO_THROW(check_cell(walk, g, 0));
+    try {
+      check_cell(walk, g, 1);
+    } catch (const Stop& stop) {
+      wrong += stop.verdict == Verdict::refuted;
+    }
+  }
+  EXPECT_GT(wrong, 0);
+  EXPECT_EQ(check(scene, history_of(scene, {}, "3", initial), {}).verdict, Verdict::refuted);
 }
 
 TEST(KernelFaults, UndecidedSaysWhy) {

@@ -142,6 +142,8 @@ TEST(KernelFiles, VerdictsOnBadInput) {
   EXPECT_EQ(check(kScene, history(kEnd) + "x", {}).verdict, Verdict::invalid);
   EXPECT_EQ(check(kScene + " ", history(kEnd), {}).verdict, Verdict::invalid);  // another hash
   Options options;
+  options.tolerance = "4";
+  EXPECT_EQ(check(kScene, history(kEnd), options).verdict, Verdict::invalid);
   options.tolerance = "-1";
   EXPECT_EQ(check(kScene, history(kEnd), options).verdict, Verdict::invalid);
 }
