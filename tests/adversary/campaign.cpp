@@ -211,8 +211,9 @@ std::string kind_of(const Recipe& recipe) {
   return std::string(name(recipe.fault.kind));
 }
 
-Judgement judge_all(const ReadScene& scene, const Made& made, Truth truth, bool always_oracle) {
-  Judgement j = judge(scene, made.history, truth, made.recipe.long_decimals);
+Judgement judge_all(const ReadScene& scene, const Made& made, Truth truth, bool always_oracle,
+                    bool with_kernel) {
+  Judgement j = judge(scene, made.history, truth, made.recipe.long_decimals, with_kernel);
   const bool meant_right = made.recipe.fault.kind == FaultKind::none && !made.recipe.fuzzed;
   const Verdict c = j.certifier.verdict, k = j.kernel.verdict;
   const bool stands = c != Verdict::refuted || k == Verdict::certified;
@@ -238,7 +239,7 @@ void Campaign::run(std::uint64_t seed, std::optional<Family> family, std::option
   ++histories_;
   for (const Truth truth : truths) {
     const double before = now();
-    const Judgement j = judge_all(*scene, *made, truth, all_);
+    const Judgement j = judge_all(*scene, *made, truth, all_, seed % kernel_every_ == 0);
     seconds_[1] += now() - before;
     count(by_kind_[{kind_of(made->recipe), static_cast<int>(truth)}], j);
     count(by_family_[{std::string(name(made->recipe.family)), static_cast<int>(truth)}], j);

@@ -58,8 +58,10 @@ struct Count {
 
 class Campaign {
  public:
-  // With `all` the oracle judges all histories, else those not refuted and those meant right.
-  explicit Campaign(bool all) : all_(all) {}
+  // With `all` the oracle judges all histories, else those not refuted and those meant right. The
+  // kernel, which takes most of the time, is asked of one seed in `kernel_every`.
+  explicit Campaign(bool all, std::uint64_t kernel_every = 1)
+      : all_(all), kernel_every_(kernel_every) {}
 
   // Judges what the seed makes under both truths, and tells of each.
   void run(std::uint64_t seed, std::optional<Family> family, std::optional<FaultKind> fault,
@@ -75,6 +77,7 @@ class Campaign {
 
  private:
   bool all_;
+  std::uint64_t kernel_every_;
   std::int64_t histories_ = 0;
   std::array<double, 2> seconds_{};
   std::map<std::pair<std::string, int>, Count> by_kind_, by_family_;
@@ -82,7 +85,8 @@ class Campaign {
 };
 
 // Judges a history as a campaign does.
-Judgement judge_all(const ReadScene& scene, const Made& made, Truth truth, bool always_oracle);
+Judgement judge_all(const ReadScene& scene, const Made& made, Truth truth, bool always_oracle,
+                    bool with_kernel);
 
 // A smaller recipe's history that is still this find, if there is one.
 Made minimized(const Made& made, Truth truth, Find find);

@@ -134,10 +134,15 @@ std::optional<ReadScene> read(const SceneData& scene) {
   return r;
 }
 
-Judgement judge(const ReadScene& scene, const History& history, Truth truth, bool long_decimals) {
-  return {ask_certifier(scene.scene, claimed(scene, history), truth),
-          ask_kernel(scene.text, history_text(history, scene.scene.sha256, long_decimals), truth),
-          {}};
+Judgement judge(const ReadScene& scene, const History& history, Truth truth, bool long_decimals,
+                bool with_kernel) {
+  Judgement j;
+  j.certifier = ask_certifier(scene.scene, claimed(scene, history), truth);
+  if (with_kernel) {
+    j.kernel =
+        ask_kernel(scene.text, history_text(history, scene.scene.sha256, long_decimals), truth);
+  }
+  return j;
 }
 
 Judgement judge_files(const std::string& scene_path, const std::string& history_path, Truth truth) {

@@ -63,8 +63,9 @@ struct ReadScene {
 };
 std::optional<ReadScene> read(const SceneData& scene);
 
-// Asks certifier and kernel.
-Judgement judge(const ReadScene& scene, const History& history, Truth truth, bool long_decimals);
+// Asks the certifier and, where wanted, the kernel.
+Judgement judge(const ReadScene& scene, const History& history, Truth truth, bool long_decimals,
+                bool with_kernel);
 
 // The same of files.
 Judgement judge_files(const std::string& scene_path, const std::string& history_path, Truth truth);

@@ -8,7 +8,7 @@ namespace {
 
 bool is_still(const Made& made, Truth truth, Find find) {
   const auto scene = read(made.scene);
-  return scene && find_of(judge_all(*scene, made, truth, true)) == find;
+  return scene && find_of(judge_all(*scene, made, truth, true, true)) == find;
 }
 
 SceneData without(const SceneData& scene, int disk) {
