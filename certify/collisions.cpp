@@ -175,13 +175,6 @@ void Checker::collide_as_recorded(const CollideEvent& claim, int edge) {
   collect_around(i, j);
   end_around(m);
   const auto exactly = [&] { return replay_.positions(i, j, exact_time(*claim_)); };
-  for (const int side : {0, 1}) {
-    if (claim.p[side] && !certainly_near(claim, side, at[side])) {
-      const auto after = exact_velocity(claim, side);
-      check_center(side == 0 ? i : j, exact_center(claim, side), after.value_or(ExactVec2{}),
-                   exactly()[side]);
-    }
-  }
   std::optional<ExactPair> computed;
   if (claim.v[1]) {
     // The law with the centres of the paths, or with those of the file, which have been compared
@@ -194,6 +187,12 @@ void Checker::collide_as_recorded(const CollideEvent& claim, int edge) {
     computed = replay_.computed_velocities(claim, exactly());
     ++certificate_.computed_velocities;
     remark_velocities(claim.p[1].has_value());
+  }
+  for (const int side : {0, 1}) {
+    if (claim.p[side] && !certainly_near(claim, side, at[side])) {
+      const ExactVec2 after = computed ? (*computed)[side] : *exact_velocity(claim, side);
+      check_center(side == 0 ? i : j, exact_center(claim, side), after, exactly()[side]);
+    }
   }
   replay_.note_collision(claim, computed);
   if (i != container_id) turn(i);

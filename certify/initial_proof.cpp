@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "certify/edge_signs.h"
@@ -62,7 +63,10 @@ class SitesAt {
       s = predicate([&](GenId g) { return exact.site(g, at); },
                     [&](const Tower& x) { return exact.field().sqrt(x); });
     } catch (const BudgetExceeded& e) {
-      throw Undecided(std::string("a predicate of the initial diagram: ") + e.what());
+      throw Undecided(std::string("a predicate of a diagram: ") + e.what());
+    } catch (const std::domain_error&) {
+      // Recorded truth: one of the generators lies inside another, and there is no such circle.
+      throw Undecided("a generator lies inside another where a diagram is to be proved");
     }
     return counted(s, Tier::exact);
   }

@@ -88,11 +88,18 @@ class Lives {
     }
   }
 
-  // A flip within the tolerance of a turn of one of its generators may be claimed on the other side
-  // of it, which is not followed here.
-  static constexpr const char* kNearTurn = " before a turn within the tolerance of it";
-  bool near_turn(const Instant& end, const Rat& flip) const {
-    return !p_.exact() && end.is_point() && abs(Rat(end.lo - flip)) <= 2 * p_.tolerance;
+  // Recorded truth: a flip within the tolerance of a turn of one of its generators may be claimed
+  // on the other side of it, which is not followed here.
+  static constexpr const char* kNearTurn = ", within the tolerance of a turn";
+  bool near_turn(int k, const Rat& flip) const {
+    if (p_.exact()) return false;
+    const Quad q = edges()[k];
+    for (const int g : {q.l, q.r, q.s, q.e}) {
+      for (const Leg& leg : p_.legs[g + 1]) {
+        if (leg.start > 0 && abs(Rat(leg.start - flip)) <= 2 * p_.tolerance) return true;
+      }
+    }
+    return false;
   }
 
   // Ends the life of edge k, which does not flip, at an instant; `last`: the horizon under the
@@ -105,7 +112,7 @@ class Lives {
       if (order == 0 && !last) return;
       if (order > 0) {
         const std::string what = "edge " + name(edges()[k]) + " is changed before it is there";
-        if (near_turn(*end, birth.at->hi)) undecided(what + kNearTurn);
+        if (near_turn(k, birth.at->hi)) undecided(what + kNearTurn);
         refute(what);
       }
     }
@@ -118,7 +125,7 @@ class Lives {
     }
     const std::string what = "edge " + name(edges()[k]) + " collapses at " + about(found->at.lo) +
                              ", and no flip is claimed";
-    if (near_turn(*end, found->at.hi)) undecided(what + kNearTurn);
+    if (near_turn(k, found->at.hi)) undecided(what + kNearTurn);
     refute(what);
   }
 

@@ -77,6 +77,7 @@ class Tracer {
     for (int i = 0; i < p_.disks(); ++i) {
       const Disk& d = p_.scene.disks[i];
       p_.legs[i + 1].emplace_back(0, d.center, d.velocity, d.radius);
+      told_.push_back(d.velocity);
     }
   }
 
@@ -108,6 +109,7 @@ class Tracer {
     for (const int side : {0, 1}) {
       if (side == 0 && !two) continue;
       if (c.p[side]) check_center(*c.p[side], at[side], before[side], after[side]);
+      told_[side == 0 ? c.i : c.j] = c.v[side].value_or(after[side]);
       turn(side == 0 ? c.i : c.j, c.t, at[side], after[side]);
     }
   }
@@ -152,7 +154,8 @@ class Tracer {
     }
     const Pair filed{c.p[0].value_or(at[0]), c.p[1].value_or(at[1])};
     if (p_.exact()) {
-      if (c.v[1] && c.p[1] && !obeyed(p_, c, filed, before, 0)) {
+      const Pair told{c.i != container ? told_[c.i] : Vec{}, told_[c.j]};
+      if (c.v[1] && c.p[1] && !obeyed(p_, c, filed, told, 0)) {
         refute("the velocities are not those of the law of collision");
       }
       const Pair v = response(p_, c.i, c.j, at, before);
@@ -215,6 +218,7 @@ class Tracer {
   Problem& p_;
   Counts& counts_;
   std::vector<bool> done_;  // maneuvers that have been claimed
+  std::vector<Vec> told_;   // of each disk: its velocity as the file has it
 };
 
 }  // namespace
