@@ -7,6 +7,7 @@
 #include "apps/certification.h"
 #include "apps/command_line.h"
 #include "apps/interruption.h"
+#include "apps/kernel_verdict.h"
 #include "apps/progress.h"
 #include "apps/scene_motion.h"
 #include "certify/certifier.h"
@@ -20,7 +21,7 @@ namespace {
 struct Request {
   std::string scene, history, report, truth = "exact", tolerance = "1e-6", law_tolerance = "1e-9";
   CertifyOptions options;
-  bool quiet = false;
+  bool quiet = false, kernel = false;
 };
 
 ExitCode exit_code(Verdict verdict) {
@@ -50,7 +51,7 @@ void require_meaningful(const CertifyOptions& options, const HistoryHeader& head
 
 ExitCode certify_files(Request& request) {
   require_distinct({request.scene, request.history}, {request.report});
-  const CooperativeInterruption interruption;
+  std::optional<CooperativeInterruption> interruption(std::in_place);
   std::optional<AtomicFile> report_file;
   if (!request.report.empty()) report_file.emplace(request.report);
   const Claim claim = open_claim(request.scene, request.history);
@@ -66,7 +67,7 @@ ExitCode certify_files(Request& request) {
   progress.emplace(round_nearest(header.horizon), request.quiet);
   options.monitor = [&](double t, std::int64_t events) {
     progress->report(t, static_cast<std::uint64_t>(events));
-    return !interruption.requested();
+    return !interruption->requested();
   };
   Certificate certificate;
   try {
@@ -77,10 +78,17 @@ ExitCode certify_files(Request& request) {
     throw Interrupted();
   }
   progress.reset();
+  // The kernel asks nobody whether to go on: a signal ends the program then.
+  interruption.reset();
+  std::string kernel;
+  if (request.kernel) {
+    kernel = judged_by_kernel(certificate, request.scene, request.history, options);
+  }
   const std::string evidence = checked_evidence(certificate, request.scene, request.history);
   if (report_file) {
-    const CertificationRun run =
+    CertificationRun run =
         certification_run(producer(), request.scene, request.history, claim, evidence);
+    run.kernel = kernel;
     report_file->write(report_text(run, options, certificate));
     report_file->commit();
   }
@@ -97,6 +105,7 @@ ExitCode certify_files(Request& request) {
       if (l.count > 0) std::cout << "c leniency: " << l.count << " " << l.words << '\n';
     }
     for (const std::string& remark : certificate.remarks) std::cout << "c " << remark << '\n';
+    if (!kernel.empty()) std::cout << "c kernel: " << printable(kernel, 4096) << '\n';
     if (!evidence.empty()) std::cout << "c evidence: " << evidence << '\n';
   }
   if (const std::string line = horizon_line(certificate); !line.empty()) {
@@ -127,6 +136,9 @@ void add_certify(CLI::App& app, Action& action) {
                  "orientation, and another horizon than the scene's");
   verb->add_flag("--unoriented", request->options.unoriented,
                  "quadruplets may have their third generators exchanged, as in .evtsq files");
+  verb->add_flag(
+      "--kernel", request->kernel,
+      "have the kernel (docs/kernel.md) judge the files, too: certified only if both do");
   verb->add_option("--threads", request->options.threads,
                    "threads to use, for the recorded truth; the certificate is the same")
       ->check(whole_number())

@@ -15,7 +15,8 @@ struct CertificationRun {
   std::string producer, scene_file, history_file, scene_sha256, history_producer;
   int disks = 0;
   Rational horizon;
-  std::string evidence;  // of a refutation: whether its witness was checked, and by what
+  std::string kernel{};    // what the second checker says, where it was asked
+  std::string evidence{};  // of a refutation: whether its witness was checked, and by what
 };
 
 // One line: "s CERTIFIED" and so on.

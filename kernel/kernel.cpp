@@ -15,7 +15,7 @@ std::int64_t Counts::*const kCounts[] = {
     &Counts::flips,          &Counts::collisions, &Counts::maneuvers,
     &Counts::lives,          &Counts::pair_lives, &Counts::fresh_proofs,
     &Counts::swaps,          &Counts::grazes,     &Counts::rounding_overlaps,
-    &Counts::horizon_events, &Counts::unoriented, &Counts::own_centers};
+    &Counts::horizon_events, &Counts::unoriented};
 
 // The verdict of one task: 0 checks the contacts, k the lives of part k - 1.
 Result work(const Problem& p, const std::vector<Part>& parts, std::size_t task) {

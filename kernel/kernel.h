@@ -24,7 +24,6 @@ struct Counts {
   std::int64_t flips = 0, collisions = 0, maneuvers = 0;
   std::int64_t lives = 0, pair_lives = 0, fresh_proofs = 0;
   std::int64_t swaps = 0, grazes = 0, rounding_overlaps = 0, horizon_events = 0, unoriented = 0;
-  std::int64_t own_centers = 0;  // collisions that obey the law with the file's centres only
 };
 
 struct Result {

@@ -65,8 +65,7 @@ int main(int argc, char** argv) {
             << c.fresh_proofs << " fresh proofs\n"
             << "c " << c.swaps << " swaps, " << c.grazes << " grazes, " << c.rounding_overlaps
             << " overlaps by rounding, " << c.horizon_events << " events at the horizon, "
-            << c.unoriented << " quadruplets without orientation, " << c.own_centers
-            << " by the file's centres\n";
+            << c.unoriented << " quadruplets without orientation\n";
   if (!r.horizon_note.empty()) std::cout << "c " << r.horizon_note << "\n";
   if (!r.reason.empty()) {
     std::cout << "c ";
