@@ -127,11 +127,11 @@ int legality(const Motion& motion, const Edge& q, Wide t) {
 }
 
 // A claimed flip, alone: does the edge collapse within the tolerance of the claimed time?
-Opinion judge_flip(const Motion& motion, const Line& line, double horizon, bool reverse_near) {
+Opinion judge_flip(const Motion& motion, const Line& line, double horizon, bool company) {
   const double lo = std::max(0.0, line.t - tolerance), hi = line.t + tolerance;
   const int before = legality(motion, line.edge, lo), after = legality(motion, line.edge, hi);
   if (before == 1 && after == -1) return {};
-  if (before == 1 && after == 1 && !reverse_near && lo > 0 && hi <= horizon) {
+  if (before == 1 && after == 1 && !company && lo > 0 && hi <= horizon) {
     for (int k = 1; k < 64; ++k) {
       if (legality(motion, line.edge, lo + (hi - lo) * k / 64) != 1) {
         return unclear("a flip that is near");
@@ -202,12 +202,13 @@ Opinion judge_diagrams(const Motion& motion, const History& history, double end,
     if (k == history.lines.size()) break;
     const Line& line = history.lines[k];
     if (line.kind != Line::Kind::flip) continue;
-    const Edge reverse = canonical({line.edge[2], line.edge[3], line.edge[1], line.edge[0]});
-    bool reverse_near = false;
+    // Others of the same generators nearby: the edge may be legal again between samples.
+    bool company = false;
     for (const Line& other : history.lines) {
-      reverse_near =
-          reverse_near || (other.kind == Line::Kind::flip && canonical(other.edge) == reverse &&
-                           std::abs(other.t - line.t) <= 3 * tolerance);
+      int shared = 0;
+      for (const int id : line.edge) shared += concerns(other, id) ? 1 : 0;
+      company = company ||
+                (&other != &line && shared >= 2 && std::abs(other.t - line.t) <= 3 * tolerance);
     }
     for (const Line& other : history.lines) {
       const bool turns_it = other.kind != Line::Kind::flip &&
@@ -218,7 +219,7 @@ Opinion judge_diagrams(const Motion& motion, const History& history, double end,
       }
     }
     if (!claimed.flip(line.edge)) return wrong("a flip of an edge that is not there");
-    const Opinion o = judge_flip(motion, line, history.horizon, reverse_near);
+    const Opinion o = judge_flip(motion, line, history.horizon, company);
     if (take(o)) return o;
   }
   return doubt;
