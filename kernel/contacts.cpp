@@ -223,7 +223,7 @@ class Contacts {
       Overlap o = old && last ? *last : Overlap{old ? exact(start) : x, square(reach(i, j)), {}};
       if (old) last.reset();
       std::vector<Rat> at{start, t};
-      if (g.a > 0) at.push_back(start - g.b / g.a);
+      if (g.a > 0) at.push_back(g.start - g.b / g.a);
       for (const Rat& s : at) {
         const Rat k = g.value(s), d2 = k + square(reach(i, j));
         if (s < start || s > t || (wall ? k <= 0 : k >= 0)) continue;

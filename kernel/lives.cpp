@@ -1,6 +1,7 @@
 #include "kernel/lives.h"
 
 #include <algorithm>
+#include <set>
 
 namespace voroproof_kernel {
 namespace {
@@ -91,15 +92,23 @@ class Lives {
   // Recorded truth: a flip within the tolerance of a turn of one of its generators may be claimed
   // on the other side of it, which is not followed here.
   static constexpr const char* kNearTurn = ", within the tolerance of a turn";
-  bool near_turn(int k, const Rat& flip) const {
+  bool near_turn(const Quad& q, const Rat& flip) const {
     if (p_.exact()) return false;
-    const Quad q = edges()[k];
     for (const int g : {q.l, q.r, q.s, q.e}) {
       for (const Leg& leg : p_.legs[g + 1]) {
         if (leg.start > 0 && abs(Rat(leg.start - flip)) <= 2 * p_.tolerance) return true;
       }
     }
     return false;
+  }
+
+  // Whether a flip of these four generators is claimed about that time.
+  bool is_claimed(const Quad& q, const Rat& flip) const {
+    const auto four = [](const Quad& of) { return std::multiset<int>{of.l, of.r, of.s, of.e}; };
+    return std::any_of(p_.history.claims.begin(), p_.history.claims.end(), [&](const Claim& c) {
+      return c.kind == Claim::Kind::flip && abs(Rat(c.filed - flip)) <= 2 * p_.tolerance &&
+             four(c.quad) == four(q);
+    });
   }
 
   // Ends the life of edge k, which does not flip, at an instant; `last`: the horizon under the
@@ -112,7 +121,7 @@ class Lives {
       if (order == 0 && !last) return;
       if (order > 0) {
         const std::string what = "edge " + name(edges()[k]) + " is changed before it is there";
-        if (near_turn(k, birth.at->hi)) undecided(what + kNearTurn);
+        if (near_turn(edges()[k], birth.at->hi)) undecided(what + kNearTurn);
         refute(what);
       }
     }
@@ -125,7 +134,9 @@ class Lives {
     }
     const std::string what = "edge " + name(edges()[k]) + " collapses at " + about(found->at.lo) +
                              ", and no flip is claimed";
-    if (near_turn(k, found->at.hi)) undecided(what + kNearTurn);
+    if (near_turn(edges()[k], found->at.hi) && is_claimed(edges()[k], found->at.hi)) {
+      undecided(what + kNearTurn);
+    }
     refute(what);
   }
 
