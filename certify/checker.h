@@ -197,7 +197,7 @@ class Checker {
   void end_pair(int edge, const Moment& m, PairEnd why, bool apart = false);
   void end_pairs(std::span<const int> edges, const Moment& m, PairEnd why);
   Rational rounding(GenId i, GenId j) const;
-  bool certainly_shallow(GenId i, GenId j, const DoubleBall& excess) const;
+  bool certainly_shallow(GenId i, GenId j, double t) const;
   bool certainly_part(GenId i, GenId j, double from) const;
   bool certainly_clear(int edge, const Moment& m, bool apart) const;
   Contact<Rational> recorded_contact(GenId i, GenId j, const Rational& at) const;

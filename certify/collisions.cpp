@@ -176,17 +176,17 @@ void Checker::collide_as_recorded(const CollideEvent& claim, int edge) {
   end_around(m);
   const auto exactly = [&] { return replay_.positions(i, j, exact_time(*claim_)); };
   // What is far from its path even if the disk stops is wrong without asking for velocities.
-  const auto check_centers = [&](const std::optional<ExactPair>& after) {
+  std::optional<ExactPair> computed;
+  const auto check_centers = [&] {
     for (const int side : {0, 1}) {
       if (!claim.p[side] || certainly_near(claim, side, at[side])) continue;
-      check_center(side == 0 ? i : j, exact_center(claim, side),
-                   after ? (*after)[side] : ExactVec2{}, exactly()[side]);
+      const auto after = computed ? (*computed)[side] : exact_velocity(claim, side);
+      check_center(side == 0 ? i : j, exact_center(claim, side), after.value_or(ExactVec2{}),
+                   exactly()[side]);
     }
   };
-  std::optional<ExactPair> computed;
   if (claim.v[1]) {
-    check_centers(ExactPair{exact_velocity(claim, 0).value_or(ExactVec2{}),
-                            exact_velocity(claim, 1).value()});
+    check_centers();
     // The law with the centres of the paths: those that the file gives are only compared with them.
     if (!law_.certainly_obeyed(claim, at, replay_.near_velocities(i, j))) {
       const ExactPair p = exactly(), v = replay_.velocities(i, j);
@@ -196,10 +196,10 @@ void Checker::collide_as_recorded(const CollideEvent& claim, int edge) {
     try {
       computed = replay_.computed_velocities(claim, exactly());
     } catch (const Undecided&) {
-      check_centers({});
+      check_centers();
       throw;
     }
-    check_centers(computed);
+    check_centers();
     ++certificate_.computed_velocities;
     remark_velocities(claim.p[1].has_value());
   }

@@ -130,10 +130,11 @@ void Checker::end_pairs(std::span<const int> edges, const Moment& m, PairEnd why
 
 namespace {
 
-// |d|^2 - reach^2 of a pair at a time, in doubles.
-DoubleBall excess(const Motion& motion, GenId i, GenId j, double t) {
-  const DoubleBall at(t);
-  return Contact<DoubleBall>(motion.moving_site(i, at), motion.moving_site(j, at)).c;
+// |d|^2 - reach^2 of a pair at a time.
+template <class T>
+T excess(const Motion& motion, GenId i, GenId j, double t) {
+  const T at(t);
+  return Contact<T>(motion.moving_site(i, at), motion.moving_site(j, at)).c;
 }
 
 }  // namespace
@@ -144,21 +145,21 @@ Rational Checker::rounding(GenId i, GenId j) const {
   return extent / (Rational(1) << 51) * std::max(1, replay_.turns(i) + replay_.turns(j));
 }
 
-// Whether two certainly overlap by no more than half of what is a rounding, so that nothing has to
-// be carried on, given their `excess` at the time of the greatest overlap; and the tangency of the
-// two certainly has the right sign.
-bool Checker::certainly_shallow(GenId i, GenId j, const DoubleBall& excess) const {
+// Whether two certainly overlap at t by no more than half of what is a rounding, so that nothing
+// has to be carried on; and their tangency certainly has the right sign. Doubles do not tell so
+// much.
+bool Checker::certainly_shallow(GenId i, GenId j, double t) const {
   const DoubleMotion &m = motion_.doubles(i), &n = motion_.doubles(j);
   const double reach = std::fabs(m.r + n.r);
-  const double extent = std::fabs(motion_.doubles(container_id).r);
-  const double depth = 0x1p-52 * extent;
+  const double lines = std::max(1, replay_.turns(i) + replay_.turns(j));
+  const double depth = 0x1p-52 * std::fabs(motion_.doubles(container_id).r) * lines;
   if (!(8 * depth <= reach)) return false;
-  const DoubleBall slack(depth * reach),
-      product(4 * std::fabs(m.r) * std::fabs(n.r) * (1 - 0x1p-40));
+  const DdBall over = excess<DdBall>(motion_, i, j, t);
+  const DdBall slack(depth * reach), product(4 * std::fabs(m.r) * std::fabs(n.r) * (1 - 0x1p-40));
   if (i == container_id) {
-    return sign(excess - slack) == Sign::negative && sign(excess - product) == Sign::negative;
+    return sign(over - slack) == Sign::negative && sign(over - product) == Sign::negative;
   }
-  return sign(excess + slack) == Sign::positive && sign(excess + product) == Sign::positive;
+  return sign(over + slack) == Sign::positive && sign(over + product) == Sign::positive;
 }
 
 // After their own collision at `from`: whether the two certainly part, and overlap no more than by
@@ -167,7 +168,7 @@ bool Checker::certainly_part(GenId i, GenId j, double from) const {
   const DoubleBall at(from);
   const Contact<DoubleBall> k(motion_.moving_site(i, at), motion_.moving_site(j, at));
   const Sign parting = sign(k.b);
-  return (parting == Sign::positive || parting == Sign::zero) && certainly_shallow(i, j, k.c);
+  return (parting == Sign::positive || parting == Sign::zero) && certainly_shallow(i, j, from);
 }
 
 // Whether the two certainly do not overlap in the life that ends at m: in doubles, false says
@@ -176,14 +177,13 @@ bool Checker::certainly_clear(int edge, const Moment& m, bool apart) const {
   const auto [i, j] = replay_.pair_of(edge);
   const double from = pairs_[edge].from;
   if (motion_.same_velocity(i, j)) {
-    return sign(excess(motion_, i, j, from)) ==
+    return sign(excess<DoubleBall>(motion_, i, j, from)) ==
            (i == container_id ? Sign::negative : Sign::positive);
   }
   if (!apart && !proved_apart(motion_, i, j, from, m.hi)) return false;
   if (i != container_id) return true;
-  const DoubleBall first = excess(motion_, i, j, from);
-  return sign(first) == Sign::negative ||
-         (replay_.hit_container(j) && certainly_shallow(i, j, first));
+  return sign(excess<DoubleBall>(motion_, i, j, from)) == Sign::negative ||
+         (replay_.hit_container(j) && certainly_shallow(i, j, from));
 }
 
 // |offset + w s|^2 - reach^2, s from the time `at`: all rational.
@@ -270,7 +270,7 @@ bool Checker::certainly_in_contact(const CollideEvent& claim, double from,
   const Sign after = sign((k.a * s + DoubleBall(2) * k.b) * s + k.c);
   return (i == container_id ? before == Sign::negative && after == Sign::positive
                             : before == Sign::positive && after == Sign::negative) &&
-         certainly_shallow(i, j, k.c);
+         certainly_shallow(i, j, claim.t);
 }
 
 // The pair of the edge, enclosed by `at` at the claimed time, is in contact then, or the claim is
