@@ -31,8 +31,8 @@ Creeping creeping(const Rational& horizon) {
   return c;
 }
 
-// The law allows a part in 10^9 of the speeds, and so no response at all; but two that have collided
-// may not overlap for longer than the tolerance after it, however slowly they creep.
+// The law allows a part in 10^9 of the speeds, and so no response at all; but two that have
+// collided may not overlap for longer than the tolerance after it, however slowly they creep.
 TEST(Recorded, VelocitiesThatDoNotPart) {
   for (const bool responds : {true, false}) {
     for (const int horizon : {100, 100'000}) {
