@@ -250,10 +250,9 @@ void Checker::check_state(const CollideEvent& claim, int side, const RoundedStat
     const Rational allowed =
         options_.law_tolerance * speed + std::min(turned, Rational(speed / 1024));
     if (norm2(minus(*v, true_v)) > square(allowed)) {
-      refute(Fault::wrong_response,
-             "the velocity is (" + number_text(true_v[0].get_d()) + ", " +
-                 number_text(true_v[1].get_d()) +
-                 "); what its bound depends on are --tolerance and --law-tolerance");
+      refute(Fault::wrong_response, "the velocity is (" + number_text(true_v[0].get_d()) + ", " +
+                                        number_text(true_v[1].get_d()) +
+                                        "); --tolerance and --law-tolerance set the bound");
     }
   }
   if (claim.p[side] && !certainly_near(claim, side, ball(Vec2{truth.px, truth.py}))) {
@@ -282,7 +281,8 @@ void Checker::check_center(GenId g, const std::optional<ExactVec2>& p, const Exa
 
 void Checker::refute_response(const CollideEvent& claim, const ExactPair& p) {
   refute(Fault::wrong_response,
-         law_.expectation(claim.i, claim.j, p, replay_.velocities(claim.i, claim.j)),
+         law_.expectation(claim.i, claim.j, p, replay_.velocities(claim.i, claim.j)) +
+             "; --law-tolerance sets the bound",
          motion_witness(motion_, {claim.i, claim.j}, exact_time(*claim_)));
 }
 
