@@ -16,15 +16,16 @@ namespace {
 // How many of the claims that are near each other in time are looked at together.
 constexpr std::size_t kMaxNear = 64;
 
-// Whether both are of the motion of one disk.
+// The disks that a claim turns, the container for none.
+std::array<GenId, 2> turned_by(const Event& event) {
+  if (const auto* c = std::get_if<CollideEvent>(&event)) return {c->i, c->j};
+  if (const auto* m = std::get_if<ManeuverEvent>(&event)) return {m->disk, container_id};
+  return {container_id, container_id};
+}
+
 bool turn_one_disk(const Event& a, const Event& b) {
-  const auto disks = [](const Event& event) -> std::array<GenId, 2> {
-    if (const auto* c = std::get_if<CollideEvent>(&event)) return {c->i, c->j};
-    if (const auto* m = std::get_if<ManeuverEvent>(&event)) return {m->disk, container_id};
-    return {container_id, container_id};
-  };
-  for (const GenId g : disks(a)) {
-    for (const GenId h : disks(b)) {
+  for (const GenId g : turned_by(a)) {
+    for (const GenId h : turned_by(b)) {
       if (g != container_id && g == h) return true;
     }
   }
@@ -258,7 +259,7 @@ void Checker::take_before_others(std::size_t k) {
 std::size_t Checker::earliest() {
   std::size_t best = 0;
   std::optional<Moment> first = probe(near_[0].event);
-  if (!first) return 0;
+  if (!first) return options_.strict ? 0 : turn_before(near_[0].event);
   // Nothing precedes the present instant, at which more may turn.
   if (!pending_.empty() && first->lo <= frontier_.hi &&
       chronology_.compare(*first, frontier_) <= 0) {
@@ -295,14 +296,31 @@ std::size_t Checker::earliest() {
   return best;
 }
 
+// Of a flip of an edge that stays as its generators move now: the first near claim that turns one
+// of them, for the edge may collapse after that. 0 where there is none.
+std::size_t Checker::turn_before(const Event& event) {
+  const auto* f = std::get_if<FlipEvent>(&event);
+  const HalfEdge h = f != nullptr ? replay_.find(f->quad) : -1;
+  if (h < 0 || lives_[h / 2].illegal) return 0;
+  const std::vector<GenId> four = generators(diagram_.quad(h));
+  for (std::size_t k = 1; k < near_.size(); ++k) {
+    for (const GenId g : turned_by(near_[k].event)) {
+      const bool its = g != container_id && std::find(four.begin(), four.end(), g) != four.end();
+      if (its && probe(near_[k].event)) return k;
+    }
+  }
+  return 0;
+}
+
 // The true time of a claim whose edge or pair is there.
 std::optional<Moment> Checker::probe(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) {
     HalfEdge h = replay_.find(f->quad);
     if (h < 0 && options_.unoriented) h = replay_.find_mirrored(f->quad);
     if (h >= 0 && lives_[h / 2].pending) begin_pending_lives();
-    if (h < 0 || lives_[h / 2].illegal || lives_[h / 2].due) return std::nullopt;
+    if (h < 0 || lives_[h / 2].illegal) return std::nullopt;
     const Quad q = diagram_.quad(h);
+    if (lives_[h / 2].due) return Moment::of(q, due_.at(h / 2));
     const double from = lives_[h / 2].from;
     if (const auto root = bracket(q, from, f->t)) return root->m;
     const auto c = first_collapse(q, from, f->t + tolerance_up_);

@@ -135,6 +135,7 @@ class Checker {
   [[gnu::always_inline]] void fetch_ahead() const;
   void process_next();
   std::size_t earliest();
+  std::size_t turn_before(const Event& event);
   std::optional<Moment> probe(const Event& event);
   void take(std::size_t k);
   void take_before_others(std::size_t k);
@@ -153,6 +154,7 @@ class Checker {
   Divergence missing_contact(GenId i, GenId j, double lo, double hi);
   Divergence missing_maneuver(std::size_t k) const;
   void refute_missing_contacts();
+  bool turns_one_of(std::initializer_list<GenId> generators) const;
   Divergence first_event_missing(const Divergence& found);
   Divergence first_divergence(const Divergence& found);
   std::optional<Divergence> maneuver_missing_by(double t);
@@ -291,8 +293,11 @@ class Checker {
   std::vector<int> pending_;                          // edges whose lives are pending
   std::optional<std::pair<GenId, GenId>> colliding_;  // by the claim being checked
   std::optional<GenId> maneuvering_;                  // the disk of the maneuver that is checked
-  std::unordered_map<GenId, long> turned_;            // the instants of the disks' last maneuvers
-  std::vector<Turn> turns_;                           // of this instant, in the order of the format
+  // The disks whose motion has changed, and whose lives have not begun anew yet: nothing is looked
+  // for of these.
+  std::vector<GenId> turning_;
+  std::unordered_map<GenId, long> turned_;  // the instants of the disks' last maneuvers
+  std::vector<Turn> turns_;                 // of this instant, in the order of the format
   std::vector<GenId> flipped_;  // generators of the edges that have flipped at this instant
   // Of the last collection: the spokes of the cells of the disks that turn, and with them the rims.
   std::vector<int> spokes_, around_;

@@ -142,6 +142,7 @@ void Checker::collide_exactly(const CollideEvent& claim) {
     }
   }
   const Turn turn{i, j, motion_.state_id(i), motion_.state_id(j)};
+  turning_ = {i, j};
   const Impact impact = motion_.collide(i, j, 0.5 * (m.lo + m.hi));
   m.kind = Moment::Kind::state;
   m.i = i;
@@ -161,6 +162,7 @@ void Checker::collide_exactly(const CollideEvent& claim) {
   replay_.note_collision(claim, computed);
   place_turn(turn);
   begin_around(m);
+  turning_.clear();
 }
 
 void Checker::collide_as_recorded(const CollideEvent& claim, int edge) {
@@ -204,9 +206,11 @@ void Checker::collide_as_recorded(const CollideEvent& claim, int edge) {
     remark_velocities(claim.p[1].has_value());
   }
   replay_.note_collision(claim, computed);
+  turning_ = {i, j};
   if (i != container_id) turn(i);
   turn(j);
   begin_around(m);
+  turning_.clear();
 }
 
 // Recorded truth: since the claim the disk goes on with its claimed velocity.
@@ -329,6 +333,7 @@ void Checker::maneuver(const ManeuverEvent& claim) {
   end_around(m);
   maneuvering_.reset();
   turned_[g] = instant_;
+  turning_ = {g};
   if (exact) {
     const Turn turn{g, g, motion_.state_id(g), motion_.state_id(g)};
     const RoundedState s = motion_.maneuver(g, due.t, v[0], v[1]);
@@ -343,6 +348,7 @@ void Checker::maneuver(const ManeuverEvent& claim) {
     turn(g);
   }
   begin_around(m);
+  turning_.clear();
   ++certificate_.maneuvers;
 }
 

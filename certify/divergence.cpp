@@ -77,6 +77,13 @@ Divergence Checker::missing_maneuver(std::size_t k) const {
   return d;
 }
 
+// Whether one of these turns just now. (The container, which collides, too, does not.)
+bool Checker::turns_one_of(std::initializer_list<GenId> generators) const {
+  return std::any_of(generators.begin(), generators.end(), [this](GenId g) {
+    return g != container_id && std::find(turning_.begin(), turning_.end(), g) != turning_.end();
+  });
+}
+
 // Disks that move through each other, since a collision is missing, lead the edges into
 // degeneracies that may be beyond the budget. Refutes the history where a contact should have been
 // claimed before the present claim.
@@ -85,7 +92,8 @@ void Checker::refute_missing_contacts() {
   // A contact before this time would have been claimed, and its claim checked.
   const double now = (claim_ ? time(*claim_) : frontier_.lo) - 2 * tolerance_up_;
   for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
-    if (!(pairs_[e].from < now)) continue;
+    const auto [i, j] = replay_.pair_of(e);
+    if (!(pairs_[e].from < now) || turns_one_of({i, j})) continue;
     try {
       end_pair(e, Moment::at(now), PairEnd::turn);
     } catch (const Undecided&) {
@@ -106,7 +114,10 @@ Divergence Checker::first_event_missing(const Divergence& found) {
   limit = std::min(limit, search_end_);
   for (int e = 0; e < static_cast<int>(pairs_.size()); ++e) {
     const auto [i, j] = replay_.pair_of(e);
-    if (replay_.partners(i, j) || proved_apart(motion_, i, j, pairs_[e].from, limit)) continue;
+    if (replay_.partners(i, j) || turns_one_of({i, j}) ||
+        proved_apart(motion_, i, j, pairs_[e].from, limit)) {
+      continue;
+    }
     const Instant begin = options_.truth == Truth::exact
                               ? since(i, j)
                               : chronology_.instant(Moment::at(pairs_[e].from));
@@ -134,7 +145,7 @@ Divergence Checker::first_event_missing(const Divergence& found) {
   for (int e = 0; e < diagram_.edges(); ++e) {
     const Quad q = diagram_.quad(2 * e);
     const Life& life = lives_[e];
-    if (life.illegal || life.pending) continue;
+    if (life.illegal || life.pending || turns_one_of({q.l, q.r, q.s, q.e})) continue;
     std::optional<Collapse> c;
     if (life.due) {
       c = due_.at(e);
