@@ -1,9 +1,7 @@
-// The diagram as incidences: edges by quadruplets, each vertex with its three edges.
+// The diagram as incidences: what is next to what.
 #pragma once
 
-#include <array>
 #include <unordered_map>
-#include <vector>
 
 #include "kernel/files.h"
 
@@ -23,20 +21,17 @@ class Diagram {
   std::array<int, 4> around(int k) const;
   // The edge after k counterclockwise around g, one of its two.
   int next_spoke(int k, int g) const;
-  // All edges that have the disk among their four generators.
-  std::vector<int> about(int disk) const;
   bool adjacent(int i, int j) const;
   // Throws Stop (refuted) where no diagram has the vertices that the flip makes.
   void flip(int k);
 
  private:
-  using Key = std::uint64_t;
-  static Key key(int& i, int& j, int& k);  // turns the smallest to the front
-  int edge_at(int i, int j, int k, int a, int b) const;
-  void join(int i, int j, int k, std::array<int, 3> edges);
+  static std::uint64_t key(int a, int b, int c);
+  int side(int a, int b, int c) const;      // the edge between a and b at vertex [a,b,c], or -1
+  void put(int a, int b, int c, int edge);  // makes it that
 
   std::vector<Quad> edges_;
-  std::unordered_map<Key, std::array<int, 3>> vertices_;  // of [i,j,k]: edges ij, jk, ki
+  std::unordered_map<std::uint64_t, int> sides_;
   std::vector<std::vector<int>> spokes_;
 };
 

@@ -5,452 +5,358 @@
 namespace voroproof_kernel {
 namespace {
 
-constexpr int kUnknown = 2;
-constexpr int kPairs[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
-// Contact order of the two vertices' circles, then the fourth generator.
-constexpr int kStart[4] = {0, 2, 1, 3}, kEnd[4] = {0, 1, 3, 2};
-
-void add_product(Int& to, const Int& a, const Int& b) {
-  boost::multiprecision::backends::eval_multiply_add(to.backend(), a.backend(), b.backend());
+template <class T>
+T tangency(const Site<T>& d) {
+  return d.x * d.x + d.y * d.y - d.r * d.r;
 }
+
+// f by Casey's theorem, of the tangencies of lr, ls, le, rs, re, se.
+template <class T>
+T casey(const std::array<T, 6>& p) {
+  const T u = p[0] * p[5], v = p[1] * p[4], w = p[2] * p[3], d = u - v - w;
+  return d * d - (v + v) * (w + w);
+}
+
+constexpr int kPairs[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+// The circle of a vertex, [l,s,r] or [l,r,e], based on a disk.
+template <class T>
+Circle<T> circle(const std::array<Site<T>, 4>& s, const Quad& q, bool start) {
+  const int j = start ? 2 : 1, k = start ? 1 : 3;
+  return q.l == container ? Circle<T>(s[j], s[k], s[0]) : Circle<T>(s[0], s[j], s[k]);
+}
+
+// Four at a time, and the signs that their edge asks for.
+class Now {
+ public:
+  Now(const Quad& quad, Sites sites) : quad_(quad), site_(std::move(sites)) {}
+  Now(const Four& four, const Rat& t) : Now(four.quad, sites(four.legs, {t})[0]) {}
+
+  // Of q; `f` is the sign of f there, if it is not 2.
+  int incircle(bool start, int f = 2) const {
+    const Circle<Int> circle = voroproof_kernel::circle(site_, quad_, start);
+    const Site<Int>& e = site_[start ? 3 : 2];
+    const int g = f == -1 ? 0 : sgn(circle.g(e)), c = f == 1 ? 0 : -eps(start) * sgn(circle.c(e));
+    if (f == 2 && g != c) {
+      std::array<Int, 6> p;
+      for (int n = 0; n < 6; ++n) p[n] = tangency(site_[kPairs[n][0]] - site_[kPairs[n][1]]);
+      f = sgn(casey(p));
+    }
+    const int q = g == c || f > 0 ? g : f < 0 ? c : g == 0 ? c : c == 0 ? g : 0;
+    return (start ? quad_.e : quad_.s) == container ? -q : q;
+  }
+
+  // q of the start or, where both vanish throughout, the rule of the largest id: the edge is there
+  // iff its dual joins the largest of the four to its opposite.
+  int legal(int f, bool always) const {
+    int q = incircle(true, f);
+    if (q == 0 && always) q = incircle(false, f);
+    if (q != 0 || !always) return q;
+    return std::max(quad_.l, quad_.r) > std::max(quad_.s, quad_.e) ? 1 : -1;
+  }
+
+  int exists(bool start) const {
+    const Circle<Int> c = circle(site_, quad_, start);
+    const Int u = c.xp * c.xs + c.yp * c.ys, gamma = c.gamma();
+    return gamma <= 0 ? 0 : sign_with_root(u, -eps(start) * c.xy, gamma);
+  }
+
+ private:
+  int eps(bool start) const {
+    const bool wall = quad_.l == container || quad_.r == container;
+    return wall || (start ? quad_.s : quad_.e) == container ? 1 : -1;
+  }
+
+  Quad quad_;
+  Sites site_;
+};
+
+// Four over an interval.
+class Span {
+ public:
+  Span(const Four& four, const Rat& a, const Rat& b)
+      : quad_(four.quad), ends_(sites(four.legs, {a, b})) {
+    for (int n = 0; n < 6; ++n) {
+      const auto [i, j] = kPairs[n];
+      const Site<Int> u = ends_[0][i] - ends_[0][j], v = ends_[1][i] - ends_[1][j];
+      p_[n] = {tangency(u), 2 * (u.x * v.x + u.y * v.y - u.r * v.r), tangency(v)};
+    }
+  }
+
+  // At a + (b - a) k / 2^depth.
+  Now at(const Int& k, unsigned depth) const {
+    const Int rest = (Int(1) << depth) - k;
+    const auto between = [&](const Int& u, const Int& v) { return rest * u + k * v; };
+    Sites s;
+    for (int i = 0; i < 4; ++i) {
+      const Site<Int>&u = ends_[0][i], &v = ends_[1][i];
+      s[i] = {between(u.x, v.x), between(u.y, v.y), between(u.r, v.r)};
+    }
+    return Now(quad_, std::move(s));
+  }
+
+  // Where the tangencies have their right signs: in [a, b], in (a, b), nowhere, or who knows.
+  enum class Apart { yes, inside, no, unknown };
+  Apart apart(std::set<int>& touched) const {
+    bool all = true, inside = true, never = false;
+    const int id[4] = {quad_.l, quad_.r, quad_.s, quad_.e};
+    for (int n = 0; n < (quad_.s == quad_.e ? 5 : 6); ++n) {
+      const int i = id[kPairs[n][0]], j = id[kPairs[n][1]], right = i < 0 || j < 0 ? -1 : 1;
+      const Form& t = p_[n];
+      const int roots = variations(t);
+      const bool ends = sgn(t[0]) == right && sgn(t[2]) == right;
+      if (ends && (roots == 0 || t[1] * t[1] < 4 * t[0] * t[2])) continue;
+      touched.insert({i, j});
+      all = false;
+      inside = inside && roots == 0;
+      never |= roots == 0 &&
+               std::none_of(t.begin(), t.end(), [&](const Int& c) { return sgn(c) == right; });
+    }
+    return all ? Apart::yes : never ? Apart::no : inside ? Apart::inside : Apart::unknown;
+  }
+
+  // f by Casey's theorem, C where the radii are equal, G where f vanishes identically.
+  Form polynomial() {
+    const Sites& s = ends_[0];
+    const bool equal = std::all_of(s.begin(), s.end(), [&](auto& one) { return one.r == s[0].r; });
+    Form f = equal ? circle(forms(), quad_, true).c(forms()[3]) : casey(p_);
+    always_ = is_zero(f);
+    return always_ && !equal ? circle(forms(), quad_, true).g(forms()[3]) : f;
+  }
+  bool always() const { return always_; }
+  std::array<Site<Form>, 4> forms() const {
+    std::array<Site<Form>, 4> all;
+    for (int i = 0; i < 4; ++i) {
+      const Site<Int>&u = ends_[0][i], &v = ends_[1][i];
+      all[i] = {{u.x, v.x}, {u.y, v.y}, {u.r, v.r}};
+    }
+    return all;
+  }
+
+ private:
+  Quad quad_;
+  std::vector<Sites> ends_;
+  std::array<Form, 6> p_;
+  bool always_ = false;
+};
+
+// The rules of docs/kernel.md, section 6, on pieces from left to right.
+class Search {
+ public:
+  Search(const Four& four, Notes& notes) : four_(four), notes_(notes) {}
+
+  std::optional<Collapse> first(const Rat& a, const Rat& b, int depth = 0) {
+    Span span(four_, a, b);
+    const Span::Apart apart = span.apart(notes_.touched);
+    if (apart != Span::Apart::yes) fresh_ = true;
+    if (apart == Span::Apart::no || (apart == Span::Apart::unknown && depth >= 64)) return {};
+    if (apart != Span::Apart::unknown) {
+      auto found = in_piece(span, {a, b - a}, span.polynomial(), 0, 0);
+      if (fresh_) prove_anew(a, b, found);
+      return found;
+    }
+    const Rat middle = (a + b) / 2;
+    if (auto found = first(a, middle, depth + 1)) return found;
+    return first(middle, b, depth + 1);
+  }
+
+ private:
+  // In [k, k + 1] / 2^depth of the view's interval, where the tangencies have their right signs.
+  std::optional<Collapse> in_piece(const Span& span, const Vec& interval, Form f, const Int& k,
+                                   unsigned depth) {
+    const bool deep = depth >= 30, always = span.always();
+    const auto time = [&](const Int& at, unsigned of) {
+      return interval[0] + interval[1] * Rat(at, Int(1) << of);
+    };
+    if (depth == 30) f = squarefree(f);
+    const int roots = variations(f);
+    if (roots == 0) {
+      // q does not vanish inside: one time decides. Where C stands for f, f is negative.
+      int sign = always || deep ? 2 : f.size() < 9 ? -1 : 0;
+      for (const Int& c : f) sign = sign == 0 ? sgn(c) : sign;
+      const int q = span.at(2 * k + 1, depth + 1).legal(sign, always);
+      if (q == 0) undecided("an in-circle function vanishes where it cannot");
+      if (q > 0) return {};
+      return Collapse{at(time(k, depth)), time(2 * k + 1, depth + 1)};
+    }
+    if (roots == 1) {
+      // A collapse makes q negative until the end of the piece.
+      const int from = span.at(k, depth).legal(2, always);
+      const int to = span.at(k + 1, depth).legal(2, always);
+      if (from > 0 && to > 0) return {};
+      const Rat lo = time(k, depth), hi = time(k + 1, depth);
+      if (from > 0 && to < 0) return Collapse{{lo, hi, four_, deep}, hi};
+    }
+    if (depth > 2000) undecided("an edge's polynomial cannot be divided further");
+    const std::array<Form, 2> half = halves(f);
+    if (auto found = in_piece(span, interval, half[0], 2 * k, depth + 1)) return found;
+    return in_piece(span, interval, half[1], 2 * k + 1, depth + 1);
+  }
+
+  // After tangencies of the wrong sign: both circles exist and are empty somewhere before a
+  // collapse, or there is one at a.
+  void prove_anew(const Rat& a, const Rat& b, std::optional<Collapse>& found) {
+    fresh_ = false;
+    ++notes_.fresh_proofs;
+    const Rat t = (a + (found ? found->at.lo : b)) / 2;
+    if (t == a) return;
+    const Now now(four_, t);
+    for (const bool start : {true, false}) {
+      if (now.exists(start) > 0 && now.incircle(start) >= 0) continue;
+      found = Collapse{at(a), found ? found->after : t};
+    }
+  }
+
+  const Four& four_;
+  Notes& notes_;
+  bool fresh_ = false;  // a proof anew is due
+};
 
 }  // namespace
 
-Leg::Leg(const Rat& start_, const Vec& from_, const Vec& velocity_, const Rat& signed_radius)
-    : start(start_), radius(signed_radius), from(from_), velocity(velocity_) {
-  const Vec origin{Rat(from[0] - velocity[0] * start), Rat(from[1] - velocity[1] * start)};
-  Int d = 1;
-  for (const Rat& q : {origin[0], origin[1], velocity[0], velocity[1], radius}) {
-    d = lcm(d, Int(denominator(q)));
-  }
-  shift = static_cast<unsigned>(lsb(d));
-  odd = d >> shift;
-  const auto scaled = [&](const Rat& q) { return Int(numerator(q) * (d / denominator(q))); };
-  x = scaled(origin[0]);
-  y = scaled(origin[1]);
-  vx = scaled(velocity[0]);
-  vy = scaled(velocity[1]);
-  r = scaled(radius);
+Leg::Leg(const Rat& start_, const Vec& from_, const Vec& velocity_, const Rat& radius_,
+         std::size_t claim_)
+    : start(start_), from(from_), velocity(velocity_), radius(radius_), claim(claim_), scale(1) {
+  const Vec origin = at(0);
+  Int* to[] = {&x, &y, &vx, &vy, &r};
+  const Rat* of[] = {&origin[0], &origin[1], &velocity[0], &velocity[1], &radius};
+  for (const Rat* q : of) scale = lcm(scale, denominator(*q));
+  for (int k = 0; k < 5; ++k) *to[k] = numerator(*of[k]) * (scale / denominator(*of[k]));
 }
 
-Vec Leg::at(const Rat& t) const {
-  const Rat s = t - start;
-  return {Rat(from[0] + velocity[0] * s), Rat(from[1] + velocity[1] * s)};
+std::vector<Sites> sites(const std::array<const Leg*, 4>& legs, const std::vector<Rat>& times) {
+  Int scale = 1, d = 1;
+  for (const Leg* leg : legs) scale = leg->scale == scale ? scale : lcm(scale, leg->scale);
+  for (const Rat& t : times) d = lcm(d, denominator(t));
+  std::vector<Int> scaled;
+  for (const Rat& t : times) scaled.push_back(numerator(t) * (d / denominator(t)));
+  std::vector<Sites> all(times.size());
+  for (int i = 0; i < 4; ++i) {
+    const Leg& leg = *legs[i];
+    const Int by = scale / leg.scale, fine = d * by;
+    const Int x = leg.x * fine, y = leg.y * fine, r = leg.r * fine;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      const Int t = scaled[k] * by;
+      all[k][i] = {x + leg.vx * t, y + leg.vy * t, r};
+    }
+  }
+  return all;
 }
 
 template <class T>
 Circle<T>::Circle(const Site<T>& i, const Site<T>& j, const Site<T>& k) : base(i) {
-  const T xj = j.x - i.x, yj = j.y - i.y, sj = j.r - i.r, pj = xj * xj + yj * yj - sj * sj;
-  const T xk = k.x - i.x, yk = k.y - i.y, sk = k.r - i.r, pk = xk * xk + yk * yk - sk * sk;
-  xp = xj * pk - pj * xk;
-  yp = yj * pk - pj * yk;
-  sp = sj * pk - pj * sk;
-  xs = xj * sk - sj * xk;
-  ys = yj * sk - sj * yk;
-  xy = xj * yk - yj * xk;
+  const Site<T> u = j - i, v = k - i;
+  const T p = tangency(u), o = tangency(v);
+  xp = u.x * o - p * v.x;
+  yp = u.y * o - p * v.y;
+  sp = u.r * o - p * v.r;
+  xs = u.x * v.r - u.r * v.x;
+  ys = u.y * v.r - u.r * v.y;
+  xy = u.x * v.y - u.y * v.x;
 }
 
 template <class T>
 T Circle<T>::g(const Site<T>& e) const {
-  const T x = e.x - base.x, y = e.y - base.y, s = e.r - base.r, p = x * x + y * y - s * s;
-  const T a = x * sp - s * xp + p * xs, b = y * sp - s * yp + p * ys;
-  return xp * a + yp * b;
+  const Site<T> d = e - base;
+  const T p = tangency(d);
+  return xp * (d.x * sp - d.r * xp + p * xs) + yp * (d.y * sp - d.r * yp + p * ys);
 }
 
 template <class T>
 T Circle<T>::c(const Site<T>& e) const {
-  const T x = e.x - base.x, y = e.y - base.y, s = e.r - base.r, p = x * x + y * y - s * s;
-  return x * yp - y * xp + p * xy;
+  const Site<T> d = e - base;
+  return d.x * yp - d.y * xp + tangency(d) * xy;
 }
 
 int sign_with_root(const Int& u, const Int& v, const Int& gamma) {
   const int a = sgn(u), b = gamma == 0 ? 0 : sgn(v);
   if (a == b || b == 0) return a;
-  if (a == 0) return b;
-  const Int rest = u * u - gamma * v * v;
-  return sgn(rest) * a;
+  return a == 0 ? b : a * sgn(Int(u * u - gamma * v * v));
 }
 
-void Edge4::set(const Quad& quad, const std::array<const Leg*, 4>& legs) {
-  quad_ = quad;
-  legs_ = legs;
-  const int id[4] = {quad.l, quad.r, quad.s, quad.e};
-  wall_ = static_cast<int>(std::find(id, id + 4, container) - id);
-  equal_ = true;
-  for (const Leg* leg : legs) equal_ = equal_ && leg->radius == legs[0]->radius;
+Form Four::polynomial(const Rat& a, const Rat& b) const { return Span(*this, a, b).polynomial(); }
+int Four::incircle(const Rat& t, bool start) const { return Now(*this, t).incircle(start); }
+int Four::exists(const Rat& t, bool start) const { return Now(*this, t).exists(start); }
+
+Instant at(const Rat& t) { return {t, t}; }
+
+Form Instant::form(const Rat& a, const Rat& b) const {
+  const Form f = four.polynomial(a, b);
+  return multiple ? squarefree(f) : f;
 }
 
-// The sites at a and at b as whole numbers on one scale: times the denominators of all.
-void Edge4::place(const Rat& a, const Rat& b) {
-  const Int da = denominator(a), db = denominator(b), d = da == db ? da : Int(lcm(da, db));
-  const Int t[2] = {Int(numerator(a) * (d / da)), Int(numerator(b) * (d / db))};
-  unsigned shift = 0;
-  Int odd = 1;
-  for (const Leg* leg : legs_) {
-    shift = std::max(shift, leg->shift);
-    if (leg->odd != 1 && leg->odd != odd) odd = lcm(odd, leg->odd);
-  }
-  for (int i = 0; i < 4; ++i) {
-    const Leg& leg = *legs_[i];
-    r_[i] = leg.r * d;
-    for (int k = 0; k < 2; ++k) {
-      x_[i][k] = leg.x * d;
-      y_[i][k] = leg.y * d;
-      add_product(x_[i][k], leg.vx, t[k]);
-      add_product(y_[i][k], leg.vy, t[k]);
-    }
-    const Int scale = leg.odd == odd ? Int(1) : Int(odd / leg.odd);
-    for (Int* n : {&x_[i][0], &x_[i][1], &y_[i][0], &y_[i][1], &r_[i]}) {
-      if (scale != 1) *n *= scale;
-      *n <<= shift - leg.shift;
-    }
-  }
-}
-
-void Edge4::tangencies() {
-  Int dx[2], dy[2], s, s2;
-  for (int n = 0; n < 6; ++n) {
-    const int i = kPairs[n][0], j = kPairs[n][1];
-    for (int k = 0; k < 2; ++k) {
-      dx[k] = x_[i][k] - x_[j][k];
-      dy[k] = y_[i][k] - y_[j][k];
-    }
-    s = r_[i] - r_[j];
-    s2 = s * s;
-    p_[n][1] = dx[0] * dx[1];
-    add_product(p_[n][1], dy[0], dy[1]);
-    p_[n][1] -= s2;
-    p_[n][1] <<= 1;
-    for (int k = 0; k < 2; ++k) {
-      p_[n][2 * k] = dx[k] * dx[k];
-      add_product(p_[n][2 * k], dy[k], dy[k]);
-      p_[n][2 * k] -= s2;
-    }
-  }
-}
-
-// Whether all tangencies have their right sign in the closed interval, or at least inside.
-Edge4::Separated Edge4::separated() {
-  Separated all = Separated::yes;
-  const int id[4] = {quad_.l, quad_.r, quad_.s, quad_.e};
-  for (int n = 0; n < 6; ++n) {
-    const bool wall = kPairs[n][0] == wall_ || kPairs[n][1] == wall_;
-    const int sign = wall ? -1 : 1;
-    const int c0 = sign * sgn(p_[n][0]), c1 = sign * sgn(p_[n][1]), c2 = sign * sgn(p_[n][2]);
-    if (quad_.s == quad_.e && n == 5) continue;
-    if (c0 > 0 && c1 >= 0 && c2 > 0) continue;
-    const bool inside = c0 < 0 || c2 < 0 || (c0 == 0 && c1 == 0 && c2 == 0) ||
-                        (c1 < 0 && p_[n][1] * p_[n][1] >= 4 * p_[n][0] * p_[n][2]);
-    if (!inside && c0 > 0 && c2 > 0) continue;
-    touched.insert({id[kPairs[n][0]], id[kPairs[n][1]]});
-    if (inside)
-      all = Separated::no;
-    else if (all == Separated::yes)
-      all = Separated::touching;
-  }
-  return all;
-}
-
-// f by Casey's theorem, C where the radii are equal, G where f vanishes identically.
-const Form& Edge4::form() {
-  always_ = false;
-  std::array<Site<Form>, 4> site;
-  if (equal_) {
-    for (int i = 0; i < 4; ++i) {
-      site[i] = {Form{x_[i][0], x_[i][1]}, Form{y_[i][0], y_[i][1]}, Form{r_[i], r_[i]}};
-    }
-    form_ = Circle<Form>(site[0], site[2], site[1]).c(site[3]);
-    always_ = is_zero(form_);
-    return form_;
-  }
-  constexpr int factors[3][2] = {{0, 5}, {1, 4}, {2, 3}};
-  for (int n = 0; n < 3; ++n) {
-    terms_[n].assign(5, 0);
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        add_product(terms_[n][i + j], p_[factors[n][0]][i], p_[factors[n][1]][j]);
-      }
-    }
-  }
-  terms_[3].resize(5);
-  for (int k = 0; k < 5; ++k) {
-    terms_[3][k] = terms_[0][k] - terms_[1][k];
-    terms_[3][k] -= terms_[2][k];
-    terms_[2][k] *= -4;
-  }
-  form_.assign(9, 0);
-  for (int i = 0; i < 5; ++i) {
-    for (int j = 0; j < i; ++j) add_product(form_[i + j], terms_[3][i], terms_[3][j]);
-  }
-  for (Int& c : form_) c <<= 1;
-  for (int i = 0; i < 5; ++i) {
-    add_product(form_[2 * i], terms_[3][i], terms_[3][i]);
-    for (int j = 0; j < 5; ++j) add_product(form_[i + j], terms_[1][i], terms_[2][j]);
-  }
-  if (!is_zero(form_)) return form_;
-  always_ = true;
-  for (int i = 0; i < 4; ++i) {
-    site[i] = {Form{x_[i][0], x_[i][1]}, Form{y_[i][0], y_[i][1]}, Form{r_[i], r_[i]}};
-  }
-  const int b = wall_ == 0 ? 2 : 0, j = wall_ == 0 ? 1 : 2, k = wall_ == 0 ? 0 : 1;
-  form_ = Circle<Form>(site[b], site[j], site[k]).g(site[3]);
-  return form_;
-}
-
-Form Edge4::roots_over(const Rat& a, const Rat& b) {
-  place(a, b);
-  tangencies();
-  return form();
-}
-
-// The sites at a + (b - a) above / 2^depth.
-void Edge4::sites_at(const Int& above, unsigned depth) {
-  const Int whole = Int(1) << depth, below = whole - above;
-  for (int i = 0; i < 4; ++i) {
-    at_[i].x = x_[i][0] * below + x_[i][1] * above;
-    at_[i].y = y_[i][0] * below + y_[i][1] * above;
-    at_[i].r = r_[i] * whole;
-  }
-}
-
-// The sign of q at the sites; of f there, if it is known.
-int Edge4::incircle(bool start, int f) {
-  const int* order = start ? kStart : kEnd;
-  const int turn = order[0] == wall_ ? 1 : 0;
-  const int i = order[turn], j = order[(turn + 1) % 3], k = order[(turn + 2) % 3], e = order[3];
-  const Circle<Int> circle(at_[i], at_[j], at_[k]);
-  const bool with_wall = j == wall_ || k == wall_;
-  int g = 0, c = 0;
-  if (f != -1) g = sgn(circle.g(at_[e]));
-  if (f != 1) c = sgn(circle.c(at_[e])) * (with_wall ? -1 : 1);
-  int q;
-  if (f == kUnknown && g != c) {
-    const auto p = [&](int m, int n) {
-      const Int x = at_[m].x - at_[n].x, y = at_[m].y - at_[n].y, s = at_[m].r - at_[n].r;
-      return Int(x * x + y * y - s * s);
-    };
-    const Int u = p(0, 1) * p(2, 3), v = p(0, 2) * p(1, 3), w = p(0, 3) * p(1, 2);
-    const Int rest = u - v - w;
-    f = sgn(Int(rest * rest - 4 * v * w));
-  }
-  if (f == kUnknown) {
-    q = g;
+void Instant::split(const Rat& t) {
+  if (variations(form(lo, t)) % 2 == 1) {
+    hi = t;
+  } else if (variations(form(t, hi)) % 2 == 1) {
+    lo = t;
   } else {
-    q = f > 0 ? g : f < 0 ? c : g == c ? g : g == 0 ? c : c == 0 ? g : 0;
+    lo = hi = t;
   }
-  return e == wall_ ? -q : q;
 }
 
-// The sign of the first in-circle function. Where both vanish throughout, that of the rule of the
-// largest id: the edge is there iff its dual joins the largest of the four to its opposite.
-int Edge4::legal(int f) {
-  const int q = incircle(true, f);
-  if (q != 0 || !always_) return q;
-  const int other = incircle(false, f);
-  if (other != 0) return other;
-  return std::max(quad_.l, quad_.r) > std::max(quad_.s, quad_.e) ? 1 : -1;
+int compare(Instant& x, const Rat& t) {
+  if (x.lo < t && t < x.hi) x.split(t);
+  if (x.is_point()) return x.lo < t ? -1 : x.lo > t;
+  return t <= x.lo ? 1 : -1;
 }
 
-int Edge4::exists(bool start) const {
-  const int* order = start ? kStart : kEnd;
-  const int turn = order[0] == wall_ ? 1 : 0;
-  const int i = order[turn], j = order[(turn + 1) % 3], k = order[(turn + 2) % 3];
-  const Circle<Int> c(at_[i], at_[j], at_[k]);
-  const Int u = c.xp * c.xs + c.yp * c.ys, gamma = c.xp * c.xp + c.yp * c.yp - c.sp * c.sp;
-  if (gamma <= 0) return kTouching;
-  return sign_with_root(u, j == wall_ || k == wall_ ? Int(-c.xy) : c.xy, gamma);
-}
-
-int Edge4::incircle_at(const Rat& t, bool start) {
-  place(t, t);
-  sites_at(0, 0);
-  return incircle(start, kUnknown);
-}
-
-const Site<Int>* Edge4::sites(const std::array<const Leg*, 4>& legs, const Rat& t) {
-  legs_ = legs;
-  place(t, t);
-  sites_at(0, 0);
-  return at_;
-}
-
-int Edge4::existence_at(const Rat& t, bool start) {
-  place(t, t);
-  sites_at(0, 0);
-  return exists(start);
-}
-
-std::optional<Collapse> Edge4::first_collapse(const Rat& a, const Rat& b, bool fresh) {
-  if (quad_.s == quad_.e || a >= b) return std::nullopt;
-  place(a, b);
-  tangencies();
-  const Separated apart = separated();
-  if (apart == Separated::no) return between_contacts(a, b);
-  struct Piece {
-    Form form;
-    Int k;
-    unsigned depth;
-    bool squarefree;
-  };
-  std::vector<Piece> pieces;
-  std::optional<Collapse> found;
-  const auto time = [&](const Int& k, unsigned depth) {
-    return Rat(a + (b - a) * Rat(k, Int(Int(1) << depth)));
-  };
-  form();
-  pieces.push_back({form_, 0, 0, false});
-  while (!pieces.empty() && !found) {
-    Piece piece = std::move(pieces.back());
-    pieces.pop_back();
-    const int roots = variations(piece.form);
-    const unsigned d = piece.depth;
-    if (roots == 0) {
-      // Inside the piece q does not vanish: one point decides.
-      int f = kUnknown;
-      if (!always_ && equal_) f = -1;
-      if (!always_ && !equal_ && !piece.squarefree) {
-        f = 0;
-        for (const Int& c : piece.form) f |= sgn(c);
-      }
-      sites_at(2 * piece.k + 1, d + 1);
-      const int q = legal(f);
-      if (q == 0) undecided("an in-circle function vanishes where it cannot");
-      if (q < 0) found = Collapse{at(time(piece.k, d)), time(2 * piece.k + 1, d + 1)};
-      continue;
-    }
-    if (roots == 1) {
-      // A collapse makes q negative until the end of the piece.
-      sites_at(piece.k, d);
-      const int from = legal(kUnknown);
-      sites_at(piece.k + 1, d);
-      const int to = legal(kUnknown);
-      if (from > 0 && to > 0) continue;
-      if (from > 0 && to < 0) {
-        const Rat lo = time(piece.k, d), hi = time(piece.k + 1, d);
-        found = Collapse{{lo, hi, std::move(piece.form), lo, hi}, hi};
-        continue;
-      }
-    }
-    if (d >= 30 && !piece.squarefree) {
-      piece.form = squarefree(piece.form);
-      piece.squarefree = true;
-      pieces.push_back(std::move(piece));
-      continue;
-    }
-    if (d > 4000) undecided("an edge's polynomial cannot be divided further");
-    Form left, right;
-    halve(piece.form, left, right);
-    pieces.push_back({std::move(right), 2 * piece.k + 1, d + 1, piece.squarefree});
-    pieces.push_back({std::move(left), 2 * piece.k, d + 1, piece.squarefree});
+int compare(Instant& x, Instant& y) {
+  for (int round = 0;; ++round) {
+    if (y.is_point()) return compare(x, Rat(y.lo));
+    if (x.is_point()) return -compare(y, Rat(x.lo));
+    if (x.hi <= y.lo) return -1;
+    if (y.hi <= x.lo) return 1;
+    const Rat lo = std::max(x.lo, y.lo), hi = std::min(x.hi, y.hi);
+    if (round % 16 == 8 && variations(common(x.form(lo, hi), y.form(lo, hi))) % 2 == 1) return 0;
+    x.split((x.lo + x.hi) / 2);
+    if (!y.is_point()) y.split((y.lo + y.hi) / 2);
   }
-  if (fresh || apart == Separated::touching) {
-    ++fresh_proofs;
-    const Rat t = (a + (found ? found->at.lo : b)) / 2;
-    if (t > a) {
-      place(t, t);
-      sites_at(0, 0);
-      for (const bool start : {true, false}) {
-        if (exists(start) <= 0 || incircle(start, kUnknown) < 0) {
-          if (!found)
-            found = Collapse{at(a), t};
-          else
-            found->at = at(a);
-        }
-      }
-    }
-  }
-  return found;
 }
 
-// Tangencies are of the wrong sign for a while: the motion between those moments, each piece with a
-// fresh proof. A tangency is convex: of two disks wrong between its roots, of the wall outside.
-std::optional<Collapse> Edge4::between_contacts(const Rat& a, const Rat& b) {
-  std::vector<std::array<Rat, 2>> good{{Rat(0), Rat(1)}};
-  const auto cut = [&](const Rat& from, const Rat& to) {  // takes [from, to] away
-    std::vector<std::array<Rat, 2>> rest;
-    for (const auto& [lo, hi] : good) {
-      if (from > lo) rest.push_back({lo, std::min(hi, from)});
-      if (to < hi) rest.push_back({std::max(lo, to), hi});
-    }
-    good = std::move(rest);
-  };
-  for (int n = 0; n < 6; ++n) {
-    // p = A u^2 + B u + C, u from 0 at a to 1 at b.
-    const Int c = p_[n][0], b1 = p_[n][1] - 2 * c, a2 = c - p_[n][1] + p_[n][2];
-    const bool wall = kPairs[n][0] == wall_ || kPairs[n][1] == wall_;
-    const Int disc = b1 * b1 - 4 * a2 * c;
-    if (a2 == 0) {  // at rest to each other
-      if (wall ? c >= 0 : c <= 0) good.clear();
-      continue;
-    }
-    if (disc < 0) {
-      if (wall) good.clear();
-      continue;
-    }
-    constexpr unsigned fine = 256;
-    const Int root = sqrt(Int(disc << (2 * fine))), scale = (2 * a2) << fine;
-    const Rat x_lo(Int(-(b1 << fine) - root - 1), scale), x_hi(Int(-(b1 << fine) - root), scale);
-    const Rat y_lo(Int(-(b1 << fine) + root), scale), y_hi(Int(-(b1 << fine) + root + 1), scale);
-    if (wall) {
-      cut(-1, x_hi);
-      cut(y_lo, 2);
-    } else {
-      cut(x_lo, y_hi);
-    }
-  }
-  for (const auto& [lo, hi] : good) {
-    if (lo >= hi) continue;
-    if (auto found = first_collapse(a + (b - a) * lo, a + (b - a) * hi, lo > 0)) return found;
-  }
-  return std::nullopt;
+std::optional<Collapse> first_collapse(const Four& four, const Rat& a, const Rat& b, Notes& notes) {
+  if (four.quad.s == four.quad.e || a >= b) return std::nullopt;
+  return Search(four, notes).first(a, b);
+}
+
+std::optional<Collapse> collapse_near(const Four& four, const Rat& a, const Rat& t) {
+  // A bracket of 2^-37 with short ends.
+  const Rat scaled = t * power(2, 40);
+  const Int middle = numerator(scaled) / denominator(scaled);
+  const Rat lo = (middle - 4) * power(2, -40), hi = (middle + 5) * power(2, -40);
+  if (a >= lo) return std::nullopt;
+  Span span(four, a, hi);
+  std::set<int> unused;
+  if (span.apart(unused) != Span::Apart::yes) return std::nullopt;
+  const Form f = span.polynomial();
+  if (variations(f) != 1 || span.always() || f.back() == 0) return std::nullopt;
+  const Now end = span.at(1, 0);
+  const int sign = f.size() < 9 ? -1 : sgn(f.back());
+  if (end.incircle(true, sign) >= 0 || end.incircle(false, sign) >= 0) return std::nullopt;
+  if (Now(four, lo).incircle(true) <= 0) return std::nullopt;
+  return Collapse{{lo, hi, four}, hi};
 }
 
 // With w = (D_xp, D_yp) of the end vertex and d the direction from the common base to the start's
 // circle, w x d = -sp (w x w1) - eps sqrt(Gamma) (w . w1) in terms of the start; the circles of
 // both orientations lie on either side of w, the end's on the side of -eps of the end.
-bool Edge4::one_circle(Instant& t) {
-  const bool flip = wall_ == 0;
-  const int b = flip ? 1 : 0, j1 = flip ? 0 : 2, k1 = flip ? 2 : 1, j2 = flip ? 3 : 1,
-            k2 = flip ? 0 : 3;
+bool one_circle(const Four& four, Instant& t) {
+  const auto [l, r, s, e] = four.quad;
+  const bool turned = l == container, wall = turned || r == container;
+  const int eps1 = wall || s == container ? 1 : -1, eps2 = wall || e == container ? 1 : -1;
   for (int round = 0; round < 200; ++round) {
-    place(t.lo, t.hi);
-    Site<Form> site[4];
-    for (int i = 0; i < 4; ++i) {
-      site[i] = {Form{x_[i][0], x_[i][1]}, Form{y_[i][0], y_[i][1]}, Form{r_[i], r_[i]}};
-    }
-    const Circle<Form> c1(site[b], site[j1], site[k1]), c2(site[b], site[j2], site[k2]);
-    const int eps1 = j1 == wall_ || k1 == wall_ ? 1 : -1,
-              eps2 = j2 == wall_ || k2 == wall_ ? 1 : -1;
-    const Form u = c1.sp * (c1.xp * c2.yp - c1.yp * c2.xp);
-    const Form v = c2.xp * c1.xp + c2.yp * c1.yp;
-    const Form gamma = c1.xp * c1.xp + c1.yp * c1.yp - c1.sp * c1.sp;
-    const Form norm = u * u - gamma * v * v;
-    if (norm[0] != 0 && norm.back() != 0 && (t.is_point() || variations(norm) == 0)) {
-      return sign_with_root(u[0], eps1 < 0 ? v[0] : Int(-v[0]), gamma[0]) == -eps2;
+    const std::array<Site<Form>, 4> at = Span(four, t.lo, t.hi).forms();
+    const Circle c1 = turned ? Circle(at[1], at[0], at[2]) : Circle(at[0], at[2], at[1]);
+    const Circle c2 = turned ? Circle(at[1], at[3], at[0]) : Circle(at[0], at[1], at[3]);
+    const Form u = c1.sp * (c1.xp * c2.yp - c1.yp * c2.xp), v = c2.xp * c1.xp + c2.yp * c1.yp;
+    const Form gamma = c1.gamma(), norm = u * u - gamma * v * v;
+    if (norm[0] != 0 && norm.back() != 0 && variations(norm) == 0) {
+      return sign_with_root(u[0], -eps1 * v[0], gamma[0]) == -eps2;
     }
     if (t.is_point()) break;
-    t.refine();
+    t.split((t.lo + t.hi) / 2);
   }
   undecided("whether two circles touch the same four");
-}
-
-std::optional<Collapse> Edge4::collapse_near(const Rat& a, const Rat& t) {
-  // A bracket of 2^-37 with short ends.
-  const Rat scaled = t * power_of_two(40);
-  const Int middle = numerator(scaled) / denominator(scaled);
-  const Rat lo = (middle - 4) * power_of_two(-40), hi = (middle + 5) * power_of_two(-40);
-  if (a >= lo) return std::nullopt;
-  place(a, hi);
-  tangencies();
-  if (separated() != Separated::yes || variations(form()) != 1 || always_) return std::nullopt;
-  const int f = equal_ ? -1 : sgn(form_.back());
-  if (f == 0) return std::nullopt;
-  sites_at(1, 0);
-  if (incircle(true, f) >= 0 || incircle(false, f) >= 0) return std::nullopt;
-  place(lo, lo);
-  sites_at(0, 0);
-  if (incircle(true, kUnknown) <= 0) return std::nullopt;
-  return Collapse{{lo, hi, form_, a, hi}, hi};
 }
 
 template struct Circle<Int>;

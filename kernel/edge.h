@@ -1,48 +1,85 @@
-// The geometry of four moving generators: when an edge of the diagram collapses, if it does.
+// Four generators on lines: when the edge between them collapses (docs/kernel.md, sections 5, 6).
 //
-// A generator has a signed radius, -R for the container. p_ij = |c_i - c_j|^2 - (r_i - r_j)^2 is
-// positive for two disks neither of which holds the other, and negative for a disk and the
+// A generator has a signed radius, -R for the container. The tangency |c_i - c_j|^2 - (r_i - r_j)^2
+// is positive for two disks neither of which holds the other, and negative for a disk and the
 // container. An edge [l,r,s,e] has two in-circle functions, of e in the circle (l,s,r) and of s in
 // the circle (l,r,e): q = G - eps sqrt(Gamma) C, positive while the fourth stays outside. q times
 // its conjugate is N f with N > 0 where Gamma > 0, so that signs of G, C and f give that of q.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <set>
 
 #include "kernel/files.h"
-#include "kernel/roots.h"
 
 namespace voroproof_kernel {
 
-// A generator on a line: from `start` on its centre is ((x, y) + (vx, vy) t) / (odd 2^shift), its
-// signed radius r / (odd 2^shift).
+// A generator on a line from `start` on: its centre is ((x, y) + (vx, vy) t) / scale, its signed
+// radius r / scale.
 struct Leg {
-  Rat start, radius;
+  Rat start;
   Vec from, velocity;
-  Int x, y, vx, vy, r, odd;
-  unsigned shift = 0;
+  Rat radius;
+  std::size_t claim;  // that begins it
+  Int x, y, vx, vy, r, scale;
 
-  Leg(const Rat& start, const Vec& from, const Vec& velocity, const Rat& signed_radius);
-  Vec at(const Rat& t) const;
+  Leg(const Rat& start, const Vec& from, const Vec& velocity, const Rat& radius,
+      std::size_t claim = 0);
+  Vec at(const Rat& t) const { return plus(from, t - start, velocity); }
 };
 
+// A centre and a signed radius: Int at a time, Form over an interval.
 template <class T>
 struct Site {
   T x, y, r;
+  Site operator-(const Site& o) const { return {x - o.x, y - o.y, r - o.r}; }
 };
+using Sites = std::array<Site<Int>, 4>;
+// Four generators at some times, all on one scale.
+std::vector<Sites> sites(const std::array<const Leg*, 4>& legs, const std::vector<Rat>& times);
 
-// The circle that touches sites i, j, k in counterclockwise order; i is a disk.
+// The circle that touches i, a disk, j and k counterclockwise: D_uv = u_j v_k - v_j u_k of the
+// differences to i. (Clockwise: the other sign of the root.)
 template <class T>
 struct Circle {
   Site<T> base;
-  T xp, yp, sp, xs, ys, xy;  // D_uv = u_j v_k - v_j u_k of the differences to the base
+  T xp, yp, sp, xs, ys, xy;
 
   Circle(const Site<T>& i, const Site<T>& j, const Site<T>& k);
   T g(const Site<T>& e) const;
   T c(const Site<T>& e) const;
+  T gamma() const { return xp * xp + yp * yp - sp * sp; }
 };
+
+// The sign of u + v sqrt(gamma), gamma >= 0.
+int sign_with_root(const Int& u, const Int& v, const Int& gamma);
+
+// An edge and the motion of l, r, s, e.
+struct Four {
+  Quad quad{};
+  std::array<const Leg*, 4> legs{};
+
+  // Over [a, b]: whose roots are the instants at which the four may touch one circle.
+  Form polynomial(const Rat& a, const Rat& b) const;
+  // Signs at t, for the vertex [l,s,r] or [l,r,e]: of its in-circle function, and of what is
+  // positive iff its circle exists (0 where two of the three touch).
+  int incircle(const Rat& t, bool start) const;
+  int exists(const Rat& t, bool start) const;
+};
+
+// A time lo = hi, or the only root, one of odd order, of the polynomial of four in (lo, hi).
+struct Instant {
+  Rat lo, hi;
+  Four four{};
+  bool multiple = false;  // the root need not be simple
+
+  bool is_point() const { return lo == hi; }
+  Form form(const Rat& a, const Rat& b) const;
+  void split(const Rat& t);  // finds on which side of t it is
+};
+Instant at(const Rat& t);
+// The sign of x - y, narrowing both. Ends always: equal roots are roots of a common divisor.
+int compare(Instant& x, Instant& y);
+int compare(Instant& x, const Rat& t);
 
 // The edge collapses at an instant: its first in-circle function is negative from there to `after`.
 struct Collapse {
@@ -50,61 +87,19 @@ struct Collapse {
   Rat after;
 };
 
-constexpr int kTouching = -2;
-
-// Four generators and their quadruplet, at work on one life after another.
-class Edge4 {
- public:
-  // Ids and motion of l, r, s, e in this order.
-  void set(const Quad& quad, const std::array<const Leg*, 4>& legs);
-
-  // The first collapse just after a or in (a, b): proves that there is none, or finds it. `fresh`:
-  // proves, too, that both circles exist somewhere before.
-  std::optional<Collapse> first_collapse(const Rat& a, const Rat& b, bool fresh = false);
-  // The collapse if it is the only root of the polynomial after a and lies close to t.
-  std::optional<Collapse> collapse_near(const Rat& a, const Rat& t);
-  // The polynomial whose roots are the instants at which the four may touch one circle.
-  Form roots_over(const Rat& a, const Rat& b);
-  // Whether the form made last is not that of f or C, which vanish identically.
-  bool always() const { return always_; }
-
-  // At an instant at which both vertices' circles touch all four: whether they are one circle. (Two
-  // circles may touch the same four; then the edge leads from the one to the other and stays.)
-  bool one_circle(Instant& t);
-
-  // The sign of an in-circle function at t: of the vertex [l,s,r] or of [l,r,e].
-  int incircle_at(const Rat& t, bool start);
-  // Of what is positive iff the circle exists at t; kTouching where two of the three touch.
-  int existence_at(const Rat& t, bool start);
-  // The sites of four generators at t, as whole numbers on one scale.
-  const Site<Int>* sites(const std::array<const Leg*, 4>& legs, const Rat& t);
-
+// What a search noticed: proofs made anew after tangencies of the wrong sign, and whose these were.
+struct Notes {
   std::int64_t fresh_proofs = 0;
-  std::set<int> touched;  // generators of pairs whose tangency vanished or had the wrong sign
-
- private:
-  void place(const Rat& a, const Rat& b);
-  void tangencies();
-  enum class Separated { yes, touching, no };
-  Separated separated();
-  const Form& form();
-  int incircle(bool start, int f_sign);
-  int legal(int f_sign);
-  void sites_at(const Int& above, unsigned depth);
-  std::optional<Collapse> between_contacts(const Rat& a, const Rat& b);
-  int exists(bool start) const;
-
-  Quad quad_{};
-  std::array<const Leg*, 4> legs_{};
-  int wall_ = -1;                        // which of the four is the container
-  bool equal_ = false, always_ = false;  // four equal radii; f vanishes identically
-  Int x_[4][2], y_[4][2], r_[4];         // at both ends of the interval, on one scale
-  Int p_[6][3];                          // tangencies of lr, ls, le, rs, re, se
-  Site<Int> at_[4];                      // at one instant
-  Form form_, terms_[4];
+  std::set<int> touched;
 };
 
-// The sign of u + v sqrt(gamma), gamma >= 0.
-int sign_with_root(const Int& u, const Int& v, const Int& gamma);
+// The first collapse just after a or in (a, b): proves that there is none, or finds it.
+std::optional<Collapse> first_collapse(const Four&, const Rat& a, const Rat& b, Notes&);
+// The collapse if the polynomial has one root between a and shortly after t, and that close to t.
+std::optional<Collapse> collapse_near(const Four&, const Rat& a, const Rat& t);
+
+// At an instant at which both vertices' circles touch all four: whether they are one circle. (Two
+// circles may touch the same four; then the edge leads from the one to the other and stays.)
+bool one_circle(const Four&, Instant& t);
 
 }  // namespace voroproof_kernel

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "kernel/numbers.h"
+#include "kernel/algebra.h"
 
 namespace voroproof_kernel {
 
@@ -32,25 +30,28 @@ struct Scene {
 struct Quad {
   int l, r, s, e;
   bool operator==(const Quad&) const = default;
+  Quad reversed() const { return {r, l, e, s}; }
 };
+std::string name(const Quad& q);
 
 struct Claim {
   enum class Kind { flip, collision, maneuver } kind;
   std::int64_t line;
-  Rat t;             // of a collision or maneuver under the exact truth: its exact time
-  Rat filed;         // as the file has it
-  Quad quad{};       // of a flip
-  int i = 0, j = 0;  // of a collision, i < j; of a maneuver j
-  std::optional<Vec> v[2], p[2];  // of i and j
+  Rat t;      // of a collision or maneuver under the exact truth: its exact time
+  Rat filed;  // as the file has it
+  Quad quad;  // of a flip
+  int id[2];  // of a collision, the smaller first; id[1] of a maneuver
+  int first;  // the disks that turn are id[first] ... id[1]; 2 where none does
+  std::optional<Vec> v[2], p[2];
 };
 
 struct History {
-  Rat horizon;  // or where it stopped
+  Rat horizon;
   std::string scene_sha256;
   std::optional<std::vector<Quad>> initial;
   std::vector<Claim> claims;
   std::int64_t last_line = 0;
-  bool stopped = false;
+  bool stopped = false;               // before its horizon
   std::int64_t ended[3] = {0, 0, 0};  // flips, collisions, maneuvers by the last line
 };
 

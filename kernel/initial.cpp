@@ -1,5 +1,5 @@
 // The initial diagram: circles exist, each cell winds once, no fourth generator in a circle.
-#include "kernel/lives.h"
+#include "kernel/motion.h"
 
 namespace voroproof_kernel {
 namespace {
@@ -7,77 +7,68 @@ namespace {
 // u + v sqrt(gamma).
 struct Surd {
   Int u, v;
+  Surd operator*(const Int& k) const { return {u * k, v * k}; }
+  Surd operator+(const Surd& o) const { return {u + o.u, v + o.v}; }
+  Surd operator-(const Surd& o) const { return {u - o.u, v - o.v}; }
 };
-
-// The sign of x + y sqrt(c), where x and y are surds of g.
-int sign_with_two_roots(const Surd& x, const Surd& y, const Int& g, const Int& c) {
-  const int a = sign_with_root(x.u, x.v, g), b = c == 0 ? 0 : sign_with_root(y.u, y.v, g);
-  if (a == b || b == 0) return a;
-  if (a == 0) return b;
-  return a * sign_with_root(Int(x.u * x.u + x.v * x.v * g - c * (y.u * y.u + y.v * y.v * g)),
-                            Int(2 * x.u * x.v - 2 * c * y.u * y.v), g);
-}
 
 // A direction with surds of one gamma.
 struct Direction {
   Surd x, y;
   Int gamma;
+  // Whether it is in the lower half plane, from the negative x axis to before the positive one.
+  bool lower() const {
+    const int sign = sign_with_root(y.u, y.v, gamma);
+    return sign < 0 || (sign == 0 && sign_with_root(x.u, x.v, gamma) < 0);
+  }
 };
 
-// The sign of a x b.
+// The sign of a x b, x + y sqrt(c) with surds x and y of g.
 int turn(const Direction& a, const Direction& b) {
-  const auto times = [](const Surd& p, const Int& k) { return Surd{Int(p.u * k), Int(p.v * k)}; };
-  const auto minus = [](const Surd& p, const Surd& q) {
-    return Surd{Int(p.u - q.u), Int(p.v - q.v)};
-  };
-  return sign_with_two_roots(minus(times(a.x, b.y.u), times(a.y, b.x.u)),
-                             minus(times(a.x, b.y.v), times(a.y, b.x.v)), a.gamma, b.gamma);
+  const Surd x = a.x * b.y.u - a.y * b.x.u, y = a.x * b.y.v - a.y * b.x.v;
+  const Int &g = a.gamma, &c = b.gamma;
+  const int s = sign_with_root(x.u, x.v, g), r = c == 0 ? 0 : sign_with_root(y.u, y.v, g);
+  if (s == r || r == 0) return s;
+  if (s == 0) return r;
+  return s * sign_with_root(x.u * x.u + x.v * x.v * g - c * (y.u * y.u + y.v * y.v * g),
+                            2 * (x.u * x.v - c * y.u * y.v), g);
 }
 
 // From generator g to its vertex [g,j,k]: n N, or for the container 2 h (c - O) + n N.
 Direction direction(const Site<Int>& g, const Site<Int>& j, const Site<Int>& k, bool of_wall,
                     bool with_wall) {
-  const Circle<Int> c = of_wall ? Circle<Int>(j, k, g) : Circle<Int>(g, j, k);
-  const int eps = of_wall || with_wall ? 1 : -1;
-  Direction d{{Int(-c.sp * c.xp), Int(eps * c.yp)},
-              {Int(-c.sp * c.yp), Int(-eps * c.xp)},
-              Int(c.xp * c.xp + c.yp * c.yp - c.sp * c.sp)};
+  const Circle c = of_wall ? Circle(j, k, g) : Circle(g, j, k);
+  const Int eps = of_wall || with_wall ? 1 : -1;
+  Direction d{{-c.sp * c.xp, eps * c.yp}, {-c.sp * c.yp, -eps * c.xp}, c.gamma()};
   if (!of_wall) return d;
-  const Surd h{Int(2 * (c.xp * c.xs + c.yp * c.ys)), Int(-2 * c.xy)};
-  const Int x = j.x - g.x, y = j.y - g.y;
-  d.x = {Int(d.x.u + h.u * x), Int(d.x.v + h.v * x)};
-  d.y = {Int(d.y.u + h.u * y), Int(d.y.v + h.v * y)};
+  const Surd h{2 * (c.xp * c.xs + c.yp * c.ys), -2 * c.xy};
+  d.x = d.x + h * (j.x - g.x);
+  d.y = d.y + h * (j.y - g.y);
   return d;
 }
 
 }  // namespace
 
 void check_cell(const Walk& walk, int g, const Rat& t) {
-  Edge4 four;
   const Diagram& d = *walk.diagram;
   std::vector<Direction> vertices;
-  const int first = d.spokes(g)[0];
-  int k = first;
+  int k = d.spokes(g)[0];
   do {
-    Quad q = d.edges()[k];
-    if (q.l != g) q = {q.r, q.l, q.e, q.s};
     // The end vertex [g, r, e]; the next spoke counterclockwise is that of e.
-    const auto at = four.sites({&walk.leg(g), &walk.leg(q.r), &walk.leg(q.e), &walk.leg(q.s)}, t);
-    vertices.push_back(
-        direction(at[0], at[1], at[2], g == container, q.r == container || q.e == container));
+    const Quad q = d.edges()[k].l == g ? d.edges()[k] : d.edges()[k].reversed();
+    const Four four{q, {&walk.leg(g), &walk.leg(q.r), &walk.leg(q.e), &walk.leg(q.s)}};
+    const Sites at = sites(four.legs, {t})[0];
+    const bool with_wall = q.r == container || q.e == container;
+    vertices.push_back(direction(at[0], at[1], at[2], g == container, with_wall));
     k = d.next_spoke(k, g);
-  } while (k != first);
+  } while (k != d.spokes(g)[0]);
   // Angles from 0 to 2 pi: the lower half plane follows the upper. One step falls back.
-  const auto lower = [](const Direction& v) {
-    const int y = sign_with_root(v.y.u, v.y.v, v.gamma);
-    return y < 0 || (y == 0 && sign_with_root(v.x.u, v.x.v, v.gamma) < 0);
-  };
   int falls = 0;
   bool moves = false;
   for (std::size_t n = 0; n < vertices.size(); ++n) {
     const Direction *a = &vertices[n], *b = &vertices[(n + 1) % vertices.size()];
     if (g == container) std::swap(a, b);  // clockwise around the container
-    const int step = lower(*a) != lower(*b) ? (lower(*a) ? -1 : 1) : turn(*a, *b);
+    const int step = a->lower() != b->lower() ? (a->lower() ? -1 : 1) : turn(*a, *b);
     falls += step < 0;
     moves |= step != 0;
   }
@@ -87,19 +78,16 @@ void check_cell(const Walk& walk, int g, const Rat& t) {
 }
 
 void check_initial(const Walk& walk) {
-  const Diagram& d = *walk.diagram;
-  for (const Quad& q : d.edges()) {
-    Edge4 four;
-    four.set(q, {&walk.leg(q.l), &walk.leg(q.r), &walk.leg(q.s), &walk.leg(q.e)});
-    const std::string name = "[" + std::to_string(q.l) + "," + std::to_string(q.r) + "," +
-                             std::to_string(q.s) + "," + std::to_string(q.e) + "]";
+  const int count = static_cast<int>(walk.edges().size());
+  for (int k = 0; k < count; ++k) {
+    const Four four = walk.four(k);
+    const std::string edge = "edge " + name(four.quad);
     for (const bool start : {true, false}) {
-      const int exists = four.existence_at(0, start);
-      if (exists == kTouching) undecided("a point touches another generator at the start");
-      if (exists <= 0)
-        refute("wrong initial diagram: a circle of edge " + name + " does not exist");
-      if (q.s != q.e && four.incircle_at(0, start) < 0) {
-        refute("wrong initial diagram: edge " + name + " is not legal");
+      const int exists = four.exists(0, start);
+      if (exists == 0) undecided("a point touches another generator at the start");
+      if (exists < 0) refute("wrong initial diagram: a circle of " + edge + " does not exist");
+      if (four.quad.s != four.quad.e && four.incircle(0, start) < 0) {
+        refute("wrong initial diagram: " + edge + " is not legal");
       }
     }
   }

@@ -1,7 +1,7 @@
-#include "kernel/lives.h"
-
+// The lives of edges: each edge of the claimed diagram collapses just where a flip is claimed.
 #include <algorithm>
-#include <set>
+
+#include "kernel/motion.h"
 
 namespace voroproof_kernel {
 namespace {
@@ -11,227 +11,263 @@ using Shared = std::shared_ptr<Instant>;
 // Since when an edge has its quadruplet and its four generators their motion.
 struct Birth {
   Shared at;
-  bool own = false;  // by its own flip
-  bool flip = false;
-  Quad four{};  // that flipped then
+  bool own = false;            // by its own flip
+  std::optional<Quad> flip{};  // that was then
 };
 
 class Lives {
  public:
   Lives(const Problem& p, const Part& part, Counts& counts, std::int64_t& line)
-      : p_(p), part_(part), counts_(counts), line_(line), walk_(p) {}
+      : p_(p), part_(part), claims_(p.history.claims), counts_(counts), line_(line), walk_(p) {}
 
   void run() {
-    const auto& claims = p_.history.claims;
-    for (std::size_t k = 0; k < part_.first; ++k) walk_.apply(claims[k]);
+    for (std::size_t k = 0; k < part_.first; ++k) walk_.apply(claims_[k]);
     line_ = 1;
     if (part_.first == 0) check_initial(walk_);
     latest_ = std::make_shared<Instant>(at(part_.begin));
-    births_.assign(edges().size(), {latest_});
+    births_.assign(walk_.edges().size(), {latest_});
+    taken_.assign(part_.last - part_.first, false);
     for (std::size_t k = part_.first; k < part_.last; ++k) {
-      line_ = claims[k].line;
-      if (claims[k].kind == Claim::Kind::flip) {
-        flip(claims[k]);
-      } else {
-        turn(claims[k]);
-      }
-      check_cells(k + 1 < part_.last ? Rat(claims[k + 1].filed - p_.tolerance) : part_.end);
+      take(k);
+      check_cells(k + 1 < part_.last ? Rat(claims_[k + 1].filed - p_.tolerance) : part_.end);
     }
     const Shared end = std::make_shared<Instant>(at(part_.end));
-    const bool last = p_.exact() && part_.last == claims.size();
-    line_ = part_.last == claims.size() ? p_.history.last_line : line_;
-    for (std::size_t k = 0; k < edges().size(); ++k) close(static_cast<int>(k), end, last);
+    const bool last = part_.last == claims_.size();
+    if (last) line_ = p_.history.last_line;
+    for (int k = 0; k < static_cast<int>(births_.size()); ++k) {
+      // Claims of the recorded truth may lie beyond the horizon.
+      if (compare(*births_[k].at, *end) > 0) continue;
+      if (const auto found = missed(k, end, last && p_.exact())) unclaimed(k, *found);
+    }
     check_cells(part_.end);
-    counts_.fresh_proofs += four_.fresh_proofs;
+    counts_.fresh_proofs += notes_.fresh_proofs;
   }
 
  private:
-  const std::vector<Quad>& edges() const { return walk_.diagram->edges(); }
-
-  void set(int k) {
-    const Quad& q = edges()[k];
-    four_.set(q, {&walk_.leg(q.l), &walk_.leg(q.r), &walk_.leg(q.s), &walk_.leg(q.e)});
+  bool open(std::size_t k) const {
+    return k >= part_.first && k < part_.last && !taken_[k - part_.first];
   }
 
-  static std::string name(const Quad& q) {
-    return "[" + std::to_string(q.l) + "," + std::to_string(q.r) + "," + std::to_string(q.s) + "," +
-           std::to_string(q.e) + "]";
-  }
-
-  // The first collapse of edge k since its birth, before `end`.
-  std::optional<Collapse> collapse(int k, const Rat& end) {
-    const Birth& birth = births_[k];
-    set(k);
-    if (birth.at->is_point() || birth.own) return four_.first_collapse(birth.at->hi, end);
-    auto found = four_.first_collapse(birth.at->lo, end);
-    if (!found || found->at.lo >= birth.at->hi) return found;
-    // The birth is a root in a bracket in which this edge has a root or is illegal: either its root
-    // is the same, or the bracket can be made so small that it holds none of this edge.
-    for (;;) {
-      Instant& b = *birth.at;
-      if (b.is_point()) return four_.first_collapse(b.lo, end);
-      Form form = four_.roots_over(b.lo, b.hi);
-      const bool ends = form.front() != 0 && form.back() != 0;
-      if (!four_.always() && ends && variations(form) == 0) {
-        return four_.first_collapse(b.lo, end);
-      }
-      bool same = is_zero(form);  // or cotangent throughout
-      if (!same && ends && variations(form = squarefree(form)) == 1) {
-        form = common(form, restricted(b.form, b.a, b.b, b.lo, b.hi));
-        same = variations(form) % 2 == 1;
-      }
-      if (same || (four_.always() && ends && variations(form) == 0)) {
-        found = four_.first_collapse(b.hi, end);
-        if (found && found->at.is_point() && found->at.lo == b.hi) found->at = b;
-        return found;
-      }
-      for (int n = 0; n < 8 && !b.is_point(); ++n) b.refine();
+  void take(std::size_t k) {
+    if (!open(k)) return;
+    line_ = claims_[k].line;
+    taken_[k - part_.first] = true;
+    if (claims_[k].kind == Claim::Kind::flip) {
+      flip(k);
+    } else {
+      turn(k);
     }
   }
 
-  // Recorded truth: a flip within the tolerance of a turn of one of its generators may be claimed
-  // on the other side of it, which is not followed here.
-  static constexpr const char* kNearTurn = ", within the tolerance of a turn";
-  bool near_turn(const Quad& q, const Rat& flip) const {
-    if (p_.exact()) return false;
-    for (const int g : {q.l, q.r, q.s, q.e}) {
-      for (const Leg& leg : p_.legs[g + 1]) {
-        if (leg.start > 0 && abs(Rat(leg.start - flip)) <= 2 * p_.tolerance) return true;
+  // A claim that is earlier in truth than the one at hand, and later in the file.
+  void take_before(std::size_t k) {
+    const std::int64_t line = line_;
+    count_swap();
+    take(k);
+    line_ = line;
+  }
+
+  // Takes a claim that the file has after the one at hand, and that is before `now` in truth, if
+  // there is one: a turn, or a flip that changes an edge that ends a life now.
+  bool take_earlier(std::size_t claim, const Instant& now, const std::set<int>& ending) {
+    const Rat most = claims_[claim].filed + 2 * p_.tolerance;
+    for (std::size_t m = claim + 1; m < part_.last && claims_[m].filed <= most; ++m) {
+      if (!open(m)) continue;
+      Instant end = now;
+      if (claims_[m].kind != Claim::Kind::flip) {
+        if (!can_turn(m) || compare(end, claims_[m].t) <= 0) continue;
+      } else {
+        const int k = walk_.edge_of(claims_[m]);
+        if (k < 0) continue;
+        const std::array<int, 4> near = walk_.diagram->around(k);
+        const auto ends = [&](int e) { return ending.count(e) == 1; };
+        if (!ends(k) && std::none_of(near.begin(), near.end(), ends)) continue;
+        auto found = collapse(k, end.hi);
+        if (!found || compare(found->at, end) >= 0) continue;
       }
+      take_before(m);
+      return true;
     }
     return false;
   }
 
-  // Whether a flip of these four generators is claimed about that time.
-  bool is_claimed(const Quad& q, const Rat& flip) const {
-    const auto four = [](const Quad& of) { return std::multiset<int>{of.l, of.r, of.s, of.e}; };
-    return std::any_of(p_.history.claims.begin(), p_.history.claims.end(), [&](const Claim& c) {
-      return c.kind == Claim::Kind::flip && abs(Rat(c.filed - flip)) <= 2 * p_.tolerance &&
-             four(c.quad) == four(q);
-    });
+  void count_swap() {
+    if (p_.options.strict) refute("the claim is out of order");
+    ++counts_.swaps;
   }
 
-  // Ends the life of edge k, which does not flip, at an instant; `last`: the horizon under the
-  // exact truth, at which a collapse is due.
-  void close(int k, const Shared& end, bool last = false) {
-    const Birth& birth = births_[k];
-    if (birth.at == end) return;
-    if (birth.at->hi > end->lo || (birth.at->is_point() && end->is_point())) {
-      const int order = compare(*birth.at, *end);
-      if (order == 0 && !last) return;
-      if (order > 0) {
-        const std::string what = "edge " + name(edges()[k]) + " is changed before it is there";
-        if (near_turn(edges()[k], birth.at->hi)) undecided(what + kNearTurn);
-        refute(what);
+  // The first collapse of edge k since its birth, before `end`.
+  std::optional<Collapse> collapse(int k, const Rat& end) {
+    Instant& b = *births_[k].at;
+    const Four four = walk_.four(k);
+    if (b.is_point() || births_[k].own) return first_collapse(four, b.hi, end, notes_);
+    auto found = first_collapse(four, b.lo, end, notes_);
+    // The birth is a root in a bracket in which this edge has a root or is illegal: either its root
+    // is the same, or the bracket can be made so small that it holds none of this edge.
+    while (found && found->at.lo < b.hi) {
+      if (b.is_point()) return first_collapse(four, b.lo, end, notes_);
+      const Form form = four.polynomial(b.lo, b.hi);
+      const bool zero = is_zero(form), ends = !zero && form.front() != 0 && form.back() != 0;
+      if (ends && variations(form) == 0) return first_collapse(four, b.lo, end, notes_);
+      const Form once = ends ? squarefree(form) : Form{};
+      if (zero ||
+          (variations(once) == 1 && variations(common(once, b.form(b.lo, b.hi))) % 2 == 1)) {
+        found = first_collapse(four, b.hi, end, notes_);
+        if (found && found->at.is_point() && found->at.lo == b.hi) found->at = b;
+        return found;
       }
+      for (int n = 0; n < 8 && !b.is_point(); ++n) b.split((b.lo + b.hi) / 2);
+    }
+    return found;
+  }
+
+  // A collapse of edge k between its birth and an instant at which it does not flip; `last`: the
+  // horizon under the exact truth, at which a collapse is due.
+  std::optional<Collapse> missed(int k, const Shared& end, bool last = false) {
+    const Shared& birth = births_[k].at;
+    if (birth == end) return {};
+    if (birth->hi > end->lo || birth->is_point()) {
+      const int order = compare(*birth, *end);
+      if (order == 0 && !last) return {};
+      if (order > 0) refute("edge " + name(walk_.edges()[k]) + " is changed before it is there");
     }
     ++counts_.lives;
     auto found = collapse(k, last ? Rat(end->hi + p_.tolerance) : end->hi);
-    if (!found || compare(found->at, *end) >= (last ? 1 : 0)) return;
-    if (!p_.exact() && compare(found->at, Rat(p_.horizon - p_.tolerance)) >= 0) {
-      ++counts_.horizon_events;
-      return;
-    }
-    const std::string what = "edge " + name(edges()[k]) + " collapses at " + about(found->at.lo) +
-                             ", and no flip is claimed";
-    if (near_turn(edges()[k], found->at.hi) && is_claimed(edges()[k], found->at.hi)) {
-      undecided(what + kNearTurn);
-    }
-    refute(what);
+    if (!found || compare(found->at, *end) >= (last ? 1 : 0)) return {};
+    if (p_.exact() || compare(found->at, p_.history.horizon - p_.tolerance) < 0) return found;
+    ++counts_.horizon_events;
+    return {};
   }
 
-  void flip(const Claim& claim) {
-    const int k = walk_.edge_of(claim, nullptr);
-    const Quad q = edges()[k];
-    const Birth birth = births_[k];
+  [[noreturn]] void unclaimed(int k, const Collapse& found) const {
+    refute("edge " + name(walk_.edges()[k]) + " collapses at " + about(found.at.lo) +
+           ", and no flip is claimed");
+  }
+
+  void flip(std::size_t claim) {
+    const Rat t = claims_[claim].t, lo = t - p_.tolerance, hi = t + p_.tolerance;
+    const int k = walk_.edge_of(claims_[claim]);
+    if (k < 0) refute("wrong quadruple: the diagram has no such edge");
+    const Quad q = walk_.edges()[k];
+    const Birth& birth = births_[k];
     ++counts_.lives;
-    set(k);
-    std::optional<Collapse> found;
-    const Rat lo = claim.t - p_.tolerance, hi = claim.t + p_.tolerance;
-    if (birth.at->is_point() || birth.own)
-      found = four_.collapse_near(birth.at->hi, claim.t);
-    else
-      found = four_.collapse_near(birth.at->lo, claim.t);
+    const bool past = birth.at->is_point() || birth.own;
+    auto found = collapse_near(walk_.four(k), past ? birth.at->hi : birth.at->lo, t);
     if (found && birth.at->hi >= found->at.lo) found.reset();
-    const bool near_it = found.has_value();
+    const bool simple = found.has_value();
+    if (!found) found = collapse(k, hi + p_.tolerance);
     if (!found) {
-      found = collapse(k, hi + p_.tolerance);
-      if (!found) refute("edge " + name(q) + " does not collapse by then");
-      set(k);
-      // Both vanish where the rule of the largest id decides.
-      const int end = four_.incircle_at(found->after, false);
-      if (end > 0 || (end == 0 && four_.incircle_at(found->after, true) != 0)) {
-        refute("only one end of edge " + name(q) + " touches its fourth generator");
+      // Unless one of the four turns before.
+      for (const int g : {q.l, q.r, q.s, q.e}) {
+        const std::size_t next = walk_.leg_of[g + 1] + 1;
+        if (next == p_.legs[g + 1].size()) continue;
+        const Leg& leg = p_.legs[g + 1][next];
+        if (!open(leg.claim) || leg.start > hi || !can_turn(leg.claim)) continue;
+        take_before(leg.claim);
+        return flip(claim);
       }
+      refute("edge " + name(q) + " does not collapse by then");
+    }
+    const std::array<int, 4> near = walk_.diagram->around(k);
+    if (take_earlier(claim, found->at, {near.begin(), near.end()})) return flip(claim);
+    const Four four = walk_.four(k);
+    // Both vanish where the rule of the largest id decides.
+    const int end = simple ? -1 : four.incircle(found->after, false);
+    if (end > 0 || (end == 0 && four.incircle(found->after, true) != 0)) {
+      refute("only one end of edge " + name(q) + " touches its fourth generator");
     }
     const Shared now = std::make_shared<Instant>(found->at);
-    if (!near_it && !four_.one_circle(*now)) {
+    if (!simple && !one_circle(four, *now)) {
       refute("edge " + name(q) + " leads from one circle to another and stays");
     }
     if (compare(*now, lo) < 0 || compare(*now, hi) > 0) {
       refute("edge " + name(q) + " collapses at " + about(now->lo));
     }
-    if (p_.exact() && compare(*now, p_.horizon) > 0) refute("the flip is after the horizon");
+    if (p_.exact() && compare(*now, p_.history.horizon) > 0) refute("it is after the horizon");
     if (compare(*now, Rat(0)) <= 0) refute("the diagram at 0+ is that after all flips at 0");
+    for (const int e : near) {
+      if (const auto missing = missed(e, now)) unclaimed(e, *missing);
+    }
     note_order(now);
-    const std::array<int, 4> near = walk_.diagram->around(k);
-    for (const int e : near) close(e, now);
     walk_.diagram->flip(k);
-    for (const int e : near) births_[e] = {now, false, true, q};
-    births_[k] = {now, true, true, q};
+    for (const int e : near) births_[e] = {now, false, q};
+    births_[k] = {now, true, q};
   }
 
-  void turn(const Claim& claim) {
-    const Shared now = std::make_shared<Instant>(at(claim.t));
+  // Whether this is the next turn of all its disks.
+  bool can_turn(std::size_t claim) const {
+    const Claim& c = claims_[claim];
+    for (int k = c.first; k < 2; ++k) {
+      if (p_.legs[c.id[k] + 1][walk_.leg_of[c.id[k] + 1] + 1].claim != claim) return false;
+    }
+    return true;
+  }
+
+  // The edges that have a turning disk among their four.
+  std::set<int> edges_about(const Claim& c) const {
+    std::set<int> all;
+    for (int side = c.first; side < 2; ++side) {
+      for (const int k : walk_.diagram->spokes(c.id[side])) {
+        const std::array<int, 4> near = walk_.diagram->around(k);
+        all.insert(near.begin(), near.end());
+        all.insert(k);
+      }
+    }
+    return all;
+  }
+
+  void turn(std::size_t claim) {
+    const Claim& c = claims_[claim];
+    if (!can_turn(claim)) refute("two turns of one disk are out of order");
+    const Shared now = std::make_shared<Instant>(at(c.t));
+    const std::set<int> all = edges_about(c);
+    if (take_earlier(claim, *now, all)) return turn(claim);
+    for (const int k : all) {
+      if (const auto found = missed(k, now)) unclaimed(k, *found);
+    }
     note_order(now);
-    const std::vector<int> disks = turned(claim);
-    std::vector<int> all;
-    for (const int disk : disks) {
-      const std::vector<int> some = walk_.diagram->about(disk);
-      all.insert(all.end(), some.begin(), some.end());
-      for (const int k : some) {
-        const Birth& b = births_[k];
-        const bool its =
-            b.four.l == disk || b.four.r == disk || b.four.s == disk || b.four.e == disk;
-        if (b.flip && its && b.at->hi >= claim.t && compare(*b.at, claim.t) == 0) {
-          refute("disk " + std::to_string(disk) + " turns at the instant of a flip before it");
+    for (const int k : all) {
+      const Birth& b = births_[k];
+      if (!b.flip || b.at->hi < c.t || compare(*b.at, c.t) != 0) continue;
+      const Quad q = *b.flip;
+      for (const int g : {q.l, q.r, q.s, q.e}) {
+        if (g == c.id[1] || (c.first == 0 && g == c.id[0])) {
+          refute("disk " + std::to_string(g) + " turns at the instant of a flip before it");
         }
       }
     }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    for (const int k : all) close(k, now);
-    walk_.apply(claim);
+    walk_.apply(c);
     for (const int k : all) births_[k] = {now};
   }
 
   // After generators were so near that circles between them ceased to exist: their cells anew,
   // where there is time before the next claim.
   void check_cells(const Rat& next) {
-    if (four_.touched.empty() || next <= latest_->hi) return;
+    if (notes_.touched.empty() || next <= latest_->hi) return;
     const Rat t = (latest_->hi + next) / 2;
-    for (const int g : four_.touched) check_cell(walk_, g, t);
-    four_.touched.clear();
+    for (const int g : notes_.touched) check_cell(walk_, g, t);
+    notes_.touched.clear();
   }
 
   // Claims may be out of order within the tolerance, as the times of each edge are in order.
   void note_order(const Shared& now) {
     if (now->lo < latest_->hi && compare(*now, *latest_) < 0) {
-      if (p_.options.strict) refute("the claim is out of order");
-      ++counts_.swaps;
-      return;
+      count_swap();
+    } else {
+      latest_ = now;
     }
-    latest_ = now;
   }
 
   const Problem& p_;
   const Part& part_;
+  const std::vector<Claim>& claims_;
   Counts& counts_;
   std::int64_t& line_;
   Walk walk_;
   std::vector<Birth> births_;
+  std::vector<bool> taken_;
   Shared latest_;
-  Edge4 four_;
+  Notes notes_;
 };
 
 }  // namespace
@@ -239,14 +275,14 @@ class Lives {
 std::vector<Part> parts_of(const Problem& p) {
   constexpr std::size_t least = 2000;  // claims
   const auto& claims = p.history.claims;
-  std::vector<Part> parts{{0, claims.size(), 0, p.horizon}};
+  std::vector<Part> parts{{0, claims.size(), 0, p.history.horizon}};
   for (std::size_t k = 1; k < claims.size(); ++k) {
     if (k - parts.back().first < least) continue;
     if (claims[k].filed - claims[k - 1].filed <= 4 * p.tolerance) continue;
     const Rat cut = (claims[k].filed + claims[k - 1].filed) / 2;
     parts.back().last = k;
     parts.back().end = cut;
-    parts.push_back({k, claims.size(), cut, p.horizon});
+    parts.push_back({k, claims.size(), cut, p.history.horizon});
   }
   return parts;
 }

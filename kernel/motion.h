@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "kernel/diagram.h"
 #include "kernel/edge.h"
@@ -13,15 +12,16 @@ struct Problem {
   Scene scene;
   History history;
   Options options;
-  Rat tolerance, law_tolerance, horizon;
+  Rat tolerance, law_tolerance;
   std::vector<std::vector<Leg>> legs;  // of generator g at [g + 1], one for each turn
 
   bool exact() const { return options.truth == Truth::exact; }
   int disks() const { return static_cast<int>(scene.disks.size()); }
-  Rat radius(int g) const { return g == container ? Rat(-scene.radius) : scene.disks[g].radius; }
+  Rat radius(int g) const { return g == container ? -scene.radius : scene.disks[g].radius; }
+  Rat reach(int i, int j) const { return abs(radius(i) + radius(j)); }
 };
 
-// The gap |d(t)|^2 - reach^2 = A s^2 + 2 B s + C of two on their lines, s = t - start.
+// The gap |d(t)|^2 - reach^2 = a s^2 + 2 b s + c of two on their lines, s = t - start.
 struct Gap {
   Rat start, a, b, c;
   Gap(const Leg& i, const Leg& j);
@@ -31,13 +31,6 @@ struct Gap {
   bool has_roots() const { return a > 0 && b * b > a * c; }
 };
 
-// The disks that a claim turns.
-inline std::vector<int> turned(const Claim& c) {
-  if (c.kind == Claim::Kind::flip) return {};
-  if (c.kind == Claim::Kind::maneuver || c.i == container) return {c.j};
-  return {c.i, c.j};
-}
-
 // A walk along the claims: the diagram and the leg on which each generator is.
 struct Walk {
   const Problem& problem;
@@ -46,9 +39,11 @@ struct Walk {
 
   explicit Walk(const Problem& p);
   const Leg& leg(int g) const { return problem.legs[g + 1][leg_of[g + 1]]; }
-  // The edge that a flip names; throws Stop (refuted) if there is none. Counts quadruplets without
-  // orientation where these are allowed.
-  int edge_of(const Claim& flip, std::int64_t* unoriented) const;
+  const std::vector<Quad>& edges() const { return diagram->edges(); }
+  // Edge k on its generators' present legs.
+  Four four(int k) const;
+  // The edge that a flip names, or -1; with --unoriented the quadruplet may be a mirrored one.
+  int edge_of(const Claim& flip, bool* mirrored = nullptr) const;
   void apply(const Claim& claim);
 };
 
@@ -56,5 +51,18 @@ struct Walk {
 void trace_paths(Problem& p, Counts& counts);
 // Checks that the collisions are those of the paths.
 void check_contacts(const Problem& p, Counts& counts, std::int64_t& line);
+
+// Claims [first, last) and the time from `begin` to `end` that they are proved for.
+struct Part {
+  std::size_t first, last;
+  Rat begin, end;
+};
+// Cuts the claims where they are far apart; the same for any number of processes.
+std::vector<Part> parts_of(const Problem& p);
+// Checks that the edges of the claimed diagram collapse just where flips are claimed.
+void check_lives(const Problem& p, const Part& part, Counts& counts, std::int64_t& line);
+// Throw Stop where the diagram of the walk is wrong at 0, or at t around one generator.
+void check_initial(const Walk& walk);
+void check_cell(const Walk& walk, int g, const Rat& t);
 
 }  // namespace voroproof_kernel

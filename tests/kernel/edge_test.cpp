@@ -24,15 +24,18 @@ Leg placed(const Rat& m, const Rat& r, const Rat& rho, const Rat& away, const Ve
   return Leg(0, {Rat(3 + far * u[0]), Rat(far * u[1] - 2)}, v, wall ? Rat(-r) : r);
 }
 
-struct Four {
+struct Placed {
   std::vector<Leg> legs;
   Quad quad;
-  Edge4 edge;
-  void set() { edge.set(quad, {&legs[0], &legs[1], &legs[2], &legs[3]}); }
+  Four four() const { return {quad, {&legs[0], &legs[1], &legs[2], &legs[3]}}; }
+  std::optional<Collapse> first_collapse(const Rat& a, const Rat& b) const {
+    Notes notes;
+    return voroproof_kernel::first_collapse(four(), a, b, notes);
+  }
 };
 
 // Contacts in the order l, s, r, e; `wall`: which of l, r, s, e is the container.
-Four around_circle(std::mt19937& rng, const Rat& away, int wall, bool equal) {
+Placed around_circle(std::mt19937& rng, const Rat& away, int wall, bool equal) {
   std::vector<Rat> m;
   while (m.size() < 4) {
     const Rat next(static_cast<int>(rng() % 4001) - 2000, 300);
@@ -41,14 +44,13 @@ Four around_circle(std::mt19937& rng, const Rat& away, int wall, bool equal) {
   std::sort(m.begin(), m.end());
   const int order[4] = {0, 2, 1, 3};  // of l, r, s, e by their contacts
   const Rat rho(static_cast<int>(1 + rng() % 50), 7);
-  Four four{{}, {0, 1, 2, 3}, {}};
+  Placed four{{}, {0, 1, 2, 3}};
   int* ids[4] = {&four.quad.l, &four.quad.r, &four.quad.s, &four.quad.e};
   if (wall >= 0) *ids[wall] = container;
   for (int k = 0; k < 4; ++k) {
     const Rat r = k == wall ? Rat(100) : equal ? Rat(1, 3) : Rat(static_cast<int>(rng() % 40), 9);
     four.legs.push_back(placed(m[order[k]], r, rho, k == 3 ? away : Rat(0), {0, 0}, k == wall));
   }
-  four.set();
   return four;
 }
 
@@ -60,12 +62,12 @@ TEST(KernelEdge, InCircleIsWhereTheFourthLies) {
     const int wall = n % 5 - 1;
     const bool equal = n % 3 == 0;
     for (const Rat& away : {Rat(1, 1000), tiny, Rat(0), Rat(-tiny), Rat(-1, 1000)}) {
-      Four four = around_circle(rng, away, wall, equal);
-      EXPECT_EQ(four.edge.incircle_at(0, true), sgn(away)) << n;
-      EXPECT_EQ(four.edge.existence_at(0, true), 1) << n;
+      Placed four = around_circle(rng, away, wall, equal);
+      EXPECT_EQ(four.four().incircle(0, true), sgn(away)) << n;
+      EXPECT_EQ(four.four().exists(0, true), 1) << n;
       // The circle (l,r,e) is the same but for `away`.
       if (away == 0) {
-        EXPECT_EQ(four.edge.incircle_at(0, false), 0) << n;
+        EXPECT_EQ(four.four().incircle(0, false), 0) << n;
       }
     }
   }
@@ -76,16 +78,15 @@ TEST(KernelEdge, TheOtherOrientationIsAnotherCircle) {
   // counterclockwise at once.
   std::mt19937 rng(2);
   for (int n = 0; n < 100; ++n) {
-    Four four = around_circle(rng, 0, -1, true);
+    Placed four = around_circle(rng, 0, -1, true);
     std::swap(four.quad.l, four.quad.r);
     std::swap(four.legs[0], four.legs[1]);
-    four.set();
-    EXPECT_LT(four.edge.existence_at(0, true), 1) << n;
+    EXPECT_LT(four.four().exists(0, true), 1) << n;
   }
 }
 
 // Whether the fourth is apart from the others at t.
-bool apart(const Four& four, const Rat& t) {
+bool apart(const Placed& four, const Rat& t) {
   for (int k = 0; k < 3; ++k) {
     const Leg &a = four.legs[k], &e = four.legs[3];
     const Rat gap = norm2(minus(a.at(t), e.at(t))) - square(Rat(a.radius + e.radius));
@@ -99,25 +100,24 @@ TEST(KernelEdge, AFourthThatComesCollapsesTheEdgeOnce) {
   int tried = 0;
   for (int n = 0; n < 400; ++n) {
     const int wall = n % 4 - 1;
-    Four four = around_circle(rng, 0, wall, n % 3 == 0);
+    Placed four = around_circle(rng, 0, wall, n % 3 == 0);
     Leg& e = four.legs[3];
     // e moves towards the circle's centre and touches at t = 2/3.
     const Rat when(2, 3);
     const Vec v{Rat((3 - e.from[0]) / 50), Rat((-2 - e.from[1]) / 50)};
     e = Leg(0, {Rat(e.from[0] - v[0] * when), Rat(e.from[1] - v[1] * when)}, v, e.radius);
-    four.set();
     if (!apart(four, 0) || !apart(four, when) || !apart(four, 1)) continue;
     ++tried;
-    auto found = four.edge.first_collapse(0, 1);
+    auto found = four.first_collapse(0, 1);
     ASSERT_TRUE(found) << n;
     EXPECT_EQ(compare(found->at, when), 0) << n;
-    EXPECT_FALSE(four.edge.first_collapse(0, Rat(66, 100))) << n;
-    EXPECT_FALSE(four.edge.first_collapse(0, when)) << n;  // the open interval
-    auto near = four.edge.collapse_near(0, when);
+    EXPECT_FALSE(four.first_collapse(0, Rat(66, 100))) << n;
+    EXPECT_FALSE(four.first_collapse(0, when)) << n;  // the open interval
+    auto near = collapse_near(four.four(), 0, when);
     if (near) {
       EXPECT_EQ(compare(near->at, when), 0) << n;
     }
-    auto later = four.edge.first_collapse(Rat(67, 100), 1);
+    auto later = four.first_collapse(Rat(67, 100), 1);
     ASSERT_TRUE(later) << n;
     EXPECT_TRUE(later->at.is_point());
   }
@@ -126,53 +126,47 @@ TEST(KernelEdge, AFourthThatComesCollapsesTheEdgeOnce) {
 
 // Equal points, the fourth turns around on the circle: contact of even order, no collapse.
 TEST(KernelEdge, AContactOfEvenOrderIsNoCollapse) {
-  Four four{{Leg(0, {1, 0}, {0, 0}, 0), Leg(0, {-1, 0}, {0, 0}, 0), Leg(0, {0, 1}, {0, 0}, 0),
-             Leg(0, {-1, -1}, {1, 0}, 0)},
-            {0, 1, 2, 3},
-            {}};
-  four.set();  // e passes along the tangent at (0, -1)
-  EXPECT_FALSE(four.edge.first_collapse(0, 2));
+  Placed four{{Leg(0, {1, 0}, {0, 0}, 0), Leg(0, {-1, 0}, {0, 0}, 0), Leg(0, {0, 1}, {0, 0}, 0),
+               Leg(0, {-1, -1}, {1, 0}, 0)},
+              {0, 1, 2, 3}};
+  // e passes along the tangent at (0, -1)
+  EXPECT_FALSE(four.first_collapse(0, 2));
   four.legs[3] = Leg(0, {-1, Rat(-999, 1000)}, {1, 0}, 0);
-  four.set();
-  EXPECT_TRUE(four.edge.first_collapse(0, 2));
+  EXPECT_TRUE(four.first_collapse(0, 2));
 }
 
 // Four cocircular points at rest: the dual of the edge joins the largest id to its opposite.
 TEST(KernelEdge, TheRuleOfTheLargestId) {
-  Four four{{Leg(0, {1, 0}, {0, 0}, 0), Leg(0, {-1, 0}, {0, 0}, 0), Leg(0, {0, 1}, {0, 0}, 0),
-             Leg(0, {0, -1}, {0, 0}, 0)},
-            {3, 1, 2, 0},
-            {}};
-  four.set();
-  EXPECT_FALSE(four.edge.first_collapse(0, 1));
+  Placed four{{Leg(0, {1, 0}, {0, 0}, 0), Leg(0, {-1, 0}, {0, 0}, 0), Leg(0, {0, 1}, {0, 0}, 0),
+               Leg(0, {0, -1}, {0, 0}, 0)},
+              {3, 1, 2, 0}};
+  EXPECT_FALSE(four.first_collapse(0, 1));
   four.quad = {0, 1, 2, 3};
-  four.set();
-  EXPECT_TRUE(four.edge.first_collapse(0, 1));
+  EXPECT_TRUE(four.first_collapse(0, 1));
 }
 
 TEST(KernelEdge, TheCirclesAreOneWhereTheyAre) {
   std::mt19937 rng(4);
   for (int n = 0; n < 200; ++n) {
-    Four four = around_circle(rng, 0, n % 5 - 1, n % 3 == 0);
+    Placed four = around_circle(rng, 0, n % 5 - 1, n % 3 == 0);
     Instant now = at(0);
-    EXPECT_TRUE(four.edge.one_circle(now)) << n;
+    EXPECT_TRUE(one_circle(four.four(), now)) << n;
   }
 }
 
 // All centres on the axis: two circles, mirror images, touch the four, and the edge leads from the
 // one to the other.
 TEST(KernelEdge, TwoCirclesTouchTheSameFour) {
-  Four four{{Leg(0, {-3, 0}, {0, 0}, 1), Leg(0, {3, 0}, {0, 0}, 1),
-             Leg(0, {Rat(-7, 6), 0}, {0, 0}, Rat(1, 6)), Leg(0, {Rat(7, 6), 0}, {0, 0}, Rat(1, 6))},
-            {0, 1, 2, 3},
-            {}};
-  four.set();
+  Placed four{
+      {Leg(0, {-3, 0}, {0, 0}, 1), Leg(0, {3, 0}, {0, 0}, 1),
+       Leg(0, {Rat(-7, 6), 0}, {0, 0}, Rat(1, 6)), Leg(0, {Rat(7, 6), 0}, {0, 0}, Rat(1, 6))},
+      {0, 1, 2, 3}};
   for (const bool start : {true, false}) {
-    EXPECT_EQ(four.edge.existence_at(0, start), 1);
-    EXPECT_EQ(four.edge.incircle_at(0, start), 0);
+    EXPECT_EQ(four.four().exists(0, start), 1);
+    EXPECT_EQ(four.four().incircle(0, start), 0);
   }
   Instant now = at(0);
-  EXPECT_FALSE(four.edge.one_circle(now));
+  EXPECT_FALSE(one_circle(four.four(), now));
 }
 
 TEST(KernelEdge, SignWithRoot) {

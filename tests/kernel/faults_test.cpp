@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/files.h"
 #include "kernel/kernel.h"
-#include "kernel/lives.h"
+#include "kernel/motion.h"
 
 namespace voroproof_kernel {
 namespace {

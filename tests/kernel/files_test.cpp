@@ -37,19 +37,19 @@ TEST(KernelFiles, Binary64) {
   // One tenth lies between two neighbours; 0.1 is the nearest.
   EXPECT_EQ(nearest_binary64(Rat(1, 10)), exactly(0.1));
   EXPECT_EQ(nearest_binary64(Rat(-1, 3)), exactly(-1.0 / 3.0));
-  const Rat ulp = power_of_two(-52);
+  const Rat ulp = power(2, -52);
   EXPECT_EQ(nearest_binary64(1 + ulp / 2), 1);  // ties to even
   EXPECT_EQ(nearest_binary64(1 + ulp * 3 / 2), 1 + 2 * ulp);
-  EXPECT_EQ(nearest_binary64(power_of_two(-1076)), 0);
-  EXPECT_TRUE(refused([] { nearest_binary64(power_of_two(1024)); }));
+  EXPECT_EQ(nearest_binary64(power(2, -1076)), 0);
+  EXPECT_TRUE(refused([] { nearest_binary64(power(2, 1024)); }));
 }
 
 TEST(KernelFiles, LengthsAreBoundedFromAbove) {
-  for (const Vec& v : {Vec{3, 4}, Vec{Rat(1, 3), 0}, Vec{power_of_two(-300), power_of_two(-301)},
-                       Vec{power_of_two(200), 1}}) {
+  for (const Vec& v :
+       {Vec{3, 4}, Vec{Rat(1, 3), 0}, Vec{power(2, -300), power(2, -301)}, Vec{power(2, 200), 1}}) {
     const Rat bound = length_above(v);
     EXPECT_GE(square(bound), norm2(v));
-    EXPECT_LE(square(Rat(bound * (1 - power_of_two(-50)))), norm2(v));
+    EXPECT_LE(square(Rat(bound * (1 - power(2, -50)))), norm2(v));
   }
 }
 

@@ -1,5 +1,5 @@
 // Forms against evaluation in fractions, and instants that are equal or nearly so.
-#include "kernel/roots.h"
+#include "kernel/edge.h"
 
 #include <gtest/gtest.h>
 
@@ -33,14 +33,13 @@ Form random_form(std::mt19937& rng, int degree) {
   return p;
 }
 
-TEST(KernelRoots, HalvesHaveTheSignsOfTheWhole) {
+TEST(KernelForms, HalvesHaveTheSignsOfTheWhole) {
   std::mt19937 rng(1);
   for (int n = 0; n < 200; ++n) {
     const Form p = random_form(rng, 1 + n % 8);
     const Rat a(static_cast<int>(rng() % 100), 7), b = a + Rat(static_cast<int>(1 + rng() % 50), 3);
     const Rat m = (a + b) / 2;
-    Form left, right;
-    halve(p, left, right);
+    const auto [left, right] = halves(p);
     for (int k = 1; k < 8; ++k) {
       const Rat t = a + (m - a) * Rat(k, 8), u = m + (b - m) * Rat(k, 8);
       EXPECT_EQ(sign_at(left, a, m, t), sign_at(p, a, b, t));
@@ -50,24 +49,7 @@ TEST(KernelRoots, HalvesHaveTheSignsOfTheWhole) {
   }
 }
 
-TEST(KernelRoots, RestrictionHasTheSignsOfTheWhole) {
-  std::mt19937 rng(2);
-  for (int n = 0; n < 200; ++n) {
-    const Form p = random_form(rng, 1 + n % 8);
-    const Rat a(-3, 2), b(11, 5), lo = a + Rat(static_cast<int>(rng() % 50), 31);
-    const Rat hi = lo + Rat(static_cast<int>(1 + rng() % 60), 30);
-    if (hi > b) continue;
-    const Form part = restricted(p, a, b, lo, hi);
-    for (int k = 1; k < 8; ++k) {
-      const Rat t = lo + (hi - lo) * Rat(k, 8);
-      if (t < b) {
-        EXPECT_EQ(sign_at(part, lo, hi, t), sign_at(p, a, b, t));
-      }
-    }
-  }
-}
-
-TEST(KernelRoots, VariationsBoundRootsAndHaveTheirParity) {
+TEST(KernelForms, VariationsBoundRootsAndHaveTheirParity) {
   std::mt19937 rng(3);
   const Rat a = 0, b = 10;
   for (int n = 0; n < 200; ++n) {
@@ -83,7 +65,7 @@ TEST(KernelRoots, VariationsBoundRootsAndHaveTheirParity) {
   }
 }
 
-TEST(KernelRoots, SquarefreeKeepsEachRootOnce) {
+TEST(KernelForms, SquarefreeKeepsEachRootOnce) {
   const Rat a = 0, b = 5;
   const Form f = factor(2, a, b), g = factor(3, a, b), h = factor(7, a, b);
   const Form p = squarefree(f * f * f * g * g * h);
@@ -95,36 +77,40 @@ TEST(KernelRoots, SquarefreeKeepsEachRootOnce) {
   EXPECT_EQ(variations(common(f * h, g)), 0);
 }
 
-// sqrt(2) by two polynomials is one instant; a neighbour 10^-60 away is another.
-TEST(KernelRoots, EqualInstantsAreSeenAsEqual) {
-  const Rat a = 1, b = 2;
-  // t^2 - 2 over [1, 2]: values times (1 + z)^2.
-  const auto square_minus = [&](const Rat& c) {
-    const Int d = denominator(c), n = numerator(c);
-    return Form{Int(d - n), Int(4 * d - 2 * n), Int(4 * d - n)};
-  };
-  const Form root2 = square_minus(2);
-  Instant x{a, b, root2, a, b};
-  Instant y{a, b, root2 * factor(5, a, b), a, b};
+// Three points at rest on the circle of radius rho about the origin; the fourth leaves the origin
+// with velocity v and so meets the circle at rho / |v| only.
+struct Leaving {
+  std::vector<Leg> legs;
+  Leaving(const Rat& rho, const Vec& v) {
+    for (const Vec& at : {Vec{rho, 0}, Vec{-rho, 0}, Vec{0, rho}})
+      legs.emplace_back(0, at, Vec{0, 0}, 0);
+    legs.emplace_back(0, Vec{0, 0}, v, 0);
+  }
+  Instant instant(const Rat& lo, const Rat& hi) const {
+    return {lo, hi, {{0, 1, 2, 3}, {&legs[0], &legs[1], &legs[2], &legs[3]}}};
+  }
+};
+
+// sqrt(2) by two quadruplets is one instant; a neighbour 10^-60 away is another.
+TEST(KernelForms, EqualInstantsAreSeenAsEqual) {
+  const Rat half(1, 2), near = 1 + power(10, -60);
+  const Leaving one(1, {half, half}), other(1, {half, -half}), later(near, {half, half});
+  Instant x = one.instant(0, 2), y = other.instant(1, 3), z = later.instant(0, 2), w = x;
   EXPECT_EQ(compare(x, y), 0);
-  Rat tiny = 1;
-  for (int k = 0; k < 60; ++k) tiny /= 10;
-  Instant z{a, b, square_minus(2 + tiny), a, b};
-  Instant w{a, b, root2, a, b};
   EXPECT_EQ(compare(w, z), -1);
   EXPECT_EQ(compare(z, w), 1);
   EXPECT_EQ(compare(w, Rat(3, 2)), -1);
   EXPECT_EQ(compare(w, Rat(7, 5)), 1);
 }
 
-TEST(KernelRoots, RationalRootsBecomePoints) {
-  const Rat a = 0, b = 4;
-  Instant x{a, b, factor(Rat(4, 3), a, b), a, b};
+TEST(KernelForms, RationalRootsBecomePoints) {
+  const Leaving late(1, {Rat(9, 20), Rat(12, 20)}), one(1, {Rat(3, 5), Rat(4, 5)});
+  Instant x = late.instant(0, 4);
   EXPECT_EQ(compare(x, Rat(4, 3)), 0);
   EXPECT_TRUE(x.is_point());
-  Instant y{a, b, factor(1, a, b), a, b};
-  y.refine();
-  y.refine();
+  Instant y = one.instant(0, 4);
+  y.split(2);
+  y.split(1);
   EXPECT_TRUE(y.is_point());
   EXPECT_EQ(y.lo, 1);
 }
