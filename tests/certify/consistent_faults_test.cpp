@@ -93,6 +93,60 @@ TEST(ConsistentFaults, TinyDisksPassThroughEachOther) {
   }
 }
 
+// Two that pass through each other sideways, on the lines that they are on from 0 to the end, and
+// are neighbours no more when the history ends: the flip that parts them has to tell. Of equal
+// radii the diagram depends on R + r alone, so that a history of smaller disks is that of these.
+TEST(ConsistentFaults, PassingThroughAndPartedByAFlip) {
+  const auto scene = [](const Rational& radius) {
+    return scene_of(51 - radius, 25,
+                    {disk(-10, 1.875, radius, 1, 0), disk(0, 0, radius, 0, 0),
+                     disk(8, 6, radius, 0, 0), disk(8, -5, radius, 0, 0)});
+  };
+  const Scene small = scene(Rational(1, 2)), large = scene(1);
+  const History right = claimed_history(small, run(small));
+  expect_certified(small, right);
+  EXPECT_TRUE(std::any_of(right.events.begin(), right.events.end(), [](const auto& event) {
+    const auto* f = std::get_if<FlipEvent>(&event);
+    return f != nullptr && std::min(f->quad.l, f->quad.r) == 0 &&
+           std::max(f->quad.l, f->quad.r) == 1;
+  }));
+  expect_refuted(large, right);
+}
+
+// Disks smaller than the rounding, that lose nearly all of their speed: claimed late within the
+// tolerance they stay in each other for long after it, which no rounding excuses.
+TEST(ConsistentFaults, TinyDisksThatStayInEachOther) {
+  for (const auto& [restitution, late] :
+       {std::pair(Rational(1), 5e-7), {Rational(1, 1000), 0.0}, {Rational(1, 1000), 5e-7}}) {
+    Scene scene =
+        scene_of(100, 1, {disk(-3e-15, 0, 1e-15, 5e-11, 0), disk(3e-15, 0, 1e-15, -5e-11, 0)});
+    scene.restitution = restitution;
+    const double v = 5e-11 * restitution.get_d();
+    const History h =
+        history_of(scene, kTwo, {collision(4e-5 + late, 0, 1, Vec2{-v, 0}, Vec2{v, 0})});
+    const bool stay = restitution < 1 && late > 0;
+    expect(stay ? Verdict::refuted : Verdict::certified, scene, h, Truth::recorded);
+  }
+}
+
+// A disk that passes through another, turns, and comes back, all within the tolerance: a collision
+// claimed a little before it is back answers that entry, and not the first one.
+TEST(ConsistentFaults, PassedThroughBeforeTheNextEntry) {
+  const double v = 1e5, t = 1 + 1e-7;
+  for (const bool through : {true, false}) {
+    const Rational way = Rational(v) * Rational(t), near(1, 125);
+    Scene scene = scene_of(1'000'000, Rational(3, 2),
+                           {through ? disk(near - way, 0, Rational(1, 1000), v, 0)
+                                    : disk(near, -way, Rational(1, 1000), 0, v),
+                            disk(0, 0, Rational(1, 1000), 0, 0)});
+    scene.maneuvers.push_back({Rational(t), 0, Rational(-v), 0});
+    const ManeuverEvent turn{t, 0, Vec2{-v, 0}, {}, {}};
+    const History h =
+        history_of(scene, kTwo, {turn, collision(t + 5e-8, 0, 1, Vec2{0, 0}, Vec2{-v, 0})});
+    expect(through ? Verdict::refuted : Verdict::certified, scene, h, Truth::recorded);
+  }
+}
+
 // A collision that never happens: disks that pass each other closely; claimed when they are
 // nearest, before and after. The velocities obey the law.
 TEST(ConsistentFaults, NearMissTakenForAHit) {
@@ -111,6 +165,34 @@ TEST(ConsistentFaults, NearMissTakenForAHit) {
       h = history_of(scene, kTwo, {});
       expect_certified(scene, h);
     }
+  }
+}
+
+// Two that touch without overlapping: a collision when they do is right and counted as a graze, at
+// another time it is wrong, though it obeys the law.
+TEST(ConsistentFaults, GrazeClaimedAtAnotherTime) {
+  const Scene scene = scene_of(50, 8, {disk(0, 0, 1, 0, 0), disk(-4, 2, 1, 1, 0)});
+  for (const double when : {0.0, -0x1p-21, 0x1p-21, -0x1p-10}) {
+    const double q = when / (when * when + 4);  // (w.n) / n.n, equal masses
+    const CollideEvent hit =
+        collision(4 + when, 0, 1, Vec2{q * when, 2 * q}, Vec2{1 - q * when, -2 * q});
+    const History h = history_of(scene, kTwo, {hit});
+    const bool right = std::fabs(when) < 1e-6;
+    expect(right ? Verdict::certified : Verdict::refuted, scene, h, Truth::recorded);
+    CertifyOptions options;
+    options.truth = Truth::recorded;
+    EXPECT_EQ(certify(scene, h, options).grazes, right ? 1 : 0);
+  }
+}
+
+// Two that come into each other so slowly that the overlap stays a rounding: a collision answers it
+// within the tolerance of its beginning only.
+TEST(ConsistentFaults, ClaimedLongAfterAShallowEntry) {
+  const double e = 0x1p-46;
+  const Scene scene = scene_of(50, 3, {disk(-1 - e, 0, 1, e, 0), disk(1 + e, 0, 1, -e, 0)});
+  for (const double late : {0.0, 5e-7, 2e-6, 0.25}) {
+    const History h = history_of(scene, kTwo, {collision(1 + late, 0, 1, Vec2{-e, 0}, Vec2{e, 0})});
+    expect(late < 1e-6 ? Verdict::certified : Verdict::refuted, scene, h, Truth::recorded);
   }
 }
 

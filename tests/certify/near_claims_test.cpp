@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "certify/report.h"
 #include "tests/certify/claimed_history.h"
@@ -100,6 +101,30 @@ TEST_F(NearFlips, AreNotExchangedAtOneInstant) {
     const Certificate c = certified(scene, exchanged, Truth::exact, true);
     EXPECT_EQ(c.verdict, Verdict::certified) << reason_line(c);
     EXPECT_EQ(c.swaps, 0);
+  }
+}
+
+// Of maneuvers within the tolerance the first is claimed last. Beyond the claims that are looked at
+// together it comes too late to be put first.
+TEST(NearManeuvers, NotBeforeManyOthers) {
+  for (const int count : {60, 70}) {
+    std::vector<DiskSpec> disks;
+    for (int k = 0; k < count; ++k) {
+      disks.push_back(disk((5 + k) * std::cos(2.4 * k), (5 + k) * std::sin(2.4 * k), 1, 0, 0));
+    }
+    Scene scene = scene_of(100, 2, disks);
+    for (int k = 0; k < count; ++k) {
+      scene.maneuvers.push_back({1 + Rational(k, 1'000'000'000), k, 0, 0});
+    }
+    ClaimedHistory h = claimed_history(scene, run(scene));
+    ASSERT_EQ(h.events.size(), static_cast<std::size_t>(count));
+    for (auto& e : h.events) std::get<ManeuverEvent>(e).t = 1;
+    CertifyOptions options;
+    EXPECT_EQ(certify(scene, h, options).verdict, Verdict::certified);
+    std::rotate(h.events.begin(), h.events.begin() + 1, h.events.end());
+    const Certificate c = certify(scene, h, options);
+    EXPECT_EQ(c.verdict, count < 64 ? Verdict::certified : Verdict::refuted) << reason_line(c);
+    EXPECT_EQ(c.swaps, 1);
   }
 }
 

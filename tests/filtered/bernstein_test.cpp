@@ -24,6 +24,7 @@ using RationalPolynomial = Polynomial<Rational>;
 // the polynomial.
 struct Family {
   double extent = 100;       // of the centres
+  double away = 0;           // how far they are from the origin together
   double speed = 3;          // one common speed, or the largest
   bool common_speed = true;  // the velocities lie on a circle: the degree falls
   bool equal_radii = false;
@@ -41,8 +42,8 @@ MotionInput random_input(const Family& family, Random& random) {
     const double speed = family.common_speed ? family.speed : uniform(random, 0, family.speed);
     const double extent = family.extent;
     const auto in_units = [&](double x) -> Rational { return Rational(x) / family.unit; };
-    in.disks.push_back({in_units(uniform(random, -extent, extent)),
-                        in_units(uniform(random, -extent, extent)),
+    in.disks.push_back({in_units(family.away + uniform(random, -extent, extent)),
+                        in_units(family.away + uniform(random, -extent, extent)),
                         in_units(family.equal_radii ? 5 : uniform(random, 0, 10)),
                         in_units(speed * std::cos(angle)), in_units(speed * std::sin(angle)), 1});
   }
@@ -185,6 +186,21 @@ TEST(Bernstein, ManyMagnitudes) {
   }
 }
 
+// Far from the origin the centres are known less well than the generators' offsets from each other
+// can be computed.
+TEST(Bernstein, FarFromTheOrigin) {
+  for (const double away : {1e3, 1e6}) {
+    for (const bool equal : {false, true}) {
+      Family family;
+      family.away = away;
+      family.equal_radii = equal;
+      family.unit = 3;
+      const Tally t = expect_enclosed(family, false, 100, 11);
+      EXPECT_GT(t.formed, 5);
+    }
+  }
+}
+
 // The bound must be small, not only right: over an ordinary window, at an ordinary time.
 TEST(Bernstein, TheBoundIsSmall) {
   Random random(5);
@@ -309,6 +325,7 @@ TEST(Bernstein, GrowingBounds) {
   for (int k = 0; k < 400 && !HasFatalFailure(); ++k) {
     Family family;
     family.extent = 20;
+    family.away = k % 5 == 0 ? 1e5 : 0;
     family.common_speed = k % 2 == 0;
     family.unit = k % 3 == 0 ? 3 : 1;
     const MotionInput in = random_input(family, random);
@@ -372,10 +389,17 @@ TEST(Bernstein, RadiiOfOneDoubleAreNotEqualForThat) {
     MotionInput in = random_input(family, random);
     const Quad q{0, 1, 2, 3};
     for (DiskInput& d : in.disks) d.radius = common;
+    const auto degree = [&] {
+      BernsteinForm form{};
+      form_flip_polynomial<true>(Motion(in, {}), q, 0, 1, form);
+      return form.degree;
+    };
     EXPECT_TRUE(flip_polynomial_is_cocircularity(Motion(in, {}), q));
+    EXPECT_EQ(degree(), 4);
     for (int odd = 0; odd < 4; ++odd) {
       in.disks[odd].radius = Rational(common + hair);
       EXPECT_FALSE(flip_polynomial_is_cocircularity(Motion(in, {}), q)) << odd;
+      EXPECT_EQ(degree(), 8) << odd;
       in.disks[odd].radius = common;
     }
   }
