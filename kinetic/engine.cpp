@@ -610,6 +610,7 @@ class Engine<certified>::Implementation {
   // The next event and all that are simultaneous with it.
   bool next_instant(std::vector<Candidate>& ties) {
     for (;;) {
+      Patience::ask();
       const int item = queue_.top();
       if (queue_.key(item) == kInfinity) return false;
       frontier_ = queue_.key(item);
@@ -622,6 +623,7 @@ class Engine<certified>::Implementation {
     queue_.set(first.item, kInfinity);
     near_.clear();
     for (;;) {
+      Patience::ask();
       const int other = queue_.top();
       if (queue_.key(other) > first.hi) break;
       if (!first.tight) {
