@@ -944,6 +944,10 @@ class Engine<certified>::Implementation {
   }
 
   void flush() {
+    if (options_.max_events > 0 && events_ + pending_.size() > options_.max_events) {
+      throw Undecided("the history has more than " + std::to_string(options_.max_events) +
+                      " events");
+    }
     for (const Pending& p : pending_) {
       ++events_;
       if (const Quad* q = std::get_if<Quad>(&p)) {
