@@ -120,7 +120,7 @@ ExitCode certify_files(Request& request) {
     report_file->commit();
   }
   if (certificate.verdict != Verdict::certified) {
-    std::cerr << "voroproof: " << request.history << ": "
+    std::cerr << "voroproof: " << printable(request.history, 4096) << ": "
               << printable(reason_line(certificate), 4096) << '\n';
   }
   if (!request.quiet) {
@@ -131,7 +131,8 @@ ExitCode certify_files(Request& request) {
     for (const Leniency& l : leniencies(certificate)) {
       if (l.count > 0) std::cout << "c leniency: " << l.count << " " << l.words << '\n';
     }
-    for (const std::string& remark : certificate.remarks) std::cout << "c " << remark << '\n';
+    for (const std::string& remark : certificate.remarks)
+      std::cout << "c " << printable(remark, 4096) << '\n';
     if (!kernel.empty()) std::cout << "c kernel: " << printable(kernel, 4096) << '\n';
     if (!evidence.empty()) std::cout << "c evidence: " << evidence << '\n';
   }

@@ -183,6 +183,66 @@ TEST_F(Limits, OfAQuery) {
   refused({"snapshot", scene, "--at", "1", "-o", file("d"), "--time-limit", "0"}, "--time-limit");
 }
 
+TEST_F(Limits, ADiagramFarBeyondItsContainerIsNotDrawn) {
+  const std::string scene = reference(5, "10"), path = file("a.diagram.json");
+  must({"snapshot", scene, "--at", "1", "-o", path});
+  const Json whole = json("a.diagram.json");
+  const auto refuse = [&](const Json& changed, const std::string& message) {
+    directory_.write("a.diagram.json", changed.dump());
+    for (const std::string picture : {"p.svg", "p.png"})
+      refused({"render", path, "-o", file(picture), "--time-limit", "60"}, message);
+  };
+  Json changed = whole;
+  changed["container"]["radius"] = 1e-200;
+  refuse(changed, "disk 0 lies far beyond the container");
+  changed = whole;
+  changed["disks"][2]["radius"] = 1e9;
+  refuse(changed, "disk 2 lies far beyond the container");
+  changed = whole;
+  changed["vertices"][0]["center"] = {1e30, 0};
+  refuse(changed, "vertex ");
+}
+
+TEST_F(Limits, AReportWithANumberOutOfRangeIsAnErrorOfTheFile) {
+  const std::string report =
+      directory_.write("r.json", R"({"format":"voroproof-report","version":1,"verdict":1e999})");
+  refused({"explain", report}, "r.json: a number out of range");
+}
+
+// Escape sequences, C1 controls and marks that turn the direction of writing.
+TEST_F(Limits, TextOfStrangersDoesNotControlTheTerminal) {
+  const std::string evil = R"(x\u001b]0;x\u0007\u009b31m\u202e\ny)";
+  const std::string report = directory_.write(
+      "r.json", R"({"format":"voroproof-report","version":1,"verdict":"REFUTED","truth":"exact",)"
+                R"("scene":"s","history":")" +
+                    evil + R"(","scene_sha256":"","reason":")" + evil +
+                    R"(","certified_prefix":{"events":0,"t":0},"remarks":[")" + evil + R"("]})");
+  const Result explained = must({"explain", report});
+  const std::string shown = "x\\x1b]0;x\\x07\\xc2\\x9b31m\\xe2\\x80\\xae\\x0ay";
+  EXPECT_EQ(lines_of(explained.out).front(), shown + " against s, truth exact: REFUTED.");
+  EXPECT_EQ(lines_of(explained.out).back(), "Note: " + shown + ".");
+  for (const char c : explained.out) {
+    const auto byte = static_cast<unsigned char>(c);
+    EXPECT_TRUE(c == '\n' || (byte >= 0x20 && byte < 0x7f)) << int{byte};
+  }
+}
+
+TEST_F(Limits, AProducerCannotForgeTheHeaderOfAnEventSequence) {
+  const std::string scene = reference(3, "1"), history = file("a.history.jsonl");
+  must({"simulate", scene, "-o", history, "--quiet"});
+  std::string text = directory_.read("a.history.jsonl");
+  const std::size_t at = text.find("\"producer\":\"") + 12;
+  text.insert(at, "x\\n#SIMULATION_TIME:\\t7.00\\n");
+  directory_.write("a.history.jsonl", text);
+  must({"convert", history, "--scene", scene, "-o", file("a.evtsq")});
+  const std::vector<std::string> lines = lines_of(directory_.read("a.evtsq"));
+  EXPECT_EQ(lines[1].rfind("#DVD_GENERATOR:\tx\\x0a#SIMULATION_TIME:\\x097.00\\x0a", 0), 0u)
+      << lines[1];
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                          [](const std::string& line) { return line.starts_with("#SIM"); }),
+            1);
+}
+
 TEST_F(Limits, AFileLargerThanAllowedIsAnError) {
   const auto small_files = [] {
     const rlimit limit{1 << 12, 1 << 12};
