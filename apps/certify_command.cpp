@@ -8,6 +8,8 @@
 #include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "apps/kernel_verdict.h"
+#include "apps/limited_history.h"
+#include "apps/limits.h"
 #include "apps/progress.h"
 #include "apps/scene_motion.h"
 #include "certify/certifier.h"
@@ -21,6 +23,7 @@ namespace {
 struct Request {
   std::string scene, history, report, truth = "exact", tolerance = "1e-6", law_tolerance = "1e-9";
   CertifyOptions options;
+  std::uint64_t max_events = 0;
   bool quiet = false, kernel = false;
 };
 
@@ -49,12 +52,26 @@ void require_meaningful(const CertifyOptions& options, const HistoryHeader& head
   }
 }
 
+// Of a history that a limit of the user's does not let be judged to its end.
+Certificate undecided(const std::string& reason, std::int64_t prefix_events, double prefix_t) {
+  Certificate certificate;
+  certificate.verdict = Verdict::undecided;
+  certificate.reason = reason;
+  certificate.prefix_events = prefix_events;
+  certificate.prefix_t = prefix_t;
+  return certificate;
+}
+
 ExitCode certify_files(Request& request) {
   require_distinct({request.scene, request.history}, {request.report});
-  std::optional<CooperativeInterruption> interruption(std::in_place);
+  CooperativeInterruption interruption;
   std::optional<AtomicFile> report_file;
   if (!request.report.empty()) report_file.emplace(request.report);
-  const Claim claim = open_claim(request.scene, request.history);
+  Claim claim = open_claim(request.scene, request.history);
+  if (request.max_events > 0) {
+    claim.history = std::make_unique<LimitedHistory>(std::move(claim.history), request.max_events,
+                                                     event_limit_reason(request.max_events));
+  }
   const Scene& scene = claim.scene;
   const HistoryHeader& header = claim.history->header();
   CertifyOptions& options = request.options;
@@ -67,23 +84,33 @@ ExitCode certify_files(Request& request) {
   progress.emplace(round_nearest(header.horizon), request.quiet);
   options.monitor = [&](double t, std::int64_t events) {
     progress->report(t, static_cast<std::uint64_t>(events));
-    return !interruption->requested();
+    return !interruption.requested();
   };
   Certificate certificate;
   try {
     certificate = certify(scene, motion_input(scene), *claim.history, options);
     certificate.remarks.insert(certificate.remarks.begin(), claim.remarks.begin(),
                                claim.remarks.end());
-  } catch (const CertificationInterrupted&) {
-    throw Interrupted();
+  } catch (const CertificationInterrupted& at) {
+    if (!interruption.late()) throw Interrupted();
+    certificate = undecided(time_limit_reason(), at.prefix_events, at.prefix_t);
+  } catch (const std::bad_alloc&) {
+    if (!has_memory_limit()) throw;
+    lift_memory_limit();
+    certificate = undecided(memory_limit_reason(), 0, 0);
   }
   progress.reset();
-  // The kernel asks nobody whether to go on: a signal ends the program then.
-  interruption.reset();
   std::string kernel;
   if (request.kernel) {
-    kernel = judged_by_kernel(certificate, request.scene, request.history, options);
+    kernel = judged_by_kernel(certificate, request.scene, request.history, options,
+                              [&] { return !interruption.requested(); });
+    if (kernel.empty()) {
+      if (!interruption.late()) throw Interrupted();
+      certificate = undecided(time_limit_reason() + " while the kernel judges",
+                              certificate.prefix_events, certificate.prefix_t);
+    }
   }
+  interruption.wind_up();
   const std::string evidence = checked_evidence(certificate, request.scene, request.history);
   if (report_file) {
     CertificationRun run =
@@ -93,7 +120,7 @@ ExitCode certify_files(Request& request) {
     report_file->commit();
   }
   if (certificate.verdict != Verdict::certified) {
-    std::cerr << "voroproof: " << request.history << ": "
+    std::cerr << "voroproof: " << printable(request.history, 4096) << ": "
               << printable(reason_line(certificate), 4096) << '\n';
   }
   if (!request.quiet) {
@@ -104,7 +131,8 @@ ExitCode certify_files(Request& request) {
     for (const Leniency& l : leniencies(certificate)) {
       if (l.count > 0) std::cout << "c leniency: " << l.count << " " << l.words << '\n';
     }
-    for (const std::string& remark : certificate.remarks) std::cout << "c " << remark << '\n';
+    for (const std::string& remark : certificate.remarks)
+      std::cout << "c " << printable(remark, 4096) << '\n';
     if (!kernel.empty()) std::cout << "c kernel: " << printable(kernel, 4096) << '\n';
     if (!evidence.empty()) std::cout << "c evidence: " << evidence << '\n';
   }
@@ -145,11 +173,8 @@ void add_certify(CLI::App& app, Action& action) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   add_file(*verb, "--report", request->report, "write everything that was found here, as JSON");
-  verb->add_option("--max-bits", request->options.motion.max_bits,
-                   "what needs more is undecided (exit code 3)")
-      ->check(whole_number())
-      ->check(CLI::Range(64, 1 << 24))
-      ->capture_default_str();
+  add_max_bits(*verb, request->options.motion.max_bits);
+  add_max_events(*verb, request->max_events);
   verb->add_flag("--quiet", request->quiet, "no progress on the terminal, nothing but the verdict");
   verb->footer(
       "What s CERTIFIED says is stated in docs/claim.md.\n"

@@ -20,7 +20,7 @@ enum class ExitCode {
   undecided = 3,    // the run stopped: a decision beyond the budget, an inelastic collapse
   internal = 4,     // a fault of the program
   memory = 5,       // out of memory
-  interrupted = 6,  // SIGINT or SIGTERM
+  interrupted = 6,  // SIGINT, SIGTERM, SIGHUP or SIGQUIT
 };
 
 // A command line that asks for what is not possible; what() is one line.
@@ -71,6 +71,9 @@ CLI::Option* add_real(CLI::App& verb, const std::string& name, double& value,
 CLI::Option* add_choice(CLI::App& verb, const std::string& name,
                         const std::vector<std::string>& choices, std::string& value,
                         const std::string& description);
+
+// Of an option that is a precision.
+inline constexpr int least_bits = 64, most_bits = 1 << 24;
 
 // Lets an integer option take nothing but a whole number in its usual decimal form.
 CLI::Validator whole_number();

@@ -85,8 +85,8 @@ void require_scene(const Request& request) {
 void sequence_to_history(const Request& request) {
   require_scene(request);
   if (is_disk_file(request.scene)) {
-    throw UsageError("--scene: a history names its scene file; convert " + request.scene +
-                     " to a scene first");
+    throw UsageError("--scene: a history names its scene file; convert " +
+                     printable(request.scene) + " to a scene first");
   }
   const Claim claim = open_claim(request.scene, request.input);
   HistoryHeader header = claim.history->header();
@@ -104,7 +104,8 @@ void sequence_to_history(const Request& request) {
   }
   writer.end();
   writer.close();
-  for (const std::string& remark : claim.history->remarks()) std::cout << remark << '\n';
+  for (const std::string& remark : claim.history->remarks())
+    std::cout << printable(remark, 4096) << '\n';
 }
 
 void history_to_sequence(const Request& request) {

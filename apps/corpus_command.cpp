@@ -130,7 +130,8 @@ ExitCode run_cases(const Request& request) {
   options.jobs = request.jobs;
   options.progress = [&](std::size_t finished) {
     counter->report(finished);
-    return !interruption.requested();
+    interruption.check();
+    return true;
   };
   const CorpusRunInfo info{.producer = producer(),
                            .command = request.command,

@@ -36,8 +36,9 @@ void limit(int resource, std::uint64_t value) {
   // If this program is killed outright its processes go with it.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(exit_cannot_run);
-  signal(SIGINT, SIG_DFL);
-  signal(SIGTERM, SIG_DFL);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGXFSZ}) {
+    signal(number, SIG_DFL);
+  }
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, max_file_bytes);
   if (step.limits.bytes > 0) limit(RLIMIT_DATA, step.limits.bytes);

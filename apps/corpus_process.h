@@ -2,8 +2,8 @@
 //
 // Whatever happens to the work (it crashes, it hangs, it eats all memory) happens to its process
 // alone. A process leads a group of its own; the whole group is killed when its time is over, when
-// the leader has ended, and when the run is given up. This process has a single thread, so that a
-// forked one may do anything.
+// the leader has ended, and when the run is given up. No other thread of this process does anything
+// meanwhile, so that a forked one may do anything.
 #pragma once
 
 #include <cstdint>

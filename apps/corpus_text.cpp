@@ -4,6 +4,7 @@
 
 #include "apps/corpus_report.h"
 #include "history/claim.h"
+#include "history/error.h"
 #include "history/json_text.h"
 
 namespace voroproof {
@@ -11,6 +12,9 @@ namespace {
 
 constexpr std::size_t line_width = 96;
 constexpr int most_events = 24;  // that are listed
+
+// Text of a case's files, fit for the terminal.
+std::string shown(const std::string& text) { return printable(text, text.size()); }
 
 // The text in lines of at most line_width, each after the indent.
 std::string wrapped(const std::string& text, const std::string& indent) {
@@ -21,7 +25,7 @@ std::string wrapped(const std::string& text, const std::string& indent) {
       out += indent + line + '\n';
       line.clear();
     }
-    line += (line.empty() ? "" : " ") + word;
+    line += (line.empty() ? "" : " ") + shown(word);
   }
   return line.empty() ? out : out + indent + line + '\n';
 }
@@ -85,8 +89,8 @@ std::string list_text(const std::vector<CorpusCase>& cases) {
       {"case", "disks", "horizon", "verdict", "wrong", "tags"}};
   for (const CorpusCase& c : cases) {
     const Scene scene = read_scene(c.scene());
-    rows.push_back({c.id(), std::to_string(scene.disks.size()), number_text(scene.horizon),
-                    verdict(c), std::to_string(c.wrong.size()), joined(c.tags)});
+    rows.push_back({shown(c.id()), std::to_string(scene.disks.size()), number_text(scene.horizon),
+                    verdict(c), std::to_string(c.wrong.size()), shown(joined(c.tags))});
   }
   const std::string count = std::to_string(cases.size());
   return table_text(rows) + "\n" + count + (cases.size() == 1 ? " case\n" : " cases\n");
@@ -94,15 +98,15 @@ std::string list_text(const std::vector<CorpusCase>& cases) {
 
 std::string case_text(const CorpusCase& c) {
   const Claim claim = open_claim(c.scene(), c.history());
-  std::string text = c.id() + "\n\n" + wrapped(c.story, "") + "\n";
-  if (!c.tags.empty()) text += "tags: " + joined(c.tags) + "\n";
+  std::string text = shown(c.id()) + "\n\n" + wrapped(c.story, "") + "\n";
+  if (!c.tags.empty()) text += "tags: " + shown(joined(c.tags)) + "\n";
   text += scene_text(claim.scene) + events_text(*claim.history);
   text += "established by:\n";
   for (const std::string& source : c.sources) text += wrapped(source, "  ");
   text += "expected verdicts:\n";
   std::vector<std::vector<std::string>> rows{{"  exact.history.jsonl", verdict(c), "exact truth"}};
   for (const WrongHistory& w : c.wrong) {
-    rows.push_back({"  " + w.file, "refuted: " + w.kind, w.truth + " truth"});
+    rows.push_back({"  " + shown(w.file), "refuted: " + shown(w.kind), shown(w.truth) + " truth"});
   }
   text += table_text(rows);
   if (!c.instants.empty()) {
@@ -112,7 +116,7 @@ std::string case_text(const CorpusCase& c) {
               ".diagram.json at t = " + number_text(c.instants[k]) + "\n";
     }
   }
-  return text + "files: " + c.folder.string() + "\n";
+  return text + "files: " + shown(c.folder.string()) + "\n";
 }
 
 }  // namespace voroproof

@@ -6,6 +6,7 @@
 #include "apps/explanation.h"
 #include "apps/interruption.h"
 #include "apps/witness_picture.h"
+#include "history/error.h"
 
 namespace voroproof {
 namespace {
@@ -21,6 +22,8 @@ std::string default_picture(const std::string& report) {
          ".svg";
 }
 
+constexpr std::size_t longest_name = 4096;
+
 ExitCode explain(const Request& request) {
   const std::string picture =
       request.picture.empty() ? default_picture(request.report) : request.picture;
@@ -32,7 +35,7 @@ ExitCode explain(const Request& request) {
   if (drawn) draw_witness(explanation.generators, picture);
   std::cout << explanation.words;
   if (drawn) {
-    std::cout << "\nDrawn in " << picture << ".\n";
+    std::cout << "\nDrawn in " << printable(picture, longest_name) << ".\n";
   } else if (!request.picture.empty()) {
     std::cout << "\nThe report has no evidence that can be drawn.\n";
   }

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "apps/json_field.h"
+#include "history/error.h"
 #include "history/json_text.h"
 #include "history/scene.h"
 
@@ -11,6 +12,7 @@ namespace voroproof {
 namespace {
 
 constexpr std::size_t max_report = std::size_t{1} << 26;
+constexpr std::size_t longest_text = std::size_t{1} << 16;  // that is shown
 
 // A number of the evidence: exact, or the middle of its enclosure.
 double value_of(const JsonField& number) {
@@ -19,8 +21,9 @@ double value_of(const JsonField& number) {
 }
 
 std::string text_of(const JsonField& number) {
-  if (number.json().is_string()) return number.text();
-  return "in [" + number[0].text() + ", " + number[1].text() + "]";
+  if (number.json().is_string()) return printable(number.text(), longest_text);
+  return "in [" + printable(number[0].text(), longest_text) + ", " +
+         printable(number[1].text(), longest_text) + "]";
 }
 
 GenId id_of(const JsonField& field) {
@@ -49,6 +52,10 @@ std::string meaning_of(const std::string& kind) {
   return {};
 }
 
+// Text of a report, fit for the terminal.
+std::string shown(const std::string& text) { return printable(text, longest_text); }
+std::string shown(const JsonField& field) { return shown(field.text()); }
+
 class Explainer {
  public:
   explicit Explainer(const JsonField& report) : report_(report) {}
@@ -59,8 +66,8 @@ class Explainer {
     found_.truth = report_["truth"].text();
     found_.reason = report_["reason"].text();
     found_.scene_sha256 = report_["scene_sha256"].text();
-    out_ << report_["history"].text() << " against " << report_["scene"].text() << ", truth "
-         << report_["truth"].text() << ": " << verdict << ".\n";
+    out_ << shown(report_["history"]) << " against " << shown(report_["scene"]) << ", truth "
+         << shown(report_["truth"]) << ": " << shown(verdict) << ".\n";
     const JsonField prefix = report_["certified_prefix"];
     found_.prefix_events = prefix["events"].integer();
     found_.prefix_t = prefix["t"].number();
@@ -72,10 +79,10 @@ class Explainer {
     if (report_.has("divergence")) {
       explain_divergence(report_["divergence"]);
     } else if (verdict != "CERTIFIED") {
-      out_ << report_["reason"].text() << '\n';
+      out_ << shown(report_["reason"]) << '\n';
     }
     for (const JsonField& remark : report_["remarks"].elements()) {
-      out_ << "Note: " << remark.text() << ".\n";
+      out_ << "Note: " << shown(remark) << ".\n";
     }
     found_.words = out_.str();
     return std::move(found_);
@@ -85,16 +92,17 @@ class Explainer {
   void explain_divergence(const JsonField& d) {
     const std::string kind = d["kind"].text();
     found_.fault = FirstFault{kind, d["line"].integer(), d["t"].number(), d["truth"].text()};
-    out_ << "\nLine " << found_.fault->line << ", " << kind << ". " << meaning_of(kind) << '\n';
+    out_ << "\nLine " << found_.fault->line << ", " << shown(kind) << ". " << meaning_of(kind)
+         << '\n';
     if (d["claim"].json().is_null()) {
       out_ << "  claim: none\n";
     } else {
-      out_ << "  claim: " << d["claim"].json().dump() << '\n';
+      out_ << "  claim: " << shown(d["claim"].json().dump()) << '\n';
     }
-    out_ << "  truth: " << d["truth"].text() << '\n';
+    out_ << "  truth: " << shown(d["truth"]) << '\n';
     explain_witness(d["witness"], d["t"].number());
     // Reports of before it was checked lack it.
-    if (report_.has("evidence")) out_ << "Evidence: " << report_["evidence"].text() << ".\n";
+    if (report_.has("evidence")) out_ << "Evidence: " << shown(report_["evidence"]) << ".\n";
   }
 
   void explain_witness(const JsonField& w, double t) {
@@ -110,7 +118,7 @@ class Explainer {
       const JsonField c = g["center"];
       const JsonField v = g["velocity"];
       out_ << "  " << name_of(id) << ", signed radius " << text_of(g["signed_radius"])
-           << ", is at t0 = " << g["t0"].text() << " at\n    x = " << text_of(c[0])
+           << ", is at t0 = " << shown(g["t0"]) << " at\n    x = " << text_of(c[0])
            << "\n    y = " << text_of(c[1]) << "\n  and moves with\n    vx = " << text_of(v[0])
            << "\n    vy = " << text_of(v[1]) << '\n';
       const double dt = t - value_of(g["t0"]);
@@ -123,21 +131,21 @@ class Explainer {
     }
     if (w.has("polynomial")) {
       const JsonField p = w["polynomial"];
-      out_ << "  Their " << p["is"].text()
+      out_ << "  Their " << shown(p["is"])
            << " at time t is the polynomial with the coefficients (of 1, t, t^2, ...)\n";
       for (const JsonField& c : p["coefficients"].elements()) out_ << "    " << text_of(c) << '\n';
     }
     if (w.has("isolating_interval")) {
-      out_ << "  Exactly one root lies between\n    " << w["isolating_interval"][0].text()
-           << "\n  and\n    " << w["isolating_interval"][1].text() << "\n  (about "
+      out_ << "  Exactly one root lies between\n    " << shown(w["isolating_interval"][0])
+           << "\n  and\n    " << shown(w["isolating_interval"][1]) << "\n  (about "
            << number_text(t) << ").\n";
     }
     if (w.has("vertex")) {
-      out_ << "  At t = " << w["t"].text() << " the circle of the vertex "
-           << w["vertex"].json().dump() << " contains a point of " << name_of(id_of(w["contains"]))
-           << ".\n";
+      out_ << "  At t = " << shown(w["t"]) << " the circle of the vertex "
+           << shown(w["vertex"].json().dump()) << " contains a point of "
+           << name_of(id_of(w["contains"])) << ".\n";
     } else if (w.has("t")) {
-      out_ << "  At t = " << w["t"].text() << " they overlap.\n";
+      out_ << "  At t = " << shown(w["t"]) << " they overlap.\n";
     }
   }
 

@@ -14,6 +14,7 @@ HistorySink::HistorySink(HistoryWriter& writer, HistoryHeader header, int disks)
     : writer_(writer), header_(std::move(header)), disks_(disks) {}
 
 void HistorySink::begin(const std::vector<Quad>& initial) {
+  begun_ = true;
   // A run that stopped before the diagram at 0+ was known gives none.
   const bool known = !initial.empty() || disks_ < 2;
   if (header_observer_) {

@@ -36,6 +36,9 @@ class HistorySink : public EventSink {
     event_observer_ = std::move(event);
   }
 
+  bool has_begun() const { return begun_; }
+  double last_time() const { return last_time_; }  // of the last event; 0 without any
+
   // After it all events have reached the writer, which is the caller's again.
   virtual void finish() {}
 
@@ -46,12 +49,15 @@ class HistorySink : public EventSink {
 
  private:
   void show_and_put(Event&& event) {
+    last_time_ = time(event);
     if (event_observer_) event_observer_(event);
     put(std::move(event));
   }
 
   HistoryHeader header_;
   int disks_;
+  bool begun_ = false;
+  double last_time_ = 0;
   std::function<void(const HistoryHeader&)> header_observer_;
   std::function<void(const Event&)> event_observer_;
 };

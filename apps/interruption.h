@@ -1,4 +1,4 @@
-// SIGINT and SIGTERM: runs that write files stop in good order.
+// What ends a run early: signals, and the limits that its user sets.
 #pragma once
 
 #include <stdexcept>
@@ -11,12 +11,19 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-// From here on SIGINT and SIGTERM end the process at once, with a message and the exit code of an
-// interruption. That suits all work that has no file begun.
+// From here on SIGINT, SIGTERM, SIGHUP (where it is not ignored, as by nohup) and SIGQUIT end the
+// process at once, with a message, the exit code of an interruption and no unfinished file. That
+// suits all work that has nothing to say about how far it came. A file that grows beyond what the
+// system allows is an error of writing and not a signal.
 void install_signal_handlers();
 
-// While it lives, the first signal is only noted, for the work to ask for; a second one ends the
-// process at once. At most one lives at a time.
+// The process ends after so many seconds (> 0) as by a signal, but undecided.
+void start_time_limit(double seconds);
+
+// While it lives, the first signal, and the end of the time limit, are only noted, for the work to
+// ask for. Where that does not happen, because of a system call that waits or a step that takes
+// long, the process ends all the same a second later, or on a second signal. At most one lives at
+// a time.
 class CooperativeInterruption {
  public:
   CooperativeInterruption();
@@ -24,9 +31,15 @@ class CooperativeInterruption {
   CooperativeInterruption& operator=(const CooperativeInterruption&) = delete;
   ~CooperativeInterruption();
 
+  // By a signal, or because the time is over.
   bool requested() const;
-  // Throws Interrupted where it is.
+  // Whether it was the time.
+  bool late() const;
+  // Throws Interrupted or Undecided where it is requested.
   void check() const;
+  // The work is done or given up, and the result is to be written: it is waited for, however long
+  // the disk takes.
+  void wind_up();
 };
 
 }  // namespace voroproof

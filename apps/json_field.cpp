@@ -80,6 +80,8 @@ Json read_report(const std::string& path, const std::string& format, std::size_t
         bytes.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, bytes.size()));
     throw InputError(path, 1 + std::count(bytes.begin(), end, '\n'), "",
                      error.byte > bytes.size() ? "incomplete" : "not JSON");
+  } catch (const Json::exception&) {  // a number beyond binary64
+    throw InputError(path, 0, "", "a number out of range");
   }
   if (JsonField(report, path)["version"].json() != 1) {
     throw InputError(path, 0, "version", "not 1");

@@ -2,11 +2,14 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
+#include "apps/limits.h"
 #include "apps/memory.h"
+#include "exact/tower.h"
 #include "filtered/motion.h"
 #include "history/error.h"
 
@@ -38,6 +41,7 @@ void describe(CLI::App& app, Action& action) {
   add_plan(app, action);
   add_check72(app, action);
   add_experiment(app, action);
+  add_process_limits(app);
   app.footer(
       "Exit codes: 0 done, 1 refuted, 2 bad input or usage, 3 undecided, 4 internal error, 5 out "
       "of\n"
@@ -72,6 +76,7 @@ ExitCode run(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     return complain(ExitCode::bad_input, complaint(app, error));
   }
+  start_process_limits();
   const ExitCode code = action ? action() : ExitCode::ok;
   std::cout.flush();
   if (!std::cout) return complain(ExitCode::bad_input, "standard output: cannot write");
@@ -90,10 +95,17 @@ ExitCode guarded_run(int argc, const char* const* argv) {
     return complain(ExitCode::bad_input, error.what());
   } catch (const Undecided& error) {
     return complain(ExitCode::undecided, error.what());
+  } catch (const BudgetExceeded& error) {
+    return complain(ExitCode::undecided, error.what());
   } catch (const Interrupted& error) {
     return complain(ExitCode::interrupted, error.what());
   } catch (const std::bad_alloc&) {
-    return complain(ExitCode::memory, "out of memory");
+    lift_memory_limit();
+    return has_memory_limit() ? complain(ExitCode::undecided, memory_limit_reason())
+                              : complain(ExitCode::memory, "out of memory");
+  } catch (const std::system_error& error) {
+    // Threads and processes that are not to be had.
+    return complain(ExitCode::memory, std::string("the system refuses: ") + error.what());
   } catch (const std::exception& error) {
     return complain(ExitCode::internal, std::string("internal error: ") + error.what());
   }

@@ -9,6 +9,8 @@
 #include <string_view>
 
 #include "apps/command_line.h"
+#include "apps/limits.h"
+#include "history/atomic_file.h"
 
 namespace voroproof {
 namespace {
@@ -28,6 +30,7 @@ void* reallocate(void* block, std::size_t, std::size_t size) {
 void release(void* block, std::size_t) { std::free(block); }
 
 [[noreturn]] void end_with(ExitCode code, std::string_view message) {
+  AtomicFile::remove_unfinished();
   // There may be no memory for a stream.
   if (write(STDERR_FILENO, message.data(), message.size()) < 0) _exit(static_cast<int>(code));
   _exit(static_cast<int>(code));
@@ -37,6 +40,9 @@ void release(void* block, std::size_t) { std::free(block); }
   try {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
+    if (has_memory_limit()) {
+      end_with(ExitCode::undecided, "voroproof: the memory limit is reached (--max-memory)\n");
+    }
     end_with(ExitCode::memory, "voroproof: out of memory\n");
   } catch (...) {
   }

@@ -7,6 +7,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
+#include "apps/limits.h"
 #include "apps/query_instant.h"
 
 namespace voroproof {
@@ -18,6 +19,7 @@ struct Request {
   std::vector<std::string> point;
   std::size_t count = 1;
   int disk = 0;
+  EngineOptions options;
 };
 
 using InstantAnswer = std::function<Answer(const InstantQuery&, const Request&)>;
@@ -33,7 +35,7 @@ ExitCode ask(const Request& request, const InstantAnswer& answer) {
   require_distinct({request.scene, request.history}, {request.output});
   const Rational t = time_argument("--at", request.t);
   const Scene scene = read_scene(request.scene);
-  TrueMoment moment = true_moment(scene, request.history, t, {});
+  TrueMoment moment = true_moment(scene, request.history, t, request.options);
   const Answer given = answer({scene, t, moment}, request);
   const CooperativeInterruption interruption;
   give(given, request.output);
@@ -50,6 +52,8 @@ CLI::App* add_instant(CLI::App& query, Action& action, const std::shared_ptr<Req
            "a history of the scene, whose collisions save computing them again");
   add_text(*verb, "--at", request->t, "TIME", "the time, as exact text: 12.5, 1/3")->required();
   add_file(*verb, "-o,--output", request->output, "write the answer here, as JSON");
+  add_max_bits(*verb, request->options.motion.max_bits);
+  add_max_events(*verb, request->options.max_events);
   verb->callback([request, answer = std::move(answer), &action] {
     action = [request, answer] { return ask(*request, answer); };
   });

@@ -9,6 +9,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
+#include "apps/limits.h"
 #include "apps/query_over_time.h"
 #include "apps/true_moment.h"
 #include "history/error.h"
@@ -21,6 +22,7 @@ struct Request {
   std::string scene, history, from = "0", to, output;
   std::string probe;
   std::vector<int> generators;
+  EngineOptions options;
 };
 
 using TimeAnswer = std::function<Answer(const TimeQuery&, const Request&)>;
@@ -64,8 +66,8 @@ ExitCode ask(const Request& request, const std::string& option, const TimeAnswer
   if (window.to < window.from) throw UsageError("--to: before --from");
   check_generators(scene, option, request.generators);
   HistoryCursor history(
-      scene, request.history, [&] { return diagram_at(run_to(scene, 0, {})->motion(), 0); },
-      window.to);
+      scene, request.history,
+      [&] { return diagram_at(run_to(scene, 0, request.options)->motion(), 0); }, window.to);
   const Paths paths(scene, history, request.history);
   const Answer given = answered(answer, {scene, history, paths, window}, request);
   const CooperativeInterruption interruption;
@@ -92,6 +94,7 @@ CLI::App* add_over_time(CLI::App& query, Action& action, const std::shared_ptr<R
       ->capture_default_str();
   add_text(*verb, "--to", request->to, "TIME", "up to then (default: the history's horizon)");
   add_file(*verb, "-o,--output", request->output, "write the answer here, as JSON");
+  add_max_bits(*verb, request->options.motion.max_bits);
   if (generators > 0) {
     verb->add_option(option, request->generators, "their ids; -1 is the container")
         ->type_name("ID")

@@ -314,6 +314,18 @@ class Painter {
 void check(const DiagramFile& diagram) {
   if (!(std::isfinite(diagram.container_radius) && diagram.container_radius > 0))
     throw std::invalid_argument("diagram: the container's radius is not positive");
+  // Cairo walks along whatever lies beyond the picture.
+  const auto require_near = [&](const Vec2& center, double radius, const std::string& what) {
+    const double reach = 4 * diagram.container_radius;
+    if (!(length(center - diagram.container_center) <= reach && radius <= reach))
+      throw std::invalid_argument("diagram: " + what + " lies far beyond the container");
+  };
+  for (std::size_t k = 0; k < diagram.disks.size(); ++k) {
+    const DiagramDisk& disk = diagram.disks[k];
+    require_near(disk.center, disk.radius, "disk " + std::to_string(k));
+  }
+  for (const DiagramVertex& v : diagram.vertices)
+    require_near(v.center, v.radius, "vertex " + text_of(v.generators));
   const auto known = [&](GenId id) {
     return id == container_id || (id >= 0 && static_cast<std::size_t>(id) < diagram.disks.size());
   };

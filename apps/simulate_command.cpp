@@ -7,6 +7,7 @@
 #include "apps/command_line.h"
 #include "apps/history_sink.h"
 #include "apps/interruption.h"
+#include "apps/limits.h"
 #include "apps/progress.h"
 #include "apps/scene_motion.h"
 #include "apps/self_check.h"
@@ -22,6 +23,7 @@ struct Request {
   std::string scene, history, stats, horizon;
   int threads = 1;
   MotionOptions motion;
+  std::uint64_t max_events = 0;
   std::string filters = "on";
   bool self_check = false;
   bool quiet = false;
@@ -33,6 +35,7 @@ EngineOptions engine_options(const Request& request) {
   options.motion.filters = request.filters == "on";
   options.motion.late_states = request.threads > 1;
   options.profile = !request.stats.empty();
+  options.max_events = request.max_events;
   return options;
 }
 
@@ -94,6 +97,27 @@ void require_checked(const Certificate& certificate, bool complete) {
   }
 }
 
+// The engine's run; one that a limit of the user's ends is one that stopped.
+Outcome run(Engine<true>& engine, HistorySink& sink, const CooperativeInterruption& interruption) {
+  Outcome outcome;
+  try {
+    outcome = engine.run(sink);
+  } catch (const std::bad_alloc&) {
+    if (!has_memory_limit()) throw;
+    lift_memory_limit();
+    if (!sink.has_begun()) sink.begin({});
+    outcome.kind = Outcome::Kind::stopped;
+    outcome.t = sink.last_time();
+    outcome.reason = memory_limit_reason();
+    return outcome;
+  }
+  if (outcome.kind == Outcome::Kind::interrupted && interruption.late()) {
+    outcome.kind = Outcome::Kind::stopped;
+    outcome.reason = time_limit_reason();
+  }
+  return outcome;
+}
+
 ExitCode simulate(const Request& request) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -101,7 +125,7 @@ ExitCode simulate(const Request& request) {
   if (request.motion.start_bits > request.motion.max_bits) {
     throw UsageError("--start-bits: more than --max-bits");
   }
-  const CooperativeInterruption interruption;
+  CooperativeInterruption interruption;
   Scene scene = read_scene(request.scene);
   if (!request.horizon.empty()) scene.horizon = time_argument("--horizon", request.horizon);
   const int disks = static_cast<int>(scene.disks.size());
@@ -136,8 +160,9 @@ ExitCode simulate(const Request& request) {
   };
   Engine<true> engine(motion_input(scene), maneuver_input(scene), options);
   if (!check) scene.disks = std::vector<DiskSpec>();  // the engine has its own
-  const Outcome outcome = engine.run(*sink);
+  const Outcome outcome = run(engine, *sink, interruption);
   progress.reset();
+  interruption.wind_up();
   sink->finish();
 
   const bool complete = outcome.kind == Outcome::Kind::complete;
@@ -175,7 +200,6 @@ ExitCode simulate(const Request& request) {
 }  // namespace
 
 void add_simulate(CLI::App& app, Action& action) {
-  constexpr int least_bits = 64, most_bits = 1 << 24;
   auto request = std::make_shared<Request>();
   CLI::App* verb = app.add_subcommand("simulate", "Write the exact history of a scene");
   add_file(*verb, "scene", request->scene, "the scene")->required();
@@ -197,11 +221,8 @@ void add_simulate(CLI::App& app, Action& action) {
       ->check(whole_number())
       ->check(CLI::Range(least_bits, most_bits))
       ->capture_default_str();
-  verb->add_option("--max-bits", request->motion.max_bits,
-                   "a run that needs more stops (exit code 3)")
-      ->check(whole_number())
-      ->check(CLI::Range(least_bits, most_bits))
-      ->capture_default_str();
+  add_max_bits(*verb, request->motion.max_bits);
+  add_max_events(*verb, request->max_events);
   add_choice(*verb, "--filters", {"on", "off"}, request->filters,
              "whether decisions are tried in doubles and double-doubles first; a history\n"
              "that reaches its horizon does not depend on it, where a run stops may");

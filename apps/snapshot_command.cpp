@@ -5,6 +5,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
+#include "apps/limits.h"
 
 namespace voroproof {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 struct Request {
   std::string scene, history, t, output;
   std::string move, construct;  // "1", "2", ...; empty where not given
+  EngineOptions options;
 };
 
 ExitCode take_snapshot(const Request& request) {
@@ -26,8 +28,9 @@ ExitCode take_snapshot(const Request& request) {
     way.construct = static_cast<Construct>(std::stoi(request.construct));
   }
   const Scene scene = read_scene(request.scene);
-  const DiagramFile diagram =
-      request.history.empty() ? snapshot(scene, t) : snapshot(scene, request.history, t, {}, way);
+  const DiagramFile diagram = request.history.empty()
+                                  ? snapshot(scene, t, request.options)
+                                  : snapshot(scene, request.history, t, request.options, way);
   const CooperativeInterruption interruption;
   write_diagram(request.output, diagram);
   return ExitCode::ok;
@@ -57,6 +60,8 @@ void add_snapshot(CLI::App& app, Action& action) {
       ->check(CLI::IsMember({"1", "2"}))
       ->type_name("WAY");
   add_output(*verb, request->output, "the diagram to write");
+  add_max_bits(*verb, request->options.motion.max_bits);
+  add_max_events(*verb, request->options.max_events);
   verb->footer("Example:\n  voroproof snapshot a.scene.json --at 1/3 -o a.diagram.json");
   verb->callback([request, &action] { action = [request] { return take_snapshot(*request); }; });
 }

@@ -41,8 +41,11 @@ struct CertifyOptions {
   std::function<bool(double t, std::int64_t events)> monitor;
 };
 
-// Thrown when `monitor` asks to stop.
-struct CertificationInterrupted {};
+// Thrown when `monitor` asks to stop; what was certified by then.
+struct CertificationInterrupted {
+  std::int64_t prefix_events = 0;
+  double prefix_t = 0;
+};
 
 // Certifies the history against the scene. `input` is the scene as Motion takes it. Throws
 // InputError where the history is not one of its format or not of this scene.

@@ -91,7 +91,8 @@ Certificate Checker::run(const PartEnd* end) {
       throw;
     }
   } catch (const GivenUp&) {
-    throw CertificationInterrupted{};
+    prefix_until(frontier_.lo);
+    throw CertificationInterrupted{certificate_.prefix_events, certificate_.prefix_t};
   } catch (const Refuted& r) {
     certificate_.verdict = Verdict::refuted;
     certificate_.divergence = r.divergence;

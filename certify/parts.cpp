@@ -86,7 +86,12 @@ class PartwiseCertifier {
                      tbb::make_filter<Token, void>(tbb::filter_mode::serial_in_order,
                                                    [this](const Token& work) { finish(*work); }));
     });
-    if (error_) std::rethrow_exception(error_);
+    try {
+      if (error_) std::rethrow_exception(error_);
+    } catch (CertificationInterrupted& interrupted) {
+      interrupted.prefix_events += total_.prefix_events;
+      throw;
+    }
     if (!over_ && unreadable_) std::rethrow_exception(unreadable_);
     if (!over_ && !complete_) throw std::logic_error("a part of the history was not proved");
     return std::move(total_);

@@ -53,12 +53,16 @@ class Evidence {
 
   bool rational(GenId g, MovingSite<Rational>& out) {
     if (!motion_.is_rational(g)) return false;
-    const MovingSite<Tower> s = exact_.moving_site(g, t0_);
-    for (const Tower* x : {&s.x, &s.y, &s.vx, &s.vy}) {
-      if (bit_size(x->rational()) > kMaxExactBits) return false;
+    try {
+      const MovingSite<Tower> s = exact_.moving_site(g, t0_);
+      for (const Tower* x : {&s.x, &s.y, &s.vx, &s.vy}) {
+        if (bit_size(x->rational()) > kMaxExactBits) return false;
+      }
+      out = {s.x.rational(), s.y.rational(), s.vx.rational(), s.vy.rational(), s.r.rational()};
+      return true;
+    } catch (const BudgetExceeded&) {
+      return false;
     }
-    out = {s.x.rational(), s.y.rational(), s.vx.rational(), s.vy.rational(), s.r.rational()};
-    return true;
   }
 
   EvidenceMotion motion(GenId g) {

@@ -145,7 +145,22 @@ unsigned long field_degree(std::size_t radicals) {
   return 1UL << std::min(radicals, top_bit);
 }
 
+// The field made last in this thread.
+thread_local const RadicalField* innermost = nullptr;
+
+void require_within(const RadicalField& field, const Rational& coefficient) {
+  const std::size_t bits = bit_size(coefficient);
+  if (bits > field.budget().coefficient_bits) {
+    throw BudgetExceeded(bits, field_degree(field.size()));
+  }
+}
+
 }  // namespace
+
+RadicalField::RadicalField(Budget budget)
+    : budget_(budget), outer_(std::exchange(innermost, this)) {}
+
+RadicalField::~RadicalField() { innermost = outer_; }
 
 BudgetExceeded::BudgetExceeded(std::size_t bits, unsigned long degree)
     : std::runtime_error("the budget of exact arithmetic is exceeded: coefficients of " +
@@ -171,15 +186,20 @@ Tower Tower::make(const Radical* radical, Tower a, Tower b) {
   Patience::ask();
   const RadicalField& field = *radical->field;
   for (const Tower* part : {&a, &b}) {
-    if (!part->is_rational()) continue;  // was checked when it was made
-    const std::size_t bits = bit_size(part->rational());
-    if (bits > field.budget().coefficient_bits) {
-      throw BudgetExceeded(bits, field_degree(field.size()));
-    }
+    // Others were checked when they were made.
+    if (part->is_rational()) require_within(field, part->rational());
   }
   if (b.is_rational() && b.rational() == 0) return a;
   Tower result;
   result.value_ = std::make_shared<const Node>(Node{radical, std::move(a), std::move(b)});
+  return result;
+}
+
+Tower Tower::plain(Rational q) {
+  Patience::ask();
+  if (innermost != nullptr) require_within(*innermost, q);
+  Tower result;
+  result.value_ = std::move(q);
   return result;
 }
 
@@ -203,14 +223,14 @@ std::size_t bit_size(const Tower& x) {
 
 Tower operator+(const Tower& x, const Tower& y) {
   const Radical* s = Tower::common_top(x, y);
-  if (!s) return x.rational() + y.rational();
+  if (!s) return Tower::plain(x.rational() + y.rational());
   return Tower::make(s, x.constant_part(s) + y.constant_part(s),
                      x.radical_part(s) + y.radical_part(s));
 }
 
 Tower operator-(const Tower& x, const Tower& y) {
   const Radical* s = Tower::common_top(x, y);
-  if (!s) return x.rational() - y.rational();
+  if (!s) return Tower::plain(x.rational() - y.rational());
   return Tower::make(s, x.constant_part(s) - y.constant_part(s),
                      x.radical_part(s) - y.radical_part(s));
 }
@@ -222,7 +242,7 @@ Tower Tower::operator-() const {
 
 Tower operator*(const Tower& x, const Tower& y) {
   const Radical* s = Tower::common_top(x, y);
-  if (!s) return x.rational() * y.rational();
+  if (!s) return Tower::plain(x.rational() * y.rational());
   if (x.top() != s) return Tower::make(s, x * y.node().a, x * y.node().b);
   if (y.top() != s) return Tower::make(s, x.node().a * y, x.node().b * y);
   const Tower::Node& u = x.node();
@@ -238,7 +258,7 @@ Tower Tower::norm() const {
 Tower Tower::inverse() const {
   if (is_rational()) {
     if (rational() == 0) throw std::domain_error("division by zero");
-    return 1 / rational();
+    return plain(1 / rational());
   }
   const Node& n = node();
   const Tower of_norm = norm();
@@ -251,7 +271,9 @@ Tower Tower::inverse() const {
 }
 
 Tower operator/(const Tower& x, const Tower& y) {
-  if (x.is_rational() && y.is_rational() && y.rational() != 0) return x.rational() / y.rational();
+  if (x.is_rational() && y.is_rational() && y.rational() != 0) {
+    return Tower::plain(x.rational() / y.rational());
+  }
   return x * y.inverse();
 }
 

@@ -54,9 +54,10 @@ class Tower {
   const Rational& rational() const { return std::get<Rational>(value_); }
 
   // Mixing elements of two fields throws std::invalid_argument; a result with
-  // coefficients beyond the field's budget throws BudgetExceeded. Arithmetic of
-  // plain rationals has no budget. Division by an element of value zero throws
-  // std::domain_error.
+  // coefficients beyond the field's budget throws BudgetExceeded. Plain rationals
+  // know no field: theirs is the one made last in this thread (RadicalField), and
+  // without any they have no budget. Division by an element of value zero throws
+  // std::domain_error. Each operation asks whether it is still wanted (Patience).
   friend Tower operator+(const Tower& x, const Tower& y);
   friend Tower operator-(const Tower& x, const Tower& y);
   friend Tower operator*(const Tower& x, const Tower& y);
@@ -89,6 +90,7 @@ class Tower {
   class Evaluation;
 
   static Tower make(const Radical* radical, Tower a, Tower b);
+  static Tower plain(Rational q);  // the result of an operation on plain rationals
   static const Radical* common_top(const Tower& x, const Tower& y);
   static std::optional<Rational> structural_ratio(const Tower& x, const Tower& y);
 
@@ -124,7 +126,9 @@ struct Radical {
   const RadicalField* field;
 };
 
-// The registry of the radicals of one tower. It must outlive its elements.
+// The registry of the radicals of one tower. It must outlive its elements. While it
+// lives, and no later one does, the arithmetic of plain rationals in the thread that
+// made it keeps to its budget; fields of one thread end in the reverse of their order.
 class RadicalField {
  public:
   struct Budget {
@@ -133,7 +137,8 @@ class RadicalField {
   };
 
   RadicalField() : RadicalField(Budget{}) {}
-  explicit RadicalField(Budget budget) : budget_(budget) {}
+  explicit RadicalField(Budget budget);
+  ~RadicalField();
   RadicalField(const RadicalField&) = delete;
   RadicalField& operator=(const RadicalField&) = delete;
 
@@ -149,6 +154,7 @@ class RadicalField {
 
  private:
   Budget budget_;
+  const RadicalField* outer_;  // whose turn it is again afterwards
   std::vector<std::unique_ptr<const Radical>> radicals_;
 };
 

@@ -1,9 +1,11 @@
 #include "history/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -15,6 +17,40 @@
 
 namespace voroproof {
 
+// A handler of signals may find these at any time: they are only ever added.
+struct AtomicFile::Unfinished {
+  std::string name;
+  std::atomic<bool> exists = true;
+  Unfinished* next = nullptr;
+
+  static std::atomic<Unfinished*> first;
+};
+std::atomic<AtomicFile::Unfinished*> AtomicFile::Unfinished::first{nullptr};
+
+namespace {
+
+constexpr mode_t permissions = S_IRWXU | S_IRWXG | S_IRWXO;
+
+// Whether the name is "TARGET.<process>.<number>.tmp".
+bool is_temporary_of(std::string_view name, std::string_view target) {
+  constexpr std::string_view ending = ".tmp", digits = "0123456789";
+  if (!name.starts_with(target) || !name.ends_with(ending)) return false;
+  name.remove_prefix(target.size());
+  for (int part = 0; part < 2; ++part) {
+    if (!name.starts_with('.')) return false;
+    name.remove_prefix(1);
+    const std::size_t length = std::min(name.find_first_not_of(digits), name.size());
+    if (length == 0) return false;
+    name.remove_prefix(length);
+  }
+  return name == ending;
+}
+
+// Files that cannot be synced (EINVAL) are those of systems that keep nothing.
+bool synced(int descriptor) { return fsync(descriptor) == 0 || errno == EINVAL; }
+
+}  // namespace
+
 AtomicFile::AtomicFile(const std::string& path)
     : path_(path), target_(path), buffer_(new char[buffer_size]) {
   std::error_code error;
@@ -23,8 +59,9 @@ AtomicFile::AtomicFile(const std::string& path)
     if (error) throw OutputError(path, "cannot follow the link: " + error.message());
   }
   struct stat status {};
-  if (stat(target_.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
-    throw OutputError(path, "is not a regular file");
+  const bool replaces = stat(target_.c_str(), &status) == 0;
+  if (replaces && !S_ISREG(status.st_mode)) throw OutputError(path, "is not a regular file");
+  remove_abandoned();
 
   static std::atomic<unsigned> counter{0};
   do {
@@ -33,11 +70,48 @@ AtomicFile::AtomicFile(const std::string& path)
     descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (descriptor_ < 0 && errno == EEXIST);
   if (descriptor_ < 0) fail("cannot write");
+  unfinished_ = new Unfinished{temporary_};
+  unfinished_->next = Unfinished::first.load();
+  while (!Unfinished::first.compare_exchange_weak(unfinished_->next, unfinished_)) {
+  }
+  flock(descriptor_, LOCK_EX | LOCK_NB);  // where there are no locks, nothing is removed either
+  if (replaces) fchmod(descriptor_, status.st_mode & permissions);
 }
 
 AtomicFile::~AtomicFile() {
   if (descriptor_ >= 0) close(descriptor_);
-  if (!temporary_.empty()) unlink(temporary_.c_str());
+  if (temporary_.empty()) return;
+  unlink(temporary_.c_str());
+  forget_temporary();
+}
+
+void AtomicFile::remove_unfinished() noexcept {
+  for (const Unfinished* u = Unfinished::first.load(); u != nullptr; u = u->next) {
+    if (u->exists.load()) unlink(u->name.c_str());
+  }
+}
+
+void AtomicFile::forget_temporary() {
+  if (unfinished_ != nullptr) unfinished_->exists.store(false);
+  temporary_.clear();
+}
+
+// What processes that were killed had begun of this target.
+void AtomicFile::remove_abandoned() const {
+  namespace fs = std::filesystem;
+  const fs::path target(target_);
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const std::string name = target.filename().string();
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path& found = entry->path();
+    if (!is_temporary_of(found.filename().string(), name)) continue;
+    const int descriptor = open(found.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0) continue;
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) unlink(found.c_str());
+    close(descriptor);
+  }
 }
 
 void AtomicFile::write(std::string_view bytes) {
@@ -52,11 +126,20 @@ void AtomicFile::write(std::string_view bytes) {
 
 void AtomicFile::commit() {
   flush();
+  if (!synced(descriptor_)) fail("cannot write");
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot rename onto");
+  forget_temporary();
+  // The lock goes with the descriptor: not before the name for the time being is gone.
   const int descriptor = descriptor_;
   descriptor_ = -1;
   if (close(descriptor) != 0) fail("cannot write");
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot rename onto");
-  temporary_.clear();
+  const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
+  const int folder_descriptor =
+      open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder_descriptor < 0) return;  // one that may not be read
+  const bool kept = synced(folder_descriptor);
+  close(folder_descriptor);
+  if (!kept) fail("cannot write");
 }
 
 void AtomicFile::flush() {

@@ -8,11 +8,12 @@
 
 namespace voroproof {
 
-// Writes to a temporary file beside the target and renames it onto the target on commit(). A file
-// destroyed before that leaves no trace, and a target that existed stays as it was. Data is not
-// forced to the disk: a power failure may lose the file, a killed process leaves only a file named
-// TARGET.<process>.<number>.tmp. A symbolic link stays and the file it names is replaced.
-// Targets other than regular files (devices, pipes, directories) are refused.
+// Writes to a temporary file beside the target and renames it onto the target on commit(), once its
+// bytes are on the disk. A file destroyed before that leaves no trace, and a target that existed
+// stays as it was; one that is replaced hands on its permissions. A process that is killed outright
+// leaves a file named TARGET.<process>.<number>.tmp, which the next writer of the target removes;
+// what a living process writes is locked (flock) and stays. A symbolic link stays and the file it
+// names is replaced. Targets other than regular files (devices, pipes, directories) are refused.
 // Every member throws OutputError naming the target when the system refuses.
 class AtomicFile {
  public:
@@ -32,6 +33,10 @@ class AtomicFile {
   }
   void advance(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.get()); }
 
+  // Removes what is not committed, of all files of the process, which is about to end. For handlers
+  // of signals.
+  static void remove_unfinished() noexcept;
+
   // Gives the file its name. Nothing may be written afterwards.
   void commit();
 
@@ -42,9 +47,15 @@ class AtomicFile {
   void write_through(const char* data, std::size_t size);
   [[noreturn]] void fail(const char* action) const;
 
+  struct Unfinished;
+
+  void remove_abandoned() const;
+  void forget_temporary();
+
   std::string path_;
   std::string target_;
   std::string temporary_;
+  Unfinished* unfinished_ = nullptr;  // temporary_, for remove_unfinished()
   int descriptor_ = -1;
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;

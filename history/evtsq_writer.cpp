@@ -69,10 +69,13 @@ class Lines {
 
 void write_evtsq(AtomicFile& file, HistorySource& history, const HistoryCounts& totals,
                  const EvtsqSource& source, const EvtsqFormat& format) {
-  file.write("#SOURCE:\t" + source.name + "\n#DVD_GENERATOR:\t" + history.header().producer +
-             "\n#EVENT_SEQUENCE_FILE_FORMAT_VERSION:\t" + (format.centers ? "1.10" : "1.00") +
-             "\n#TIME:\t-\n#SIMULATION_TIME:\t" + two_decimals(history.header().horizon) +
-             "\n#RESTITUTION_COEFFICIENT:\t" + two_decimals(source.restitution) + "\n" +
+  // Names of others' choice stay in their lines.
+  const auto field = [](const std::string& text) { return printable(text, text.size()); };
+  file.write("#SOURCE:\t" + field(source.name) + "\n#DVD_GENERATOR:\t" +
+             field(history.header().producer) + "\n#EVENT_SEQUENCE_FILE_FORMAT_VERSION:\t" +
+             (format.centers ? "1.10" : "1.00") + "\n#TIME:\t-\n#SIMULATION_TIME:\t" +
+             two_decimals(history.header().horizon) + "\n#RESTITUTION_COEFFICIENT:\t" +
+             two_decimals(source.restitution) + "\n" +
              std::to_string(totals.flips + totals.collisions + totals.maneuvers) + "\n");
   Lines lines(file, format);
   while (const auto event = history.next()) {

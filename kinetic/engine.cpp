@@ -610,6 +610,7 @@ class Engine<certified>::Implementation {
   // The next event and all that are simultaneous with it.
   bool next_instant(std::vector<Candidate>& ties) {
     for (;;) {
+      Patience::ask();
       const int item = queue_.top();
       if (queue_.key(item) == kInfinity) return false;
       frontier_ = queue_.key(item);
@@ -622,6 +623,7 @@ class Engine<certified>::Implementation {
     queue_.set(first.item, kInfinity);
     near_.clear();
     for (;;) {
+      Patience::ask();
       const int other = queue_.top();
       if (queue_.key(other) > first.hi) break;
       if (!first.tight) {
@@ -942,6 +944,10 @@ class Engine<certified>::Implementation {
   }
 
   void flush() {
+    if (options_.max_events > 0 && events_ + pending_.size() > options_.max_events) {
+      throw Undecided("the history has more than " + std::to_string(options_.max_events) +
+                      " events");
+    }
     for (const Pending& p : pending_) {
       ++events_;
       if (const Quad* q = std::get_if<Quad>(&p)) {

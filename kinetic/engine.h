@@ -83,6 +83,7 @@ struct EngineStats {
 struct EngineOptions {
   MotionOptions motion;
   bool profile = false;
+  std::uint64_t max_events = 0;  // a history of more stops before the instant; 0: no limit
   // Called now and then, also within a long decision, with the time reached and the number of
   // events; false stops the run (Outcome::interrupted).
   std::function<bool(double t, std::uint64_t events)> monitor;

@@ -29,6 +29,15 @@ TEST(Patience, ADecisionIsGivenUp) {
   EXPECT_EQ(asked, 3);
 }
 
+TEST(Patience, ArithmeticOfPlainRationalsIsGivenUp) {
+  const Patience patience([] { return false; });
+  Tower x = 1;
+  const auto count = [&x] {
+    for (int k = 0; k < 1000; ++k) x = (x * Tower(2) - Tower(1)) / Tower(3) + Tower(1);
+  };
+  EXPECT_THROW(count(), GivenUp);
+}
+
 TEST(Patience, TheInnerOneIsAsked) {
   int outer = 0, inner = 0;
   const Patience patience([&] { return ++outer > 0; });

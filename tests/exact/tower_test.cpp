@@ -331,5 +331,20 @@ TEST(Budget, StopsAtTheStatedSizeOfCoefficients) {
   EXPECT_LE(bit_size(x), 100u);
 }
 
+TEST(Budget, PlainRationalsKeepToThatOfTheFieldMadeLast) {
+  const auto grow = [] {
+    Tower x = Tower(3) / Tower(2);
+    for (int i = 0; i < 8; ++i) x = x * x - Tower(1) / x + x;
+    return bit_size(x);
+  };
+  EXPECT_GT(grow(), 1000u);
+  const RadicalField wide({.coefficient_bits = 1 << 16});
+  {
+    const RadicalField narrow({.coefficient_bits = 100});
+    EXPECT_THROW(grow(), BudgetExceeded);
+  }
+  EXPECT_GT(grow(), 1000u);
+}
+
 }  // namespace
 }  // namespace voroproof

@@ -54,6 +54,28 @@ TEST(EngineInterruption, WithinALongDecision) {
   }
 }
 
+// Numbers that grow by some hundred digits a collision, and stay rational.
+Scene scene_with_long_rationals() {
+  const Rational heavy = *parse_rational("1e90"), light = *parse_rational("1e-90");
+  return scene_of(100, 100, {disk(0, 0, 1, 1, 0, heavy), disk(5, 0, 1, -1, 0, light)});
+}
+
+TEST(EngineInterruption, WithinArithmeticOfRationals) {
+  const Scene scene = scene_with_long_rationals();
+  std::vector<std::uint64_t> calls;
+  const RecordedRun part = run_until(scene, 50, calls);
+  EXPECT_EQ(part.outcome.kind, Outcome::Kind::interrupted);
+  EXPECT_EQ(calls.size(), 50u);
+}
+
+// Without one this takes longer than anyone waits for.
+TEST(EngineInterruption, RationalsHaveABudget) {
+  MotionOptions options;
+  options.max_bits = 4096;
+  const RecordedRun stopped = run(scene_with_long_rationals(), options);
+  EXPECT_EQ(stopped.outcome.kind, Outcome::Kind::stopped);
+}
+
 TEST(CertifierInterruption, WithinALongDecision) {
   const Scene scene = scene_with_long_decisions();
   const ClaimedHistory history = claimed_history(scene, run(scene));
