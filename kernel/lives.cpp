@@ -245,6 +245,8 @@ class Lives {
   void check_cells(const Rat& next) {
     if (notes_.touched.empty() || next <= latest_->hi) return;
     const Rat t = (latest_->hi + next) / 2;
+    // Where events may be left out at the horizon no diagram is claimed.
+    if (!p_.exact() && t >= p_.history.horizon - p_.tolerance) return;
     for (const int g : notes_.touched) check_cell(walk_, g, t);
     notes_.touched.clear();
   }
