@@ -215,9 +215,9 @@ bool free_in(const Motion& m, const Quad& q, double a, double b, int depth, int&
 bool collapses_at_root(const Motion& motion, const Quad& q, double a, double b, bool cocircular,
                        Sign beyond) {
   const Sign after = cotangency_sign(beyond, cocircular);
-  const Verdict verdict = cocircular ? judge_cocircular(motion, q, a, b, 0, beyond)
-                                     : judge_roughly(motion, q, a, b, after);
-  if (verdict == Verdict::collapses) return true;
+  const Judgement verdict = cocircular ? judge_cocircular(motion, q, a, b, 0, beyond)
+                                       : judge_roughly(motion, q, a, b, after);
+  if (verdict == Judgement::collapses) return true;
   const DoubleBall hull = DoubleBall::hull(a, b);
   const EdgeCircles over(motion, q, hull);
   if (over.start_exists() != Sign::positive || over.end_exists() != Sign::positive) return false;

@@ -42,7 +42,7 @@ Site<double> plain_site(const Motion& motion, GenId g, double t) {
   return {m.x + m.vx * dt, m.y + m.vy * dt, m.r};
 }
 
-Verdict judge_in_doubles(const Motion& m, const Quad& q, double after, Sign f) {
+Judgement judge_in_doubles(const Motion& m, const Quad& q, double after, Sign f) {
   const std::array<Site<double>, 4> at{plain_site(m, q.l, after), plain_site(m, q.r, after),
                                        plain_site(m, q.s, after), plain_site(m, q.e, after)};
   return judge(
@@ -84,10 +84,10 @@ Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, co
         const T hull = make.hull(part.a, part.b);
         const auto at_hull = sites(motion, q, hull);
         const auto after = [&] { return sites(motion, q, make(part.b)); };
-        const Verdict verdict = judge(q, at_hull, after, cotangency_sign(-before, cocircular));
+        const Judgement verdict = judge(q, at_hull, after, cotangency_sign(-before, cocircular));
         const bool near_now = now != nullptr && part.a <= to_rational(now->hi);
-        if (verdict == Verdict::stays && !near_now) break;
-        if (verdict == Verdict::collapses && !near_now &&
+        if (verdict == Judgement::stays && !near_now) break;
+        if (verdict == Judgement::collapses && !near_now &&
             voroproof::round_up(part.b) - voroproof::round_down(part.a) <
                 1e-6 * (1 + std::fabs(voroproof::round_down(part.a)))) {
           return {true, Collapse::at_root(part.a, part.b), {}};
@@ -121,30 +121,30 @@ Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, co
 }
 
 // What becomes of the edge at a root of its form; a collapse in `found`.
-Verdict judge_root(const Motion& motion, const Quad& q, const BernsteinForm& form,
-                   const DoubleRoot& root, Collapse& found) {
+Judgement judge_root(const Motion& motion, const Quad& q, const BernsteinForm& form,
+                     const DoubleRoot& root, Collapse& found) {
   found = {Collapse::Kind::root, root.lo, root.hi, nullptr};
-  const Verdict verdict =
+  const Judgement verdict =
       form.degree == 8 ? judge_roughly(motion, q, root.lo, root.hi, root.after)
                        : judge_cocircular(motion, q, root.lo, root.hi, form.spread, root.after);
-  if (verdict == Verdict::stays) return verdict;
+  if (verdict == Judgement::stays) return verdict;
   if (form.spread == 0) {
-    if (verdict == Verdict::collapses) return verdict;
+    if (verdict == Judgement::collapses) return verdict;
     const auto at_hull = sites(motion, q, DoubleBall::hull(root.lo, root.hi));
     return judge(
         q, at_hull, [&] { return sites(motion, q, DoubleBall(root.hi)); },
         cotangency_sign(root.after, form.degree == 4));
   }
   // C has one root where f has two.
-  if (verdict == Verdict::collapses) {
+  if (verdict == Judgement::collapses) {
     const std::optional<Collapse> collapse = isolate_on_branch(motion, q, root.lo, root.hi);
     if (collapse) found = *collapse;
-    return collapse ? verdict : Verdict::unknown;
+    return collapse ? verdict : Judgement::unknown;
   }
   found = search_branches(motion, q, root.lo, root.hi);
-  return found.kind == Collapse::Kind::root ? Verdict::collapses
-         : found.lo == root.hi              ? Verdict::stays
-                                            : Verdict::unknown;
+  return found.kind == Collapse::Kind::root ? Judgement::collapses
+         : found.lo == root.hi              ? Judgement::stays
+                                            : Judgement::unknown;
 }
 
 // Whether some of the four go further in [start, end] than they are apart at its start, nearly.
@@ -206,9 +206,9 @@ Collapse CollapseSearch::in_doubles(const Quad& q, const BernsteinForm& form, do
   std::optional<Collapse> collapse;
   const auto on_root = [&](const DoubleRoot& root) {
     Collapse found;
-    const Verdict verdict = judge_root(motion_, q, form, root, found);
-    if (verdict == Verdict::collapses) collapse = found;
-    return verdict == Verdict::stays;
+    const Judgement verdict = judge_root(motion_, q, form, root, found);
+    if (verdict == Judgement::collapses) collapse = found;
+    return verdict == Judgement::stays;
   };
   double reached = start;
   if (form.degree == 8 && form.bound.first < form.err) {
@@ -402,19 +402,19 @@ namespace {
 // rest of the hull: the slopes of its in-circle functions tell, if both circles exist and are the
 // one that is touched. (The flip polynomial itself may have a double root, where two circles that
 // touch three of them touch the fourth.)
-Verdict departs(const Motion& motion, const Quad& q, const Ball& hull, bool every_circle) {
+Judgement departs(const Motion& motion, const Quad& q, const Ball& hull, bool every_circle) {
   const std::array<Site<Ball>, 4> at = sites(motion, q, hull);
   const EdgeTriples<Ball> circles = EdgeTriples<Ball>::of(q, at);
   const Sign start_exists = circle_exists(circles.start), end_exists = circle_exists(circles.end);
-  if (start_exists == Sign::negative || end_exists == Sign::negative) return Verdict::stays;
+  if (start_exists == Sign::negative || end_exists == Sign::negative) return Judgement::stays;
   if (start_exists != Sign::positive || end_exists != Sign::positive || !keeps_tangencies(at)) {
-    return Verdict::unknown;
+    return Judgement::unknown;
   }
   if (!every_circle) {
     const Sign a = incircle(circles.start, at[3], q.e == container_id, Sign::zero);
     const Sign b = incircle(circles.end, at[2], q.s == container_id, Sign::zero);
-    if (a == Sign::positive || b == Sign::positive) return Verdict::stays;
-    if (a != Sign::zero || b != Sign::zero) return Verdict::unknown;
+    if (a == Sign::positive || b == Sign::positive) return Judgement::stays;
+    if (a != Sign::zero || b != Sign::zero) return Judgement::unknown;
   }
   std::array<Site<Dual<Ball>>, 4> moving;
   const GenId ids[4] = {q.l, q.r, q.s, q.e};
@@ -425,12 +425,12 @@ Verdict departs(const Motion& motion, const Quad& q, const Ball& hull, bool ever
   const EdgeTriples<Dual<Ball>> triples = EdgeTriples<Dual<Ball>>::of(q, moving);
   const Sign a = sign(incircle_value(triples.start, moving[3], q.e == container_id).slope);
   const Sign b = sign(incircle_value(triples.end, moving[2], q.s == container_id).slope);
-  if (a == Sign::positive || b == Sign::positive) return Verdict::stays;
-  if (a != Sign::negative || b != Sign::negative) return Verdict::unknown;
+  if (a == Sign::positive || b == Sign::positive) return Judgement::stays;
+  if (a != Sign::negative || b != Sign::negative) return Judgement::unknown;
   const Sign order = contact_order(q, at);
-  return order == Sign::negative   ? Verdict::stays
-         : order == Sign::positive ? Verdict::collapses
-                                   : Verdict::unknown;
+  return order == Sign::negative   ? Judgement::stays
+         : order == Sign::positive ? Judgement::collapses
+                                   : Judgement::unknown;
 }
 
 }  // namespace
@@ -459,11 +459,11 @@ std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rationa
       std::max<Rational>(to_rational(end) - to_rational(now->hi), Rational(1, 1L << 40));
   for (int k = 4; k <= 60; k += 4) {
     const Rational beyond = to_rational(now->hi) + last / (Integer(1) << k);
-    const Verdict verdict =
+    const Judgement verdict =
         departs(motion_, q, make.hull(to_rational(now->lo), beyond), every_circle);
-    if (verdict == Verdict::unknown) continue;
+    if (verdict == Judgement::unknown) continue;
     counts_.count(Predicate::flip_search, Tier::symmetry);
-    if (verdict == Verdict::stays) return slow(q, beyond, nullptr, end);
+    if (verdict == Judgement::stays) return slow(q, beyond, nullptr, end);
     Collapse answer;
     answer.kind = Collapse::Kind::now;
     return answer;
@@ -478,10 +478,10 @@ Collapse collapse_in_doubles(const Motion& motion, const Quad& q, double start, 
   if (form_flip_polynomial<false>(motion, q, start, end, form)) return Collapse::none_until(end);
   Collapse answer;
   const double reached = each_root(form, start, end, [&](const DoubleRoot& root) {
-    const Verdict verdict = form.degree == 8
-                                ? judge_in_doubles(motion, q, root.hi, root.after)
-                                : judge_cocircular_in_doubles(motion, q, root.hi, root.after);
-    if (verdict != Verdict::collapses) return true;
+    const Judgement verdict = form.degree == 8
+                                  ? judge_in_doubles(motion, q, root.hi, root.after)
+                                  : judge_cocircular_in_doubles(motion, q, root.hi, root.after);
+    if (verdict != Judgement::collapses) return true;
     answer = {Collapse::Kind::root, root.lo, root.hi, nullptr};
     return false;
   });

@@ -47,17 +47,17 @@ Sign contact_order(const Quad& q, const std::array<Site<T>, 4>& at) {
 }
 
 // What becomes of the edge at an isolated root: seen from a time just after it.
-enum class Verdict { collapses, stays, unknown };
+enum class Judgement { collapses, stays, unknown };
 
 // Reads the verdict off the signs just after the root. Circles that certainly do not exist make an
 // edge that is no longer there; whether they do need not be known: the circles of an edge of the
 // diagram exist for as long as it is one (docs/certificate.md, section 3).
 template <class T, class SitesAfter>
-Verdict judge(const Quad& q, const std::array<Site<T>, 4>& at_hull, SitesAfter&& sites_after,
-              Sign f_after) {
+Judgement judge(const Quad& q, const std::array<Site<T>, 4>& at_hull, SitesAfter&& sites_after,
+                Sign f_after) {
   const EdgeTriples<T> hull = EdgeTriples<T>::of(q, at_hull);
   if (circle_exists(hull.start) == Sign::negative || circle_exists(hull.end) == Sign::negative) {
-    return Verdict::stays;
+    return Judgement::stays;
   }
   const auto in_start = [&](const EdgeTriples<T>& t, const std::array<Site<T>, 4>& at) {
     return incircle(t.start, at[3], q.e == container_id, f_after);
@@ -70,15 +70,15 @@ Verdict judge(const Quad& q, const std::array<Site<T>, 4>& at_hull, SitesAfter&&
   Sign a = in_start(hull, at_hull);
   Sign b = in_end(hull, at_hull);
   if (a == Sign::unknown || b == Sign::unknown) {
-    if (!keeps_tangencies(at_hull)) return Verdict::unknown;
+    if (!keeps_tangencies(at_hull)) return Judgement::unknown;
     const std::array<Site<T>, 4> at_after = sites_after();
     const EdgeTriples<T> after = EdgeTriples<T>::of(q, at_after);
     a = in_start(after, at_after);
     b = in_end(after, at_after);
   }
-  if (a == Sign::positive || b == Sign::positive) return Verdict::stays;
-  if (a == Sign::negative && b == Sign::negative) return Verdict::collapses;
-  return Verdict::unknown;
+  if (a == Sign::positive || b == Sign::positive) return Judgement::stays;
+  if (a == Sign::negative && b == Sign::negative) return Judgement::collapses;
+  return Judgement::unknown;
 }
 
 }  // namespace voroproof

@@ -47,42 +47,42 @@ Sign counterclockwise(const RoughSite& a, const RoughSite& b, const RoughSite& c
 // at hi, so that C keeps its sign, which is that of both in-circle functions where f is negative.
 // A zero of one of them is one of the other, because a circle that touches all four touches each
 // three of them counterclockwise: no other exists.
-Verdict judge_cocircular(const Motion& motion, const Quad& q, double lo, double hi, double spread,
-                         Sign after) {
-  if (spread == 0 && after == Sign::positive) return Verdict::stays;
+Judgement judge_cocircular(const Motion& motion, const Quad& q, double lo, double hi, double spread,
+                           Sign after) {
+  if (spread == 0 && after == Sign::positive) return Judgement::stays;
   const double c = 0.5 * (lo + hi);
   const double h = std::max(hi - c, c - lo) * (1 + 0x1p-50);
   const RoughSite l = rough_site(motion.doubles(q.l), c, h);
   const RoughSite r = rough_site(motion.doubles(q.r), c, h);
   const Sign start = counterclockwise(l, rough_site(motion.doubles(q.s), c, h), r, spread);
-  if (start == Sign::negative) return Verdict::stays;
+  if (start == Sign::negative) return Judgement::stays;
   const Sign end = counterclockwise(r, rough_site(motion.doubles(q.e), c, h), l, spread);
-  if (end == Sign::negative) return Verdict::stays;
+  if (end == Sign::negative) return Judgement::stays;
   return start == Sign::positive && end == Sign::positive && after == Sign::negative
-             ? Verdict::collapses
-             : Verdict::unknown;
+             ? Judgement::collapses
+             : Judgement::unknown;
 }
 
-Verdict judge_cocircular_in_doubles(const Motion& motion, const Quad& q, double t, Sign after) {
-  if (after == Sign::positive) return Verdict::stays;
+Judgement judge_cocircular_in_doubles(const Motion& motion, const Quad& q, double t, Sign after) {
+  if (after == Sign::positive) return Judgement::stays;
   const auto at = [&](GenId g) { return rough_site(motion.doubles(g), t, 0).at; };
   const Site<double> l = at(q.l), r = at(q.r);
   return orientation(l, at(q.s), r).doubled_area > 0 && orientation(r, at(q.e), l).doubled_area > 0
-             ? Verdict::collapses
-             : Verdict::stays;
+             ? Judgement::collapses
+             : Judgement::stays;
 }
 
-Verdict judge_roughly(const Motion& motion, const Quad& q, double lo, double hi, Sign f) {
+Judgement judge_roughly(const Motion& motion, const Quad& q, double lo, double hi, Sign f) {
   const RoughCircles circles(motion, q, lo, hi);
-  if (!circles.usable()) return Verdict::unknown;
+  if (!circles.usable()) return Judgement::unknown;
   const auto [start, end] = circles.exist();
   for (const Sign exists : {start, end}) {
-    if (exists == Sign::negative) return Verdict::stays;
-    if (exists != Sign::positive) return Verdict::unknown;
+    if (exists == Sign::negative) return Judgement::stays;
+    if (exists != Sign::positive) return Judgement::unknown;
   }
   const auto [e, s] = circles.in_circle(f);
-  if (e == Sign::positive || s == Sign::positive) return Verdict::stays;
-  return e == Sign::negative && s == Sign::negative ? Verdict::collapses : Verdict::unknown;
+  if (e == Sign::positive || s == Sign::positive) return Judgement::stays;
+  return e == Sign::negative && s == Sign::negative ? Judgement::collapses : Judgement::unknown;
 }
 
 }  // namespace voroproof

@@ -5,10 +5,11 @@
 //
 // The seeds are S, S + 1, ...; everything is a function of them. Finds are written to DIRECTORY,
 // minimized. The kernel, which takes most of the time, is asked of one seed in N. --all asks the
-// oracle of all histories. --slips also tells of histories that were meant right and are not. Exit
-// code 1 where there was a find.
+// oracle of all histories. --slips also tells of histories that were meant right and are not.
+// Interrupted, it prints the counts so far. Exit code 1 where there was a find.
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -126,7 +127,12 @@ void print(const char* title, const std::map<std::pair<std::string, int>, Count>
   }
 }
 
+volatile std::sig_atomic_t interrupted = 0;
+
 int run(const Arguments& a) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::signal(signal, [](int) { interrupted = 1; });
+  }
   Campaign campaign(a.all, a.kernel_every);
   std::map<std::string, int> saved;
   std::array<std::int64_t, static_cast<std::size_t>(Find::count)> finds{};
@@ -134,7 +140,7 @@ int run(const Arguments& a) {
   const auto seconds = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  for (std::uint64_t k = 0;; ++k) {
+  for (std::uint64_t k = 0; interrupted == 0; ++k) {
     if (a.minutes > 0 ? seconds() > 60 * a.minutes : static_cast<std::int64_t>(k) >= a.count) break;
     campaign.run(
         a.seed + k, a.family, a.fault, [&](const Made& made, Truth truth, const Judgement& j) {

@@ -31,21 +31,21 @@ void expect_same(const Motion& motion, const Quad& q, double lo, double hi, Tall
                  bool narrow) {
   const MakeBall make{300};
   for (const Sign f : {Sign::positive, Sign::negative}) {
-    const Verdict rough = judge_roughly(motion, q, lo, hi, f);
+    const Judgement rough = judge_roughly(motion, q, lo, hi, f);
     if (narrow) {
       ++tally.roots;
-      tally.collapses += rough == Verdict::collapses;
-      tally.stays += rough == Verdict::stays;
-      tally.unknown += rough == Verdict::unknown;
+      tally.collapses += rough == Judgement::collapses;
+      tally.stays += rough == Judgement::stays;
+      tally.unknown += rough == Judgement::unknown;
     }
-    if (rough == Verdict::unknown) continue;
+    if (rough == Judgement::unknown) continue;
     tally.wide += !narrow;
     // At both ends and in the middle: a verdict is of the whole interval.
     for (const double t : {lo, 0.5 * (lo + hi), hi}) {
       const auto at = sites(motion, q, make(to_rational(t)));
-      const Verdict truth = judge(
+      const Judgement truth = judge(
           q, at, [&] { return at; }, f);
-      if (truth == Verdict::unknown) continue;
+      if (truth == Judgement::unknown) continue;
       ASSERT_EQ(truth, rough) << text(q) << " at " << t;
     }
   }
@@ -100,11 +100,11 @@ void expect_cocircular_verdicts(const RandomScene& family, Tally& tally) {
     const double start = 3, end = start + 8;
     const auto expect_right = [&](const Quad& q, const BernsteinForm& form, double lo, double hi,
                                   Sign after) {
-      const Verdict verdict = judge_cocircular(motion, q, lo, hi, form.spread, after);
+      const Judgement verdict = judge_cocircular(motion, q, lo, hi, form.spread, after);
       ++tally.roots;
-      tally.collapses += verdict == Verdict::collapses;
-      tally.stays += verdict == Verdict::stays;
-      tally.unknown += verdict == Verdict::unknown;
+      tally.collapses += verdict == Judgement::collapses;
+      tally.stays += verdict == Judgement::stays;
+      tally.unknown += verdict == Judgement::unknown;
       bool exist_throughout = true, one_never = false;
       Sign missing[2] = {Sign::negative, Sign::negative};
       for (const double t : {lo, 0.5 * (lo + hi), hi}) {
@@ -117,22 +117,22 @@ void expect_cocircular_verdicts(const RandomScene& family, Tally& tally) {
         }
         if (t == lo || t == hi) {
           const Sign c = t == hi ? after : -after;
-          if (verdict == Verdict::collapses) {
+          if (verdict == Judgement::collapses) {
             ASSERT_EQ(sign(incircle_value(circles.start, at[3], false)), c) << text(q) << lo;
             ASSERT_EQ(sign(incircle_value(circles.end, at[2], false)), c) << text(q) << lo;
           }
         }
-        if (verdict == Verdict::collapses) {
+        if (verdict == Judgement::collapses) {
           ASSERT_TRUE(keeps_tangencies(at)) << text(q) << lo;
           ASSERT_EQ(contact_order(q, at), Sign::positive) << text(q) << lo;
         }
       }
       one_never = missing[0] == Sign::negative || missing[1] == Sign::negative;
-      if (verdict == Verdict::collapses) {
+      if (verdict == Judgement::collapses) {
         ASSERT_TRUE(exist_throughout) << text(q) << lo;
         ASSERT_EQ(after, Sign::negative);
       }
-      if (verdict == Verdict::stays) {
+      if (verdict == Judgement::stays) {
         ASSERT_TRUE(one_never || (form.spread == 0 && after == Sign::positive)) << text(q) << lo;
       }
     };
@@ -209,17 +209,17 @@ TEST(RoughJudge, CocircularOverTheWholeInterval) {
         for (const double spread : {0.0, 1e-9}) {
           ASSERT_NE(judge_cocircular(motion, q, before - width, after + 2 * width, spread,
                                      Sign::negative),
-                    Verdict::collapses)
+                    Judgement::collapses)
               << text(q) << before;
         }
       }
       for (const double past : {before - 1e-6, after + 1e-6}) {
         const auto signs = areas(to_rational(past));
-        const Verdict verdict =
+        const Judgement verdict =
             judge_cocircular(motion, q, past - 1e-8, past + 1e-8, 0, Sign::negative);
         const bool both = signs.first == Sign::positive && signs.second == Sign::positive;
-        if (verdict == Verdict::unknown) continue;
-        ASSERT_EQ(verdict == Verdict::collapses, both) << text(q) << past;
+        if (verdict == Judgement::unknown) continue;
+        ASSERT_EQ(verdict == Judgement::collapses, both) << text(q) << past;
         beside += both;
       }
     }
@@ -241,13 +241,13 @@ TEST(RoughJudge, CocircularMindsTheSpread) {
       std::shuffle(ids.begin(), ids.end(), random);
       const Quad q{ids[0], ids[1], ids[2], ids[3]};
       const double t = 4 + 0.001 * trial;
-      const Verdict verdict = judge_cocircular(motion, q, t, t, spread, Sign::negative);
-      if (verdict == Verdict::unknown) continue;
+      const Judgement verdict = judge_cocircular(motion, q, t, t, spread, Sign::negative);
+      if (verdict == Judgement::unknown) continue;
       const auto at = sites(motion, q, MakeBall{300}(to_rational(t)));
       const auto circles = EdgeTriples<Ball>::of(q, at);
       const bool both = circle_exists(circles.start) == Sign::positive &&
                         circle_exists(circles.end) == Sign::positive;
-      ASSERT_EQ(verdict == Verdict::collapses, both) << text(q) << t;
+      ASSERT_EQ(verdict == Judgement::collapses, both) << text(q) << t;
       if (both) {
         ASSERT_TRUE(keeps_tangencies(at)) << text(q) << t;
       }
