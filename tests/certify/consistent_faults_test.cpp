@@ -359,5 +359,53 @@ TEST(ConsistentFaults, PointsHitByARounding) {
   EXPECT_GT(anew, 0);
 }
 
+// A fast point enters a disk, is claimed to have hit it while it is inside, and leaves it
+// elsewhere. With the third disk on the right the point comes from between the two and leaves
+// towards the wall: its neighbours have changed while it had no cell, by no flip, and the diagram
+// is wrong from then on. No in-circle function of it vanishes before the horizon: only the proof
+// anew tells. With the third disk below the point has the same neighbours before and after.
+TEST(ConsistentFaults, OtherNeighboursAfterAHiddenMoment) {
+  for (const bool right : {true, false}) {
+    const DiskSpec third = right ? disk(5, 0, 1, 0, 0, 1) : disk(0, -8, 0.5, 0, 0, 1);
+    const Scene scene =
+        scene_of(10, Rational(4e-6),
+                 {disk(0, 0, 1, 0, 0, 1e12), disk(1.81, 0.29, 0, -1087500, 65000, 1), third});
+    History h = history_of(scene, run(scene).initial, {collision(1.6e-6, 0, 1, {}, {})});
+    std::get<CollideEvent>(h.events.front()).v = {};
+    expect(right ? Verdict::undecided : Verdict::certified, scene, h, Truth::recorded);
+  }
+}
+
+// Five disks in the order of the corners of a pentagram, and one in their middle: a first diagram
+// in which all circles exist and all edges are legal, and that covers the container twice. In the
+// order of the corners of a pentagon it is the diagram. One of the two pentagons has a vertex on
+// the x axis, so that doubles do not decide how it winds.
+TEST(ConsistentFaults, CellsThatWindTwice) {
+  const double corners[2][5][2] = {{{10, 0}, {3, 9.5}, {-8, 6}, {-8, -6}, {3, -9.5}},
+                                   {{9.8, 1.7}, {1.4, 9.9}, {-9, 4.4}, {-7, -7.2}, {4.7, -8.8}}};
+  for (const auto& corner : corners) {
+    for (const int step : {1, 2}) {
+      std::vector<DiskSpec> disks;
+      std::vector<Quad> initial;
+      for (int k = 0; k < 5; ++k) {
+        const auto& [x, y] = corner[k * step % 5];
+        disks.push_back(disk(x, y, 1, 0, 0));
+        const int before = (k + 4) % 5, after = (k + 1) % 5;
+        initial.push_back({5, k, before, after});
+        initial.push_back({k, after, -1, 5});
+        initial.push_back({-1, k, after, before});
+      }
+      disks.push_back(disk(0, 0, 1, 0, 0));
+      const Scene scene = scene_of(100, 3, disks);
+      const History h = history_of(scene, initial, {});
+      if (step == 1) {
+        expect_certified(scene, h);
+      } else {
+        expect_refuted(scene, h);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace voroproof::testing
