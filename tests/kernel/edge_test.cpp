@@ -124,6 +124,33 @@ TEST(KernelEdge, AFourthThatComesCollapsesTheEdgeOnce) {
   EXPECT_GT(tried, 50);
 }
 
+// The fourth is on the circle at the beginning and enters it: whatever roots follow, also of the
+// other circle, the collapse is at the beginning. It leaves again.
+TEST(KernelEdge, ACollapseAtTheBeginning) {
+  std::mt19937 rng(5);
+  int tried = 0;
+  for (int n = 0; n < 1000; ++n) {
+    Placed four = around_circle(rng, 0, n % 4 - 1, n % 3 == 0);
+    Leg& e = four.legs[3];
+    const Vec in = minus({3, -2}, e.from);
+    const Rat side(static_cast<int>(rng() % 401) - 200, 100);
+    const Vec v{Rat(in[0] - side * in[1]), Rat(in[1] + side * in[0])};
+    const Rat speed = n % 2 == 0 ? Rat(1, 4) : Rat(1, 40);
+    e = Leg(0, e.from, {Rat(v[0] * speed), Rat(v[1] * speed)}, e.radius);
+    const Rat soon(1, 1000), end(3);
+    bool valid = e.radius >= 0 && apart(four, 0) && apart(four, soon) && apart(four, end);
+    for (int k = 1; valid && k < 30; ++k) valid = apart(four, Rat(k, 10));
+    if (!valid || four.four().incircle(soon, true) >= 0) continue;
+    ++tried;
+    for (const Rat& b : {soon, Rat(1, 2), Rat(1), Rat(2), end}) {
+      auto found = four.first_collapse(0, b);
+      ASSERT_TRUE(found) << n;
+      EXPECT_EQ(compare(found->at, Rat(0)), 0) << n;
+    }
+  }
+  EXPECT_GT(tried, 100);
+}
+
 // Equal points, the fourth turns around on the circle: contact of even order, no collapse.
 TEST(KernelEdge, AContactOfEvenOrderIsNoCollapse) {
   Placed four{{Leg(0, {1, 0}, {0, 0}, 0), Leg(0, {-1, 0}, {0, 0}, 0), Leg(0, {0, 1}, {0, 0}, 0),

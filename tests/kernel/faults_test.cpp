@@ -7,53 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/kernel.h"
-#include "kernel/motion.h"
+#include "tests/kernel/histories.h"
 
 namespace voroproof_kernel {
 namespace {
-
-std::string scene_of(const std::string& disks, const std::string& horizon = "3",
-                     const std::string& more = "") {
-  return R"({"format":"voroproof-scene","version":1,"container":{"center":[0,0],"radius":50},)"
-         "\"horizon\":" +
-         horizon + more + ",\"disks\":[" + disks + "]}";
-}
-
-std::string disk(const std::string& x, const std::string& y, const std::string& r,
-                 const std::string& vx, const std::string& vy) {
-  return "{\"center\":[" + x + "," + y + "],\"radius\":" + r + ",\"velocity\":[" + vx + "," + vy +
-         "],\"mass\":1}";
-}
-
-// Two disks have one diagram, at all times.
-const std::string kTwo = "[[-1,0,1,1],[-1,1,0,0],[0,1,-1,-1]]";
-
-std::string history_of(const std::string& scene, const std::vector<std::string>& claims,
-                       const std::string& horizon = "3", const std::string& initial = kTwo) {
-  int flips = 0, collisions = 0, maneuvers = 0;
-  std::string lines = R"({"format":"voroproof-history","version":1,"scene_sha256":")" +
-                      sha256(scene) + "\",\"horizon\":" + horizon +
-                      ",\"producer\":\"hand\",\"initial\":" + initial + "}\n";
-  for (const std::string& c : claims) {
-    flips += c.find("flip") != std::string::npos;
-    collisions += c.find("collide") != std::string::npos;
-    maneuvers += c.find("maneuver") != std::string::npos;
-    lines += c + "\n";
-  }
-  return lines + "{\"end\":{\"t\":" + horizon + ",\"flips\":" + std::to_string(flips) +
-         ",\"collisions\":" + std::to_string(collisions) +
-         ",\"maneuvers\":" + std::to_string(maneuvers) + "}}\n";
-}
-
-Verdict verdict(const std::string& scene, const std::vector<std::string>& claims, Truth truth,
-                const std::string& horizon = "3") {
-  Options options;
-  options.truth = truth;
-  const Result r = check(scene, history_of(scene, claims, horizon), options);
-  EXPECT_NE(r.verdict, Verdict::invalid) << r.reason << ", line " << r.line;
-  return r.verdict;
-}
 
 const std::string kMeet = R"({"t":0,"collide":[0,1],"v":[[0,0],[1,0]],"p":[[-1,0],[1,0]]})";
 
