@@ -140,21 +140,34 @@ TEST(KernelContacts, OnlyNeighboursCollide) {
 }
 
 // A fast point enters a disk, is claimed to have hit it while it is inside, and leaves it
-// elsewhere, where it has other neighbours (with the third disk on the right) or the same (below).
+// elsewhere; or passes through it, is claimed to have hit it, and is turned away by a maneuver.
+// With the third disk on the right it has other neighbours then, by no flip; with the third below
+// it has the same. Cells that wind twice tell of the first, a proof anew of edges of the second.
 TEST(KernelContacts, OtherNeighboursAfterAHiddenMoment) {
   for (const bool right : {true, false}) {
-    const std::string third =
-        right ? disk("5", "0", "1", "0", "0") : disk("0", "-8", "0.5", "0", "0");
-    const std::string initial =
-        right ? "[[-1,0,2,2],[-1,2,0,0],[0,1,2,2],[0,2,-1,1],[0,2,1,-1],[1,2,0,0]]"
-              : "[[-1,0,1,2],[-1,0,2,1],[-1,1,0,0],[-1,2,0,0],[0,1,-1,-1],[0,2,-1,-1]]";
-    std::string scene = scene_of(disk("0", "0", "1", "0", "0") + "," +
-                                     disk("1.81", "0.29", "0", "-1087500", "65000") + "," + third,
-                                 "4e-6");
-    scene.replace(scene.find("\"radius\":50"), 11, "\"radius\":10");
-    scene.replace(scene.find("\"mass\":1"), 8, "\"mass\":1e12");
-    expect(right ? Verdict::refuted : Verdict::certified, scene,
-           {R"({"t":1.6e-6,"collide":[0,1]})"}, "4e-6", initial);
+    for (const bool through : {false, true}) {
+      const std::string third =
+          right ? disk("5", "0", "1", "0", "0") : disk("0", "-8", "0.5", "0", "0");
+      const std::string initial =
+          right ? "[[-1,0,2,2],[-1,2,0,0],[0,1,2,2],[0,2,-1,1],[0,2,1,-1],[1,2,0,0]]"
+                : "[[-1,0,1,2],[-1,0,2,1],[-1,1,0,0],[-1,2,0,0],[0,1,-1,-1],[0,2,-1,-1]]";
+      const std::string point = through ? disk("1.6", "0.05", "0", "-3e6", "0")
+                                        : disk("1.81", "0.29", "0", "-1087500", "65000");
+      std::string scene =
+          scene_of(disk("0", "0", "1", "0", "0") + "," + point + "," + third, "4e-6",
+                   through ? R"(,"maneuvers":[{"t":9.1e-7,"disk":1,"velocity":[-3e5,0]}])" : "");
+      scene.replace(scene.find("\"radius\":50"), 11, "\"radius\":10");
+      scene.replace(scene.find("\"mass\":1"), 8, "\"mass\":1e12");
+      Claims claims = {through ? R"({"t":9e-7,"collide":[0,1]})"
+                               : R"({"t":1.6e-6,"collide":[0,1]})"};
+      if (through) claims.push_back(R"({"t":9.1e-7,"maneuver":1})");
+      const Result r = check(scene, history_of(scene, claims, "4e-6", initial), {});
+      EXPECT_EQ(r.verdict, right ? Verdict::refuted : Verdict::certified) << r.reason;
+      const char* why = through ? "collapses at 0.000000866" : "turn 2 times";
+      if (right) {
+        EXPECT_NE(r.reason.find(why), std::string::npos) << r.reason;
+      }
+    }
   }
 }
 

@@ -151,6 +151,31 @@ TEST(KernelEdge, ACollapseAtTheBeginning) {
   EXPECT_GT(tried, 100);
 }
 
+// The fourth comes to the circle between l and s: the circle of the end is another, which it need
+// not touch, and an edge does not collapse at one end only.
+TEST(KernelEdge, NoQuickCollapseOfOneEnd) {
+  std::mt19937 rng(6);
+  int tried = 0;
+  for (int n = 0; n < 400; ++n) {
+    Placed four = around_circle(rng, 0, n % 4 - 1, n % 3 == 0);
+    std::swap(four.legs[1], four.legs[3]);
+    std::swap(four.quad.r, four.quad.e);
+    std::swap(four.legs[2], four.legs[3]);
+    std::swap(four.quad.s, four.quad.e);
+    Leg& e = four.legs[3];
+    const Rat when(2, 3);
+    const Vec v{Rat((3 - e.from[0]) / 50), Rat((-2 - e.from[1]) / 50)};
+    e = Leg(0, {Rat(e.from[0] - v[0] * when), Rat(e.from[1] - v[1] * when)}, v, e.radius);
+    const Four at = four.four();
+    const Rat lo(66, 100), hi(67, 100);
+    if (e.radius < 0 || at.incircle(lo, true) <= 0 || at.incircle(hi, true) >= 0) continue;
+    if (at.incircle(hi, false) <= 0) continue;
+    ++tried;
+    EXPECT_FALSE(collapse_near(at, lo, when)) << n;
+  }
+  EXPECT_GT(tried, 20);
+}
+
 // Equal points, the fourth turns around on the circle: contact of even order, no collapse.
 TEST(KernelEdge, AContactOfEvenOrderIsNoCollapse) {
   Placed four{{Leg(0, {1, 0}, {0, 0}, 0), Leg(0, {-1, 0}, {0, 0}, 0), Leg(0, {0, 1}, {0, 0}, 0),

@@ -204,6 +204,83 @@ TEST(KernelFaults, UndecidedSaysWhy) {
             "the collision time of 0 and 1 is irrational");
 }
 
+TEST(KernelFaults, ManeuversWhenTheSceneHasThem) {
+  const std::string scene =
+      scene_of(disk("-9", "0", "1", "0", "0") + "," + disk("9", "0", "1", "0", "0"), "3",
+               R"(,"maneuvers":[{"t":1,"disk":0,"velocity":[1,0]}])");
+  for (const Truth truth : {Truth::recorded, Truth::exact}) {
+    EXPECT_EQ(verdict(scene, {R"({"t":1,"maneuver":0,"v":[1,0]})"}, truth), Verdict::certified);
+    EXPECT_EQ(verdict(scene, {R"({"t":1.00001,"maneuver":0,"v":[1,0]})"}, truth), Verdict::refuted);
+    EXPECT_EQ(verdict(scene, {R"({"t":1,"maneuver":0,"v":[1,0],"p":[-9.00001,0]})"}, truth),
+              Verdict::refuted);
+  }
+}
+
+TEST(KernelFaults, TheContainerIsHitOnTheFarSide) {
+  const std::string scene =
+      scene_of(disk("20", "0", "1", "1", "0") + "," + disk("0", "9", "1", "0", "0"), "30");
+  for (const Truth truth : {Truth::recorded, Truth::exact}) {
+    const std::string hit = R"({"t":29,"collide":[-1,0],"v":[null,[-1,0]]})";
+    EXPECT_EQ(verdict(scene, {hit}, truth, "30"), Verdict::certified);
+  }
+}
+
+// What the tolerance of times allows of velocities, the centres that the file gives do not.
+TEST(KernelFaults, VelocitiesByTheCentresOfTheFile) {
+  const std::string scene =
+      scene_of(disk("-1", "0", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
+  const std::string off = R"({"t":0,"collide":[0,1],"v":[[0,1e-7],[1,0]])";
+  EXPECT_EQ(verdict(scene, {off + "}"}, Truth::exact), Verdict::certified);
+  EXPECT_EQ(verdict(scene, {off + ",\"p\":[[-1,0],[1,0]]}"}, Truth::exact), Verdict::refuted);
+}
+
+// Where the rounding of centres hides the normal, energy and momentum are kept nevertheless.
+TEST(KernelFaults, EnergyAndMomentumOfTinyDisks) {
+  const std::string scene =
+      scene_of(disk("-1", "0", "1e-7", "1", "0") + "," + disk("1", "0", "4e-7", "0", "0"));
+  const auto hit = [&](const std::string& vx) {
+    return verdict(scene, {R"({"t":1.9999995,"collide":[0,1],"v":[[0,0],[)" + vx + ",0]]}"},
+                   Truth::recorded);
+  };
+  EXPECT_EQ(hit("1.000000001"), Verdict::certified);
+  EXPECT_EQ(hit("1.000000007"), Verdict::refuted);  // the momentum
+  EXPECT_EQ(hit("1.00000001"), Verdict::refuted);
+  // Both are turned alike, so that the momentum is kept, and the energy is not.
+  EXPECT_EQ(verdict(scene, {R"({"t":1.9999995,"collide":[0,1],"v":[[-1e-8,0],[1.00000001,0]]})"},
+                    Truth::recorded),
+            Verdict::refuted);
+}
+
+// Two come between two others, and all four touch one circle at t = 2, exactly.
+TEST(KernelFaults, WhenAFlipMayBeClaimed) {
+  const auto scene = [](const std::string& horizon, const std::string& y = "5") {
+    return scene_of(disk("-3", "0", "0.5", "0", "0") + "," + disk("3", "0", "0.5", "0", "0") + "," +
+                        disk("0", y, "0.5", "0", "-1") + "," + disk("0", "-" + y, "0.5", "0", "1"),
+                    horizon);
+  };
+  const std::string initial =
+      "[[-1,0,3,2],[-1,1,2,3],[-1,2,0,1],[-1,3,1,0],[0,1,3,2],[0,2,1,-1],[0,3,-1,1],[1,2,-1,0],[1,"
+      "3,0,-1]]";
+  const auto flip = [](const std::string& t) { return "{\"t\":" + t + ",\"flip\":[0,1,3,2]}"; };
+  for (const Truth truth : {Truth::recorded, Truth::exact}) {
+    const bool exact = truth == Truth::exact;
+    const auto right = [](bool is) { return is ? Verdict::certified : Verdict::refuted; };
+    for (const std::string t : {"1.5", "1.99999", "1.9999995", "2", "2.0000005", "2.00001"}) {
+      EXPECT_EQ(verdict(scene("2.25"), {flip(t)}, truth, "2.25", initial),
+                right(t == "1.9999995" || t == "2" || t == "2.0000005"));
+    }
+    EXPECT_EQ(verdict(scene("2.25"), {}, truth, "2.25", initial), Verdict::refuted);
+    // At the horizon, and just after it.
+    EXPECT_EQ(verdict(scene("2"), {flip("2")}, truth, "2", initial), Verdict::certified);
+    EXPECT_EQ(verdict(scene("2"), {}, truth, "2", initial), right(!exact));
+    EXPECT_EQ(verdict(scene("1.9999995"), {flip("1.9999995")}, truth, "1.9999995", initial),
+              right(!exact));
+    EXPECT_EQ(verdict(scene("1.9999995"), {}, truth, "1.9999995", initial), Verdict::certified);
+    // The first diagram is that after all flips at 0.
+    EXPECT_EQ(verdict(scene("0.25", "3"), {flip("0")}, truth, "0.25", initial), Verdict::refuted);
+  }
+}
+
 TEST(KernelFaults, AForeignHorizonIsSaid) {
   const std::string scene =
       scene_of(disk("-4", "9", "1", "1", "0") + "," + disk("1", "0", "1", "0", "0"));
