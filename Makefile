@@ -2,10 +2,10 @@
 JOBS ?= $(shell nproc)
 MAKEFLAGS += --no-print-directory
 
-SOURCES = $(shell find exact filtered topology history kinetic queries planning certify corpus apps bench tests \
+SOURCES = $(shell find exact filtered topology history kinetic queries planning certify corpus evidence kernel library include apps bench tests \
   -name '*.h' -o -name '*.cpp')
 
-.PHONY: build demo test bench format clean
+.PHONY: build demo test bench api format clean
 
 build:
 	cmake --preset release
@@ -27,6 +27,10 @@ bench:
 	scripts/install-deps.sh bench
 	cmake --preset bench
 	bench/run.sh
+
+# The reference of the library, in build/api/html; needs doxygen.
+api:
+	scripts/api-reference.sh
 
 format:
 	clang-format -i $(SOURCES)

@@ -5,15 +5,18 @@
 #include <system_error>
 #include <vector>
 
-#include "apps/command_line.h"
-#include "apps/interruption.h"
-#include "apps/limits.h"
-#include "apps/memory.h"
+#include "apps/cli/command_line.h"
+#include "apps/cli/interruption.h"
+#include "apps/cli/limits.h"
+#include "apps/cli/memory.h"
+#include "apps/cli/variant.h"
+#include "apps/verbs/verbs.h"
+#include "exact/rounding.h"
 #include "exact/tower.h"
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
 #include "history/error.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 constexpr std::size_t longest_message = 2000;
@@ -86,6 +89,7 @@ ExitCode run(int argc, const char* const* argv) {
 // Every way to end, and its exit code.
 ExitCode guarded_run(int argc, const char* const* argv) {
   try {
+    require_ieee_arithmetic();
     return run(argc, argv);
   } catch (const InputError& error) {
     return complain(ExitCode::bad_input, error.what());
@@ -112,10 +116,11 @@ ExitCode guarded_run(int argc, const char* const* argv) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal
 
 int main(int argc, char** argv) {
-  voroproof::install_memory_handlers();
-  voroproof::install_signal_handlers();
-  return static_cast<int>(voroproof::guarded_run(argc, argv));
+  voroproof::internal::become_faster_variant(argv);
+  voroproof::internal::install_memory_handlers();
+  voroproof::internal::install_signal_handlers();
+  return static_cast<int>(voroproof::internal::guarded_run(argc, argv));
 }

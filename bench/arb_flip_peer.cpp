@@ -3,7 +3,7 @@
 
 #include "bench/flip_peer.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -135,4 +135,4 @@ std::unique_ptr<RootIsolator> arb_isolator(const std::vector<RootTask>& tasks) {
   return std::make_unique<ArbIsolator>(tasks);
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

@@ -8,7 +8,7 @@
 
 #include "bench/flip_peer.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -49,6 +49,6 @@ std::unique_ptr<RootIsolator> cgal_isolator(const std::vector<RootTask>& tasks) 
   return std::make_unique<CgalIsolator>(tasks);
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench
 
 #endif

@@ -12,7 +12,7 @@
 #include "bench/predicates_bench.h"
 #include "bench/tasks.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -54,4 +54,4 @@ void register_collide_benchmarks() {
   }
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

@@ -7,10 +7,10 @@
 #include "bench/paired.h"
 #include "bench/predicates_bench.h"
 #include "bench/tasks.h"
-#include "filtered/contact.h"
+#include "filtered/search/contact.h"
 #include "kinetic/static_diagram.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -56,4 +56,4 @@ void register_contact_benchmarks() {
   }
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

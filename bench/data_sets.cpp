@@ -4,11 +4,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "apps/scene_motion.h"
 #include "corpus/generate.h"
 #include "kinetic/static_diagram.h"
+#include "library/maneuver_input.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -63,4 +63,4 @@ const DataSet& data_set(const std::string& name) {
   return made.emplace(name, make(name)).first->second;
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

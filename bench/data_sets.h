@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "exact/generators.h"
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
 #include "history/scene.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 // One scene of a data set at t = 0, in its motion, and the quadruplets of its V-edges
 // with four different generators (the others never collapse).
@@ -35,4 +35,4 @@ const DataSet& data_set(const std::string& name);
 // A fresh motion of the scene at t = 0.
 std::unique_ptr<Motion> motion_of(const Scene& scene);
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

@@ -12,9 +12,9 @@
 #include "bench/paired.h"
 #include "bench/predicates_bench.h"
 #include "bench/tasks.h"
-#include "filtered/collapse.h"
+#include "filtered/search/collapse.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -136,4 +136,4 @@ void register_flip_benchmarks() {
   }
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

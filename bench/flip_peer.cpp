@@ -5,7 +5,7 @@
 #include "exact/polynomial.h"
 #include "exact/predicates.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -16,7 +16,7 @@ Path path_of(const Scene& scene, GenId g) {
     return {Polynomial<Rational>{scene.cx}, Polynomial<Rational>{scene.cy},
             Polynomial<Rational>{Rational(-scene.container_radius)}};
   }
-  const DiskSpec& d = scene.disks[static_cast<std::size_t>(g)];
+  const DiskInput& d = scene.disks[static_cast<std::size_t>(g)];
   return {Polynomial<Rational>{d.x.value(), d.vx.value()},
           Polynomial<Rational>{d.y.value(), d.vy.value()}, Polynomial<Rational>{d.radius.value()}};
 }
@@ -31,4 +31,4 @@ std::vector<Integer> flip_polynomial_of(const Scene& scene, const Quad& q) {
                                         : cotangency(p[0], p[1], p[2], p[3]));
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

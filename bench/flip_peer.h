@@ -12,7 +12,7 @@
 #include "exact/rational.h"
 #include "history/scene.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 // A polynomial over the integers, constant term first, and the window (0, end) in
 // which its roots are asked for.
@@ -40,4 +40,4 @@ std::unique_ptr<RootIsolator> cgal_isolator(const std::vector<RootTask>& tasks);
 // Arb balls of 128 bits: Descartes' rule in the Bernstein basis, by subdivision.
 std::unique_ptr<RootIsolator> arb_isolator(const std::vector<RootTask>& tasks);
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

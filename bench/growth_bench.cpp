@@ -13,7 +13,7 @@
 #include "bench/simulation.h"
 #include "bench/statistics.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -134,11 +134,11 @@ void bench(const std::vector<int>& sizes, SceneChoice choice, int repeats,
 
 }  // namespace
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench
 
 int main(int argc, char** argv) {
   std::vector<int> sizes{1000, 2000, 5000, 10000, 20000, 50000, 100000};
-  voroproof::bench::SceneChoice choice;
+  voroproof::internal::bench::SceneChoice choice;
   choice.horizon = 120;  // about seven events a disk
   int repeats = 3;
   std::string json;
@@ -153,7 +153,7 @@ int main(int argc, char** argv) {
   app.add_option("--json", json, "write the results to this file");
   CLI11_PARSE(app, argc, argv);
   try {
-    voroproof::bench::bench(sizes, choice, repeats, json);
+    voroproof::internal::bench::bench(sizes, choice, repeats, json);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return 1;

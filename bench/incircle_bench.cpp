@@ -9,7 +9,7 @@
 #include "bench/predicates_bench.h"
 #include "bench/tasks.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -73,7 +73,7 @@ void in_intervals(benchmark::State& state, const std::string& name) {
 
 Site<Rational> exact_site(const Scene& scene, GenId g, const Rational& t) {
   if (g == container_id) return {scene.cx, scene.cy, Rational(-scene.container_radius)};
-  const DiskSpec& d = scene.disks[static_cast<std::size_t>(g)];
+  const DiskInput& d = scene.disks[static_cast<std::size_t>(g)];
   return {Rational(d.x.value() + d.vx.value() * t), Rational(d.y.value() + d.vy.value() * t),
           d.radius.value()};
 }
@@ -109,4 +109,4 @@ void register_incircle_benchmarks() {
   }
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

@@ -6,9 +6,9 @@
 
 #include "exact/generators.h"
 #include "exact/predicates.h"
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 // Whether e lies outside the circle of (l, s, r), at time t. The first of the three
 // that is a disk serves as the base.
@@ -34,4 +34,4 @@ Sign incircle_at(const Quad& q, SiteOf&& site) {
 long incircles_in_intervals(const Motion& motion, const std::vector<IncircleTask>& tasks,
                             double& seconds);
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "bench/tasks.h"
-#include "filtered/contact.h"
+#include "filtered/search/contact.h"
 #include "kinetic/static_diagram.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -77,10 +77,10 @@ void count_static_diagrams(const DataSet& set) {
 
 }  // namespace
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench
 
 int main() {
-  using namespace voroproof::bench;
+  using namespace voroproof::internal::bench;
   for (const std::string& name : data_set_names) count_flips(data_set(name));
   const DataSet& reference = data_set("reference");
   count_incircles(reference);

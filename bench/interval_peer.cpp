@@ -3,7 +3,7 @@
 #include "bench/incircle_task.h"
 #include "bench/statistics.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -45,4 +45,4 @@ long incircles_in_intervals(const Motion& motion, const std::vector<IncircleTask
   return undecided;
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

@@ -9,7 +9,7 @@
 
 #include "bench/statistics.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 // Every iteration calls both `subject` and `plain`, each of which does the same
 // `operations` operations and returns the seconds it took. Which goes first
@@ -36,4 +36,4 @@ void run_paired(benchmark::State& state, std::size_t operations, Subject&& subje
   state.counters["ratio"] = median(ratios);
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

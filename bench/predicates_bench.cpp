@@ -5,10 +5,10 @@
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  voroproof::bench::register_flip_benchmarks();
-  voroproof::bench::register_incircle_benchmarks();
-  voroproof::bench::register_contact_benchmarks();
-  voroproof::bench::register_collide_benchmarks();
+  voroproof::internal::bench::register_flip_benchmarks();
+  voroproof::internal::bench::register_incircle_benchmarks();
+  voroproof::internal::bench::register_contact_benchmarks();
+  voroproof::internal::bench::register_collide_benchmarks();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

@@ -1,7 +1,7 @@
 // The predicate benchmarks, one function for each source file of them.
 #pragma once
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 // The first collapse of an edge within a window, against root isolation by CGAL and Arb.
 void register_flip_benchmarks();
@@ -12,4 +12,4 @@ void register_contact_benchmarks();
 // The change of motion at a collision.
 void register_collide_benchmarks();
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

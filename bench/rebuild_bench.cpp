@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "apps/scene_motion.h"
 #include "bench/report.h"
 #include "bench/simulation.h"
 #include "bench/statistics.h"
+#include "library/maneuver_input.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -39,7 +39,7 @@ class Positions : public EventSink {
   };
 
   explicit Positions(const Scene& scene) {
-    for (const DiskSpec& d : scene.disks) {
+    for (const DiskInput& d : scene.disks) {
       initial_.push_back({0, round_nearest(d.x), round_nearest(d.y), round_nearest(d.vx),
                           round_nearest(d.vy), round_nearest(d.radius)});
     }
@@ -116,10 +116,10 @@ void bench(const SceneChoice& choice, int repeats, const std::string& path) {
 
 }  // namespace
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench
 
 int main(int argc, char** argv) {
-  voroproof::bench::SceneChoice choice;
+  voroproof::internal::bench::SceneChoice choice;
   choice.n = 100;
   choice.horizon = 100;
   int repeats = 5;
@@ -134,7 +134,7 @@ int main(int argc, char** argv) {
   app.add_option("--json", json, "write the results to this file");
   CLI11_PARSE(app, argc, argv);
   try {
-    voroproof::bench::bench(choice, repeats, json);
+    voroproof::internal::bench::bench(choice, repeats, json);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return 1;

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "filtered/stats.h"
+#include "filtered/numbers/stats.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 // Throws std::runtime_error where the file cannot be written.
 inline void write_report(const std::string& path, const nlohmann::ordered_json& report) {
@@ -28,4 +28,4 @@ inline nlohmann::ordered_json tiers_json(const TierCounts& tiers) {
   return out;
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

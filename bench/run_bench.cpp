@@ -11,7 +11,7 @@
 #include "bench/simulation.h"
 #include "bench/statistics.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -199,10 +199,10 @@ void bench(const SceneChoice& choice, int repeats, bool late_states, const std::
 
 }  // namespace
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench
 
 int main(int argc, char** argv) {
-  voroproof::bench::SceneChoice choice;
+  voroproof::internal::bench::SceneChoice choice;
   int repeats = 5;
   bool early = false;
   std::string json;
@@ -219,7 +219,7 @@ int main(int argc, char** argv) {
   app.add_option("--json", json, "write the results to this file");
   CLI11_PARSE(app, argc, argv);
   try {
-    voroproof::bench::bench(choice, repeats, !early, json);
+    voroproof::internal::bench::bench(choice, repeats, !early, json);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return 1;

@@ -11,12 +11,12 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "apps/history_sink.h"
-#include "apps/scene_motion.h"
+#include "apps/run/history_sink.h"
 #include "bench/statistics.h"
 #include "corpus/generate.h"
+#include "library/maneuver_input.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::uint64_t peak_memory(const SceneChoice& choice, EngineKind engine) {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

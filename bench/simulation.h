@@ -7,7 +7,7 @@
 #include "history/scene.h"
 #include "kinetic/engine.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 // The paper's REFERENCE family (corpus/generate.h), by what is varied here.
 struct SceneChoice {
@@ -42,4 +42,4 @@ RunResult simulate(const Scene& scene, bool certified, const EngineOptions& opti
 enum class EngineKind { none, plain, certified };
 std::uint64_t peak_memory(const SceneChoice& choice, EngineKind engine);
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "apps/snapshot.h"
 #include "bench/statistics.h"
 #include "history/history_file.h"
+#include "library/snapshot.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -74,7 +74,7 @@ bool bench(const std::string& scene_path, const std::string& history, int instan
 
 }  // namespace
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench
 
 int main(int argc, char** argv) {
   CLI::App app("The six ways from a history to a diagram");
@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
   app.add_option("--json", path, "write the results to this file");
   CLI11_PARSE(app, argc, argv);
   try {
-    return voroproof::bench::bench(scene, history, instants, repeats, path) ? 0 : 1;
+    return voroproof::internal::bench::bench(scene, history, instants, repeats, path) ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;

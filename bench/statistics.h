@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 // The middle value, or the mean of the two; the values must not be empty.
 inline double median(std::vector<double> values) {
@@ -29,4 +29,4 @@ double seconds_of(Work&& work) {
   return seconds_since(start);
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <random>
 
-#include "apps/scene_motion.h"
-#include "filtered/contact.h"
+#include "filtered/search/contact.h"
 #include "kinetic/engine.h"
+#include "library/maneuver_input.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::vector<Hit> hits_of(Scene scene, double horizon) {
   return recorder.hits;
 }
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

@@ -7,9 +7,9 @@
 
 #include "bench/data_sets.h"
 #include "bench/incircle_task.h"
-#include "filtered/collapse.h"
+#include "filtered/search/collapse.h"
 
-namespace voroproof::bench {
+namespace voroproof::internal::bench {
 
 // The first collapse of an edge in the window (0, end], for which its four generators do not touch.
 struct FlipTask {
@@ -45,4 +45,4 @@ struct Hit {
 // The collisions of a scene up to a time, in their order.
 std::vector<Hit> hits_of(Scene scene, double horizon);
 
-}  // namespace voroproof::bench
+}  // namespace voroproof::internal::bench

@@ -10,10 +10,10 @@
 
 #include "exact/generators.h"
 #include "exact/rational.h"
-#include "filtered/stats.h"
+#include "filtered/numbers/stats.h"
 #include "history/events.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 enum class Verdict { certified, refuted, undecided };
 
@@ -111,4 +111,4 @@ struct Certificate {
   TierCounts tiers;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -5,8 +5,9 @@
 #include "certify/checker.h"
 #include "certify/parts.h"
 #include "history/error.h"
+#include "history/scene_motion.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -53,12 +54,12 @@ void name_shadow(Certificate& c, HistorySource& history, double tolerance) {
 
 }  // namespace
 
-Certificate certify(const Scene& scene, const MotionInput& input, HistorySource& history,
-                    const CertifyOptions& asked) {
+Certificate certify(const Scene& scene, HistorySource& history, const CertifyOptions& asked) {
   CertifyOptions options = asked;
   options.unoriented = !asked.strict && (asked.unoriented || !history.header().oriented);
   const std::optional<std::array<Rational, 2>> other = other_horizon(scene, history.header());
   if (other && asked.strict) return refuted_for(*other);
+  const MotionInput input = motion_input(scene);
   Certificate c;
   if (options.truth == Truth::recorded) {
     c = certify_in_parts(scene, input, history, options);
@@ -73,4 +74,4 @@ Certificate certify(const Scene& scene, const MotionInput& input, HistorySource&
   return c;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

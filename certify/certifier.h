@@ -4,7 +4,8 @@
 // disks as the truth asked for says, and proves of every edge that it collapses where a flip is
 // claimed and nowhere else in its life, and of every adjacent pair that it touches where a
 // collision is claimed and nowhere else. docs/certificate.md proves that nothing can be missing
-// then. Of the engine it uses the exact numbers and predicates, not its queue or its search.
+// then. It shares with the engine numbers, predicates, motion and, where doubles do not decide, the
+// searches of filtered/search/; not the queue, nor the order of events, nor the first diagram.
 #pragma once
 
 #include <functional>
@@ -12,11 +13,11 @@
 #include <vector>
 
 #include "certify/certificate.h"
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
 #include "history/history_source.h"
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 enum class Truth {
   exact,     // the true motion of the scene
@@ -47,9 +48,8 @@ struct CertificationInterrupted {
   double prefix_t = 0;
 };
 
-// Certifies the history against the scene. `input` is the scene as Motion takes it. Throws
-// InputError where the history is not one of its format or not of this scene.
-Certificate certify(const Scene& scene, const MotionInput& input, HistorySource& history,
-                    const CertifyOptions& options);
+// Certifies the history against the scene. Throws InputError where the history is not one of its
+// format or not of this scene.
+Certificate certify(const Scene& scene, HistorySource& history, const CertifyOptions& options);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

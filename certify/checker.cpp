@@ -9,7 +9,7 @@
 #include "exact/patience.h"
 #include "history/json_text.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -256,7 +256,7 @@ void Checker::take_before_others(std::size_t k) {
 
 // Which of the near claims is the first in truth. Only a claim that is certainly earlier than
 // those before it, and whose own edge or pair is there already, goes before them. Of simultaneous
-// ones the file's order stands; it is dear to prove that they are, and done once.
+// ones the file's order stands; it is expensive to prove that they are, and done once.
 std::size_t Checker::earliest() {
   std::size_t best = 0;
   std::optional<Moment> first = probe(near_[0].event);
@@ -418,4 +418,4 @@ void Checker::leave_instant() {
   illegal_.clear();
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

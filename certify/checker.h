@@ -28,9 +28,9 @@
 #include "certify/recorded_contacts.h"
 #include "certify/replay.h"
 #include "certify/rootless.h"
-#include "filtered/carry.h"
+#include "filtered/search/carry.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // A false claim is called mistimed where the event comes within so many tolerances of it.
 inline constexpr int kMistimed = 1000;
@@ -311,4 +311,4 @@ class Checker {
 
 inline std::vector<GenId> generators(const Quad& q) { return {q.l, q.r, q.s, q.e}; }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

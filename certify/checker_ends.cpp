@@ -8,7 +8,7 @@
 #include "certify/witness.h"
 #include "history/json_text.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Whether a claim is of a change of the motion that happens at t = 0, in truth.
 bool Checker::turns_at_start(const Event& event) {
@@ -208,4 +208,4 @@ void Checker::finish() {
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

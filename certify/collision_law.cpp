@@ -1,9 +1,9 @@
 #include "certify/collision_law.h"
 
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
 #include "history/json_text.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 Rational CollisionLaw::reach(GenId i, GenId j) const {
   const Rational radius = scene_.disks[j].radius;
@@ -72,7 +72,7 @@ ExactPair CollisionLaw::after(GenId i, GenId j, const ExactPair& p, const ExactP
 bool CollisionLaw::certainly_obeyed(const CollideEvent& claim, const BallPair& p,
                                     const BallPair& before) {
   if (near_masses_.empty()) {
-    for (const DiskSpec& d : scene_.disks) near_masses_.push_back(ball(d.mass));
+    for (const DiskInput& d : scene_.disks) near_masses_.push_back(ball(d.mass));
   }
   const GenId i = claim.i, j = claim.j;
   Constants<DoubleBall> of = near_;
@@ -166,4 +166,4 @@ std::string CollisionLaw::expectation(GenId i, GenId j, const ExactPair& p,
   return words;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -8,7 +8,7 @@
 #include "certify/vectors.h"
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 class CollisionLaw {
  public:
@@ -58,4 +58,4 @@ class CollisionLaw {
   std::vector<DoubleBall> near_masses_;  // once asked for
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,7 +7,7 @@
 #include "certify/witness.h"
 #include "certify/wording.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // ---- The lives around disks that turn. ----
 
@@ -391,4 +391,4 @@ void Checker::require_maneuvers_before(double t) {
   throw Refuted{missing_maneuver(next)};
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

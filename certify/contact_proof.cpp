@@ -4,7 +4,7 @@
 
 #include "certify/motion_lanes.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 bool proved_apart(const Motion& motion, GenId i, GenId j, double a, double b) {
   if (motion.same_velocity(i, j)) return true;  // their distance never changes
@@ -50,4 +50,4 @@ void ApartBatch::prove(double b) {
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Whether i and j, apart or parting at a, provably do not begin to overlap in (a, b], under their
 // present motion. Says nothing when false.
@@ -33,4 +33,4 @@ class ApartBatch {
   std::vector<char> apart_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -8,7 +8,7 @@
 #include "certify/wording.h"
 #include "history/error.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // The line of the first claim later than t, or the last line read.
 std::int64_t Checker::line_at(double t) const {
@@ -212,4 +212,4 @@ bool Checker::is_claimed(const Maneuver& due) {
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

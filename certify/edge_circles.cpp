@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 EdgeCircles::EdgeCircles(const Motion& motion, const Quad& q, const DoubleBall& t) {
   // A disk as the base, as tangent_triple() takes it.
@@ -41,4 +41,4 @@ Sign EdgeCircles::in_circle(int k, Sign f) const {
   return other_is_container_[k] ? -s : s;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -4,7 +4,7 @@
 #include "certify/motion_lanes.h"
 #include "exact/generators.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Of the edge q = [l,r,s,e], over a time that may be an interval: the signs of circle_exists() and
 // incircle() for its circles (l,s,r) and (r,e,l), with e and s as the fourth site.
@@ -28,4 +28,4 @@ class EdgeCircles {
   BallLanes g_, c_, along_, across_, difference_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

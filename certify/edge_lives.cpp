@@ -8,7 +8,7 @@
 #include "certify/witness.h"
 #include "certify/wording.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -341,4 +341,4 @@ void Checker::count_ulps(const Moment& m, double claimed) {
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -1,5 +1,6 @@
 // First: it says that the templates below may be used with lanes on any processor.
-#include "filtered/lanes.h"
+#include "filtered/numbers/lanes.h"
+#include "filtered/numbers/sign_variations.h"
 
 #include "certify/edge_proof.h"
 
@@ -9,14 +10,14 @@
 #include "certify/edge_circles.h"
 #include "certify/edge_signs.h"
 #include "certify/rootless.h"
-#include "filtered/bernstein.h"
-#include "filtered/de_casteljau.h"
-#include "filtered/edge_predicates.h"
-#include "filtered/flip_polynomial.h"
-#include "filtered/rough_circles.h"
-#include "filtered/rough_judge.h"
+#include "filtered/numbers/de_casteljau.h"
+#include "filtered/search/bernstein.h"
+#include "filtered/search/edge_predicates.h"
+#include "filtered/search/flip_polynomial.h"
+#include "filtered/search/rough_circles.h"
+#include "filtered/search/rough_judge.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -93,7 +94,7 @@ int most_roots(const Piece& p) {
     above |= (p.c[k] < -p.err ? 0U : 1U) << k;
     below |= (p.c[k] > p.err ? 0U : 1U) << k;
   }
-  return voroproof::most_roots(above, below);
+  return voroproof::internal::most_roots(above, below);
 }
 
 // Of the polynomial at the end of the piece.
@@ -132,27 +133,14 @@ void halve(const Piece& p, double at, Piece& left, Piece& right) {
   p.degree == 8 ? halve<8>(p, at, left, right) : halve<4>(p, at, left, right);
 }
 
-// Exactly one sign change of the coefficients, between certain signs, over at most one uncertain
-// one: exactly one root, not at an end.
+// Exactly one root, not at an end.
 bool has_one_root(const Piece& p) {
-  int last = 0, changes = 0, uncertain = 0;
+  unsigned positive = 0, negative = 0;
   for (int k = 0; k <= p.degree; ++k) {
-    const int s = p.c[k] > p.err ? 1 : p.c[k] < -p.err ? -1 : 0;
-    if (s == 0) {
-      if (k == 0 || k == p.degree) return false;
-      ++uncertain;
-      continue;
-    }
-    if (last != 0 && s != last) {
-      if (uncertain > 1) return false;
-      ++changes;
-    } else if (last != 0 && uncertain > 0) {
-      return false;
-    }
-    last = s;
-    uncertain = 0;
+    positive |= static_cast<unsigned>(p.c[k] > p.err) << k;
+    negative |= static_cast<unsigned>(p.c[k] < -p.err) << k;
   }
-  return changes == 1;
+  return roots_by_signs(positive, negative, p.degree) == 1;
 }
 
 // The sign at the parameter x, at which the value errs by no more than the bound of the
@@ -266,8 +254,14 @@ bool proved_first_collapse(const Motion& motion, const Quad& q, double from, dou
     if (!piece_free(motion, q, left, cuts + 1, looks)) return false;
     piece = right;
   }
-  // It is in [a, b] if the sign at a, or a little later as times are rounded, is that before it.
-  const double slack = 0x1p-44 * (std::fabs(from) + std::fabs(b));
+  // It is in [a, b] if the sign at a is that before it. The parameter x of a is rounded, and the
+  // ends of the piece err: each cut rounds its middle once, by at most u M, M = |from| + |b|, and
+  // keeps the errors of the two ends between which it lies, so that after kMaxCuts of them the
+  // start errs by kMaxCuts u M, the length by twice that. Numerator, length and quotient are
+  // rounded once each, which is 3 u M in time or less. A sign a little later will do as well:
+  // `slack` = 512 u M later than a, the true time of the point is after a in any case.
+  static_assert(3 * kMaxCuts + 3 < 512);
+  const double slack = 512 * unit_roundoff * (std::fabs(from) + std::fabs(b));
   const double x = (a + slack - piece.a) / (piece.b - piece.a);
   const Sign before = piece.c[0] > 0 ? Sign::positive : Sign::negative;
   return x > 0 && x < 1 && sign_of_form(piece, x) == before &&
@@ -310,4 +304,4 @@ bool proved_not_cotangent(const Motion& motion, const Quad& q, double a, double 
                                     motion.site(q.e, t))));
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

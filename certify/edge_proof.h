@@ -19,10 +19,10 @@
 
 #include <optional>
 
-#include "filtered/collapse.h"
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
+#include "filtered/search/collapse.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Whether q, legal just after a, provably does not collapse in (a, b], under the present motion of
 // its generators.
@@ -54,4 +54,4 @@ bool proved_no_flip(const Motion& motion, const Quad& q, const Rational& lo, con
 // Whether the four generators of q are provably not cotangent at any time of [a, b].
 bool proved_not_cotangent(const Motion& motion, const Quad& q, double a, double b);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

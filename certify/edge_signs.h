@@ -3,9 +3,9 @@
 
 #include "exact/generators.h"
 #include "exact/predicates.h"
-#include "filtered/edge_predicates.h"
+#include "filtered/search/edge_predicates.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Of an edge [l,r,s,e]: whether its circles (l,s,r) and (r,e,l) exist, and where e lies to the
 // first and s to the second (as incircle() says).
@@ -23,4 +23,4 @@ EdgeSigns edge_signs(const Quad& q, const Site<T>& l, const Site<T>& r, const Si
           incircle(end, s, q.s == container_id, f)};
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

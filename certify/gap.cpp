@@ -4,7 +4,7 @@
 
 #include "exact/ball.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -144,4 +144,4 @@ std::optional<Rational> Gap::revealed(const Rational& t, const Rational& margin)
   return Rational(t + step);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

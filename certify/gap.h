@@ -8,7 +8,7 @@
 #include "exact/predicates.h"
 #include "exact/rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // A time: a rational, or a root of the gap. Compared exactly, with no root taken.
 class GapTime {
@@ -82,4 +82,4 @@ class Gap {
   Rational from_, reach_, hidden_reach2_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -5,7 +5,7 @@
 #include "certify/checker.h"
 #include "certify/initial_proof.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Recorded truth: of the pairs around the disks that have turned at the present instant, those of
 // which one generator has lain inside the other since they last met. At a time at which it does so
@@ -39,4 +39,4 @@ std::vector<int> Checker::prove_hidden_anew(const std::vector<int>& edges) {
   return rest;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

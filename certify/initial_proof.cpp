@@ -8,9 +8,9 @@
 
 #include "certify/edge_signs.h"
 #include "exact/names.h"
-#include "filtered/collapse.h"
+#include "filtered/search/collapse.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -308,4 +308,4 @@ std::optional<InitialFault> fault_around(const Diagram& diagram, Motion& motion,
   return InitialProof(diagram, motion, t, counts).fault_around(i, j);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -11,11 +11,11 @@
 #include <optional>
 #include <string>
 
-#include "filtered/motion.h"
-#include "filtered/stats.h"
+#include "filtered/motion/motion.h"
+#include "filtered/numbers/stats.h"
 #include "topology/diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct InitialFault {
   std::string truth;         // what is wrong, in words
@@ -37,4 +37,4 @@ std::optional<InitialFault> initial_fault(const Diagram& diagram, Motion& motion
 std::optional<InitialFault> fault_around(const Diagram& diagram, Motion& motion, GenId i, GenId j,
                                          const Rational& t, TierCounts& counts);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

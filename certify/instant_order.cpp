@@ -5,7 +5,7 @@
 #include "certify/checker.h"
 #include "certify/wording.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // No flip at this instant has been claimed of a generator that turns at it, now.
 void Checker::require_no_flip_yet(GenId i, GenId j) {
@@ -123,4 +123,4 @@ bool Checker::would_collide(GenId g, const DiskState& other) const {
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -104,7 +104,7 @@ Instant Chronology::present(const Moment& m) const {
   return now;
 }
 
-// Whether symmetry proves two moments equal: tried where exact arithmetic is dear.
+// Whether symmetry proves two moments equal: tried where exact arithmetic is expensive.
 bool Chronology::same_by_symmetry(const Moment& a, const Moment& b) const {
   const Symmetry symmetry(motion_);
   if (a.kind == Moment::Kind::flip && b.kind == Moment::Kind::flip) {
@@ -148,7 +148,7 @@ std::optional<int> Chronology::known_order(const Moment& a, const Moment& b, std
   if (same_by_symmetry(a, b)) return 0;
   try {
     ExactMotion exact(motion_);
-    const auto c = voroproof::compare(exact_time(a, exact), exact_time(b, exact));
+    const auto c = voroproof::internal::compare(exact_time(a, exact), exact_time(b, exact));
     return c < 0 ? -1 : c > 0 ? 1 : 0;
   } catch (const BudgetExceeded& e) {
     if (why_not != nullptr) *why_not = e.what();
@@ -210,4 +210,4 @@ Ball Chronology::ball(const Moment& m) const {
   return Ball(m.exact(), bits);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

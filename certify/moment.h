@@ -8,11 +8,11 @@
 #include <string>
 #include <utility>
 
-#include "filtered/collapse.h"
-#include "filtered/contact.h"
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
+#include "filtered/search/collapse.h"
+#include "filtered/search/contact.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // An instant, with what it takes to compare it exactly: lo <= instant <= hi.
 struct Moment {
@@ -87,4 +87,4 @@ class Chronology {
   Coincidence present_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,11 +7,11 @@
 #include <type_traits>
 
 #include "exact/predicates.h"
-#include "filtered/double_ball.h"
-#include "filtered/lanes.h"
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
+#include "filtered/numbers/double_ball.h"
+#include "filtered/numbers/lanes.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 using LaneMask [[gnu::vector_size(32)]] = long long;
 
@@ -97,4 +97,4 @@ struct MotionLanes {
                 offsetof(DoubleMotion, ex) == 48 && offsetof(DoubleMotion, ev) == 56);
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

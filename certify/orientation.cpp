@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "filtered/collapse.h"
+#include "filtered/search/collapse.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -52,7 +52,7 @@ class Four {
     std::vector<DiskInput> disks;
     for (const GenId g : ids_) {
       if (g == container_id) continue;
-      const DiskSpec& d = scene.disks[g];
+      const DiskInput& d = scene.disks[g];
       disks.push_back({d.x, d.y, d.radius, d.vx, d.vy, 1});
     }
     MotionInput input;
@@ -85,4 +85,4 @@ bool means_mirrored(const Replay& replay, const Scene& scene, const CertifyOptio
          four.collapses(mirrored, t, options.tolerance);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

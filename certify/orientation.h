@@ -3,7 +3,7 @@
 
 #include "certify/replay.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Recorded truth: whether a flip whose quadruplet names one edge means another one, `mirrored`, of
 // the same crossing and traversing pairs: that one collapses within the tolerance of the claimed
@@ -12,4 +12,4 @@ namespace voroproof {
 bool means_mirrored(const Replay& replay, const Scene& scene, const CertifyOptions& options,
                     const FlipEvent& claim, const Quad& mirrored);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -9,7 +9,7 @@
 #include "certify/witness.h"
 #include "certify/wording.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // ---- Exact truth. ----
 
@@ -322,4 +322,4 @@ void Checker::check_recorded_contact(const CollideEvent& claim, int edge, const 
          motion_witness(motion_, {i, j}, t));
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -198,4 +198,4 @@ std::optional<Part> PartReader::last_part() {
               std::nullopt};
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -11,7 +11,7 @@
 #include "certify/checker.h"
 #include "certify/replay.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Claims that follow each other, to be proved on their own.
 struct Part {
@@ -98,4 +98,4 @@ class PartReader {
   bool done_ = false;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -17,7 +17,7 @@
 #include "certify/part_reader.h"
 #include "history/error.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -189,4 +189,4 @@ Certificate certify_in_parts(const Scene& scene, const MotionInput& input, Histo
   return PartwiseCertifier(scene, input, history, options).run();
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

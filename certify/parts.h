@@ -8,10 +8,10 @@
 
 #include "certify/certifier.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // As certify(), for options.truth == Truth::recorded, but for what the whole file says.
 Certificate certify_in_parts(const Scene& scene, const MotionInput& input, HistorySource& history,
                              const CertifyOptions& options);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 using dd_detail::fast_two_sum;
 using dd_detail::two_prod;
@@ -152,4 +152,4 @@ std::optional<std::array<DdBall, 2>> Path::near(double t) const {
                                y_.near() + DdBall(velocity_.near[1]) * dt};
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -10,10 +10,10 @@
 #include <optional>
 
 #include "exact/compact_rational.h"
-#include "filtered/dd_ball.h"
+#include "filtered/numbers/dd_ball.h"
 #include "history/events.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // A number held exactly as a sum of doubles that do not overlap (J. R. Shewchuk, "Adaptive
 // precision floating-point arithmetic and fast robust geometric predicates", Discrete Comput. Geom.
@@ -84,4 +84,4 @@ class Path {
   std::shared_ptr<const Exact> exact_;  // where it is not in binary64: instead of t_, x_, y_
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

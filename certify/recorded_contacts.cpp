@@ -1,8 +1,8 @@
 #include "certify/recorded_contacts.h"
 
-#include "filtered/motion_input.h"
+#include "filtered/motion/options.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 bool RecordedContacts::hidden(const Pair& pair) const {
   const auto it = carried_.find(pair);
@@ -134,4 +134,4 @@ RecordedContacts::Answer RecordedContacts::answer(const Lines& lines, const Rati
   return {contact};
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

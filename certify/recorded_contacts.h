@@ -15,7 +15,7 @@
 #include "certify/gap.h"
 #include "exact/generators.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 class RecordedContacts {
  public:
@@ -88,4 +88,4 @@ class RecordedContacts {
   std::int64_t rounded_ = 0, left_out_ = 0;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -4,7 +4,7 @@
 
 #include "certify/orientation.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -40,7 +40,7 @@ Replay::Replay(const Scene& scene, const CertifyOptions& options)
       diagram_(static_cast<int>(scene.disks.size())),
       last_change_(scene.disks.size() + 1, 0),
       turns_(scene.disks.size()) {
-  for (const DiskSpec& d : scene.disks) {
+  for (const DiskInput& d : scene.disks) {
     velocities_.emplace_back(d.vx, d.vy);
     if (options.truth == Truth::recorded) paths_.emplace_back(d.x, d.y, velocities_.back());
   }
@@ -248,4 +248,4 @@ std::optional<Replay::Place> Replay::take(const Event& event) {
   return Place{diagram_.anchor(m.disk), m.disk};
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

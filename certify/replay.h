@@ -12,7 +12,7 @@
 #include "certify/path.h"
 #include "topology/diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // The half-edge of a diagram with this quadruplet, or -1.
 Diagram::HalfEdge find_edge(const Diagram& diagram, const Quad& q);
@@ -129,4 +129,4 @@ class Replay : public GivenMotion {
   std::set<std::size_t> done_maneuvers_;  // those past next_maneuver_
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

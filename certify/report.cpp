@@ -4,7 +4,7 @@
 
 #include "history/json_text.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -176,4 +176,4 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -8,7 +8,7 @@
 
 #include "certify/certifier.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // What a report says of the run besides the certificate.
 struct CertificationRun {
@@ -41,4 +41,4 @@ std::string horizon_line(const Certificate& certificate);
 std::string report_text(const CertificationRun& run, const CertifyOptions& options,
                         const Certificate& certificate);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

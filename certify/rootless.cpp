@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <bit>
+#include "exact/rounding.h"
 
 #include "certify/motion_lanes.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
-constexpr double u = 0x1p-53;
+constexpr double u = unit_roundoff;
 
 // Products in the scaled Bernstein basis (coefficients times binomials) are plain convolutions.
 inline void multiply(const Lanes* p, const Lanes* q, Lanes* r) {
@@ -251,4 +252,4 @@ void RootlessBatch::judge_at(const std::array<MotionLanes, 4>& generators, doubl
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

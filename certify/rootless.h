@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct MotionLanes;
 
@@ -65,4 +65,4 @@ class RootlessBatch {
 // 1, or 2 for more. (At an end of the interval too: a coefficient that may be both may be zero.)
 int most_roots(unsigned above, unsigned below);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "exact/compact_rational.h"
-#include "filtered/dd_ball.h"
-#include "filtered/double_ball.h"
+#include "filtered/numbers/dd_ball.h"
+#include "filtered/numbers/double_ball.h"
 #include "history/events.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 using BallVec2 = std::array<DoubleBall, 2>;
 
@@ -51,4 +51,4 @@ inline Rational length_bound(const ExactVec2& v) {
   return to_rational(std::nextafter(std::sqrt(n), std::numeric_limits<double>::infinity()));
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

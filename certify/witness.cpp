@@ -4,10 +4,10 @@
 #include <array>
 
 #include "exact/polynomial.h"
-#include "filtered/bernstein.h"
-#include "filtered/exact_motion.h"
+#include "filtered/motion/exact_motion.h"
+#include "filtered/search/bernstein.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -164,4 +164,4 @@ Witness conflict_witness(const Motion& motion, const Triple& vertex, GenId confl
   return w;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

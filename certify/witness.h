@@ -2,9 +2,9 @@
 #pragma once
 
 #include "certify/certificate.h"
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // The collapse of q at the one root of its flip polynomial in [lo, hi], under the present motion.
 Witness collapse_witness(const Motion& motion, const Quad& q, const Rational& lo,
@@ -23,4 +23,4 @@ Witness motion_witness(const Motion& motion, const std::vector<GenId>& generator
 Witness conflict_witness(const Motion& motion, const Triple& vertex, GenId conflict,
                          const Rational& t);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -6,10 +6,10 @@
 #include "exact/names.h"
 #include "history/json_text.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 inline std::string between(double lo, double hi) {
   return "at a time in [" + number_text(lo) + ", " + number_text(hi) + "]";
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

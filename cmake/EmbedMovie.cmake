@@ -1,4 +1,4 @@
-# Makes OUTPUT, a C++ source that defines what apps/movie_sources.h declares, of the files of
+# Makes OUTPUT, a C++ source that defines what apps/movie/movie_sources.h declares, of the files of
 # FOLDER; SCRIPTS are the names of those in JavaScript in the order to be loaded, separated by
 # commas.
 #
@@ -18,7 +18,7 @@ function(append_file variable name)
   set(${variable} "${${variable}}${literal}" PARENT_SCOPE)
 endfunction()
 
-set(source "// Made by cmake/EmbedMovie.cmake from apps/movie/.\n#include \"apps/movie_sources.h\"\n\nnamespace voroproof {\n\n")
+set(source "// Made by cmake/EmbedMovie.cmake from apps/movie/.\n#include \"apps/movie/movie_sources.h\"\n\nnamespace voroproof::internal {\n\n")
 string(APPEND source "const std::string_view movie_style =\n")
 append_file(source player.css)
 string(APPEND source ";\nconst std::string_view movie_body =\n")
@@ -29,5 +29,5 @@ foreach(name IN LISTS names)
   append_file(source ${name})
   string(APPEND source ",\n")
 endforeach()
-string(APPEND source "};\n}  // namespace\nconst std::span<const std::string_view> movie_scripts(scripts);\n\n}  // namespace voroproof\n")
+string(APPEND source "};\n}  // namespace\nconst std::span<const std::string_view> movie_scripts(scripts);\n\n}  // namespace voroproof::internal\n")
 file(WRITE ${OUTPUT} "${source}")

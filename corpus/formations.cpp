@@ -11,7 +11,7 @@
 
 #include "corpus/generate_shared.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using Places = std::vector<Point2>;
@@ -197,4 +197,4 @@ std::vector<Point2> formation_places(std::string_view name, int n, const Rationa
 
 bool is_formation(std::string_view name) { return formations().contains(name); }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

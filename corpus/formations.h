@@ -6,7 +6,7 @@
 
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Places around the origin for n vehicles, any two at least `spacing` apart. Lattices and letters
 // consist of multiples of spacing / 20, and the places on a circle have exactly one distance from
@@ -27,4 +27,4 @@ std::vector<Point2> formation_places(std::string_view name, int n, const Rationa
 // Whether a name is one of the above.
 bool is_formation(std::string_view name);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -16,7 +16,7 @@
 
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // n disjoint disks of random radii at random places in a container centred at
 // the origin, with random directions and one common speed: the REFERENCE data of
@@ -119,4 +119,4 @@ Scene generate_formation(const FormationOptions& options);
 // Throws std::invalid_argument for another name.
 FormationOptions formation_preset(const std::string& name);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

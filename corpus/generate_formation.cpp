@@ -14,7 +14,7 @@
 #include "corpus/generate.h"
 #include "corpus/generate_shared.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using Places = std::vector<Point2>;
@@ -225,4 +225,4 @@ FormationOptions formation_preset(const std::string& name) {
   return options;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

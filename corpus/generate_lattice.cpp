@@ -9,7 +9,7 @@
 #include "corpus/generate.h"
 #include "corpus/generate_shared.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 std::string name_of(GridOptions::Motion motion) {
@@ -127,4 +127,4 @@ Scene generate_swarm(const SwarmOptions& options) {
   return scene;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -8,7 +8,7 @@
 #include "corpus/generate.h"
 #include "corpus/generate_shared.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // Places tried for one disk before the round counts as jammed.
@@ -181,4 +181,4 @@ Scene generate_reference(const ReferenceOptions& options) {
   return scene;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

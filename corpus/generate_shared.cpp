@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 Vec polar(double angle, double length) {
   Real cosine(0), sine(0), argument(angle);
@@ -44,7 +44,7 @@ Scene empty_scene(std::string family, int n, std::uint64_t seed, double containe
 }
 
 void add_disk(Scene& scene, Vec centre, double radius, Vec velocity) {
-  DiskSpec disk;
+  DiskInput disk;
   disk.x = centre.x;
   disk.y = centre.y;
   disk.radius = radius;
@@ -54,4 +54,4 @@ void add_disk(Scene& scene, Vec centre, double radius, Vec velocity) {
   scene.disks.push_back(std::move(disk));
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

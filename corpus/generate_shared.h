@@ -12,7 +12,7 @@
 
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct Vec {
   double x = 0, y = 0;
@@ -103,4 +103,4 @@ struct Lattice {
   double half;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 const std::vector<PaperSet>& paper_sets() {
   static const std::vector<PaperSet> sets{
@@ -33,4 +33,4 @@ ReferenceOptions paper_set_member(const std::string& name, int k, double scale) 
   return options;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

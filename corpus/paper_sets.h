@@ -6,7 +6,7 @@
 
 #include "corpus/generate.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Names and numbers of members:
 //
@@ -29,4 +29,4 @@ const std::vector<PaperSet>& paper_sets();
 // Throws std::invalid_argument for a name or a number that is none.
 ReferenceOptions paper_set_member(const std::string& name, int k, double scale = 1);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -9,7 +9,7 @@
 #include "corpus/formations.h"
 #include "corpus/generate_shared.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using Places = std::vector<Point2>;
@@ -95,4 +95,4 @@ const std::vector<std::string>& plan_preset_names() {
   return names;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

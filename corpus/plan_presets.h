@@ -6,7 +6,7 @@
 
 #include "history/plan_file.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Tasks after those of the paper, to be planned with planning/:
 //
@@ -23,4 +23,4 @@ PlanTask plan_preset(const std::string& name);
 // The names, in this order.
 const std::vector<std::string>& plan_preset_names();
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -13,7 +13,7 @@
 
 #include "evidence/cgal_motion.h"
 
-namespace voroproof::cgal {
+namespace voroproof::internal::cgal {
 
 using Kernel = CGAL::Simple_cartesian<Gmpq>;
 using Root = CGAL::Root_of_traits<Gmpq>::Root_of_2;
@@ -166,4 +166,4 @@ inline std::optional<CGAL::Bounded_side> side_of_vertex(const std::array<Circle,
   return side;
 }
 
-}  // namespace voroproof::cgal
+}  // namespace voroproof::internal::cgal

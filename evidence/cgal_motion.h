@@ -13,7 +13,7 @@
 
 #include "certify/certificate.h"
 
-namespace voroproof::cgal {
+namespace voroproof::internal::cgal {
 
 using CGAL::Gmpq;
 using Polynomial = CGAL::Polynomial<Gmpq>;
@@ -108,4 +108,4 @@ inline bool same_up_to_scale(const Polynomial& f, const Polynomial& g) {
   return f * Polynomial(g.lcoeff()) == g * Polynomial(f.lcoeff());
 }
 
-}  // namespace voroproof::cgal
+}  // namespace voroproof::internal::cgal

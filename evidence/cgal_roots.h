@@ -9,7 +9,7 @@
 
 #include "evidence/cgal_motion.h"
 
-namespace voroproof::cgal {
+namespace voroproof::internal::cgal {
 
 // Integer coefficients, rational bounds, roots isolated by Descartes' method. Needs nothing besides
 // GMP.
@@ -53,4 +53,4 @@ class Roots {
   std::vector<AlgebraicKernel::Algebraic_real_1> roots_;  // distinct, in ascending order
 };
 
-}  // namespace voroproof::cgal
+}  // namespace voroproof::internal::cgal

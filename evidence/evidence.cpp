@@ -7,7 +7,7 @@
 #include "evidence/cgal_motion.h"
 #include "evidence/cgal_roots.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -187,4 +187,4 @@ EvidenceCheck check_evidence(const Divergence& divergence) {
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

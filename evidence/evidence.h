@@ -7,7 +7,7 @@
 
 #include "certify/certificate.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 enum class Evidence {
   confirmed,      // the witness shows what the refutation says of it
@@ -29,4 +29,4 @@ struct EvidenceCheck {
 // diagram, is not looked at.
 EvidenceCheck check_evidence(const Divergence& divergence);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // Bisections before equality is asked for: numbers that differ mostly part sooner,
-// and a greatest common divisor over a tower is dear.
+// and a greatest common divisor over a tower is expensive.
 constexpr unsigned long bisections_before_gcd = 256;
 
 // The number halfway between neighbours a < b, where the nearest binary64 changes;
@@ -69,7 +69,7 @@ std::vector<AlgebraicNumber<T>> real_roots(const Polynomial<T>& f, const Rationa
 
 template <class T>
 void AlgebraicNumber<T>::halve() {
-  voroproof::halve(equation_->sign_at, at_lo_, interval_);
+  voroproof::internal::halve(equation_->sign_at, at_lo_, interval_);
 }
 
 template <class T>
@@ -190,4 +190,4 @@ VOROPROOF_INSTANTIATE(Rational)
 VOROPROOF_INSTANTIATE(Tower)
 #undef VOROPROOF_INSTANTIATE
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -18,7 +18,7 @@
 #include "exact/rational.h"
 #include "exact/roots.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // A value: const use from several threads is safe. Over a tower every operation
 // that asks for signs of new elements may throw BudgetExceeded.
@@ -97,4 +97,4 @@ Sign sign_at(const Polynomial<T>& g, const AlgebraicNumber<T>& x);
 template <class T>
 SignsAround signs_around(const Polynomial<T>& g, const AlgebraicNumber<T>& x);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

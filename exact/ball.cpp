@@ -4,7 +4,7 @@
 #include <cfloat>
 #include <limits>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 // Turns a bound that the hardware rounded once or twice into an upper one.
@@ -295,4 +295,4 @@ void Ball::neg(Ball& out, const Ball& a) {
   mpfr_neg(out.mid_, out.mid_, MPFR_RNDN);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

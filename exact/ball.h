@@ -17,7 +17,7 @@
 
 #include "exact/rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // A nonnegative upper bound m * 2^e with m in [1, 2) or m = 0. All operations
 // round up.
@@ -231,4 +231,4 @@ inline Ball sqrt(const Ball& a) {
   return r;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -3,7 +3,7 @@
 
 #include "exact/predicates.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Two generators at a reference time (the container first) and their contact, `delay` after it. A
 // motion after the contact is told as it would be at the reference time, going back along its line.
@@ -41,4 +41,4 @@ class CollisionResponse {
   T delay_, nx_, ny_, q_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

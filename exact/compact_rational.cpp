@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 CompactRational::CompactRational(const Rational& q) {
   const double leading = round_nearest(q);
@@ -69,4 +69,4 @@ double round_nearest(const CompactRational& q) {
   return q.exact() != nullptr ? round_nearest(*q.exact()) : q.leading();
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

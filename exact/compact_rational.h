@@ -3,7 +3,7 @@
 
 #include "exact/rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // A rational number of which a scene has many. Nearly all of them are a binary64 or, as the square
 // of one, the sum of two: these are held as such, in two words, and nothing is allocated. Of others
@@ -59,4 +59,4 @@ class CompactRational {
 
 double round_nearest(const CompactRational& q);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -6,7 +6,7 @@
 
 #include "exact/rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 template <class T>
 using Direction = std::array<T, 2>;
@@ -61,4 +61,4 @@ std::optional<bool> on_arc(const Direction<T>& a, const Direction<T>& b, const D
   return std::nullopt;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -2,7 +2,7 @@
 // the predicates, which are templates over the number type.
 #pragma once
 
-namespace voroproof {
+namespace voroproof::internal {
 
 template <class T>
 struct Dual {
@@ -25,4 +25,4 @@ struct Dual {
   }
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

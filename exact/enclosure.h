@@ -4,7 +4,7 @@
 #include "exact/ball.h"
 #include "exact/rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct Enclosure {
   double lo = 0, hi = 0;  // lo <= value <= hi
@@ -20,4 +20,4 @@ inline Enclosure enclosure(const Ball& ball) {
 // The doubles around a number.
 inline Enclosure enclosure(const Rational& q) { return {round_down(q), round_up(q)}; }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -467,4 +467,4 @@ void FixedArithmetic::sqrt(FixedBall& out, const FixedBall& a) {
   finish(out, radius);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -17,7 +17,7 @@
 
 #include "exact/ball.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // A number of a FixedArithmetic, in whose format it is read and written.
 class FixedBall {
@@ -137,4 +137,4 @@ class FixedArithmetic {
   std::vector<mp_limb_t> scratch_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -5,7 +5,7 @@
 #include <array>
 #include <compare>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // The disks are 0 .. n-1, the container is -1.
 using GenId = int;
@@ -59,4 +59,4 @@ constexpr Triple canonical(const Triple& v) {
 constexpr Triple start_vertex(const Quad& q) { return canonical(Triple{q.l, q.s, q.r}); }
 constexpr Triple end_vertex(const Quad& q) { return canonical(Triple{q.l, q.r, q.e}); }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

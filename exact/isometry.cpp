@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -75,4 +75,4 @@ bool have_fixed_point(std::span<const Isometry> all) {
                      [](const Row& r) { return sgn(r[2]) == 0; });
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -6,7 +6,7 @@
 
 #include "exact/rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct Vector {
   Rational x, y;
@@ -38,4 +38,4 @@ std::vector<Isometry> isometries(std::span<const Image> points, std::span<const 
 // Whether one point is fixed by all.
 bool have_fixed_point(std::span<const Isometry> all);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -5,7 +5,7 @@
 
 #include "exact/generators.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // "[l,r,s,e]"
 inline std::string text_of(const Quad& q) {
@@ -23,4 +23,4 @@ inline std::string text_of(GenId i, GenId j) {
   return "[" + std::to_string(i) + "," + std::to_string(j) + "]";
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -23,4 +23,4 @@ void Patience::ask() {
   if (innermost != nullptr && ++steps % kSteps == 0 && !innermost->wanted_()) throw GivenUp();
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

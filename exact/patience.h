@@ -4,14 +4,21 @@
 
 #include <exception>
 #include <functional>
+#include <stdexcept>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Thrown out of a decision that is not wanted any more. Objects that were computing it are of no
 // further use.
 class GivenUp : public std::exception {
  public:
   const char* what() const noexcept override { return "a decision was given up"; }
+};
+
+// Thrown out of a whole run that is given up because whoever started it says so.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
 };
 
 // While it lives, the long decisions of this thread ask `wanted`; the one that was asked before is
@@ -31,4 +38,4 @@ class Patience {
   Patience* outer_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

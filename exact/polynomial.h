@@ -18,7 +18,7 @@
 #include "exact/rational.h"
 #include "exact/tower.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // T is Rational or Tower. The leading coefficient is proved nonzero: every
 // operation that can lower the degree asks for signs, and so may throw
@@ -217,4 +217,4 @@ Polynomial<T> square_free_part(const Polynomial<T>& f) {
   return divide(f, repeated).quotient;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

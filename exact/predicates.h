@@ -19,13 +19,37 @@
 // the circle whose contact points i, j, k run counterclockwise. (Paper section 2, with
 // Casey's theorem for Eq. (1); the same elimination as Emiris & Karavelas, "The
 // predicates of the Apollonius diagram", Comput. Geom. 33, 2006.)
+//
+// Laws, each of them a property in tests/exact/predicates_test.cpp. q and h are the numbers whose
+// signs incircle (of a disk e) and circle_exists tell, q' and h' those of the triple (i, k, j),
+// with the other sign of the root. N = D_xp^2 + D_yp^2.
+//   L1   cotangency is one number for all 24 orders of its sites.
+//   L2   cocircularity changes its sign where two of s1, s2, s3 change places, and where s0 and a
+//        site of its radius do. So a cyclic rotation of s1, s2, s3 leaves it.
+//   L3   cotangency = 4 (A^2 + B^2 - C^2), A and B the determinants of rows y, s, p and x, s, p.
+//        For four equal radii that is -4 C^2.
+//   L4   gamma = p_ij p_jk p_ki for every order of the triple.
+//   L5   4 q q' = N cotangency, and h h' = N (D_xs^2 + D_ys^2 - D_xy^2).
+//   L6   q / h = |z - c_e|^2 - (rho + r_e)^2 and N / (2h) = rho + r_i, z the centre of the circle:
+//        one circle, whichever disk of the triple is the base.
+//   L7   A reflection changes the sign of cocircularity and turns q, h into q', h'; cotangency and
+//        gamma stay.
+//   L8   Scaling by s > 0 multiplies tangencies by s^2, cocircularity by s^4, h by s^5, gamma by
+//        s^6, q by s^7 and cotangency by s^8.
+//   L9   Translations and rotations leave all these numbers.
+//   L10  So does a constant that is added to all signed radii.
+//   L11  Changing the signs of all radii leaves cotangency, cocircularity and gamma and turns q, h
+//        into -q', -h': the other kind of tangent circle.
+//   L12  Sites set around a circle, counterclockwise and with the container in any place or none,
+//        have it as their tangent circle, and incircle tells on which side of it e lies.
+//   L13  With the container in the triple both tangent circles exist: h and h' are positive.
 #pragma once
 
 #include <array>
 
 #include "exact/rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // One generator at one instant.
 template <class T>
@@ -276,4 +300,4 @@ struct Contact {
       : a(wx * wx + wy * wy), b(dx * wx + dy * wy), c(dx * dx + dy * dy - reach * reach) {}
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // ---- Rounding --------------------------------------------------------------
@@ -238,4 +238,4 @@ std::optional<Rational> parse_rational(std::string_view text, std::string* reaso
   return value;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

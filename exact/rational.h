@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 using Integer = mpz_class;
 using Rational = mpq_class;
@@ -59,4 +59,4 @@ inline constexpr long max_decimal_exponent = 400;
 inline constexpr long max_binary_exponent = 1200;
 std::optional<Rational> parse_rational(std::string_view text, std::string* reason = nullptr);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,7 +7,7 @@
 
 #include "exact/patience.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 Rational midpoint(const Rational& a, const Rational& b) { return (a + b) / 2; }
@@ -449,4 +449,4 @@ VOROPROOF_INSTANTIATE(Rational)
 VOROPROOF_INSTANTIATE(Tower)
 #undef VOROPROOF_INSTANTIATE
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

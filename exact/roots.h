@@ -26,7 +26,7 @@
 #include "exact/polynomial.h"
 #include "exact/rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // One distinct real root of a polynomial f: the root itself if lo == hi; otherwise
 // it lies strictly inside, it is the only distinct root of f in [lo, hi], and f is
@@ -109,4 +109,4 @@ class SturmSequence {
   std::vector<SignEvaluator<T>> sequence_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

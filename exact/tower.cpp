@@ -7,7 +7,7 @@
 
 #include "exact/patience.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct Tower::Node {
   const Radical* radical;
@@ -366,4 +366,4 @@ Tower RadicalField::sqrt(const Tower& x) {
   return Tower::make(radicals_.back().get(), 0, factor);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -33,7 +33,7 @@
 
 #include "exact/rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 class RadicalField;
 struct Radical;
@@ -158,4 +158,4 @@ class RadicalField {
   std::vector<std::unique_ptr<const Radical>> radicals_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -15,7 +15,7 @@
 
 #include "history/error.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // A handler of signals may find these at any time: they are only ever added.
 struct AtomicFile::Unfinished {
@@ -163,4 +163,4 @@ void AtomicFile::fail(const char* action) const {
   throw OutputError(path_, std::string(action) + ": " + std::strerror(errno));
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Writes to a temporary file beside the target and renames it onto the target on commit(), once its
 // bytes are on the disk. A file destroyed before that leaves no trace, and a target that existed
@@ -61,4 +61,4 @@ class AtomicFile {
   std::size_t used_ = 0;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

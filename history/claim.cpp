@@ -7,7 +7,7 @@
 #include "history/evtsq_file.h"
 #include "history/json_text.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -74,4 +74,4 @@ Claim open_claim(const std::string& scene_path, const std::string& history_path)
   return claim;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -8,7 +8,7 @@
 #include "history/history_source.h"
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct Claim {
   Scene scene;
@@ -22,4 +22,4 @@ struct Claim {
 // Throws InputError where a file is not of its format, or the history names another scene.
 Claim open_claim(const std::string& scene_path, const std::string& history_path);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -12,7 +12,7 @@
 #include "history/json_text.h"
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 constexpr auto bit = JsonReader::bit;
@@ -275,4 +275,4 @@ DiagramFile read_diagram(const std::string& path) {
   return parse_diagram(file_bytes(path, max_diagram_bytes), path);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,7 +7,7 @@
 
 #include "history/events.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct DiagramDisk {
   Vec2 center;
@@ -46,4 +46,4 @@ void write_diagram(const std::string& path, const DiagramFile& diagram);
 DiagramFile read_diagram(const std::string& path);
 DiagramFile parse_diagram(std::string_view bytes, const std::string& file_name);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -12,7 +12,7 @@
 #include "history/sha256.h"
 #include "history/text_fields.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -67,7 +67,7 @@ class DiskFileReader {
       scene_.container_radius = to_rational(r);
       return;
     }
-    DiskSpec disk;
+    DiskInput disk;
     disk.x = x;
     disk.y = y;
     disk.radius = r;
@@ -134,7 +134,7 @@ void write_disk_file(std::ostream& out, const Scene& scene) {
       << text(scene.cy, "container.center[1]") << '\t'
       << text(scene.container_radius, "container.radius") << "\t0.5\t0.5\t0.5\t0\t0\n";
   for (std::size_t k = 0; k < scene.disks.size(); ++k) {
-    const DiskSpec& d = scene.disks[k];
+    const DiskInput& d = scene.disks[k];
     const std::string name = "disks[" + std::to_string(k) + "]";
     if (d.mass != square(d.radius)) {
       throw UnsuitableScene(name + ".mass is not the radius squared");
@@ -145,4 +145,4 @@ void write_disk_file(std::ostream& out, const Scene& scene) {
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

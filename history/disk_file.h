@@ -11,7 +11,7 @@
 
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct DiskFile {
   Scene scene;  // restitution 1, horizon 0; container_law "whole", as that engine has it
@@ -34,4 +34,4 @@ class UnsuitableScene : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

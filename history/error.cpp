@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 constexpr std::size_t whole = std::numeric_limits<std::size_t>::max();
@@ -76,4 +76,4 @@ std::string printable(std::string_view text, std::size_t limit) {
   return out;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // A file that is not what it claims to be, or that cannot be read.
 // what() is one line: "FILE:LINE: FIELD: REASON". Where the fault concerns the file as a whole
@@ -37,4 +37,4 @@ class OutputError : public std::runtime_error {
 // `limit` bytes of it, cut between characters.
 std::string printable(std::string_view text, std::size_t limit = 80);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -1,6 +1,6 @@
 #include "history/events.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 std::optional<ExactVec2> exactly(const std::optional<Vec2>& v) {
@@ -34,4 +34,4 @@ std::optional<ExactVec2> exact_center(const ManeuverEvent& event) {
   return event.exact ? event.exact->p[0] : exactly(event.p);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

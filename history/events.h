@@ -9,7 +9,7 @@
 #include "exact/generators.h"
 #include "exact/rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 using Vec2 = std::array<double, 2>;
 using ExactVec2 = std::array<Rational, 2>;
@@ -56,4 +56,4 @@ std::optional<ExactVec2> exact_center(const CollideEvent& event, int side);
 std::optional<ExactVec2> exact_velocity(const ManeuverEvent& event);
 std::optional<ExactVec2> exact_center(const ManeuverEvent& event);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

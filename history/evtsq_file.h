@@ -14,7 +14,7 @@
 #include "history/scene.h"
 #include "history/text_fields.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct EvtsqHeader {
   std::string source, generator;
@@ -62,4 +62,4 @@ struct EvtsqSource {
 void write_evtsq(AtomicFile& file, HistorySource& history, const HistoryCounts& totals,
                  const EvtsqSource& source, const EvtsqFormat& format);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

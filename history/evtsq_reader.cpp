@@ -6,7 +6,7 @@
 #include "history/evtsq_file.h"
 #include "history/file_bytes.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -286,4 +286,4 @@ std::unique_ptr<HistorySource> open_evtsq(const std::string& path,
   return std::make_unique<EvtsqHistory>(path, ids, horizon);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

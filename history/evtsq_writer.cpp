@@ -1,7 +1,7 @@
 #include "history/error.h"
 #include "history/evtsq_file.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -100,4 +100,4 @@ void write_evtsq(AtomicFile& file, HistorySource& history, const HistoryCounts& 
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

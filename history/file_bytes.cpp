@@ -10,7 +10,7 @@
 
 #include "history/error.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 std::string file_bytes(const std::string& path, std::size_t limit, bool may_cut) {
   const auto fail = [&] {
@@ -43,4 +43,4 @@ std::string file_bytes(const std::string& path, std::size_t limit, bool may_cut)
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

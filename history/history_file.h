@@ -15,7 +15,7 @@
 #include "history/plain_line.h"
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct HistoryHeader {
   std::string scene_sha256;  // 64 lower-case hexadecimal digits
@@ -136,4 +136,4 @@ class HistoryReader {
   std::optional<std::variant<HistoryEnd, HistoryStop>> ending_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,7 +7,7 @@
 #include "history/history_file.h"
 #include "history/json_reader.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 constexpr auto bit = JsonReader::bit;
@@ -357,4 +357,4 @@ bool HistoryReader::counts_match() const {
   return end == nullptr || end->counts == counts_;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

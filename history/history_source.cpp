@@ -1,6 +1,6 @@
 #include "history/history_source.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -30,4 +30,4 @@ std::unique_ptr<HistorySource> open_history(const std::string& path, int disk_co
   return std::make_unique<NativeHistory>(path, disk_count, scene_sha256);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,7 +7,7 @@
 
 #include "history/history_file.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 class HistorySource {
  public:
@@ -30,4 +30,4 @@ class HistorySource {
 std::unique_ptr<HistorySource> open_history(const std::string& path, int disk_count,
                                             const std::string& scene_sha256 = {});
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

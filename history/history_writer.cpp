@@ -5,7 +5,7 @@
 #include "history/history_file.h"
 #include "history/json_text.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // The longest event line: a collision with nine numbers, two ids and its keys.
@@ -197,4 +197,4 @@ void HistoryWriter::advance_to(double t) {
   last_t_ = t;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

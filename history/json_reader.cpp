@@ -9,7 +9,7 @@
 #include "history/error.h"
 #include "history/utf8.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 constexpr std::size_t max_integer_digits = 1000;
@@ -322,4 +322,4 @@ void JsonReader::fail_in(const std::string& member, const std::string& reason) c
   throw InputError(*file_, line_, object.empty() ? member : object + '.' + member, reason);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -14,7 +14,7 @@
 
 #include "exact/rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 inline constexpr int max_json_depth = 16;
 inline constexpr std::size_t max_json_text = std::size_t{1} << 20;  // bytes of one string
@@ -182,4 +182,4 @@ class JsonReader {
   std::string unescaped_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -8,7 +8,7 @@
 
 #include "history/utf8.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 char* put_number(char* out, double x) {
   if (!std::isfinite(x)) throw std::invalid_argument("a JSON number must be finite");
@@ -69,4 +69,4 @@ std::string string_text(std::string_view text) {
   return out + '"';
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

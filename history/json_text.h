@@ -7,7 +7,7 @@
 
 #include "exact/rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // The longest text that put_number writes.
 inline constexpr std::size_t max_double_text = 32;
@@ -29,4 +29,4 @@ std::string number_text(const Rational& q);
 // The text between quotes, with what JSON requires escaped. Bytes that are not UTF-8 become U+FFFD.
 std::string string_text(std::string_view text);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

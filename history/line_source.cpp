@@ -8,7 +8,7 @@
 
 #include "history/error.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 LineSource::LineSource(const std::string& path)
     : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)), buffer_(1 << 18) {
@@ -63,4 +63,4 @@ bool LineSource::fill() {
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

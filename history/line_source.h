@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 class LineSource {
  public:
@@ -35,4 +35,4 @@ class LineSource {
   std::int64_t number_ = 0;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

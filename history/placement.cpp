@@ -22,7 +22,7 @@
 #include <set>
 #include <vector>
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // A number known as hi, the nearest binary64, and lo, the binary64 nearest to the rest. Rounding is
@@ -68,7 +68,7 @@ int compare(const Key& a, const Key& b) {
 
 // The sign of |a - b|^2 - (ra + sign * rb)^2. In integers over common denominators: lattices of
 // touching disks come here with every pair, and cancelling fractions would take most of the time.
-int compare_distance_exactly(const DiskSpec& a, const DiskSpec& b, int sign) {
+int compare_distance_exactly(const DiskInput& a, const DiskInput& b, int sign) {
   struct Fraction {
     Integer numerator, denominator;
   };
@@ -116,7 +116,7 @@ class Placement {
     wall_ = {scene.cx, scene.cy, scene.container_radius, 0, 0, 0};
     container_ = circle(wall_.x, wall_.y, wall_.radius);
     circles_.reserve(scene.disks.size());
-    for (const DiskSpec& disk : scene.disks) {
+    for (const DiskInput& disk : scene.disks) {
       circles_.push_back(circle(disk.x, disk.y, disk.radius));
       const Circle& c = circles_.back();
       heights_.push_back(c.exact ? Key{c.y, 0, nullptr} : key_of(disk.y));
@@ -132,8 +132,8 @@ class Placement {
 
  private:
   // The sign of |a - b|^2 - (ra + sign * rb)^2, of the exact values.
-  static int compare_distance(const Circle& a, const Circle& b, const DiskSpec& exact_a,
-                              const DiskSpec& exact_b, int sign) {
+  static int compare_distance(const Circle& a, const Circle& b, const DiskInput& exact_a,
+                              const DiskInput& exact_b, int sign) {
     const bool exact = a.exact && b.exact;
     const Range x = magnitude(a.x, b.x, -1, exact);
     const Range y = magnitude(a.y, b.y, -1, exact);
@@ -146,7 +146,7 @@ class Placement {
   }
 
   std::optional<PlacementFault> outside(int i) const {
-    const DiskSpec& disk = scene_.disks[i];
+    const DiskInput& disk = scene_.disks[i];
     // Rounding keeps the order.
     const bool smaller = circles_[i].r != container_.r ? circles_[i].r < container_.r
                                                        : disk.radius.value() < wall_.radius.value();
@@ -162,7 +162,7 @@ class Placement {
   }
 
   bool overlap(int i, int j) const {
-    const DiskSpec &a = scene_.disks[i], &b = scene_.disks[j];
+    const DiskInput &a = scene_.disks[i], &b = scene_.disks[j];
     const int sign = compare_distance(circles_[i], circles_[j], a, b, 1);
     // Points at distance 0 are no touching pair: they have no normal, and no bisector.
     return sign < 0 || (sign == 0 && sgn(a.radius) == 0 && sgn(b.radius) == 0);
@@ -178,7 +178,7 @@ class Placement {
   Stop stop(int i, bool leaving) {
     const Circle& c = circles_[i];
     if (c.exact) return {key_of_sum(c.x, leaving ? c.r : -c.r), i, leaving};
-    const DiskSpec& disk = scene_.disks[i];
+    const DiskInput& disk = scene_.disks[i];
     exact_stops_.emplace_back(Rational(disk.x.value() + (leaving ? 1 : -1) * disk.radius.value()));
     return {key_of(exact_stops_.back()), i, leaving};
   }
@@ -236,7 +236,7 @@ class Placement {
   }
 
   const Scene& scene_;
-  DiskSpec wall_;  // the container, as a circle
+  DiskInput wall_;  // the container, as a circle
   Circle container_;
   std::vector<Circle> circles_;
   std::vector<Key> heights_;
@@ -249,4 +249,4 @@ std::optional<PlacementFault> find_placement_fault(const Scene& scene) {
   return Placement(scene).find_fault();
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

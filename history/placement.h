@@ -6,7 +6,7 @@
 
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct PlacementFault {
   int disk;  // the one to blame; of two that overlap, the one with the larger id
@@ -18,4 +18,4 @@ struct PlacementFault {
 // interiors of two disks must not meet, and two points (radius 0) must not coincide.
 std::optional<PlacementFault> find_placement_fault(const Scene& scene);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -8,7 +8,7 @@
 
 #include "history/json_text.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 namespace json = simdjson::ondemand;
@@ -150,4 +150,4 @@ std::optional<Event> PlainLineReader::event(std::string_view line, int last_id) 
   return implementation_->event(line, last_id);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,7 +7,7 @@
 
 #include "history/events.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Reads what needs no second look: keys in the writer's order, JSON numbers only. simdjson does the
 // work, and its parser's memory is used again for every line.
@@ -27,4 +27,4 @@ class PlainLineReader {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

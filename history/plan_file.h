@@ -7,7 +7,7 @@
 
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct Vehicle {
   Rational radius;  // >= 0
@@ -32,4 +32,4 @@ PlanTask read_plan(const std::string& path);
 // The same of a file's bytes; `file_name` is for messages.
 PlanTask parse_plan(std::string_view bytes, const std::string& file_name);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

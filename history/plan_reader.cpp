@@ -4,7 +4,7 @@
 #include "history/plan_file.h"
 #include "history/scene_value.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 constexpr auto bit = JsonReader::bit;
@@ -127,4 +127,4 @@ PlanTask read_plan(const std::string& path) {
   return parse_plan(file_bytes(path, max_scene_bytes), path);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

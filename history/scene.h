@@ -9,19 +9,12 @@
 #include <variant>
 #include <vector>
 
-#include "exact/compact_rational.h"
+#include "exact/motion_input.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct Point2 {
   Rational x, y;
-};
-
-struct DiskSpec {
-  CompactRational x, y;    // centre at t = 0
-  CompactRational radius;  // >= 0
-  CompactRational vx, vy;  // velocity at t = 0
-  CompactRational mass;    // > 0, but 0 for a lone disk of radius 0 that was given none
 };
 
 // At time t the velocity of the disk becomes (vx, vy).
@@ -40,7 +33,7 @@ struct Scene {
   Rational container_restitution = 1;  // in (0,1]
   ContainerLaw law = ContainerLaw::normal;
   Rational horizon;  // >= 0
-  std::vector<DiskSpec> disks;
+  std::vector<DiskInput> disks;
   std::vector<Maneuver> maneuvers;  // sorted by t
   std::string name, comment;
   std::optional<std::variant<std::string, Integer>> seed;
@@ -67,4 +60,4 @@ Scene parse_scene(std::string_view bytes, const std::string& file_name);
 // left out, and so are other defaults.
 void write_scene(std::ostream& out, const Scene& scene);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

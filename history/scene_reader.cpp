@@ -8,7 +8,7 @@
 #include "history/scene_value.h"
 #include "history/sha256.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 constexpr auto bit = JsonReader::bit;
@@ -140,7 +140,7 @@ class SceneReader {
     enum { center, radius, velocity, mass };
     static constexpr std::array<std::string_view, 4> names = {"center", "radius", "velocity",
                                                               "mass"};
-    DiskSpec disk;
+    DiskInput disk;
     json_.array_is_next();  // moves to the value, for its line
     disk_lines_.push_back(json_.line());
     const std::uint32_t seen =
@@ -234,4 +234,4 @@ Scene read_scene(const std::string& path) {
   return parse_scene(file_bytes(path, max_scene_bytes), path);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

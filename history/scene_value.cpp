@@ -4,7 +4,7 @@
 
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 CompactRational scene_value(JsonReader& json) {
   static const Rational largest = to_rational(max_scene_value);
@@ -27,4 +27,4 @@ CompactRational scene_value(JsonReader& json) {
   return q;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -3,7 +3,7 @@
 #include "history/json_text.h"
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 std::string pair_text(const Rational& x, const Rational& y) {
@@ -16,7 +16,7 @@ std::string seed_text(const std::variant<std::string, Integer>& seed) {
 }
 
 // A disk of radius 0 has no default mass; a lone one may have none at all.
-bool has_default_mass(const DiskSpec& disk) { return disk.mass == square(disk.radius); }
+bool has_default_mass(const DiskInput& disk) { return disk.mass == square(disk.radius); }
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void write_scene(std::ostream& out, const Scene& scene) {
       << " \"horizon\": " << number_text(scene.horizon) << ",\n"
       << " \"disks\": [";
   const char* separator = "\n  ";
-  for (const DiskSpec& disk : scene.disks) {
+  for (const DiskInput& disk : scene.disks) {
     out << separator << "{\"center\": " << pair_text(disk.x, disk.y)
         << ", \"radius\": " << number_text(disk.radius)
         << ", \"velocity\": " << pair_text(disk.vx, disk.vy);
@@ -57,4 +57,4 @@ void write_scene(std::ostream& out, const Scene& scene) {
   out << "}\n";
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 std::string sha256_hex(std::string_view bytes) {
   unsigned char digest[EVP_MAX_MD_SIZE];
@@ -20,4 +20,4 @@ std::string sha256_hex(std::string_view bytes) {
   return text;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -8,7 +8,7 @@
 
 #include "history/error.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -107,4 +107,4 @@ std::string fixed_text(double x) {
   return text;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

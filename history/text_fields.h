@@ -9,7 +9,7 @@
 
 #include "history/line_source.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 inline constexpr std::size_t max_text_line = std::size_t{1} << 16;
 
@@ -50,4 +50,4 @@ bool is_hexadecimal(std::string_view text);
 std::string hexadecimal_text(double x);
 std::string fixed_text(double x);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -1,6 +1,6 @@
 #include "history/utf8.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 std::size_t utf8_character(std::string_view text) {
   const auto byte = [&](std::size_t i) {
@@ -43,4 +43,4 @@ void append_utf8(std::string& out, unsigned code_point) {
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -15,7 +15,7 @@
 #include "history/plan_file.h"
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // The member "format" of the object that the text starts with. What comes after it may be anything.
@@ -114,4 +114,4 @@ std::string validate_file(const std::string& path) {
                    "none that can be validated: " + printable(format.name));
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

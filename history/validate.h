@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // What a JSON file says that it is, in its field "format", and on which line.
 struct FileFormat {
@@ -22,4 +22,4 @@ FileFormat format_of_file(const std::string& path);
 // Throws InputError.
 std::string validate_file(const std::string& path);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

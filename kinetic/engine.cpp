@@ -9,14 +9,14 @@
 #include <unordered_map>
 
 #include "exact/patience.h"
-#include "filtered/collapse.h"
-#include "filtered/contact.h"
-#include "filtered/next_double.h"
+#include "filtered/numbers/next_double.h"
+#include "filtered/search/collapse.h"
+#include "filtered/search/contact.h"
 #include "kinetic/inelastic_collapse.h"
 #include "kinetic/queue.h"
 #include "kinetic/static_diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -350,7 +350,7 @@ class Engine<certified>::Implementation {
     return motion_.is_rational(i) && motion_.is_rational(j);
   }
 
-  // Whether the two are proved simultaneous by symmetry: tried where arithmetic is dear.
+  // Whether the two are proved simultaneous by symmetry: tried where arithmetic is expensive.
   bool same_by_symmetry(int a, int b) {
     if (is_rational(a) && is_rational(b)) return false;
     const Symmetry symmetry(motion_);
@@ -1038,4 +1038,4 @@ Motion& Engine<certified>::motion() {
 template class Engine<true>;
 template class Engine<false>;
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -16,11 +16,11 @@
 #include <variant>
 #include <vector>
 
-#include "filtered/motion.h"
-#include "filtered/stats.h"
+#include "filtered/motion/motion.h"
+#include "filtered/numbers/stats.h"
 #include "topology/diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct ManeuverInput {
   Rational t;
@@ -135,4 +135,4 @@ class Engine {
 extern template class Engine<true>;
 extern template class Engine<false>;
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

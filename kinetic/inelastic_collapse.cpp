@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -134,4 +134,4 @@ void InelasticCollapse::by_rule(GenId g, GenId i, GenId j) {
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -28,10 +28,10 @@
 #include <limits>
 #include <vector>
 
-#include "filtered/collapse.h"
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
+#include "filtered/search/collapse.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 class InelasticCollapse {
  public:
@@ -59,4 +59,4 @@ class InelasticCollapse {
   std::vector<Past> past_;  // per disk; empty where no collapse is possible
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

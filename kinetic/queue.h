@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Items are 0 .. items-1, at least one. A key is a time that the item's next event does not
 // precede; an item without one has the key infinity. Equal keys are ordered by item.
@@ -170,4 +170,4 @@ class EventQueue {
   double step_ = 0;            // by which the bound moves on
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

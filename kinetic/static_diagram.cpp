@@ -13,9 +13,9 @@
 #include <stdexcept>
 
 #include "exact/directions.h"
-#include "filtered/instant_predicates.h"
+#include "filtered/search/instant_predicates.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 namespace {
 
@@ -320,4 +320,4 @@ long settle(Diagram& diagram, Motion& motion, const Instant& now, TierCounts& co
   return flips;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -10,12 +10,12 @@
 // in 2D", ESA 2002.)
 #pragma once
 
-#include "filtered/collapse.h"
-#include "filtered/motion.h"
-#include "filtered/stats.h"
+#include "filtered/motion/motion.h"
+#include "filtered/numbers/stats.h"
+#include "filtered/search/collapse.h"
 #include "topology/diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // The diagram at the exact time t. Where more than three generators touch one empty
 // circle it is one of the possible diagrams: see settle().
@@ -32,4 +32,4 @@ Instant instant_at(const Rational& t);
 // Returns the number of flips.
 long settle(Diagram& diagram, Motion& motion, const Instant& now, TierCounts& counts);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

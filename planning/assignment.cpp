@@ -8,7 +8,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using Costs = std::vector<std::int64_t>;  // of rows times columns
@@ -76,4 +76,4 @@ void assign_nearest_goals(PlanTask& task) {
   for (std::size_t i = 0; i < goal.size(); ++i) task.vehicles[i].goal = old[goal[i]].goal;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -5,7 +5,7 @@
 
 #include "history/plan_file.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Exchanges the goals among vehicles of equal radius so that the sum of the squares of all ways is
 // least: then no two vehicles that fly evenly come nearer than 1/sqrt 2 of the lesser of their
@@ -18,4 +18,4 @@ std::vector<int> nearest_goals(const std::vector<Vehicle>& vehicles);
 // The task with the goals exchanged so.
 void assign_nearest_goals(PlanTask& task);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

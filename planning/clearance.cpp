@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "exact/predicates.h"
-#include "filtered/double_ball.h"
+#include "filtered/numbers/double_ball.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 struct Ball2 {
@@ -183,4 +183,4 @@ Enclosure gap(const Approach& approach) {
   return {round_down(less_reach(root)), round_up(less_reach(above))};
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

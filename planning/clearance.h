@@ -10,7 +10,7 @@
 #include "exact/enclosure.h"
 #include "planning/plan.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // The nearest that two vehicles come: gap = sqrt(distance2) - reach.
 struct Approach {
@@ -53,4 +53,4 @@ void for_each_piece(const Timetable& a, const Timetable& b, Piece&& piece) {
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -5,7 +5,7 @@
 
 #include "planning/clearance.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 struct Offset {
@@ -110,4 +110,4 @@ int Conjunctions::count(int i, const Timetable& timetable, const std::vector<Tim
   return found;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

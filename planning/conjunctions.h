@@ -9,7 +9,7 @@
 
 #include "planning/plan.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 class Conjunctions {
  public:
@@ -59,4 +59,4 @@ class Conjunctions {
   std::vector<std::vector<int>> neighbors_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

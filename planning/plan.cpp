@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 Timetable even_timetable() { return {{0, 0}, {time_steps, whole_way}}; }
 
@@ -84,4 +84,4 @@ std::size_t speed_changes(const Plan& plan) {
   return count;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

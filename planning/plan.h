@@ -6,7 +6,7 @@
 #include "history/plan_file.h"
 #include "history/scene.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Times and progress lie on a grid, so that plans stay exact and their numbers short: the whole
 // flight has time_steps steps, the whole way whole_way parts.
@@ -69,4 +69,4 @@ Scene scene_of(const Plan& plan);
 // The changes of speed on the way, without departure and arrival.
 std::size_t speed_changes(const Plan& plan);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

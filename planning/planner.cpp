@@ -10,7 +10,7 @@
 #include "planning/rescheduling.h"
 #include "planning/slowing.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using Pair = std::pair<int, int>;
@@ -184,4 +184,4 @@ PlanResult make_plan(PlanTask task, const std::function<bool(std::size_t)>& moni
   return result;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

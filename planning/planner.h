@@ -9,7 +9,7 @@
 #include "planning/clearance.h"
 #include "planning/plan.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // A conjunction that was predicted and how it was avoided.
 struct Avoidance {
@@ -37,4 +37,4 @@ struct PlanResult {
 // with the number of conjunctions left; false stops with what there is, as unsolved.
 PlanResult make_plan(PlanTask task, const std::function<bool(std::size_t)>& monitor = {});
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,7 +7,7 @@
 
 #include "planning/slowing.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // Columns of time and levels of progress; even speed rises by even_rise levels a column.
@@ -144,4 +144,4 @@ std::optional<Timetable> rescheduled(int vehicle, const std::vector<Timetable>& 
   return Search(vehicle, all, conjunctions, haste, ignored).run();
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

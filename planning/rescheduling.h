@@ -12,7 +12,7 @@
 
 #include "planning/conjunctions.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // What a new timetable is to be near to: besides an even speed, going early or late.
 enum class Haste { even, early, late };
@@ -23,4 +23,4 @@ std::optional<Timetable> rescheduled(int vehicle, const std::vector<Timetable>& 
                                      const Conjunctions& conjunctions, Haste haste = Haste::even,
                                      int ignored = -1);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 double top_speed(const Timetable& timetable) {
   double top = 0;
@@ -62,4 +62,4 @@ std::vector<Timetable> slowings(const Timetable& timetable, double conjunction) 
   return all;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -6,7 +6,7 @@
 
 #include "planning/plan.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Nobody flies faster than this many times its even speed.
 inline constexpr int max_speed_up = 4;
@@ -22,4 +22,4 @@ Timetable slowed(const Timetable& timetable, int from, int until, int slow);
 // The ways to slow down around a conjunction that are tried, the gentle ones first.
 std::vector<Timetable> slowings(const Timetable& timetable, double conjunction);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -2,7 +2,7 @@
 
 #include "exact/roots.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 void between_roots(const Rational& from, const Rational& to,
                    const std::vector<Polynomial<Rational>>& candidates,
@@ -26,4 +26,4 @@ void between_roots(const Rational& from, const Rational& to,
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

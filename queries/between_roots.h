@@ -7,7 +7,7 @@
 #include "exact/algebraic.h"
 #include "exact/enclosure.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 using AlgebraicTime = AlgebraicNumber<Rational>;
 
@@ -23,4 +23,4 @@ void between_roots(const Rational& from, const Rational& to,
                    const std::vector<Polynomial<Rational>>& candidates,
                    const std::function<void(const AlgebraicTime&, const Rational&)>& part);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

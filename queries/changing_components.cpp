@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 void ChangingComponents::add(const Node& node) {
   Place& place = places_[node];
@@ -98,4 +98,4 @@ std::vector<ChangingComponents::Id> ChangingComponents::take_touched() {
   return touched;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

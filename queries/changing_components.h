@@ -11,7 +11,7 @@
 
 #include "queries/clearance.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 class ChangingComponents {
  public:
@@ -59,4 +59,4 @@ class ChangingComponents {
   Id next_ = 0;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

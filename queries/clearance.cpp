@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // Twice the clearance at a node: of a gate the gap.
@@ -109,4 +109,4 @@ Enclosure Clearance::value(const ClearanceNode& node) const {
   return enclosure(twice * Ball(Rational(1, 2), 2));
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

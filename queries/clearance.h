@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "exact/enclosure.h"
-#include "filtered/instant_predicates.h"
+#include "filtered/search/instant_predicates.h"
 #include "topology/diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // A point of the diagram where the clearance is of interest.
 struct ClearanceNode {
@@ -79,4 +79,4 @@ class Clearance {
   InstantPredicates predicates_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,10 +7,10 @@
 #include "history/error.h"
 #include "history/json_text.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
-void check_covered(const HistoryReader& history, const std::string& path, const Rational& t) {
+void check_covered(const HistorySource& history, const std::string& path, const Rational& t) {
   if (const auto* stop = std::get_if<HistoryStop>(&history.ending())) {
     const Rational stop_t = stop->exact_t ? *stop->exact_t : to_rational(stop->t);
     if (t >= stop_t) {
@@ -25,12 +25,11 @@ void check_covered(const HistoryReader& history, const std::string& path, const 
 
 }  // namespace
 
-void follow_history(const Scene& scene, const std::string& path, const Rational& t,
+void follow_history(HistorySource& history, const std::string& name, const Rational& t,
                     const HistoryFollower& follower) {
-  HistoryReader history(path, static_cast<int>(scene.disks.size()), scene.sha256);
   const HistoryHeader& header = history.header();
   if (t > header.horizon) {
-    throw InputError(path, 1, "horizon",
+    throw InputError(name, 1, "horizon",
                      "the history covers [0, " + number_text(header.horizon) + "] only, and " +
                          number_text(t) + " is asked for");
   }
@@ -40,7 +39,13 @@ void follow_history(const Scene& scene, const std::string& path, const Rational&
   while (const std::optional<Event> event = history.next()) {
     follower.event(*event, all || exact_time(*event) <= t, history.line());
   }
-  check_covered(history, path, t);
+  check_covered(history, name, t);
+}
+
+void follow_history(const Scene& scene, const std::string& path, const Rational& t,
+                    const HistoryFollower& follower) {
+  const auto history = open_history(path, static_cast<int>(scene.disks.size()), scene.sha256);
+  follow_history(*history, path, t, follower);
 }
 
 Diagram initial_diagram(const HistoryHeader& header, int disks, const std::string& path,
@@ -53,4 +58,4 @@ Diagram initial_diagram(const HistoryHeader& header, int disks, const std::strin
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "history/events.h"
-#include "history/history_file.h"
+#include "history/history_source.h"
 #include "history/scene.h"
 #include "topology/diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct HistoryFollower {
   std::function<void(const HistoryHeader&)> begin;
@@ -19,9 +19,12 @@ struct HistoryFollower {
   std::function<void(const Event&, bool happened, std::int64_t line)> event;
 };
 
-// Reads the whole history, which must be one of this scene and complete in form, and shows it.
+// Reads the whole history, which must be complete in form, and shows it; `name` is for messages.
 // Throws InputError, also where t is beyond what the history covers: its horizon, or the time it
 // stopped at, where events may be missing.
+void follow_history(HistorySource& history, const std::string& name, const Rational& t,
+                    const HistoryFollower& follower);
+// The same of a file, which must be a history of this scene.
 void follow_history(const Scene& scene, const std::string& path, const Rational& t,
                     const HistoryFollower& follower);
 
@@ -30,4 +33,4 @@ void follow_history(const Scene& scene, const std::string& path, const Rational&
 Diagram initial_diagram(const HistoryHeader& header, int disks, const std::string& path,
                         const std::function<Diagram()>& initial);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

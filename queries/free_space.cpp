@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using HalfEdge = Diagram::HalfEdge;
@@ -259,4 +259,4 @@ std::vector<ClearanceNode> widest_places(Clearance& clearance) {
   return places;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

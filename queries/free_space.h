@@ -11,7 +11,7 @@
 
 #include "queries/clearance.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // The point at which the edge between disk i and generator j has the probe's clearance: on the left
 // (side = 1) or the right (-1) of the axis that leads from the centre of i to its gate with j.
@@ -75,4 +75,4 @@ ClearanceNode narrowest(Clearance& clearance, Diagram::HalfEdge h);
 // nodes at one place, or joined by an edge of constant clearance, the smallest stands for all.
 std::vector<ClearanceNode> widest_places(Clearance& clearance);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

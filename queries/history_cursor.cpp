@@ -9,7 +9,7 @@
 #include "history/error.h"
 #include "queries/followed_history.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // The disks whose motion an event changes; -1 for none.
@@ -37,7 +37,7 @@ HistoryCursor::HistoryCursor(const Scene& scene, const std::string& path,
   follower.event = [&](const Event& event, bool, std::int64_t) { events_.push_back(event); };
   follow_history(scene, path, covered, follower);
 
-  for (const DiskSpec& disk : scene.disks) {
+  for (const DiskInput& disk : scene.disks) {
     initial_.push_back({0, {disk.x, disk.y}, {disk.vx, disk.vy}});
   }
   std::vector<std::ptrdiff_t> last = last_;
@@ -120,4 +120,4 @@ void HistoryCursor::flip(const Quad& q, std::size_t number) {
   }
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -14,7 +14,7 @@
 #include "queries/recorded_moment.h"
 #include "topology/named_diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // The diagram and the motions between two events of a history, which is kept in memory: O(n + k)
 // for n disks and k events. A step takes O(1) expected time, there and back.
@@ -64,4 +64,4 @@ class HistoryCursor {
   NamedDiagram diagram_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -1,8 +1,8 @@
 #include "queries/lines.h"
 
-#include "filtered/instant_predicates.h"
+#include "filtered/search/instant_predicates.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using P = Polynomial<Rational>;
@@ -80,4 +80,4 @@ bool Lines::fits(const Triple& v, const Rational& t, const Rational& probe) cons
   return clearance_to_probe(predicates, vertex_node(own), 0) != Sign::negative;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "exact/polynomial.h"
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
 #include "queries/clearance.h"
 #include "queries/paths.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // The generators on the lines that are in force on their paths from `start` on. Polynomials are in
 // the time t itself, not since the start; they are zero where what they tell of never changes.
@@ -48,4 +48,4 @@ class Lines {
   MotionInput input_;  // from the start on
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using Pair = std::pair<GenId, GenId>;
@@ -138,4 +138,4 @@ ClosestPairs closest_disks(Clearance& clearance) {
   return closest_of(clearance, candidates);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

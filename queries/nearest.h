@@ -7,7 +7,7 @@
 #include "history/scene.h"
 #include "queries/clearance.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Between the boundaries of two generators.
 Enclosure gap(const Clearance& clearance, GenId i, GenId j);
@@ -46,4 +46,4 @@ ClosestPairs closest_generators(Clearance& clearance);
 // not be neighbours, so that disks close to the wall are compared besides.
 ClosestPairs closest_disks(Clearance& clearance);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,7 +7,7 @@
 #include "queries/between_roots.h"
 #include "queries/lines.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using P = Polynomial<Rational>;
@@ -150,4 +150,4 @@ std::vector<Opening> void_openings(const Paths& paths, HistoryCursor& history, c
   return openings.finish(window.to);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -17,7 +17,7 @@
 #include "queries/over_time.h"
 #include "queries/paths.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // Open in between; the ends are enclosed. Instants at which the probe just fits and no longer are
 // left out.
@@ -34,4 +34,4 @@ std::vector<Opening> tunnel_openings(const Paths& paths, HistoryCursor& history,
 std::vector<Opening> void_openings(const Paths& paths, HistoryCursor& history, const Triple& vertex,
                                    const Rational& probe, const Window& window);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

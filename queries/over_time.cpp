@@ -7,7 +7,7 @@
 
 #include "exact/tower.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using Pair = std::pair<GenId, GenId>;
@@ -237,4 +237,4 @@ Enclosure gap_of(const Paths& paths, const LeastGap& least) {
   return enclosure(least.i == container_id ? -sum - d : d - sum);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

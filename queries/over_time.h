@@ -9,7 +9,7 @@
 #include "queries/history_cursor.h"
 #include "queries/paths.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // From t >= 0 to t, within what the history covers.
 struct Window {
@@ -50,4 +50,4 @@ std::optional<LeastGap> least_gap_of_all(const Paths& paths, HistoryCursor& hist
 
 Enclosure gap_of(const Paths& paths, const LeastGap& least);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,7 +7,7 @@
 
 #include "history/error.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 ExactVec2 position_at(const RecordedState& piece, const Rational& t) {
   const Rational passed = t - piece.since;
@@ -18,7 +18,7 @@ ExactVec2 position_at(const RecordedState& piece, const Rational& t) {
 Paths::Paths(const Scene& scene, const HistoryCursor& history, const std::string& history_path) {
   pieces_.push_back({{0, {scene.cx, scene.cy}, {0, 0}}});
   radii_.push_back(-scene.container_radius);
-  for (const DiskSpec& disk : scene.disks) {
+  for (const DiskInput& disk : scene.disks) {
     pieces_.push_back({{0, {disk.x, disk.y}, {disk.vx, disk.vy}}});
     radii_.push_back(disk.radius);
   }
@@ -80,4 +80,4 @@ std::vector<Rational> Paths::turns(const std::vector<GenId>& generators, const R
   return times;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -12,7 +12,7 @@
 #include "queries/history_cursor.h"
 #include "queries/recorded_moment.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 class Paths {
  public:
@@ -37,4 +37,4 @@ class Paths {
 // Where a piece leads at time t.
 ExactVec2 position_at(const RecordedState& piece, const Rational& t);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

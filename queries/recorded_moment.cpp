@@ -9,7 +9,7 @@
 #include "queries/followed_history.h"
 #include "topology/named_diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // The states of the disks as the events go by; known until an event does not tell.
@@ -17,7 +17,7 @@ class RecordedStates {
  public:
   RecordedStates(const Scene& scene, Move move) : move_(move) {
     states_.reserve(scene.disks.size());
-    for (const DiskSpec& disk : scene.disks) {
+    for (const DiskInput& disk : scene.disks) {
       states_.push_back({0, {disk.x, disk.y}, {disk.vx, disk.vy}});
     }
   }
@@ -77,12 +77,20 @@ class RecordedStates {
 RecordedMoment recorded_moment(const Scene& scene, const std::string& history_path,
                                const Rational& t, Move move, bool replay_flips,
                                const std::function<Diagram()>& initial) {
+  const auto history =
+      open_history(history_path, static_cast<int>(scene.disks.size()), scene.sha256);
+  return recorded_moment(scene, *history, history_path, t, move, replay_flips, initial);
+}
+
+RecordedMoment recorded_moment(const Scene& scene, HistorySource& history, const std::string& name,
+                               const Rational& t, Move move, bool replay_flips,
+                               const std::function<Diagram()>& initial) {
   const int disks = static_cast<int>(scene.disks.size());
   RecordedStates states(scene, move);
   std::optional<NamedDiagram> diagram;
   HistoryFollower follower;
   follower.begin = [&](const HistoryHeader& header) {
-    if (replay_flips) diagram.emplace(initial_diagram(header, disks, history_path, initial));
+    if (replay_flips) diagram.emplace(initial_diagram(header, disks, name, initial));
   };
   follower.event = [&](const Event& event, bool happened, std::int64_t line) {
     if (!happened) return;
@@ -92,14 +100,14 @@ RecordedMoment recorded_moment(const Scene& scene, const std::string& history_pa
     try {
       diagram->flip(flip->quad);
     } catch (const std::invalid_argument& fault) {
-      throw InputError(history_path, line, "flip", fault.what());
+      throw InputError(name, line, "flip", fault.what());
     }
   };
-  follow_history(scene, history_path, t, follower);
+  follow_history(history, name, t, follower);
   RecordedMoment moment;
   if (diagram) moment.diagram = diagram->take();
   moment.states = states.take();
   return moment;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "history/events.h"
+#include "history/history_source.h"
 #include "history/scene.h"
 #include "topology/diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 // A disk since its last event: at center + velocity (t - since).
 struct RecordedState {
@@ -41,5 +42,9 @@ struct RecordedMoment {
 RecordedMoment recorded_moment(const Scene& scene, const std::string& history_path,
                                const Rational& t, Move move, bool replay_flips,
                                const std::function<Diagram()>& initial);
+// The same of a history of this scene that need be no file; `name` is for messages.
+RecordedMoment recorded_moment(const Scene& scene, HistorySource& history, const std::string& name,
+                               const Rational& t, Move move, bool replay_flips,
+                               const std::function<Diagram()>& initial);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

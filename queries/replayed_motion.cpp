@@ -6,11 +6,12 @@
 #include <optional>
 #include <variant>
 
-#include "filtered/contact.h"
+#include "filtered/search/contact.h"
 #include "history/error.h"
+#include "history/scene_motion.h"
 #include "queries/followed_history.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -106,22 +107,6 @@ class Replay {
 
 }  // namespace
 
-MotionInput motion_input(const Scene& scene) {
-  MotionInput in;
-  in.container_x = scene.cx;
-  in.container_y = scene.cy;
-  in.container_radius = scene.container_radius;
-  in.restitution = scene.restitution;
-  in.container_restitution = scene.container_restitution;
-  in.whole_container_law = scene.law == ContainerLaw::whole;
-  in.horizon = scene.horizon;
-  in.disks.reserve(scene.disks.size());
-  for (const DiskSpec& d : scene.disks) {
-    in.disks.push_back({d.x, d.y, d.radius, d.vx, d.vy, d.mass});
-  }
-  return in;
-}
-
 ReplayedMotion replayed_motion(const Scene& scene, const std::string& history_path,
                                const Rational& t, const MotionOptions& options) {
   Replay replay(scene, history_path, t, options);
@@ -134,4 +119,4 @@ ReplayedMotion replayed_motion(const Scene& scene, const std::string& history_pa
   return replay.take();
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

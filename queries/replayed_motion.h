@@ -5,13 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "filtered/motion.h"
+#include "filtered/motion/motion.h"
 #include "history/events.h"
 #include "history/scene.h"
 
-namespace voroproof {
-
-MotionInput motion_input(const Scene& scene);
+namespace voroproof::internal {
 
 struct ReplayedMotion {
   Motion motion;  // in force at the exact time t
@@ -31,4 +29,4 @@ struct ReplayedMotion {
 ReplayedMotion replayed_motion(const Scene& scene, const std::string& history_path,
                                const Rational& t, const MotionOptions& options);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -12,7 +12,7 @@
 #include "queries/changing_components.h"
 #include "queries/lines.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using HalfEdge = Diagram::HalfEdge;
@@ -310,4 +310,4 @@ std::vector<VoidLife> void_lives(const Paths& paths, HistoryCursor& history, con
   return lives.finish(end);
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

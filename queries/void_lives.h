@@ -19,7 +19,7 @@
 #include "queries/over_time.h"
 #include "queries/paths.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 struct VoidLife {
   Enclosure from, to;
@@ -40,4 +40,4 @@ struct VoidLife {
 std::vector<VoidLife> void_lives(const Paths& paths, HistoryCursor& history, const Rational& probe,
                                  const Window& window);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

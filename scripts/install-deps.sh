@@ -6,7 +6,7 @@
 #   test:  what building the tests takes besides
 #   bench: what the benchmarks and the peers they measure take besides
 #   plots: what scripts/plot-experiments.py, plot-growth.py and plot-plan.py take
-#   ci:    the second compiler, the formatter and the counter of instructions besides
+#   ci:    the second compiler, the formatter, the counter of instructions and doxygen besides
 #   browser: what testing and photographing the page of `movie` takes besides (large)
 #
 # Where nothing is missing it neither asks for root nor uses the network.
@@ -27,7 +27,7 @@ for group in "$@"; do
     test) packages+=(libgtest-dev librapidcheck-dev python3) ;;
     bench) packages+=(libbenchmark-dev libmpfi-dev libflint-dev libflint-arb-dev) ;;
     plots) packages+=(python3-matplotlib) ;;
-    ci) packages+=(clang clang-format valgrind) ;;
+    ci) packages+=(clang clang-format valgrind doxygen) ;;
     browser) packages+=(chromium) ;;
     *)
       echo "install-deps: unknown group '$group' (test, bench, plots, ci, browser)" >&2

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 Diagram::HalfEdge Diagram::new_edge(GenId a, GenId b) {
   const auto h = static_cast<HalfEdge>(halves_.size());
@@ -163,4 +163,4 @@ Diagram diagram_of(int disks, const std::vector<Quad>& edges) {
   return d;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

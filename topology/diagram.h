@@ -18,7 +18,7 @@
 
 #include "exact/generators.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 class Diagram {
  public:
@@ -86,4 +86,4 @@ class Diagram {
 // they are not those of a diagram of `disks` disks.
 Diagram diagram_of(int disks, const std::vector<Quad>& edges);
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

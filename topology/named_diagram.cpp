@@ -6,7 +6,7 @@
 
 #include "exact/names.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 std::size_t NamedDiagram::TripleHash::operator()(const Triple& v) const {
   std::uint64_t hash = 0;
@@ -52,4 +52,4 @@ std::array<Diagram::HalfEdge, 6> NamedDiagram::sides(Diagram::HalfEdge h) const 
   return {h, diagram_.next(h), diagram_.previous(h), t, diagram_.next(t), diagram_.previous(t)};
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -8,7 +8,7 @@
 
 #include "topology/diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 class NamedDiagram {
  public:
@@ -45,4 +45,4 @@ class NamedDiagram {
   std::unordered_map<Triple, Diagram::HalfEdge, TripleHash> corners_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

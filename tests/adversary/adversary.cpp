@@ -20,7 +20,7 @@
 
 #include "tests/adversary/campaign.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 constexpr int most_saved_of_a_kind = 3;
@@ -177,11 +177,11 @@ int run(const Arguments& a) {
 }
 
 }  // namespace
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary
 
 int main(int argc, char** argv) {
   try {
-    return voroproof::adversary::run(voroproof::adversary::parse(argc, argv));
+    return voroproof::internal::adversary::run(voroproof::internal::adversary::parse(argc, argv));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "adversary: %s\n", error.what());
     return 2;

@@ -7,7 +7,7 @@
 
 #include "tests/adversary/campaign.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 std::string told(const Made& m, Truth truth, const Judgement& j) {
@@ -98,4 +98,4 @@ TEST(Adversary, SavedCases) {
 }
 
 }  // namespace
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

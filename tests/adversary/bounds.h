@@ -7,7 +7,7 @@
 #include "tests/adversary/paths.h"
 #include "tests/adversary/truth.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 inline Opinion wrong(const std::string& why) { return {Finding::wrong, why}; }
 inline Opinion unclear(const std::string& why) { return {Finding::unclear, why}; }
@@ -71,4 +71,4 @@ inline std::array<WideVec, 2> response(const SceneData& scene, const Line& line,
   return {vi, scene.whole ? WideVec{e * back.x, e * back.y} : back};
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -6,7 +6,7 @@
 #include "tests/adversary/wrong_world.h"
 #include "tests/support/scene_run.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 constexpr std::size_t most_lines = 60, most_lines_of_large = 300;
@@ -253,4 +253,4 @@ void Campaign::run(std::uint64_t seed, std::optional<Family> family, std::option
   }
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

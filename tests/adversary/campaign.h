@@ -14,7 +14,7 @@
 #include "tests/adversary/judge.h"
 #include "tests/adversary/rewrite.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 // All that makes one history.
 struct Recipe {
@@ -91,4 +91,4 @@ Judgement judge_all(const ReadScene& scene, const Made& made, Truth truth, bool 
 // A smaller recipe's history that is still this find, if there is one.
 Made minimized(const Made& made, Truth truth, Find find);
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

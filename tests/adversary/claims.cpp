@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 class Text {
@@ -123,4 +123,4 @@ std::string history_text(const History& h, const std::string& sha256, bool long_
   return out.take();
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 // An oriented quadruple [l, r, s, e]; -1 is the container.
 using Edge = std::array<int, 4>;
@@ -68,4 +68,4 @@ std::string scene_text(const SceneData& scene);
 // 17 significant digits, else the shortest that give them back.
 std::string history_text(const History& history, const std::string& sha256, bool long_decimals);
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

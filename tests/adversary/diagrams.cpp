@@ -5,7 +5,7 @@
 
 #include "tests/oracle/brute_force.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 using Corner = std::array<int, 3>;
@@ -247,4 +247,4 @@ Opinion judge_diagrams(const Motion& motion, const History& history, double end,
   return doubt;
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -6,7 +6,7 @@
 #include "tests/adversary/paths.h"
 #include "tests/adversary/truth.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 // Replays the claimed flips. `turns`: the times of turns on the paths, at which nothing is looked
 // at. Looks up to `end`, between all claims that are farther apart than twice the tolerance, at the
@@ -14,4 +14,4 @@ namespace voroproof::adversary {
 Opinion judge_diagrams(const Motion& motion, const History& history, double end,
                        const std::vector<double>& turns, const std::vector<double>& hints);
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 Pair2 direction(Random& random) {
@@ -292,4 +292,4 @@ SceneData scene_of(Family family, Random& random) {
   return s;
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

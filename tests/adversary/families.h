@@ -9,7 +9,7 @@
 
 #include "tests/adversary/claims.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 class Random {
  public:
@@ -71,4 +71,4 @@ inline bool in_general_position(Family f) {
 // A scene of the family. Its disks are apart or touch exactly.
 SceneData scene_of(Family family, Random& random);
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

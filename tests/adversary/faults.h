@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 enum class FaultKind {
   none,
@@ -97,4 +97,4 @@ struct Fault {
   double amount = 0;  // see above; of times, lengths or a ratio
 };
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 // What the sites j and k give, seen from the base i (docs/design/predicates.md).
@@ -255,4 +255,4 @@ std::vector<Edge> diagram_of_sites(const Sites& sites, Real* margin) {
   return edges_between(vertices, sites);
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -10,7 +10,7 @@
 
 #include "tests/adversary/claims.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 using Real = long double;
 inline constexpr Real never = std::numeric_limits<Real>::infinity();
@@ -105,4 +105,4 @@ std::vector<Edge> edges_between(const std::vector<Vertex>& vertices, const Sites
 // diagram was found.
 std::vector<Edge> diagram_of_sites(const Sites& sites, Real* margin);
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

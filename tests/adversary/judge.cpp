@@ -13,7 +13,7 @@
 #include "kernel/kernel.h"
 #endif
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 constexpr int most_bits = 1024;
@@ -61,19 +61,20 @@ Answer ask_certifier(const Scene& scene, const testing::ClaimedHistory& history,
   CertifyOptions options;
   // Ties that cost seconds are left undecided.
   options.motion.max_bits = most_bits;
-  options.truth = truth == Truth::exact ? voroproof::Truth::exact : voroproof::Truth::recorded;
+  options.truth = truth == Truth::exact ? voroproof::internal::Truth::exact
+                                        : voroproof::internal::Truth::recorded;
   try {
     const Certificate c = testing::certify(scene, history, options);
     switch (c.verdict) {
-      case voroproof::Verdict::certified:
+      case voroproof::internal::Verdict::certified:
         return {Verdict::certified, {}};
-      case voroproof::Verdict::refuted:
+      case voroproof::internal::Verdict::refuted:
         return {
             Verdict::refuted,
             std::string(fault_names[static_cast<std::size_t>(c.divergence->fault)]) + ", line " +
                 std::to_string(c.divergence->line) + ": " + c.divergence->truth,
             c.divergence->true_time ? std::optional(c.divergence->true_time->at(1)) : std::nullopt};
-      case voroproof::Verdict::undecided:
+      case voroproof::internal::Verdict::undecided:
         return {Verdict::undecided, c.reason};
     }
   } catch (const InputError& error) {
@@ -183,4 +184,4 @@ void ask_oracle(Judgement& j, const SceneData& scene, const History& history, Tr
   }
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

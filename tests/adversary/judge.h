@@ -11,7 +11,7 @@
 #include "tests/adversary/claims.h"
 #include "tests/adversary/truth.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 enum class Truth { exact, recorded };
 inline constexpr std::array truths{Truth::exact, Truth::recorded};
@@ -74,4 +74,4 @@ Judgement judge_files(const std::string& scene_path, const std::string& history_
 void ask_oracle(Judgement& j, const SceneData& scene, const History& history, Truth truth,
                 const std::vector<double>& hints);
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -3,7 +3,7 @@
 
 #include "tests/adversary/campaign.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 bool is_still(const Made& made, Truth truth, Find find) {
@@ -80,4 +80,4 @@ Made minimized(const Made& found, Truth truth, Find find) {
   return made;
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 Wide square_root(Wide x) {
   if (!(x > 0)) return 0;
@@ -117,4 +117,4 @@ std::vector<Overlap> Motion::overlaps(int i, int j, Wide end) const {
   return found;
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

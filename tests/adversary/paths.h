@@ -7,7 +7,7 @@
 #include "tests/adversary/claims.h"
 #include "tests/adversary/geometry.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 __extension__ typedef __float128 Wide;
 
@@ -75,4 +75,4 @@ struct Motion {
   std::vector<Overlap> overlaps(int i, int j, Wide end) const;
 };
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -5,7 +5,7 @@
 
 #include "tests/adversary/truth.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 void sort_by_time(History& h) {
@@ -134,4 +134,4 @@ void fuzz(History& h, Random& random) {
   sort_by_time(h);
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -4,7 +4,7 @@
 #include "tests/adversary/claims.h"
 #include "tests/adversary/families.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 // What means the same under one truth at least: times of flips (or of all lines) within the
 // tolerance, an earlier horizon, the order of neighbours within the tolerance.
@@ -15,4 +15,4 @@ void rewrite(History& history, Rewriting how, Random& random);
 // beyond the tolerance, other ends, changed velocities, a claim in two, pairs of changes that fit.
 void fuzz(History& history, Random& random);
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -11,7 +11,7 @@
 
 #include "tests/adversary/claims.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 enum class Finding {
   right,    // nothing wrong was found where it was looked
@@ -35,4 +35,4 @@ Opinion judge_recorded(const SceneData& scene, const History& history,
 Opinion judge_exact(const SceneData& scene, const History& history,
                     const std::vector<double>& hints);
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -8,7 +8,7 @@
 #include "tests/adversary/diagrams.h"
 #include "tests/oracle/motion.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 using Exact = oracle::MotionOracle;
@@ -239,4 +239,4 @@ Opinion judge_exact(const SceneData& scene, const History& history,
   return TrueMotion(scene, history).judge(hints);
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -5,7 +5,7 @@
 #include "tests/adversary/bounds.h"
 #include "tests/adversary/diagrams.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 class Recorded {
@@ -236,4 +236,4 @@ Opinion judge_recorded(const SceneData& scene, const History& history,
   return Recorded(scene, history).judge(hints);
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

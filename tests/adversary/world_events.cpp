@@ -5,7 +5,7 @@
 #include "tests/adversary/truth.h"
 #include "tests/adversary/world_state.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 // How much later than its root an edge that stayed is looked at again, relative to the time that
@@ -232,4 +232,4 @@ void World::flip(const Next& event) {
   apply_flip(event.edge);
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

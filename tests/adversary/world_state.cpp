@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 namespace {
 
 using Corner = std::array<int, 3>;
@@ -183,4 +183,4 @@ void World::predict_all() {
   }
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -8,7 +8,7 @@
 #include "tests/adversary/geometry.h"
 #include "tests/adversary/wrong_world.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 // Events closer than this, relative to 1 + t, are of one instant.
 inline constexpr Real one_instant = 1e-15L;
@@ -98,4 +98,4 @@ class World {
   std::vector<bool> maneuver_done_;
 };
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

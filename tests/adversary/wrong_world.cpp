@@ -6,7 +6,7 @@
 
 #include "tests/adversary/world_state.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 World::World(const SceneData& scene, const Fault& fault, std::size_t most_lines)
     : scene_(scene),
       fault_(fault),
@@ -228,4 +228,4 @@ std::optional<WorldResult> live(SceneData& scene, const Fault& fault, std::size_
   return result;
 }
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -15,7 +15,7 @@
 #include "tests/adversary/faults.h"
 #include "tests/adversary/geometry.h"
 
-namespace voroproof::adversary {
+namespace voroproof::internal::adversary {
 
 struct WorldResult {
   History history;
@@ -29,4 +29,4 @@ struct WorldResult {
 // than `most_lines` lines before it.
 std::optional<WorldResult> live(SceneData& scene, const Fault& fault, std::size_t most_lines);
 
-}  // namespace voroproof::adversary
+}  // namespace voroproof::internal::adversary

@@ -1,13 +1,13 @@
 #include "tests/certify/claimed_history.h"
 
-#include "apps/scene_motion.h"
 #include "history/error.h"
+#include "library/maneuver_input.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 namespace {
 
-HistoryCounts counts_of(const std::vector<voroproof::Event>& events) {
+HistoryCounts counts_of(const std::vector<voroproof::internal::Event>& events) {
   HistoryCounts c;
   for (const auto& e : events) {
     c.flips += std::holds_alternative<FlipEvent>(e);
@@ -89,7 +89,7 @@ std::string text(const ClaimedHistory& history) {
 MemoryHistory::MemoryHistory(const ClaimedHistory& history)
     : history_(history), ending_(HistoryEnd{history.claimed_counts}) {}
 
-std::optional<voroproof::Event> MemoryHistory::next() {
+std::optional<voroproof::internal::Event> MemoryHistory::next() {
   if (next_ >= history_.events.size()) {
     next_ = history_.events.size() + 1;
     counts_ = counts_of(history_.events);
@@ -100,7 +100,7 @@ std::optional<voroproof::Event> MemoryHistory::next() {
 
 Certificate certify(const Scene& scene, const ClaimedHistory& history, CertifyOptions options) {
   MemoryHistory source(history);
-  return voroproof::certify(scene, motion_input(scene), source, options);
+  return voroproof::internal::certify(scene, source, options);
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

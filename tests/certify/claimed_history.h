@@ -9,11 +9,11 @@
 #include "history/history_source.h"
 #include "tests/support/scene_run.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 struct ClaimedHistory {
   HistoryHeader header;
-  std::vector<voroproof::Event> events;
+  std::vector<voroproof::internal::Event> events;
   HistoryCounts claimed_counts;
 
   void count();  // makes claimed_counts those of the events
@@ -33,7 +33,7 @@ class MemoryHistory : public HistorySource {
  public:
   explicit MemoryHistory(const ClaimedHistory& history);
   const HistoryHeader& header() const override { return history_.header; }
-  std::optional<voroproof::Event> next() override;
+  std::optional<voroproof::internal::Event> next() override;
   std::int64_t line() const override { return static_cast<std::int64_t>(next_) + 1; }
   const std::variant<HistoryEnd, HistoryStop>& ending() const override { return ending_; }
   const HistoryCounts& counts() const override { return counts_; }
@@ -52,4 +52,4 @@ class MemoryHistory : public HistorySource {
 
 Certificate certify(const Scene& scene, const ClaimedHistory& history, CertifyOptions options = {});
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -8,7 +8,7 @@
 #include "certify/report.h"
 #include "tests/certify/claimed_history.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 using History = ClaimedHistory;
@@ -17,7 +17,7 @@ using History = ClaimedHistory;
 const std::vector<Quad> kTwo{{-1, 0, 1, 1}, {-1, 1, 0, 0}, {0, 1, -1, -1}};
 
 History history_of(const Scene& scene, const std::vector<Quad>& initial,
-                   std::vector<voroproof::Event> events) {
+                   std::vector<voroproof::internal::Event> events) {
   History h;
   h.header.horizon = scene.horizon;
   h.header.initial = initial;
@@ -283,13 +283,13 @@ TEST(ConsistentFaults, SomeQuadrupletsMirrored) {
 // Four cocircular disks at rest, of which one is hit at t = 0 by a fifth. The diagram at 0+ depends
 // on that blow. Claimed a little later, behind the diagram of before it and a flip that never is.
 TEST(ConsistentFaults, DiagramBeforeACollisionAtStart) {
-  const std::vector<DiskSpec> disks{disk(3, 0, 0.5, 0, 0), disk(0, 3, 0.5, 0, 0),
-                                    disk(-3, 0, 0.5, 0, 0), disk(0, -3, 0.5, 0, 0)};
+  const std::vector<DiskInput> disks{disk(3, 0, 0.5, 0, 0), disk(0, 3, 0.5, 0, 0),
+                                     disk(-3, 0, 0.5, 0, 0), disk(0, -3, 0.5, 0, 0)};
   int changed = 0;
   for (int target = 0; target < 4; ++target) {
     const double x = disks[target].x.value().get_d(), y = disks[target].y.value().get_d();
     for (const int inwards : {1, -1}) {
-      std::vector<DiskSpec> with = disks;
+      std::vector<DiskInput> with = disks;
       // Beside the target, on the side from which the blow comes.
       with.push_back(disk(x * (1 + inwards / 3.0), y * (1 + inwards / 3.0), 0.5, -inwards * x / 3,
                           -inwards * y / 3));
@@ -297,7 +297,7 @@ TEST(ConsistentFaults, DiagramBeforeACollisionAtStart) {
       if (!is_acceptable(scene)) continue;
       const History right = claimed_history(scene, run(scene));
       expect_certified(scene, right);
-      std::vector<DiskSpec> before = with;
+      std::vector<DiskInput> before = with;
       before.back().vx = 0;
       before.back().vy = 0;
       const auto old = run(scene_of(20, 1, before)).initial;
@@ -366,7 +366,7 @@ TEST(ConsistentFaults, PointsHitByARounding) {
 // anew tells. With the third disk below the point has the same neighbours before and after.
 TEST(ConsistentFaults, OtherNeighboursAfterAHiddenMoment) {
   for (const bool right : {true, false}) {
-    const DiskSpec third = right ? disk(5, 0, 1, 0, 0, 1) : disk(0, -8, 0.5, 0, 0, 1);
+    const DiskInput third = right ? disk(5, 0, 1, 0, 0, 1) : disk(0, -8, 0.5, 0, 0, 1);
     const Scene scene =
         scene_of(10, Rational(4e-6),
                  {disk(0, 0, 1, 0, 0, 1e12), disk(1.81, 0.29, 0, -1087500, 65000, 1), third});
@@ -385,7 +385,7 @@ TEST(ConsistentFaults, CellsThatWindTwice) {
                                    {{9.8, 1.7}, {1.4, 9.9}, {-9, 4.4}, {-7, -7.2}, {4.7, -8.8}}};
   for (const auto& corner : corners) {
     for (const int step : {1, 2}) {
-      std::vector<DiskSpec> disks;
+      std::vector<DiskInput> disks;
       std::vector<Quad> initial;
       for (int k = 0; k < 5; ++k) {
         const auto& [x, y] = corner[k * step % 5];
@@ -408,4 +408,4 @@ TEST(ConsistentFaults, CellsThatWindTwice) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -16,7 +16,7 @@
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 class FourDisks {
@@ -285,4 +285,4 @@ TEST(ContactProof, ManyPairsAtOnce) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -11,7 +11,7 @@
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 MotionInput random_input(double extent, double largest_radius, const Rational& unit,
@@ -226,4 +226,4 @@ TEST(Path, TurnsFromDoublesToRationals) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/scene_motion.h"
+#include "library/maneuver_input.h"
 #include "tests/certify/near_collisions.h"
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/scene_run.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 // Four disks about the circle of radius 10: three at rest, the fourth meets the circle at t = 1. A
@@ -78,4 +78,4 @@ TEST(Moment, AnOrderThatTakesMoreBitsIsNotKnownYet) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

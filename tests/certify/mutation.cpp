@@ -8,14 +8,14 @@
 #include "tests/support/compact_arithmetic.h"
 #include "topology/diagram.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 namespace {
 
-using Claims = std::vector<voroproof::Event>;
+using Claims = std::vector<voroproof::internal::Event>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double& time_of(voroproof::Event& e) {
+double& time_of(voroproof::internal::Event& e) {
   return std::visit([](auto& x) -> double& { return x.t; }, e);
 }
 
@@ -80,7 +80,7 @@ struct Path {
   Vec2 p{}, v{};
 };
 Path path(const Scene& scene, const Claims& events, std::size_t k, GenId g) {
-  const DiskSpec& d = scene.disks[g];
+  const DiskInput& d = scene.disks[g];
   Path out{0, {round_nearest(d.x), round_nearest(d.y)}, {round_nearest(d.vx), round_nearest(d.vy)}};
   for (std::size_t i = 0; i < k; ++i) {
     if (const auto* c = std::get_if<CollideEvent>(&events[i])) {
@@ -129,7 +129,7 @@ std::optional<ClaimedHistory> mutate(const Scene& scene, const ClaimedHistory& r
   const auto erase = [&](std::size_t k) {
     events.erase(events.begin() + static_cast<std::ptrdiff_t>(k));
   };
-  const auto insert = [&](std::size_t k, voroproof::Event e) {
+  const auto insert = [&](std::size_t k, voroproof::internal::Event e) {
     events.insert(events.begin() + static_cast<std::ptrdiff_t>(k), std::move(e));
   };
   switch (kind) {
@@ -387,4 +387,4 @@ std::optional<ClaimedHistory> mutate(const Scene& scene, const ClaimedHistory& r
   return h;
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -8,7 +8,7 @@
 #include "tests/certify/claimed_history.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 enum class Mutation {
   time_beyond_tolerance,
@@ -70,4 +70,4 @@ inline constexpr std::array<std::string_view, static_cast<int>(Mutation::count)>
 std::optional<ClaimedHistory> mutate(const Scene& scene, const ClaimedHistory& right, Mutation kind,
                                      double tolerance, double slack, Random& random);
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -7,7 +7,7 @@
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/lattice_scene.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 namespace {
 
@@ -15,7 +15,7 @@ namespace {
 Scene scaled(Scene scene, int exponent) {
   const Rational unit = to_rational(std::ldexp(1.0, exponent));
   for (Rational* x : {&scene.cx, &scene.cy, &scene.container_radius}) *x *= unit;
-  for (DiskSpec& d : scene.disks) {
+  for (DiskInput& d : scene.disks) {
     for (CompactRational* x : {&d.x, &d.y, &d.radius, &d.vx, &d.vy}) *x *= unit;
   }
   return scene;
@@ -50,4 +50,4 @@ std::vector<Scene> some_scenes(Random& random, int rounds) {
   return scenes;
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

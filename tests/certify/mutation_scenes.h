@@ -5,9 +5,9 @@
 
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 // Of all families, in so many rounds, small enough for thousands of certificates.
 std::vector<Scene> some_scenes(Random& random, int rounds);
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

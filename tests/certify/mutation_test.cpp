@@ -9,7 +9,7 @@
 #include "certify/report.h"
 #include "tests/certify/mutation_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 CertifyOptions options_for(Truth truth, double tolerance = 1e-6) {
@@ -81,4 +81,4 @@ TEST(Mutation, NoFaultIsCertified) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

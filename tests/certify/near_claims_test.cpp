@@ -9,7 +9,7 @@
 #include "tests/certify/claimed_history.h"
 #include "tests/certify/near_collisions.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 // Far from each other two squares of disks, of each of which the last disk closes a circle of all
@@ -79,7 +79,7 @@ TEST(NearCollisions, MayBeToldInAnyOrder) {
   const Scene scene = near_collisions();
   const ClaimedHistory right = claimed_history(scene, run(scene));
   ClaimedHistory exchanged = right;
-  std::vector<voroproof::Event*> hits;
+  std::vector<voroproof::internal::Event*> hits;
   for (auto& e : exchanged.events) {
     if (std::holds_alternative<CollideEvent>(e)) hits.push_back(&e);
   }
@@ -108,7 +108,7 @@ TEST_F(NearFlips, AreNotExchangedAtOneInstant) {
 // together it comes too late to be put first.
 TEST(NearManeuvers, NotBeforeManyOthers) {
   for (const int count : {60, 70}) {
-    std::vector<DiskSpec> disks;
+    std::vector<DiskInput> disks;
     for (int k = 0; k < count; ++k) {
       disks.push_back(disk((5 + k) * std::cos(2.4 * k), (5 + k) * std::sin(2.4 * k), 1, 0, 0));
     }
@@ -129,4 +129,4 @@ TEST(NearManeuvers, NotBeforeManyOthers) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

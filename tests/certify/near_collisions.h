@@ -3,7 +3,7 @@
 
 #include "tests/support/scene_run.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 // Of disks 0 and 1, then of 2 and 3, far from each other: at irrational times 1e-45 apart.
 inline Scene near_collisions() {
@@ -16,4 +16,4 @@ inline Scene near_collisions() {
                    disk(20 + aside, 2 + 2 * later, 1, 0, -2)});
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

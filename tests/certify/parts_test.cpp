@@ -15,13 +15,13 @@
 #include "tests/support/random_scenes.h"
 #include "topology/diagram.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 namespace fs = std::filesystem;
 
 // Histories of more disks or events are like smaller ones; and those of some families have few
-// events, and dear ones.
+// events, and expensive ones.
 constexpr std::size_t kDisks = 12, kEvents = 60;
 constexpr std::array<std::string_view, 4> kDear{"cancelled", "close-roots", "multiple-roots",
                                                 "symmetry"};
@@ -149,4 +149,4 @@ TEST(Parts, RandomHistoriesAndMutantsWithoutOrientation) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

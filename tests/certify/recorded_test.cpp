@@ -5,7 +5,7 @@
 #include "tests/certify/claimed_history.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 Certificate certify_recorded(const Scene& scene, const ClaimedHistory& h) {
@@ -14,7 +14,7 @@ Certificate certify_recorded(const Scene& scene, const ClaimedHistory& h) {
   return certify(scene, h, options);
 }
 
-DiskSpec disk(const Rational& x, const Rational& y, const Rational& vx, const Rational& vy) {
+DiskInput disk(const Rational& x, const Rational& y, const Rational& vx, const Rational& vy) {
   return {x, y, 1, vx, vy, 1};
 }
 
@@ -231,4 +231,4 @@ TEST(Recorded, AnotherEdgeOfTheSameFourBetweenParts) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

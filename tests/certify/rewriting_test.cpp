@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/scene_motion.h"
 #include "certify/report.h"
 #include "kinetic/static_diagram.h"
+#include "library/maneuver_input.h"
 #include "tests/certify/claimed_history.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 CertifyOptions options(Truth truth, double tolerance = 1e-6) {
@@ -27,11 +27,11 @@ CertifyOptions options(Truth truth, double tolerance = 1e-6) {
   return o;
 }
 
-double& time_of(voroproof::Event& e) {
+double& time_of(voroproof::internal::Event& e) {
   return std::visit([](auto& x) -> double& { return x.t; }, e);
 }
 
-std::vector<GenId> generators_of(const voroproof::Event& e) {
+std::vector<GenId> generators_of(const voroproof::internal::Event& e) {
   if (const auto* f = std::get_if<FlipEvent>(&e))
     return {f->quad.l, f->quad.r, f->quad.s, f->quad.e};
   if (const auto* c = std::get_if<CollideEvent>(&e)) return {c->i, c->j};
@@ -54,7 +54,7 @@ class Rewriting : public ::testing::Test {
       const Certificate c = certify(scene, h, options(truth, tolerance));
       EXPECT_EQ(c.verdict, Verdict::certified)
           << reason_line(c) << "\n"
-          << voroproof::testing::text(h) << voroproof::testing::text(scene);
+          << voroproof::internal::testing::text(h) << voroproof::internal::testing::text(scene);
       last_ = c;
     }
     EXPECT_GT(changed, 3);
@@ -121,7 +121,7 @@ TEST_F(Rewriting, TimesWithinTheToleranceThatReorderTheFile) {
   for (const Truth truth : {Truth::exact, Truth::recorded}) {
     std::int64_t swaps = 0;
     expect_certified(truth, tolerance, [&](ClaimedHistory& h) {
-      std::vector<std::pair<double, voroproof::Event>> events;
+      std::vector<std::pair<double, voroproof::internal::Event>> events;
       for (auto& e : h.events) {
         const double t = time_of(e);
         if (truth == Truth::exact || std::holds_alternative<FlipEvent>(e)) {
@@ -229,4 +229,4 @@ TEST_F(Rewriting, QuadrupletsWithoutOrientation) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

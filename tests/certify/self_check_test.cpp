@@ -1,5 +1,5 @@
 // The check beside the engine sees what is wrong with the events that it is given.
-#include "apps/self_check.h"
+#include "apps/run/self_check.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "tests/certify/claimed_history.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 struct Example {
@@ -26,7 +26,7 @@ Example example() {
 Certificate check(const Example& e) {
   SelfCheck check(e.scene, {});
   check.begin(e.history.header);
-  for (const voroproof::Event& event : e.history.events) check.event(event);
+  for (const voroproof::internal::Event& event : e.history.events) check.event(event);
   return check.finish(HistoryEnd{});
 }
 
@@ -54,4 +54,4 @@ TEST(SelfCheck, WhatIsAbandonedEndsAtOnce) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

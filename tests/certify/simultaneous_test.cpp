@@ -6,7 +6,7 @@
 #include "certify/report.h"
 #include "tests/certify/claimed_history.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 CollideEvent collision(double t, GenId i, GenId j, double vi, double vj) {
@@ -19,10 +19,10 @@ CollideEvent collision(double t, GenId i, GenId j, double vi, double vj) {
 }
 
 // The collisions of disks in a row along the x axis, by the law, from these velocities and masses.
-std::vector<voroproof::Event> collide_in_row(double t, std::vector<Rational> v,
-                                             const std::vector<Rational>& m,
-                                             std::vector<GenId> first) {
-  std::vector<voroproof::Event> out;
+std::vector<voroproof::internal::Event> collide_in_row(double t, std::vector<Rational> v,
+                                                       const std::vector<Rational>& m,
+                                                       std::vector<GenId> first) {
+  std::vector<voroproof::internal::Event> out;
   const GenId n = static_cast<GenId>(v.size());
   for (;;) {
     GenId i = 0;
@@ -39,7 +39,7 @@ std::vector<voroproof::Event> collide_in_row(double t, std::vector<Rational> v,
   }
 }
 
-Verdict verdict_with(const Scene& scene, std::vector<voroproof::Event> events) {
+Verdict verdict_with(const Scene& scene, std::vector<voroproof::internal::Event> events) {
   ClaimedHistory h = claimed_history(scene, run(scene));
   h.events = std::move(events);
   h.count();
@@ -76,14 +76,14 @@ TEST(Simultaneous, CollisionsThatShareADiskAtTheStart) {
 // Two collisions at the same instant may be told in any order where they commute: far from each
 // other, or side by side, where one disk of each touch and do not approach.
 TEST(Simultaneous, CollisionsThatCommute) {
-  const std::vector<std::vector<DiskSpec>> scenes{
+  const std::vector<std::vector<DiskInput>> scenes{
       {disk(-21, 0, 1, 1, 0), disk(-18, 0, 1, 0, 0), disk(10, 0, 1, 0, 0, 2),
        disk(10, 3, 1, 0, -1, 2)},
       {disk(-3, 0, 1, 1, 0), disk(0, 0, 1, 0, 0), disk(0, 2, 1, 0, 0), disk(3, 2, 1, -1, 0)}};
   for (const auto& disks : scenes) {
     const Scene scene = scene_of(60, Rational(3, 2), disks);
-    std::vector<voroproof::Event> events = claimed_history(scene, run(scene)).events;
-    std::vector<voroproof::Event*> hits;
+    std::vector<voroproof::internal::Event> events = claimed_history(scene, run(scene)).events;
+    std::vector<voroproof::internal::Event*> hits;
     for (auto& e : events) {
       if (std::holds_alternative<CollideEvent>(e)) hits.push_back(&e);
     }
@@ -130,4 +130,4 @@ TEST(Simultaneous, AManeuverAtTheEndOfARow) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

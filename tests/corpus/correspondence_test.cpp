@@ -15,7 +15,7 @@
 #include "history/scene.h"
 #include "tests/support/correspondence.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,7 +49,7 @@ bool has_instants_of_one_binary64(const std::string& path) {
 
 bool has_points(const Scene& scene) {
   return std::any_of(scene.disks.begin(), scene.disks.end(),
-                     [](const DiskSpec& d) { return d.radius == 0; });
+                     [](const DiskInput& d) { return d.radius == 0; });
 }
 
 Image linear(const Rational& xx, const Rational& xy, const Rational& yx, const Rational& yy) {
@@ -115,4 +115,4 @@ TEST(CorpusCorrespondence, ImagesAndParts) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -14,7 +14,7 @@
 #include "corpus/generate.h"
 #include "history/sha256.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 const std::vector<std::string> all_formations{"square", "staggered", "frame", "circle",
@@ -49,7 +49,7 @@ struct Stops {
 Stops stops_of(const Scene& s) {
   Stops stops;
   stops.places.emplace_back();
-  for (const DiskSpec& d : s.disks) {
+  for (const DiskInput& d : s.disks) {
     stops.places.back().push_back({d.x, d.y});
     stops.last_velocities.push_back({d.vx, d.vy});
   }
@@ -272,4 +272,4 @@ TEST(GenerateFormation, BytesArePinned) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -17,7 +17,7 @@
 #include "history/sha256.h"
 #include "tests/support/compact_arithmetic.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 std::string bytes(const Scene& scene) {
@@ -31,11 +31,11 @@ Rational square(const Rational& q) { return q * q; }
 // No two disks overlap or touch and none touches the container, by definition.
 void expect_apart(const Scene& s) {
   for (std::size_t i = 0; i < s.disks.size(); ++i) {
-    const DiskSpec& a = s.disks[i];
+    const DiskInput& a = s.disks[i];
     ASSERT_LT(a.radius, s.container_radius);
     ASSERT_LT(square(a.x - s.cx) + square(a.y - s.cy), square(s.container_radius - a.radius)) << i;
     for (std::size_t j = 0; j < i; ++j) {
-      const DiskSpec& b = s.disks[j];
+      const DiskInput& b = s.disks[j];
       ASSERT_GT(square(a.x - b.x) + square(a.y - b.y), square(a.radius + b.radius))
           << i << ' ' << j;
     }
@@ -55,7 +55,7 @@ void expect_valid(const Scene& s) {
   EXPECT_FALSE(read.comment.empty());
   EXPECT_TRUE(read.seed.has_value());
   EXPECT_TRUE(is_binary64(s.container_radius));
-  for (const DiskSpec& disk : s.disks) {
+  for (const DiskInput& disk : s.disks) {
     for (const Rational q : {disk.x, disk.y, disk.radius, disk.vx, disk.vy})
       EXPECT_TRUE(is_binary64(q));
     EXPECT_EQ(disk.mass, square(disk.radius));
@@ -66,7 +66,7 @@ void expect_valid(const Scene& s) {
 void expect_speed(const Scene& s, double speed) {
   const double above = std::nextafter(speed, std::numeric_limits<double>::infinity());
   const Rational ulp = to_rational(above) - to_rational(speed);
-  for (const DiskSpec& disk : s.disks) {
+  for (const DiskInput& disk : s.disks) {
     const Rational v2 = square(disk.vx) + square(disk.vy);
     EXPECT_GE(v2, square(to_rational(speed) - ulp));
     EXPECT_LE(v2, square(to_rational(speed) + ulp));
@@ -75,7 +75,7 @@ void expect_speed(const Scene& s, double speed) {
 
 Rational density(const Scene& s) {
   Rational area = 0;
-  for (const DiskSpec& disk : s.disks) area += square(disk.radius.value());
+  for (const DiskInput& disk : s.disks) area += square(disk.radius.value());
   return area / square(s.container_radius);
 }
 
@@ -118,12 +118,12 @@ TEST(GenerateReference, RadiiFollowTheirDistribution) {
   // wherever the ids are.
   const auto count_above = [](const Scene& s, double bound, std::size_t from, std::size_t to) {
     return std::count_if(s.disks.begin() + from, s.disks.begin() + to,
-                         [&](const DiskSpec& disk) { return disk.radius > bound; });
+                         [&](const DiskInput& disk) { return disk.radius > bound; });
   };
   const auto expect_halves = [&](Radii radii, double median) {
     options.radii = radii;
     const Scene s = generate_reference(options);
-    for (const DiskSpec& disk : s.disks) {
+    for (const DiskInput& disk : s.disks) {
       EXPECT_GE(disk.radius, 2);
       EXPECT_LE(disk.radius, 32);
     }
@@ -133,14 +133,14 @@ TEST(GenerateReference, RadiiFollowTheirDistribution) {
   expect_halves(Radii::uniform, 17);
   expect_halves(Radii::log, 8);
   options.radii = Radii::equal;
-  for (const DiskSpec& disk : generate_reference(options).disks) EXPECT_EQ(disk.radius, 32);
+  for (const DiskInput& disk : generate_reference(options).disks) EXPECT_EQ(disk.radius, 32);
 }
 
 TEST(GenerateReference, PlacesAndDirectionsAreSpreadEvenly) {
   const Scene s = generate_reference(reference(4000, Radii::uniform, 0.05));
   std::array<int, 4> place{}, direction{};
   int inner = 0;
-  for (const DiskSpec& disk : s.disks) {
+  for (const DiskInput& disk : s.disks) {
     ++place[(disk.x > 0) + 2 * (disk.y > 0)];
     ++direction[(disk.vx > 0) + 2 * (disk.vy > 0)];
     inner += square(disk.x) + square(disk.y) < square(s.container_radius) / 2;
@@ -161,7 +161,7 @@ TEST(GenerateReference, HasTheCommonSpeed) {
   }
   ReferenceOptions still = reference(5, Radii::uniform, 0.05);
   still.speed = 0;
-  for (const DiskSpec& disk : generate_reference(still).disks) {
+  for (const DiskInput& disk : generate_reference(still).disks) {
     EXPECT_EQ(disk.vx, 0);
     EXPECT_EQ(disk.vy, 0);
   }
@@ -230,7 +230,7 @@ TEST(GenerateGrid, IsASquareLattice) {
     expect_apart(s);
     expect_valid(s);
     std::set<Rational> columns, rows;
-    for (const DiskSpec& disk : s.disks) {
+    for (const DiskInput& disk : s.disks) {
       columns.insert(disk.x);
       rows.insert(disk.y);
       EXPECT_EQ(Rational(disk.x / 2).get_den(), 1);
@@ -247,9 +247,9 @@ TEST(GenerateGrid, IsASquareLattice) {
 }
 
 TEST(GenerateGrid, MovesAsAsked) {
-  for (const DiskSpec& disk : generate_grid(grid(30, Motion::rest)).disks)
+  for (const DiskInput& disk : generate_grid(grid(30, Motion::rest)).disks)
     EXPECT_TRUE(disk.vx == 0 && disk.vy == 0);
-  for (const DiskSpec& disk : generate_grid(grid(30, Motion::common)).disks)
+  for (const DiskInput& disk : generate_grid(grid(30, Motion::common)).disks)
     EXPECT_TRUE(disk.vx == 1 && disk.vy == 0);
   const Scene random = generate_grid(grid(30, Motion::random));
   expect_speed(random, 1);
@@ -259,12 +259,12 @@ TEST(GenerateGrid, MovesAsAsked) {
     // A shear: the velocity is one exact multiple of the height.
     const Scene shear = generate_grid(grid(n, Motion::shear));
     expect_valid(shear);
-    const DiskSpec& top = shear.disks.back();
+    const DiskInput& top = shear.disks.back();
     EXPECT_LE(top.vx, 1);
     if (top.y != 0) {
       EXPECT_GT(top.vx, Rational(1, 4));
     }
-    for (const DiskSpec& disk : shear.disks) {
+    for (const DiskInput& disk : shear.disks) {
       EXPECT_EQ(disk.vx * top.y, top.vx * disk.y);
       EXPECT_EQ(disk.vy, 0);
     }
@@ -295,7 +295,7 @@ TEST(GenerateSwarm, AllArriveOnTheCircleAndStop) {
     expect_valid(s);
     Scene arrived = s;
     double least = 1e300, most = 0;
-    for (DiskSpec& disk : arrived.disks) {
+    for (DiskInput& disk : arrived.disks) {
       disk.x += disk.vx * s.horizon / 2;
       disk.y += disk.vy * s.horizon / 2;
       const double distance = std::sqrt(round_nearest(square(disk.x) + square(disk.y)));
@@ -363,4 +363,4 @@ TEST(Generate, BytesArePinned) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

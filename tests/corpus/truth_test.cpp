@@ -22,7 +22,7 @@
 #include "tests/support/history_check.h"
 #include "topology/diagram.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -180,4 +180,4 @@ INSTANTIATE_TEST_SUITE_P(Case, CorpusTruth, ::testing::ValuesIn(all_cases()), []
 });
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "apps/certification.h"
-#include "apps/scene_motion.h"
 #include "history/claim.h"
+#include "library/certification.h"
+#include "library/maneuver_input.h"
 #include "tests/evidence/tally.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,7 +29,7 @@ bool tally(Tally& t, const fs::path& scene, const fs::path& history, Truth truth
   CertifyOptions options;
   options.truth = truth;
   options.propose_initial = construct_initial;
-  const Certificate c = certify(claim.scene, motion_input(claim.scene), *claim.history, options);
+  const Certificate c = certify(claim.scene, *claim.history, options);
   if (c.divergence) t.add(*c.divergence, history.string() + " " + name_of(truth));
   return c.divergence.has_value();
 }
@@ -72,4 +72,4 @@ TEST(CorpusEvidence, GenericCases) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -9,11 +9,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "apps/certification.h"
+#include "library/certification.h"
 #include "tests/certify/claimed_history.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 using Wanted = std::function<bool(const Divergence&)>;
@@ -290,4 +290,4 @@ TEST(Evidence, ContradictionIsAnError) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

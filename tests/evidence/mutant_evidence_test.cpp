@@ -7,7 +7,7 @@
 #include "tests/certify/mutation_scenes.h"
 #include "tests/evidence/tally.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 TEST(MutantEvidence, NoWitnessIsFalse) {
@@ -45,4 +45,4 @@ TEST(MutantEvidence, NoWitnessIsFalse) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -11,7 +11,7 @@
 
 #include "evidence/evidence.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 class Tally {
  public:
@@ -45,4 +45,4 @@ class Tally {
   std::map<std::string_view, Counts> counts_;
 };
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

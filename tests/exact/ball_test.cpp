@@ -8,7 +8,7 @@
 
 #include "tests/exact/powers.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using testing::power_of_two;
@@ -101,4 +101,4 @@ TEST(BallAsDoubleDouble, TheRadiusIsInTheBound) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -5,7 +5,7 @@
 #include "exact/rational.h"
 #include "tests/exact/powers.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 inline Rational midpoint_of(const Ball& b) {
   Rational q;
@@ -18,4 +18,4 @@ inline Rational radius_of(const Ball& b) {
   return b.is_exact() ? Rational(0) : power_of_two(b.radius().exponent() + 1);
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

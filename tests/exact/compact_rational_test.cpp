@@ -8,7 +8,7 @@
 
 #include "tests/exact/powers.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // Values of all three kinds, and near the limits between them.
@@ -92,4 +92,4 @@ TEST(CompactRational, CopiesAndMoves) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

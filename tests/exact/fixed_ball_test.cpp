@@ -10,7 +10,7 @@
 
 #include "tests/exact/ball_values.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using testing::midpoint_of;
@@ -319,4 +319,4 @@ TEST(FixedBall, RadiiOfAnySizeAreBounds) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

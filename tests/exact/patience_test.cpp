@@ -7,7 +7,7 @@
 
 #include "exact/tower.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // sqrt(2), sqrt(3), ... multiplied out: some thousand steps.
@@ -52,4 +52,4 @@ TEST(Patience, TheInnerOneIsAsked) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

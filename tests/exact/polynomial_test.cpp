@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // Random polynomials of both kinds behind one interface, so that every law is
@@ -218,4 +218,4 @@ TEST(Polynomial, PrimitiveIntegersKeepTheSign) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

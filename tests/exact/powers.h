@@ -4,7 +4,7 @@
 
 #include "exact/rational.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 inline Rational power_of_two(std::int64_t exponent) {
   Rational q = 1;
@@ -16,4 +16,4 @@ inline Rational power_of_two(std::int64_t exponent) {
   return q;
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -15,7 +15,7 @@
 
 #include "tests/exact/powers.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using testing::power_of_two;
@@ -282,4 +282,4 @@ TEST(SignAlgebra, UnknownIsAbsorbedByZeroOnly) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

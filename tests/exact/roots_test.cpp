@@ -11,7 +11,7 @@
 #include "exact/algebraic.h"
 #include "tests/exact/powers.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using testing::power_of_two;
@@ -490,4 +490,4 @@ TEST(AlgebraicNumber, SignsOfOtherPolynomials) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 Rational fraction(long n, long d) {
@@ -347,4 +347,4 @@ TEST(Budget, PlainRationalsKeepToThatOfTheFieldMadeLast) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -9,7 +9,7 @@
 
 #include "exact/rational.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 class Reference {
  public:
@@ -105,4 +105,4 @@ class Reference {
   mpfr_t lo_, hi_;
 };
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

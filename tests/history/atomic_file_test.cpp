@@ -9,7 +9,7 @@
 
 #include "tests/history/temporary_directory.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 class AtomicFiles : public ::testing::Test {
@@ -61,4 +61,4 @@ TEST_F(AtomicFiles, AProcessThatEndsAtOnceCanRemoveItsOwn) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -6,7 +6,7 @@
 #include "history/validate.h"
 #include "tests/history/temporary_directory.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // Three disks, not in general the diagram of any: the topology of a tetrahedron.
@@ -134,4 +134,4 @@ TEST_F(DiagramFileTest, BadFiles) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

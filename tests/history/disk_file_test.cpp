@@ -8,7 +8,7 @@
 #include "history/error.h"
 #include "tests/history/temporary_directory.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 constexpr const char* kGood =
@@ -111,4 +111,4 @@ TEST_F(DiskFileTest, WhatIsWrittenReadsBack) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

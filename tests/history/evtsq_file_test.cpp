@@ -7,7 +7,7 @@
 #include "history/error.h"
 #include "tests/history/temporary_directory.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 std::string sequence(const std::string& count, const std::string& lines,
@@ -173,4 +173,4 @@ TEST_F(EvtsqTest, WhatIsWrittenReadsBack) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

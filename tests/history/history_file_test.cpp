@@ -12,7 +12,7 @@
 #include "history/validate.h"
 #include "tests/history/temporary_directory.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 const std::string hash(64, 'a');
@@ -541,4 +541,4 @@ TEST(Validate, RefusesOtherFiles) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -12,7 +12,7 @@
 #include "history/error.h"
 #include "history/utf8.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 const std::string file = "in.json";
@@ -260,4 +260,4 @@ TEST(Utf8, EveryCodePointAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -13,7 +13,7 @@
 
 #include "history/sha256.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // The shortest text in printf's "%e" that reads back as x: its length.
@@ -87,4 +87,4 @@ TEST(Sha256, PublishedExamples) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -8,27 +8,27 @@
 
 #include <vector>
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
-DiskSpec disk(const Rational& x, const Rational& y, const Rational& r) {
+DiskInput disk(const Rational& x, const Rational& y, const Rational& r) {
   return {x, y, r, 0, 0, 1};
 }
 
-Scene scene_of(std::vector<DiskSpec> disks, const Rational& radius = 1000) {
+Scene scene_of(std::vector<DiskInput> disks, const Rational& radius = 1000) {
   Scene scene;
   scene.container_radius = radius;
   scene.disks = std::move(disks);
   return scene;
 }
 
-bool overlap(const DiskSpec& a, const DiskSpec& b) {
+bool overlap(const DiskInput& a, const DiskInput& b) {
   const Rational dx = a.x - b.x, dy = a.y - b.y, reach = a.radius + b.radius;
   const Rational gap = dx * dx + dy * dy - reach * reach;
   return gap < 0 || (dx == 0 && dy == 0);
 }
 
-bool any_overlap(const std::vector<DiskSpec>& disks) {
+bool any_overlap(const std::vector<DiskInput>& disks) {
   for (std::size_t i = 0; i < disks.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (overlap(disks[i], disks[j])) return true;
@@ -42,16 +42,16 @@ RC_GTEST_PROP(Placement, FindsAnOverlapIfThereIsOne, ()) {
   const Rational offset =
       *rc::gen::element(Rational(0), Rational(1, 7), Rational("123456789/1000"));
   const int range = *rc::gen::element(3, 8, 20);
-  std::vector<DiskSpec> disks;
+  std::vector<DiskInput> disks;
   const int tries = *rc::gen::inRange(0, 60);
   const bool allow_one = *rc::gen::arbitrary<bool>();
   for (int k = 0; k < tries; ++k) {
-    const DiskSpec d =
+    const DiskInput d =
         disk(offset + unit * *rc::gen::inRange(-range, range + 1),
              offset + unit * *rc::gen::inRange(-range, range + 1), unit * *rc::gen::inRange(0, 5));
     // Mostly disjoint sets, for in others every fault is found at once.
     bool clash = false;
-    for (const DiskSpec& other : disks) clash = clash || overlap(d, other);
+    for (const DiskInput& other : disks) clash = clash || overlap(d, other);
     if (!clash || (allow_one && k + 1 == tries)) disks.push_back(d);
   }
   const bool expected = any_overlap(disks);
@@ -82,7 +82,7 @@ TEST(Placement, DecidesExactly) {
 }
 
 TEST(Placement, Container) {
-  const auto alone = [](DiskSpec d, const Rational& vx, const Rational& vy) -> std::string {
+  const auto alone = [](DiskInput d, const Rational& vx, const Rational& vy) -> std::string {
     d.vx = vx;
     d.vy = vy;
     Scene scene = scene_of({d}, 10);
@@ -94,7 +94,7 @@ TEST(Placement, Container) {
     const auto fault = find_placement_fault(scene);
     return fault ? fault->reason : "";
   };
-  const DiskSpec touching = disk(3, 4, 5), inside = disk(3, 4, Rational(49, 10));
+  const DiskInput touching = disk(3, 4, 5), inside = disk(3, 4, Rational(49, 10));
   EXPECT_EQ(alone(inside, -4, 3), "");
   EXPECT_EQ(alone(touching, 0, 0), "");
   EXPECT_EQ(alone(touching, 3, 4), "");
@@ -122,7 +122,7 @@ TEST(Placement, Points) {
 // One disk beside very many tiny ones, rows of touching disks, columns of equal abscissas: the
 // sweep must not fall into comparing all pairs.
 TEST(Placement, UnevenScenes) {
-  std::vector<DiskSpec> disks = {disk(0, 0, 900)};
+  std::vector<DiskInput> disks = {disk(0, 0, 900)};
   for (int i = 0; i < 300; ++i)
     for (int k = 0; k < 100; ++k)
       disks.push_back(disk(Rational(i, 8), 901 + k * Rational(1, 8), Rational(1, 16)));
@@ -134,4 +134,4 @@ TEST(Placement, UnevenScenes) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -11,7 +11,7 @@
 #include "history/history_file.h"
 #include "tests/history/temporary_directory.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 constexpr int last_id = 12;
@@ -135,4 +135,4 @@ TEST(PlainLine, NumbersThatTheStrictReaderJudges) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

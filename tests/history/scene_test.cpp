@@ -13,7 +13,7 @@
 #include "tests/history/temporary_directory.h"
 #include "tests/support/compact_arithmetic.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 // The example of docs/formats.md, one field a line.
@@ -67,7 +67,7 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.seed, b.seed);
   ASSERT_EQ(a.disks.size(), b.disks.size());
   for (std::size_t i = 0; i < a.disks.size(); ++i) {
-    const DiskSpec &p = a.disks[i], &q = b.disks[i];
+    const DiskInput &p = a.disks[i], &q = b.disks[i];
     EXPECT_TRUE(p.x == q.x && p.y == q.y && p.radius == q.radius && p.vx == q.vx && p.vy == q.vy &&
                 p.mass == q.mass)
         << i;
@@ -281,7 +281,7 @@ RC_GTEST_PROP(Scene, WritingAndReadingIsTheIdentity, ()) {
   // Disks in a row, each beyond the ones before it.
   Rational reach = 0;
   for (int i = 0; i < n; ++i) {
-    DiskSpec d;
+    DiskInput d;
     d.radius = *rc::gen::arbitrary<bool>() ? any_value(true) : Rational(0);
     reach += d.radius.value();
     d.x = Rational(scene.cx + reach);
@@ -310,4 +310,4 @@ RC_GTEST_PROP(Scene, WritingAndReadingIsTheIdentity, ()) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

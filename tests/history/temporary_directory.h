@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace voroproof {
+namespace voroproof::internal {
 
 class TemporaryDirectory {
  public:
@@ -45,4 +45,4 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

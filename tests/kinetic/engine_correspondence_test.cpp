@@ -17,7 +17,7 @@
 #include "tests/support/history_check.h"
 #include "tests/support/lattice_scene.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 // As in engine_lattice_test.cpp: where collisions come before ties, a run may stop.
@@ -220,4 +220,4 @@ RC_GTEST_PROP(Symmetric, InTwoParts, ()) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "apps/scene_motion.h"
 #include "certify/report.h"
 #include "corpus/generate.h"
+#include "library/maneuver_input.h"
 #include "tests/certify/claimed_history.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 // Ties after collisions, which take exact arithmetic.
@@ -90,4 +90,4 @@ TEST(CertifierInterruption, WithinALongDecision) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

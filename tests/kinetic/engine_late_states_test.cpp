@@ -5,7 +5,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/scene_run.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 MotionOptions late(MotionOptions options = {}) {
@@ -71,4 +71,4 @@ TEST(EngineLateStates, StopsOfTheBudget) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -6,7 +6,7 @@
 #include "tests/support/history_check.h"
 #include "tests/support/lattice_scene.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 // A run may stop: at an inelastic collapse, where two points meet (a contact without a
@@ -81,4 +81,4 @@ RC_GTEST_PROP(EngineOnLattice, Inelastic, ()) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -12,7 +12,7 @@
 #include "tests/support/history_check.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 struct Totals {
@@ -98,7 +98,7 @@ TEST(EngineAgainstOracles, TinyBesideHuge) {
     big.cy = scene.cy;
     big.disks[0].x = Rational(scene.cx + 30);
     big.disks[0].y = Rational(scene.cy - 20);
-    std::erase_if(scene.disks, [&](const DiskSpec& d) {
+    std::erase_if(scene.disks, [&](const DiskInput& d) {
       const Rational dx = d.x - big.disks[0].x, dy = d.y - big.disks[0].y;
       return dx * dx + dy * dy < 58 * 58;
     });
@@ -140,7 +140,7 @@ TEST(EngineAgainstOracles, MassesOfTheirOwn) {
   const auto make = [](Random& random) {
     Scene scene =
         random_scene({.n = 8, .rmin = 5, .rmax = 15, .horizon = 25, .density = 0.2}, random);
-    for (DiskSpec& d : scene.disks) d.mass = uniform(random, 0.01, 100);
+    for (DiskInput& d : scene.disks) d.mass = uniform(random, 0.01, 100);
     return scene;
   };
   EXPECT_GT(expect_right(3, 90, make).collisions, 20u);
@@ -208,7 +208,7 @@ TEST(EngineAgainstOracles, LargeAndSmallUnits) {
         factor >>= static_cast<unsigned long>(-exponent);
       }
       for (Rational* length : {&scene.cx, &scene.cy, &scene.container_radius}) *length *= factor;
-      for (DiskSpec& d : scene.disks) {
+      for (DiskInput& d : scene.disks) {
         for (CompactRational* length : {&d.x, &d.y, &d.radius, &d.vx, &d.vy}) *length *= factor;
         d.mass *= Rational(factor * factor);
       }
@@ -272,4 +272,4 @@ TEST(HistoryCheck, FindsDamage) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -11,7 +11,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/scene_run.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 std::vector<Scene> some_scenes() {
@@ -45,7 +45,7 @@ Scene transformed(const Scene& scene, const std::function<void(Rational&, Ration
   point(image.cx, image.cy);
   image.container_radius *= length;
   image.horizon *= time;
-  for (DiskSpec& d : image.disks) {
+  for (DiskInput& d : image.disks) {
     change_both(d.x, d.y, point);
     change_both(d.vx, d.vy, velocity);
     d.radius *= length;
@@ -146,7 +146,7 @@ TEST(EngineSymmetry, SplitAtAnInstant) {
     const Rational split = to_rational(first->t) * Rational(2, 3);
     Scene rest = scene;
     rest.horizon -= split;
-    for (DiskSpec& d : rest.disks) {
+    for (DiskInput& d : rest.disks) {
       d.x += split * d.vx;
       d.y += split * d.vy;
     }
@@ -182,7 +182,7 @@ TEST(EngineSymmetry, TimeReversal) {
     }
     const RecordedRun there = run(scene);
     Scene way_back = scene;
-    for (DiskSpec& d : way_back.disks) {
+    for (DiskInput& d : way_back.disks) {
       d.x += scene.horizon * d.vx;
       d.y += scene.horizon * d.vy;
       d.vx = -d.vx;
@@ -232,4 +232,4 @@ TEST(EngineSymmetry, FiltersAreInvisible) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -5,7 +5,7 @@
 
 #include "tests/support/scene_run.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 // The time in "... infinitely often before t = X"; NaN where that is not the reason.
@@ -131,4 +131,4 @@ TEST(InelasticCollapse, StopsAtATimeThatDoesNotDependOnTheFilters) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

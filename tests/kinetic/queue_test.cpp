@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -62,4 +62,4 @@ TEST(EventQueue, TakesItemsInOrder) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -11,7 +11,7 @@
 #include "tests/support/dice.h"
 #include "tests/support/scene_run.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using testing::Dice;
@@ -118,7 +118,7 @@ TEST(MovingPoints, FlipAsTheDelaunayTriangulationDoes) {
     Dice dice(seed);
     constexpr int radius = 1000, horizon = 60, n = 11;
     std::vector<oracle::MovingPoint> points;
-    std::vector<DiskSpec> disks;
+    std::vector<DiskInput> disks;
     for (int i = 0; i < n; ++i) {
       const Rational x = dice(-300, 300), y = dice(-300, 300);
       const Rational vx = Rational(dice(-50, 50)) / 10, vy = Rational(dice(-50, 50)) / 10;
@@ -163,4 +163,4 @@ TEST(MovingPoints, HaveInCirclePolynomialsOfDegreeFour) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,16 +7,16 @@
 #include <string>
 #include <utility>
 
-#include "apps/scene_motion.h"
+#include "library/maneuver_input.h"
 #include "tests/oracle/cgal_apollonius.h"
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/history_check.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
-oracle::ExactCircle moved(const DiskSpec& d, const Rational& t) {
+oracle::ExactCircle moved(const DiskInput& d, const Rational& t) {
   return {d.x + t * d.vx, d.y + t * d.vy, d.radius};
 }
 
@@ -35,7 +35,7 @@ bool expect_diagram(const Scene& scene, const Rational& t = 0, TierCounts* tiers
   }
   std::vector<oracle::ExactCircle> exact;
   std::vector<oracle::Circle> disks;
-  for (const DiskSpec& d : scene.disks) {
+  for (const DiskInput& d : scene.disks) {
     exact.push_back(moved(d, t));
     disks.push_back(oracle::rounded(exact.back()));
   }
@@ -80,7 +80,7 @@ TEST(StaticDiagram, TouchingAndNearlyTouching) {
     for (int k = 0; k < 6; ++k) {
       Scene scene = scene_of(100, 0, {disk(20, -10, 12, 0, 0)});
       while (scene.disks.size() < 12) {
-        const DiskSpec& neighbour = scene.disks[random() % scene.disks.size()];
+        const DiskInput& neighbour = scene.disks[random() % scene.disks.size()];
         // A rational direction: (1 - m^2, 2 m) / (1 + m^2).
         Rational m(static_cast<int>(random() % 401) - 200, 50);
         m.canonicalize();
@@ -208,4 +208,4 @@ TEST(StaticDiagram, SettlingIsUnique) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

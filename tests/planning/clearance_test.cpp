@@ -8,7 +8,7 @@
 #include "tests/planning/flight.h"
 #include "tests/support/dice.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using testing::Dice;
@@ -161,4 +161,4 @@ TEST(MinimumGap, IsTheLeastOfAll) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -7,14 +7,14 @@
 
 #include "history/scene.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 // The paths of the disks as they follow from starts, velocities and maneuvers.
 class Flight {
  public:
   explicit Flight(const Scene& scene) : scene_(scene), legs_(scene.disks.size()) {
     for (std::size_t i = 0; i < legs_.size(); ++i) {
-      const DiskSpec& d = scene.disks[i];
+      const DiskInput& d = scene.disks[i];
       legs_[i].push_back({0, {d.x, d.y}, {d.vx, d.vy}});
     }
     for (const Maneuver& m : scene.maneuvers) {
@@ -75,4 +75,4 @@ class Flight {
   std::vector<std::vector<Leg>> legs_;
 };
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -14,7 +14,7 @@
 #include "tests/support/scene_run.h"
 #include "topology/diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using testing::Flight;
@@ -215,4 +215,4 @@ TEST(Assignment, IsTheBestOfAll) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

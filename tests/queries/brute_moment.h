@@ -4,18 +4,18 @@
 #include <algorithm>
 #include <vector>
 
-#include "apps/true_moment.h"
+#include "library/true_moment.h"
 #include "queries/clearance.h"
 #include "tests/oracle/circle.h"
 #include "tests/support/scene_run.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 using oracle::Real;
 
 struct BruteMoment {
   explicit BruteMoment(const Scene& given) : scene(given), moment(true_moment(scene, "", 0, {})) {
-    for (const DiskSpec& d : scene.disks) {
+    for (const DiskInput& d : scene.disks) {
       disks.push_back(oracle::rounded(oracle::ExactCircle{d.x, d.y, d.radius}));
     }
     container = oracle::rounded(oracle::ExactCircle{scene.cx, scene.cy, scene.container_radius});
@@ -64,4 +64,4 @@ inline bool contains(const Enclosure& e, const Real& x) {
 }
 inline bool is_narrow(const Enclosure& e, double scale) { return e.hi - e.lo <= 1e-14 * scale; }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -7,7 +7,7 @@
 #include <random>
 #include <utility>
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 using Node = ChangingComponents::Node;
@@ -91,4 +91,4 @@ TEST(ChangingComponents, PartsInheritMarksAndWholesHaveAll) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

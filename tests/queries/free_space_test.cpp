@@ -9,13 +9,13 @@
 #include <numbers>
 #include <set>
 
-#include "apps/render_probe.h"
-#include "apps/snapshot.h"
+#include "apps/draw/render_probe.h"
+#include "library/snapshot.h"
 #include "tests/oracle/brute_force.h"
 #include "tests/queries/brute_moment.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -397,7 +397,7 @@ TEST(FreeSpace, OfNothingAndAroundTheCentre) {
 
 // Touching disks, a lattice, cotangent generators: equality is seen.
 TEST(FreeSpace, OfALatticeWhoseGatesAreAllAlike) {
-  std::vector<DiskSpec> disks;
+  std::vector<DiskInput> disks;
   for (int x = 0; x < 3; ++x) {
     for (int y = 0; y < 3; ++y) disks.push_back(disk(4 * x - 4, 4 * y - 4, 1, 0, 0));
   }
@@ -419,4 +419,4 @@ TEST(FreeSpace, OfALatticeWhoseGatesAreAllAlike) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

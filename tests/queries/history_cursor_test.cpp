@@ -10,7 +10,7 @@
 #include "tests/queries/scene_history.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 struct Sight {
@@ -54,7 +54,7 @@ TEST_F(CursorTest, EveryStepBackRestoresWhatWasBeforeIt) {
     EXPECT_TRUE(cursor.next());
     EXPECT_EQ(sight(cursor, run.scene), sights.back());
   }
-  EXPECT_EQ(kinds.size(), std::variant_size_v<voroproof::Event>);
+  EXPECT_EQ(kinds.size(), std::variant_size_v<voroproof::internal::Event>);
   EXPECT_EQ(cursor.position(), cursor.size());
   EXPECT_FALSE(cursor.next());
   for (std::size_t k = cursor.size(); k-- > 0;) {
@@ -106,7 +106,7 @@ TEST_F(CursorTest, AFlipOfNoEdgeNamesItsLine) {
 }
 
 TEST(HistoryCursor, NoDisksAndOne) {
-  for (const auto& disks : {std::vector<DiskSpec>{}, {disk(0, 0, 1, 3, 0)}}) {
+  for (const auto& disks : {std::vector<DiskInput>{}, {disk(0, 0, 1, 3, 0)}}) {
     const SceneHistory run(scene_of(5, 10, disks));
     ASSERT_TRUE(run.complete);
     HistoryCursor cursor(run.scene, run.history, no_initial);
@@ -119,4 +119,4 @@ TEST(HistoryCursor, NoDisksAndOne) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

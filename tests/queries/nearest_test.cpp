@@ -10,7 +10,7 @@
 #include "tests/queries/brute_moment.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 using Pair = std::pair<GenId, GenId>;
@@ -120,7 +120,7 @@ TEST(ClosestPairs, OfRandomScenes) {
 }
 
 TEST(ClosestPairs, AllOfALattice) {
-  std::vector<DiskSpec> disks;
+  std::vector<DiskInput> disks;
   for (int x = 0; x < 4; ++x) {
     for (int y = 0; y < 4; ++y) disks.push_back(disk(3 * x, 3 * y, 1, 0, 0));
   }
@@ -159,4 +159,4 @@ TEST(ClosestPairs, NoDisksAndTouchingOnes) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -6,8 +6,8 @@
 #include <set>
 #include <tuple>
 
-#include "apps/true_moment.h"
 #include "history/history_file.h"
+#include "library/true_moment.h"
 #include "queries/free_space.h"
 #include "queries/openings.h"
 #include "tests/queries/brute_moment.h"
@@ -16,7 +16,7 @@
 #include "tests/support/formation_scene.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 double middle(const Enclosure& e) { return 0.5 * e.lo + 0.5 * e.hi; }
@@ -69,7 +69,7 @@ std::vector<Way> ways_of(const Watched& w) {
   std::vector<Way> ways(scene.disks.size() + 1);  // the last one is the container's
   ways.back().turn({0, real(scene.cx), real(scene.cy), 0, 0});
   for (std::size_t i = 0; i < scene.disks.size(); ++i) {
-    const DiskSpec& d = scene.disks[i];
+    const DiskInput& d = scene.disks[i];
     ways[i].turn({0, real(d.x), real(d.y), real(d.vx), real(d.vy)});
   }
   HistoryReader history(w.run.history, w.size());
@@ -409,4 +409,4 @@ TEST(Openings, OfATunnelThatClosesForALittleWhile) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "apps/history_sink.h"
-#include "apps/scene_motion.h"
+#include "apps/run/history_sink.h"
 #include "history/history_file.h"
 #include "history/scene.h"
+#include "library/maneuver_input.h"
 #include "tests/history/temporary_directory.h"
 #include "tests/support/scene_run.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 struct SceneHistory {
   // Runs the exact engine, which must not stop early.
@@ -32,4 +32,4 @@ struct SceneHistory {
   bool complete = false;
 };
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -5,14 +5,14 @@
 #include <filesystem>
 #include <set>
 
-#include "apps/snapshot.h"
 #include "history/error.h"
+#include "library/snapshot.h"
 #include "tests/queries/scene_history.h"
 #include "tests/support/formation_scene.h"
 #include "tests/support/lattice_scene.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ TEST(SnapshotWays, FromScratchRefusesAMotionThatIsNotTheScenes) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

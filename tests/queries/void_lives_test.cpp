@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-#include "apps/true_moment.h"
+#include "library/true_moment.h"
 #include "queries/free_space.h"
 #include "tests/queries/watched.h"
 #include "tests/support/formation_scene.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 std::vector<Void> voids_at(const Watched& w, const Rational& t, const Rational& probe) {
@@ -158,4 +158,4 @@ TEST(VoidLives, InFormations) {
 }
 
 }  // namespace
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

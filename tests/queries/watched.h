@@ -12,7 +12,7 @@
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 inline Diagram no_initial() { throw std::logic_error("the history has its initial diagram"); }
 
@@ -54,4 +54,4 @@ inline Scene crowd(int n, unsigned seed, int maneuvers = 3) {
   return random_scene({.n = n, .horizon = 16, .density = 0.15, .maneuvers = maneuvers}, random);
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -5,7 +5,7 @@
 
 #include "exact/compact_rational.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 
 template <class A, class B>
 concept CompactOperands = (std::same_as<A, CompactRational> ||
@@ -61,4 +61,4 @@ void change_both(CompactRational& x, CompactRational& y, Change&& change) {
   y = new_y;
 }
 
-}  // namespace voroproof
+}  // namespace voroproof::internal

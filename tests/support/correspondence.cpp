@@ -12,7 +12,7 @@
 #include "tests/support/history_check.h"
 #include "topology/diagram.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 // Gaps between instants below this part of the later one are too narrow to look into.
@@ -182,7 +182,7 @@ Scene image_of(const Scene& scene, const Image& image) {
   result.container_radius *= image.length;
   result.horizon *= image.time;
   for (std::size_t i = 0; i < scene.disks.size(); ++i) {
-    DiskSpec& d = result.disks[static_cast<std::size_t>(image.id(static_cast<GenId>(i)))];
+    DiskInput& d = result.disks[static_cast<std::size_t>(image.id(static_cast<GenId>(i)))];
     d = scene.disks[i];
     change_both(d.x, d.y, move);
     change_both(d.vx, d.vy, move_velocity);
@@ -247,8 +247,8 @@ std::optional<Scene> rest_of(const Scene& scene, const RecordedRun& run, const R
   Scene rest = scene;
   rest.maneuvers = sorted(scene.maneuvers);
   std::vector<Rational> since(scene.disks.size());
-  const auto advance = [&](GenId g, const Rational& to) -> DiskSpec& {
-    DiskSpec& d = rest.disks[static_cast<std::size_t>(g)];
+  const auto advance = [&](GenId g, const Rational& to) -> DiskInput& {
+    DiskInput& d = rest.disks[static_cast<std::size_t>(g)];
     Rational& from = since[static_cast<std::size_t>(g)];
     const Rational passed = to - from;
     d.x += passed * d.vx;
@@ -261,7 +261,7 @@ std::optional<Scene> rest_of(const Scene& scene, const RecordedRun& run, const R
     if (to_rational(e.t) > t) break;
     if (e.kind == Event::Kind::maneuver) {
       const Maneuver& m = rest.maneuvers.at(next_maneuver++);
-      DiskSpec& d = advance(m.disk, m.t);
+      DiskInput& d = advance(m.disk, m.t);
       d.vx = m.vx;
       d.vy = m.vy;
     } else if (e.kind == Event::Kind::collision) {
@@ -270,11 +270,11 @@ std::optional<Scene> rest_of(const Scene& scene, const RecordedRun& run, const R
       const Rational base = wall ? since[static_cast<std::size_t>(e.j)]
                                  : std::max(since[static_cast<std::size_t>(e.i)],
                                             since[static_cast<std::size_t>(e.j)]);
-      DiskSpec resting;  // the container
+      DiskInput resting;  // the container
       resting.x = scene.cx;
       resting.y = scene.cy;
-      DiskSpec& a = wall ? resting : advance(e.i, base);
-      DiskSpec& b = advance(e.j, base);
+      DiskInput& a = wall ? resting : advance(e.i, base);
+      DiskInput& b = advance(e.j, base);
       const Rational px = b.x - a.x, py = b.y - a.y, wx = b.vx - a.vx, wy = b.vy - a.vy;
       const Rational reach = wall ? scene.container_radius - b.radius : a.radius + b.radius;
       const Rational aa = wx * wx + wy * wy, bb = px * wx + py * wy;
@@ -327,4 +327,4 @@ std::string difference_from_parts(const Scene& scene, const RecordedRun& whole, 
   return "";
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

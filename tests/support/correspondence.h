@@ -7,7 +7,7 @@
 
 #include "tests/support/scene_run.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 // A similarity of the plane with rational coefficients and a change of tempo, or new ids.
 struct Image {
@@ -53,4 +53,4 @@ std::optional<Scene> rest_of(const Scene& scene, const RecordedRun& run, const R
 std::string difference_from_parts(const Scene& scene, const RecordedRun& whole, const Rational& t,
                                   const RecordedRun& beginning, const RecordedRun* end);
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

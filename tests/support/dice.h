@@ -3,7 +3,7 @@
 
 #include <random>
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 class Dice {
  public:
@@ -17,4 +17,4 @@ class Dice {
   std::mt19937 engine_;
 };
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -3,7 +3,7 @@
 #include "corpus/generate.h"
 #include "tests/support/scene_run.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 Scene scene_of(const FormationScene& formation) {
   FormationOptions options;
@@ -35,4 +35,4 @@ rc::Gen<FormationScene> formation_scenes(int max_disks) {
       rc::gen::resize(rc::kNominalSize, rc::gen::inRange(2, max_disks + 1)), flight);
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -9,7 +9,7 @@
 
 #include "history/scene.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 struct FormationScene {
   int n = 2;
@@ -24,4 +24,4 @@ void showValue(const FormationScene& formation, std::ostream& out);
 // 2 to max_disks disks on flights of up to three steps.
 rc::Gen<FormationScene> formation_scenes(int max_disks);
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -11,7 +11,7 @@
 #include "tests/oracle/cgal_apollonius.h"
 #include "tests/oracle/tangent_circles.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 using oracle::Generators;
@@ -521,7 +521,7 @@ oracle::MotionScene oracle_scene(const Scene& scene) {
   result.wall_law =
       scene.law == ContainerLaw::normal ? oracle::WallLaw::normal : oracle::WallLaw::whole;
   result.disk_restitution = scene.restitution;
-  for (const DiskSpec& d : scene.disks) {
+  for (const DiskInput& d : scene.disks) {
     result.disks.push_back({d.x, d.y, d.vx, d.vy, d.radius, d.mass});
   }
   return result;
@@ -587,4 +587,4 @@ std::string check_history(const Scene& scene, const RecordedRun& run, const Hist
   return fault;
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

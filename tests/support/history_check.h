@@ -8,7 +8,7 @@
 #include "tests/oracle/motion.h"
 #include "tests/support/scene_run.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 oracle::MotionScene oracle_scene(const Scene& scene);
 std::vector<oracle::Quadruple> quadruples(const std::vector<Quad>& edges);
@@ -48,4 +48,4 @@ struct CheckCounts {
 std::string check_history(const Scene& scene, const RecordedRun& run,
                           const HistoryCheck& check = {}, CheckCounts* counts = nullptr);
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -5,7 +5,7 @@
 
 #include "tests/support/scene_run.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 constexpr int kContainer = 12;
@@ -81,4 +81,4 @@ rc::Gen<LatticeScene> lattice_scenes(const LatticeFamily& family) {
       family.elastic ? rc::gen::just(false) : rc::gen::arbitrary<bool>());
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -12,7 +12,7 @@
 
 #include "history/scene.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 struct LatticeDisk {
   int x, y, radius, vx, vy;
@@ -48,4 +48,4 @@ struct LatticeFamily {
 };
 rc::Gen<LatticeScene> lattice_scenes(const LatticeFamily& family);
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

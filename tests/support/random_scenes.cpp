@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 constexpr double kContainer = 100;
@@ -90,4 +90,4 @@ Scene random_scene(const RandomScene& options, Random& random) {
   return scene;
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

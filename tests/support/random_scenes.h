@@ -5,7 +5,7 @@
 
 #include "history/scene.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 using Random = std::mt19937_64;
 
@@ -25,4 +25,4 @@ struct RandomScene {
 };
 Scene random_scene(const RandomScene& options, Random& random);
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

@@ -4,10 +4,10 @@
 #include <sstream>
 #include <utility>
 
-#include "apps/scene_motion.h"
 #include "history/error.h"
+#include "library/maneuver_input.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 namespace {
 
 class Recorder : public EventSink {
@@ -71,18 +71,18 @@ void write_state(std::ostream& out, const RoundedState& s) {
 
 }  // namespace
 
-DiskSpec disk(Rational x, Rational y, Rational radius, Rational vx, Rational vy) {
+DiskInput disk(Rational x, Rational y, Rational radius, Rational vx, Rational vy) {
   Rational mass = radius * radius;
   return disk(std::move(x), std::move(y), std::move(radius), std::move(vx), std::move(vy),
               std::move(mass));
 }
 
-DiskSpec disk(Rational x, Rational y, Rational radius, Rational vx, Rational vy, Rational mass) {
+DiskInput disk(Rational x, Rational y, Rational radius, Rational vx, Rational vy, Rational mass) {
   return {std::move(x),  std::move(y),  std::move(radius),
           std::move(vx), std::move(vy), std::move(mass)};
 }
 
-Scene scene_of(Rational container_radius, Rational horizon, std::vector<DiskSpec> disks) {
+Scene scene_of(Rational container_radius, Rational horizon, std::vector<DiskInput> disks) {
   Scene scene;
   scene.container_radius = std::move(container_radius);
   scene.horizon = std::move(horizon);
@@ -162,4 +162,4 @@ std::string difference(const RecordedRun& a, const RecordedRun& b) {
   return "";
 }
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

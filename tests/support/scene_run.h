@@ -11,14 +11,14 @@
 #include "history/scene.h"
 #include "kinetic/engine.h"
 
-namespace voroproof::testing {
+namespace voroproof::internal::testing {
 
 // Mass: radius squared, as by default in scene files.
-DiskSpec disk(Rational x, Rational y, Rational radius, Rational vx, Rational vy);
-DiskSpec disk(Rational x, Rational y, Rational radius, Rational vx, Rational vy, Rational mass);
+DiskInput disk(Rational x, Rational y, Rational radius, Rational vx, Rational vy);
+DiskInput disk(Rational x, Rational y, Rational radius, Rational vx, Rational vy, Rational mass);
 
 // An elastic scene around the origin.
-Scene scene_of(Rational container_radius, Rational horizon, std::vector<DiskSpec> disks);
+Scene scene_of(Rational container_radius, Rational horizon, std::vector<DiskInput> disks);
 
 // Whether the readers of scene files accept it: nothing overlaps, nobody slides along the wall.
 bool is_acceptable(const Scene& scene);
@@ -60,4 +60,4 @@ std::vector<std::string> names(const RecordedRun& run);
 // The first difference between two runs in events or any written number; empty if there is none.
 std::string difference(const RecordedRun& a, const RecordedRun& b);
 
-}  // namespace voroproof::testing
+}  // namespace voroproof::internal::testing

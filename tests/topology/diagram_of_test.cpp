@@ -8,7 +8,7 @@
 
 #include "topology/diagram.h"
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using Quads = std::vector<Quad>;
@@ -131,4 +131,4 @@ RC_GTEST_PROP(DiagramOfProperty, AChangedQuadIsRefusedOrAnotherDiagram, ()) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace voroproof {
+namespace voroproof::internal {
 namespace {
 
 using Quads = std::vector<Quad>;
@@ -208,4 +208,4 @@ RC_GTEST_PROP(DiagramProperty, QuadsTellTheDiagram, ()) {
 }
 
 }  // namespace
-}  // namespace voroproof
+}  // namespace voroproof::internal

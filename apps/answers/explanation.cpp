@@ -1,0 +1,164 @@
+#include "apps/answers/explanation.h"
+
+#include <sstream>
+
+#include "apps/answers/json_field.h"
+#include "history/error.h"
+#include "history/json_text.h"
+#include "history/scene.h"
+
+namespace voroproof::internal {
+
+namespace {
+
+constexpr std::size_t max_report = std::size_t{1} << 26;
+constexpr std::size_t longest_text = std::size_t{1} << 16;  // that is shown
+
+// A number of the evidence: exact, or the middle of its enclosure.
+double value_of(const JsonField& number) {
+  if (number.json().is_string()) return number.number();
+  return 0.5 * (number[0].number() + number[1].number());
+}
+
+std::string text_of(const JsonField& number) {
+  if (number.json().is_string()) return printable(number.text(), longest_text);
+  return "in [" + printable(number[0].text(), longest_text) + ", " +
+         printable(number[1].text(), longest_text) + "]";
+}
+
+GenId id_of(const JsonField& field) {
+  const std::int64_t id = field.integer();
+  if (id < container_id || id >= max_disks) field.fail("no generator");
+  return static_cast<GenId>(id);
+}
+
+std::string name_of(GenId id) {
+  return id == container_id ? "the container" : "disk " + std::to_string(id);
+}
+
+// Where each kind of fault leads a reader.
+std::string meaning_of(const std::string& kind) {
+  if (kind == "missing event") return "Something happens that the history does not claim.";
+  if (kind == "spurious event") return "What the history claims there does not happen.";
+  if (kind == "wrong quadruple") return "Another edge than the claimed one flips.";
+  if (kind == "wrong time") return "The event happens, but not within the tolerance of its time.";
+  if (kind == "wrong order") return "The events happen in another order.";
+  if (kind == "wrong pair") return "Other generators than the claimed ones touch.";
+  if (kind == "wrong response") return "The motion after the event is not the one claimed.";
+  if (kind == "wrong initial diagram") return "The history begins with a wrong diagram.";
+  if (kind == "overlap") return "Two generators overlap and the history claims no collision.";
+  if (kind == "bad count") return "The last line counts other events than the file has.";
+  if (kind == "edge not present") return "The diagram has no such edge at that time.";
+  return {};
+}
+
+// Text of a report, fit for the terminal.
+std::string shown(const std::string& text) { return printable(text, longest_text); }
+std::string shown(const JsonField& field) { return shown(field.text()); }
+
+class Explainer {
+ public:
+  explicit Explainer(const JsonField& report) : report_(report) {}
+
+  Explanation explain() {
+    const std::string verdict = report_["verdict"].text();
+    found_.verdict = verdict;
+    found_.truth = report_["truth"].text();
+    found_.reason = report_["reason"].text();
+    found_.scene_sha256 = report_["scene_sha256"].text();
+    out_ << shown(report_["history"]) << " against " << shown(report_["scene"]) << ", truth "
+         << shown(report_["truth"]) << ": " << shown(verdict) << ".\n";
+    const JsonField prefix = report_["certified_prefix"];
+    found_.prefix_events = prefix["events"].integer();
+    found_.prefix_t = prefix["t"].number();
+    out_ << (found_.prefix_events == 1
+                 ? "The first event is"
+                 : "The first " + std::to_string(found_.prefix_events) + " events are")
+         << " proved right, and nothing is missing before t = " << number_text(found_.prefix_t)
+         << ".\n";
+    if (report_.has("divergence")) {
+      explain_divergence(report_["divergence"]);
+    } else if (verdict != "CERTIFIED") {
+      out_ << shown(report_["reason"]) << '\n';
+    }
+    for (const JsonField& remark : report_["remarks"].elements()) {
+      out_ << "Note: " << shown(remark) << ".\n";
+    }
+    found_.words = out_.str();
+    return std::move(found_);
+  }
+
+ private:
+  void explain_divergence(const JsonField& d) {
+    const std::string kind = d["kind"].text();
+    found_.fault = FirstFault{kind, d["line"].integer(), d["t"].number(), d["truth"].text()};
+    out_ << "\nLine " << found_.fault->line << ", " << shown(kind) << ". " << meaning_of(kind)
+         << '\n';
+    if (d["claim"].json().is_null()) {
+      out_ << "  claim: none\n";
+    } else {
+      out_ << "  claim: " << shown(d["claim"].json().dump()) << '\n';
+    }
+    out_ << "  truth: " << shown(d["truth"]) << '\n';
+    explain_witness(d["witness"], d["t"].number());
+    // Reports of before it was checked lack it.
+    if (report_.has("evidence")) out_ << "Evidence: " << shown(report_["evidence"]) << ".\n";
+  }
+
+  void explain_witness(const JsonField& w, double t) {
+    if (!w.has("generators")) return;
+    if (w.has("isolating_interval")) {
+      t = 0.5 * (value_of(w["isolating_interval"][0]) + value_of(w["isolating_interval"][1]));
+    }
+    if (w.has("t")) t = value_of(w["t"]);
+    out_ << "\nTo check it by hand:\n";
+    found_.generators_t = t;
+    for (const JsonField& g : w["generators"].elements()) {
+      const GenId id = id_of(g["id"]);
+      const JsonField c = g["center"];
+      const JsonField v = g["velocity"];
+      out_ << "  " << name_of(id) << ", signed radius " << text_of(g["signed_radius"])
+           << ", is at t0 = " << shown(g["t0"]) << " at\n    x = " << text_of(c[0])
+           << "\n    y = " << text_of(c[1]) << "\n  and moves with\n    vx = " << text_of(v[0])
+           << "\n    vy = " << text_of(v[1]) << '\n';
+      const double dt = t - value_of(g["t0"]);
+      const Vec2 velocity{value_of(v[0]), value_of(v[1])};
+      found_.generators.push_back(
+          {id,
+           {value_of(c[0]) + dt * velocity[0], value_of(c[1]) + dt * velocity[1]},
+           velocity,
+           value_of(g["signed_radius"])});
+    }
+    if (w.has("polynomial")) {
+      const JsonField p = w["polynomial"];
+      out_ << "  Their " << shown(p["is"])
+           << " at time t is the polynomial with the coefficients (of 1, t, t^2, ...)\n";
+      for (const JsonField& c : p["coefficients"].elements()) out_ << "    " << text_of(c) << '\n';
+    }
+    if (w.has("isolating_interval")) {
+      out_ << "  Exactly one root lies between\n    " << shown(w["isolating_interval"][0])
+           << "\n  and\n    " << shown(w["isolating_interval"][1]) << "\n  (about "
+           << number_text(t) << ").\n";
+    }
+    if (w.has("vertex")) {
+      out_ << "  At t = " << shown(w["t"]) << " the circle of the vertex "
+           << shown(w["vertex"].json().dump()) << " contains a point of "
+           << name_of(id_of(w["contains"])) << ".\n";
+    } else if (w.has("t")) {
+      out_ << "  At t = " << shown(w["t"]) << " they overlap.\n";
+    }
+  }
+
+  const JsonField report_;
+  std::ostringstream out_;
+  Explanation found_;
+};
+
+}  // namespace
+
+Explanation explain_report(const std::string& path) {
+  const nlohmann::json report = read_report(path, "voroproof-report", max_report);
+  return Explainer(JsonField(report, path)).explain();
+}
+
+}  // namespace voroproof::internal

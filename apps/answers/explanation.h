@@ -1,0 +1,43 @@
+// A certifier's report in words, and what of it can be drawn.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/generators.h"
+#include "history/events.h"
+
+namespace voroproof::internal {
+
+// A generator of the evidence at the time of the event. Good to a few digits: for the eye.
+struct DrawnGenerator {
+  GenId id;
+  Vec2 center, velocity;
+  double radius;  // signed: the container's is negative
+};
+
+// The first thing that is false in a history.
+struct FirstFault {
+  std::string kind;       // "missing event" and so on
+  std::int64_t line = 0;  // of the history: the claim, or the line before which one is missing
+  double t = 0;           // of the claim, or of the truth where no claim is at fault
+  std::string truth;      // one sentence
+};
+
+struct Explanation {
+  std::string words;  // lines
+  std::vector<DrawnGenerator> generators;
+  double generators_t = 0;  // the time at which they are drawn
+  // What the report is about, and what it found.
+  std::string scene_sha256, truth, verdict, reason;
+  std::int64_t prefix_events = 0;  // so many events are proved, and nothing is missing
+  double prefix_t = 0;             // before this time
+  std::optional<FirstFault> fault;
+};
+
+// Reads a report file. Throws InputError where it is none.
+Explanation explain_report(const std::string& path);
+
+}  // namespace voroproof::internal

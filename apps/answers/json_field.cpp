@@ -1,0 +1,92 @@
+#include "apps/answers/json_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/rational.h"
+#include "history/error.h"
+#include "history/file_bytes.h"
+#include "history/validate.h"
+
+namespace voroproof::internal {
+
+using Json = nlohmann::json;
+
+JsonField JsonField::inside(const Json& value, const std::string& step) const {
+  return {value, *file_, name_ + step};
+}
+
+JsonField JsonField::operator[](const std::string& member) const {
+  if (!value_->is_object()) fail("not an object");
+  const std::string step = name_.empty() ? member : "." + member;
+  const auto found = value_->find(member);
+  if (found == value_->end()) throw InputError(*file_, 0, name_ + step, "missing");
+  return inside(*found, step);
+}
+
+JsonField JsonField::operator[](std::size_t index) const {
+  if (!value_->is_array()) fail("not an array");
+  if (index >= value_->size()) fail("fewer than " + std::to_string(index + 1) + " elements");
+  return inside((*value_)[index], "[" + std::to_string(index) + "]");
+}
+
+std::vector<JsonField> JsonField::elements() const {
+  if (!value_->is_array()) fail("not an array");
+  std::vector<JsonField> all;
+  all.reserve(value_->size());
+  for (std::size_t i = 0; i < value_->size(); ++i) all.push_back((*this)[i]);
+  return all;
+}
+
+std::string JsonField::text() const {
+  if (!value_->is_string()) fail("not a string");
+  return value_->get<std::string>();
+}
+
+std::int64_t JsonField::integer() const {
+  if (!value_->is_number_integer()) fail("not an integer");
+  const auto value = value_->get<std::int64_t>();
+  // A number beyond has wrapped.
+  if (value_->is_number_unsigned() && value < 0) fail("out of range");
+  return value;
+}
+
+double JsonField::number() const {
+  double value = INFINITY;
+  if (value_->is_number()) {
+    value = value_->get<double>();
+  } else if (const auto exact = parse_rational(text())) {
+    value = round_nearest(*exact);
+  } else {
+    fail("not a number: " + printable(text()));
+  }
+  if (!std::isfinite(value)) fail("not a finite number");
+  return value;
+}
+
+void JsonField::fail(const std::string& reason) const {
+  throw InputError(*file_, 0, name_, reason);
+}
+
+Json read_report(const std::string& path, const std::string& format, std::size_t limit) {
+  const FileFormat found = format_of_file(path);
+  if (found.name != format) throw InputError(path, found.line, "format", "not \"" + format + "\"");
+  const std::string bytes = file_bytes(path, limit);
+  Json report;
+  try {
+    report = Json::parse(bytes);
+  } catch (const Json::parse_error& error) {
+    const auto end =
+        bytes.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, bytes.size()));
+    throw InputError(path, 1 + std::count(bytes.begin(), end, '\n'), "",
+                     error.byte > bytes.size() ? "incomplete" : "not JSON");
+  } catch (const Json::exception&) {  // a number beyond binary64
+    throw InputError(path, 0, "", "a number out of range");
+  }
+  if (JsonField(report, path)["version"].json() != 1) {
+    throw InputError(path, 0, "version", "not 1");
+  }
+  return report;
+}
+
+}  // namespace voroproof::internal

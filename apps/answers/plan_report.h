@@ -1,0 +1,18 @@
+// What a plan is and what is certain of it, as JSON (docs/formats.md).
+#pragma once
+
+#include <string>
+
+#include "planning/planner.h"
+
+namespace voroproof::internal {
+
+struct PlanRun {
+  std::string producer;
+  std::string assignment;    // "given" or "optimal"
+  std::string scene_sha256;  // of the scene file; empty where none was written
+};
+
+std::string plan_report_text(const PlanRun& run, const PlanResult& result);
+
+}  // namespace voroproof::internal

@@ -1,0 +1,44 @@
+// The answer to a query: JSON for programs (docs/formats.md, section 12), a table for people.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "exact/enclosure.h"
+#include "exact/names.h"
+#include "history/scene.h"
+#include "queries/clearance.h"
+
+namespace voroproof::internal {
+
+using Json = nlohmann::ordered_json;
+
+struct Answer {
+  Json json;          // an object
+  std::string table;  // lines
+};
+
+// The head of every answer.
+Json answer_head(const std::string& query, const Scene& scene);
+
+Json json_of(double x);
+Json json_of(const Rational& q);
+Json json_of(const Enclosure& e);  // [lo, hi]
+Json json_of(const Quad& q);
+Json json_of(const Triple& v);
+Json json_of(const ClearanceNode& node);  // {"vertex": [i,j,k]}, {"gate": [i,j]} or {"far": i}
+
+// About the middle of it, short.
+std::string short_text(const Enclosure& e);
+std::string short_text(double x);
+std::string short_text(const ClearanceNode& node);
+std::string text_of(GenId g);  // "wall" for the container
+
+// Columns, as wide as their widest cell; the first row is the heading.
+std::string table_of(const std::vector<std::vector<std::string>>& rows);
+
+// Prints the table, and writes the JSON to the file where one is named. Throws OutputError.
+void give(const Answer& answer, const std::string& path);
+
+}  // namespace voroproof::internal

@@ -1,0 +1,80 @@
+// What the verbs of the command line share: exit codes, the errors of usage, and arguments that
+// are exact numbers.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "exact/rational.h"
+
+namespace voroproof::internal {
+
+// One code for each kind of outcome.
+enum class ExitCode {
+  ok = 0,
+  refuted = 1,      // a history was disproved; there is no such plan
+  bad_input = 2,    // a bad command line or input, an output that cannot be written
+  undecided = 3,    // the run stopped: a decision beyond the budget, an inelastic collapse
+  internal = 4,     // a fault of the program
+  memory = 5,       // out of memory
+  interrupted = 6,  // SIGINT, SIGTERM, SIGHUP or SIGQUIT
+};
+
+// A command line that asks for what is not possible; what() is one line.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// What the parsed command line asks for.
+using Action = std::function<ExitCode()>;
+
+// "voroproof VERSION", as histories name their producer.
+std::string producer();
+
+// An option or a positional argument whose text is not empty.
+CLI::Option* add_text(CLI::App& verb, const std::string& name, std::string& value,
+                      const std::string& type, const std::string& description);
+
+// The same for the name of a file.
+CLI::Option* add_file(CLI::App& verb, const std::string& name, std::string& path,
+                      const std::string& description);
+
+// The required option -o, --output.
+CLI::Option* add_output(CLI::App& verb, std::string& path, const std::string& description);
+
+// An option that takes a decimal number and means the binary64 nearest to it.
+CLI::Option* add_real(CLI::App& verb, const std::string& name, double& value,
+                      const std::string& description);
+
+// An option that takes one of a few words.
+CLI::Option* add_choice(CLI::App& verb, const std::string& name,
+                        const std::vector<std::string>& choices, std::string& value,
+                        const std::string& description);
+
+// Of an option that is a precision.
+inline constexpr int least_bits = 64, most_bits = 1 << 24;
+
+// Lets an integer option take nothing but a whole number in its usual decimal form.
+CLI::Validator whole_number();
+
+// A number from its exact text: a decimal, a fraction or a hexadecimal float, within the limits of
+// a scene's values. Throws UsageError, naming the option.
+Rational number_argument(const std::string& option, const std::string& text);
+
+// A time (or a radius) >= 0 from its exact text: a decimal, a fraction or a hexadecimal float,
+// within the limits of a scene's values. Throws UsageError, naming the option.
+Rational time_argument(const std::string& option, const std::string& text);
+
+// Throws UsageError where one of the output files is another of them or one of the inputs. Empty
+// names are passed over.
+void require_distinct(const std::vector<std::string>& inputs,
+                      const std::vector<std::string>& outputs);
+
+// Throws UsageError where a picture of this name could not be drawn: it must end in .svg or .png.
+void require_picture(const std::string& option, const std::string& path);
+
+}  // namespace voroproof::internal

@@ -1,0 +1,34 @@
+// The limits that users set on a run. Each means the same wherever it is an option; a run that
+// reaches one is undecided (exit code 3), and its result, or where it has none its message, names
+// the limit.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+namespace voroproof::internal {
+
+// --time-limit and --max-memory, for every verb that `app` has.
+void add_process_limits(CLI::App& app);
+// Sets those that the command line names. To be called once it is parsed.
+void start_process_limits();
+
+// --max-bits: of the numbers from which decisions are taken.
+void add_max_bits(CLI::App& verb, int& bits);
+
+// --max-events: of the history that is computed or certified. 0 is no limit.
+void add_max_events(CLI::App& verb, std::uint64_t& events);
+
+// Why a run ended that reached a limit.
+std::string time_limit_reason();
+std::string memory_limit_reason();
+std::string event_limit_reason(std::uint64_t events);
+
+// Whether memory that is not to be had is the user's own limit.
+bool has_memory_limit();
+// For writing the result when that limit has been reached: lets the process have what the system
+// gives.
+void lift_memory_limit();
+
+}  // namespace voroproof::internal

@@ -1,0 +1,59 @@
+#include "apps/cli/memory.h"
+
+#include <gmp.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string_view>
+
+#include "apps/cli/command_line.h"
+#include "apps/cli/limits.h"
+#include "history/atomic_file.h"
+
+namespace voroproof::internal {
+namespace {
+
+// The exceptions pass through frames of GMP and MPFR, which hold nothing but memory, and that is
+// no longer of interest: the program reports the error and ends.
+void* allocate(std::size_t size) {
+  if (void* block = std::malloc(size)) return block;
+  throw std::bad_alloc();
+}
+
+void* reallocate(void* block, std::size_t, std::size_t size) {
+  if (void* moved = std::realloc(block, size)) return moved;
+  throw std::bad_alloc();
+}
+
+void release(void* block, std::size_t) { std::free(block); }
+
+[[noreturn]] void end_with(ExitCode code, std::string_view message) {
+  AtomicFile::remove_unfinished();
+  // There may be no memory for a stream.
+  if (write(STDERR_FILENO, message.data(), message.size()) < 0) _exit(static_cast<int>(code));
+  _exit(static_cast<int>(code));
+}
+
+[[noreturn]] void on_terminate() {
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    if (has_memory_limit()) {
+      end_with(ExitCode::undecided, "voroproof: the memory limit is reached (--max-memory)\n");
+    }
+    end_with(ExitCode::memory, "voroproof: out of memory\n");
+  } catch (...) {
+  }
+  end_with(ExitCode::internal, "voroproof: internal error: terminated\n");
+}
+
+}  // namespace
+
+void install_memory_handlers() {
+  mp_set_memory_functions(allocate, reallocate, release);
+  std::set_terminate(on_terminate);
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,145 @@
+#include "apps/movie/movie.h"
+
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <type_traits>
+
+#include "apps/draw/html.h"
+#include "apps/draw/palette.h"
+#include "apps/movie/movie_sources.h"
+#include "history/atomic_file.h"
+
+namespace voroproof::internal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json palette_json() {
+  Json colours = Json::array();
+  for (const Colour& c : palette) {
+    Json components = Json::array();
+    for (const double x : {c.red, c.green, c.blue}) components.push_back(std::lround(255 * x));
+    colours.push_back(std::move(components));
+  }
+  return colours;
+}
+
+Json generator_json(const DrawnGenerator& g) {
+  return {{"id", g.id},          {"x", g.center[0]},    {"y", g.center[1]},
+          {"vx", g.velocity[0]}, {"vy", g.velocity[1]}, {"radius", g.radius}};
+}
+
+Json report_json(const Explanation& report, const MovieData& data) {
+  Json j{{"verdict", report.verdict},
+         {"truth", report.truth},
+         {"reason", report.reason},
+         {"prefixEvents", report.prefix_events},
+         {"prefixT", report.prefix_t}};
+  if (report.fault) {
+    j["fault"] = {{"kind", report.fault->kind},
+                  {"line", report.fault->line},
+                  {"t", report.fault->t},
+                  {"truth", report.fault->truth},
+                  {"event", data.event_at_line}};
+  }
+  if (!report.generators.empty()) {
+    Json generators = Json::array();
+    for (const DrawnGenerator& g : report.generators) generators.push_back(generator_json(g));
+    j["evidence"] = {{"t", report.generators_t}, {"generators", std::move(generators)}};
+  }
+  return j;
+}
+
+Json facts_json(const Claim& claim, const MovieData& data, const Explanation* report,
+                const MovieOptions& options) {
+  const Scene& scene = claim.scene;
+  Json j{{"name", scene.name},
+         {"pageBy", options.producer},
+         {"historyBy", claim.history->header().producer},
+         {"container",
+          {{"x", round_nearest(scene.cx)},
+           {"y", round_nearest(scene.cy)},
+           {"radius", round_nearest(scene.container_radius)}}},
+         {"end", data.end},
+         {"cut", data.cut},
+         {"remarks", data.remarks},
+         {"palette", palette_json()}};
+  if (data.stop) j["stop"] = {{"t", data.stop->t}, {"reason", data.stop->reason}};
+  if (!data.no_initial.empty()) j["noInitial"] = data.no_initial;
+  if (options.follow) j["follow"] = *options.follow;
+  if (report != nullptr) j["report"] = report_json(*report, data);
+  return j;
+}
+
+// x, y, radius, vx, vy of each disk at t = 0.
+std::vector<double> disk_values(const Scene& scene) {
+  std::vector<double> values;
+  values.reserve(5 * scene.disks.size());
+  for (const DiskInput& disk : scene.disks) {
+    for (const CompactRational* q : {&disk.x, &disk.y, &disk.radius, &disk.vx, &disk.vy}) {
+      values.push_back(round_nearest(*q));
+    }
+  }
+  return values;
+}
+
+// As the page's typed arrays read it. The page's machine has the least significant byte first, as
+// all have on which browsers run.
+template <class T>
+std::string array_element(const char* name, const std::vector<T>& values) {
+  static_assert(std::endian::native == std::endian::little && std::is_trivially_copyable_v<T>);
+  const std::string_view bytes(reinterpret_cast<const char*>(values.data()),
+                               values.size() * sizeof(T));
+  return std::string("<script type=\"text/plain\" id=\"movie-") + name + "\">" + base64(bytes) +
+         "</script>\n";
+}
+
+// No text in it can end the element.
+std::string facts_element(const Json& facts) {
+  std::string out = "<script type=\"application/json\" id=\"movie-facts\">";
+  // File names and messages need not be UTF-8.
+  for (const char c : facts.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<') {
+      out += "\\u003c";
+    } else {
+      out += c;
+    }
+  }
+  return out + "</script>\n";
+}
+
+std::string title(const Scene& scene) {
+  return scene.name.empty() ? std::to_string(scene.disks.size()) + " moving disks" : scene.name;
+}
+
+}  // namespace
+
+void write_movie(const std::string& path, const Claim& claim, const MovieData& data,
+                 const Explanation* report, const MovieOptions& options) {
+  AtomicFile file(path);
+  file.write(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+      html_text(title(claim.scene)) + "</title>\n<style>\n");
+  file.write(movie_style);
+  file.write("</style>\n</head>\n<body>\n");
+  file.write(movie_body);
+  file.write(facts_element(facts_json(claim, data, report, options)));
+  file.write(array_element("disks", disk_values(claim.scene)));
+  file.write(array_element("initial", data.initial));
+  file.write(array_element("times", data.times));
+  file.write(array_element("kinds", data.kinds));
+  file.write(array_element("ids", data.ids));
+  file.write(array_element("velocities", data.velocities));
+  for (const std::string_view script : movie_scripts) {
+    file.write("<script>\n");
+    file.write(script);
+    file.write("</script>\n");
+  }
+  file.write("</body>\n</html>\n");
+  file.commit();
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,45 @@
+// What a history tells a page that plays it, as flat arrays.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "history/claim.h"
+
+namespace voroproof::internal {
+
+inline constexpr int max_movie_disks = 65'534;
+inline constexpr std::size_t max_movie_events = 4'000'000;
+
+enum class MovieEvent : std::uint8_t { flip, collision, maneuver };
+
+// The events in their order; what they are about follows one another without gaps.
+struct MovieData {
+  std::vector<double> times;
+  std::vector<MovieEvent> kinds;
+  // Of a flip l, r, s, e; of a collision i, j; of a maneuver the disk. The container is 65535.
+  std::vector<std::uint16_t> ids;
+  // vx, vy just after the event of each disk that a collision or a maneuver names, the container
+  // passed over. Between events a disk moves on a line: that is all of its motion.
+  std::vector<double> velocities;
+
+  std::vector<std::uint16_t> initial;  // l, r, s, e of each edge at 0+
+  std::string no_initial;              // why there is none, where there should be one
+  double end = 0;                      // up to which it tells
+  bool cut = false;                    // whether the history goes on
+  std::optional<HistoryStop> stop;     // where it ends with that
+  std::vector<std::string> remarks;    // what the files do not tell, and what is odd in them
+  // The first event on the line asked for or a later one; their number where there is none.
+  std::size_t event_at_line = 0;
+};
+
+// Reads the history's events up to the time `until`, if given. Velocities that it does not record
+// are computed as certify --truth recorded does (docs/formats.md, section 8), an initial diagram
+// that it lacks is constructed, if that can be. Claims are not judged: a false history has a movie
+// too. Throws InputError, also for more disks or events than a movie holds.
+MovieData movie_data(Claim& claim, const std::string& history_path,
+                     const std::optional<Rational>& until, std::int64_t line);
+
+}  // namespace voroproof::internal

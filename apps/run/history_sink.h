@@ -1,0 +1,97 @@
+// From the engine's events to a history file.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "history/history_file.h"
+#include "kinetic/engine.h"
+
+namespace voroproof::internal {
+
+// Writes the header and the events; the last line is the caller's. The writer must outlive the
+// sink. Throws what the writer throws.
+class HistorySink : public EventSink {
+ public:
+  // `header` without the initial diagram, which the engine gives; `disks` is their number.
+  HistorySink(HistoryWriter& writer, HistoryHeader header, int disks);
+
+  void begin(const std::vector<Quad>& initial) override;
+  void flip(double t, const Quad& edge) final;
+  void collide(double t, GenId i, GenId j, const RoundedState& first,
+               const RoundedState& second) final;
+  void maneuver(double t, GenId disk, const RoundedState& state) final;
+
+  // Each event is shown to `observer`, and before them the header, as they come.
+  void observe(std::function<void(const HistoryHeader&)> header,
+               std::function<void(const Event&)> event) {
+    header_observer_ = std::move(header);
+    event_observer_ = std::move(event);
+  }
+
+  bool has_begun() const { return begun_; }
+  double last_time() const { return last_time_; }  // of the last event; 0 without any
+
+  // After it all events have reached the writer, which is the caller's again.
+  virtual void finish() {}
+
+ protected:
+  virtual void put(Event&& event) { writer_.write(event); }
+
+  HistoryWriter& writer_;
+
+ private:
+  void show_and_put(Event&& event) {
+    last_time_ = time(event);
+    if (event_observer_) event_observer_(event);
+    put(std::move(event));
+  }
+
+  HistoryHeader header_;
+  int disks_;
+  bool begun_ = false;
+  double last_time_ = 0;
+  std::function<void(const HistoryHeader&)> header_observer_;
+  std::function<void(const Event&)> event_observer_;
+};
+
+// The same with a thread of its own for formatting and writing: the engine's thread hands on
+// batches of events and waits when too many of them stand in the queue. The bytes are the same.
+class BackgroundHistorySink final : public HistorySink {
+ public:
+  using HistorySink::HistorySink;
+  // Without finish(), what is still in the queue is dropped.
+  ~BackgroundHistorySink() override;
+
+  void begin(const std::vector<Quad>& initial) override;
+  void finish() override;
+
+ private:
+  using Batch = std::vector<Event>;
+  static constexpr std::size_t batch_size = 1024;
+  static constexpr std::size_t max_batches = 64;
+
+  void put(Event&& event) override;
+  void hand_on();
+  void write_batches();
+
+  Batch batch_;  // of the engine's thread
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  // Guarded by mutex_.
+  std::deque<Batch> queue_;
+  bool closed_ = false;       // nothing more will come
+  bool dropped_ = false;      // what has come is not wanted any more
+  std::exception_ptr error_;  // of the writing thread
+
+  std::thread thread_;  // last: it uses the others
+};
+
+}  // namespace voroproof::internal

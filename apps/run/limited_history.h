@@ -1,0 +1,58 @@
+// A history of which no more than so many events are looked at.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "history/history_source.h"
+
+namespace voroproof::internal {
+
+// Like one that stopped after its first `events` (> 0), for `reason`, where it has more.
+class LimitedHistory final : public HistorySource {
+ public:
+  LimitedHistory(std::unique_ptr<HistorySource> whole, std::uint64_t events, std::string reason)
+      : whole_(std::move(whole)), left_(events) {
+    stop_.reason = std::move(reason);
+  }
+
+  const HistoryHeader& header() const override { return whole_->header(); }
+  std::int64_t line() const override { return whole_->line(); }
+  const HistoryCounts& counts() const override { return whole_->counts(); }
+  bool counts_match() const override { return cut_ || whole_->counts_match(); }
+  std::vector<std::string> remarks() const override { return whole_->remarks(); }
+  std::optional<std::int64_t> shadow_line(const Quad& q, double lo, double hi) const override {
+    return whole_->shadow_line(q, lo, hi);
+  }
+  const std::variant<HistoryEnd, HistoryStop>& ending() const override {
+    return cut_ ? ending_ : whole_->ending();
+  }
+
+  std::optional<Event> next() override {
+    if (cut_) return std::nullopt;
+    std::optional<Event> event = whole_->next();
+    if (!event) return event;
+    if (left_ == 0) {
+      cut_ = true;
+      ending_ = stop_;
+      return std::nullopt;
+    }
+    --left_;
+    stop_.t = time(*event);
+    return event;
+  }
+
+ private:
+  std::unique_ptr<HistorySource> whole_;
+  std::uint64_t left_;
+  bool cut_ = false;
+  HistoryStop stop_;  // as it would be after the last event read
+  std::variant<HistoryEnd, HistoryStop> ending_;
+};
+
+}  // namespace voroproof::internal

@@ -1,0 +1,193 @@
+// voroproof certify: is a history that of the scene?
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "apps/cli/command_line.h"
+#include "apps/cli/interruption.h"
+#include "apps/cli/limits.h"
+#include "apps/cli/progress.h"
+#include "apps/run/kernel_verdict.h"
+#include "apps/run/limited_history.h"
+#include "apps/verbs/verbs.h"
+#include "certify/certifier.h"
+#include "history/claim.h"
+#include "history/error.h"
+#include "history/json_text.h"
+#include "library/certification.h"
+#include "library/maneuver_input.h"
+
+namespace voroproof::internal {
+namespace {
+
+struct Request {
+  std::string scene, history, report, truth = "exact", tolerance = "1e-6", law_tolerance = "1e-9";
+  CertifyOptions options;
+  std::uint64_t max_events = 0;
+  bool quiet = false, kernel = false;
+};
+
+ExitCode exit_code(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::certified:
+      return ExitCode::ok;
+    case Verdict::refuted:
+      return ExitCode::refuted;
+    case Verdict::undecided:
+      break;
+  }
+  return ExitCode::undecided;
+}
+
+// Of a history that a limit of the user's does not let be judged to its end.
+Certificate undecided(const std::string& reason, std::int64_t prefix_events, double prefix_t) {
+  Certificate certificate;
+  certificate.verdict = Verdict::undecided;
+  certificate.reason = reason;
+  certificate.prefix_events = prefix_events;
+  certificate.prefix_t = prefix_t;
+  return certificate;
+}
+
+ExitCode certify_files(Request& request) {
+  require_distinct({request.scene, request.history}, {request.report});
+  CooperativeInterruption interruption;
+  std::optional<AtomicFile> report_file;
+  if (!request.report.empty()) report_file.emplace(request.report);
+  Claim claim = open_claim(request.scene, request.history);
+  if (request.max_events > 0) {
+    claim.history = std::make_unique<LimitedHistory>(std::move(claim.history), request.max_events,
+                                                     event_limit_reason(request.max_events));
+  }
+  const Scene& scene = claim.scene;
+  const HistoryHeader& header = claim.history->header();
+  CertifyOptions& options = request.options;
+  options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
+  options.tolerance = time_argument("--tolerance", request.tolerance);
+  options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
+  try {
+    require_meaningful(options, header);
+  } catch (const std::invalid_argument& fault) {
+    throw UsageError(std::string("--") + fault.what());
+  }
+  options.propose_initial = construct_initial;
+  std::optional<Progress> progress;
+  progress.emplace(round_nearest(header.horizon), request.quiet);
+  options.monitor = [&](double t, std::int64_t events) {
+    progress->report(t, static_cast<std::uint64_t>(events));
+    return !interruption.requested();
+  };
+  Certificate certificate;
+  try {
+    certificate = certify(scene, *claim.history, options);
+    certificate.remarks.insert(certificate.remarks.begin(), claim.remarks.begin(),
+                               claim.remarks.end());
+  } catch (const CertificationInterrupted& at) {
+    if (!interruption.late()) throw Interrupted();
+    certificate = undecided(time_limit_reason(), at.prefix_events, at.prefix_t);
+  } catch (const std::bad_alloc&) {
+    if (!has_memory_limit()) throw;
+    lift_memory_limit();
+    certificate = undecided(memory_limit_reason(), 0, 0);
+  }
+  progress.reset();
+  std::string kernel;
+  if (request.kernel) {
+    kernel = judged_by_kernel(certificate, request.scene, request.history, options,
+                              [&] { return !interruption.requested(); });
+    if (kernel.empty()) {
+      if (!interruption.late()) throw Interrupted();
+      certificate = undecided(time_limit_reason() + " while the kernel judges",
+                              certificate.prefix_events, certificate.prefix_t);
+    }
+  }
+  interruption.wind_up();
+  const std::string evidence = checked_evidence(certificate, request.scene, request.history);
+  if (report_file) {
+    CertificationRun run =
+        certification_run(producer(), request.scene, request.history, claim, evidence);
+    run.kernel = kernel;
+    report_file->write(report_text(run, options, certificate));
+    report_file->commit();
+  }
+  if (certificate.verdict != Verdict::certified) {
+    std::cerr << "voroproof: " << printable(request.history, 4096) << ": "
+              << printable(reason_line(certificate), 4096) << '\n';
+  }
+  if (!request.quiet) {
+    std::cout << "c " << certificate.flips << " flips, " << certificate.collisions
+              << " collisions, " << certificate.maneuvers << " maneuvers proved; certified prefix "
+              << certificate.prefix_events << " events, t = " << certificate.prefix_t << "; swaps "
+              << certificate.swaps << '\n';
+    for (const Leniency& l : leniencies(certificate)) {
+      if (l.count > 0) std::cout << "c leniency: " << l.count << " " << l.words << '\n';
+    }
+    for (const std::string& remark : certificate.remarks)
+      std::cout << "c " << printable(remark, 4096) << '\n';
+    if (!kernel.empty()) std::cout << "c kernel: " << printable(kernel, 4096) << '\n';
+    if (!evidence.empty()) std::cout << "c evidence: " << evidence << '\n';
+  }
+  if (const std::string line = horizon_line(certificate); !line.empty()) {
+    std::cout << "c " << line << '\n';
+  }
+  std::cout << verdict_line(certificate.verdict) << '\n';
+  return exit_code(certificate.verdict);
+}
+
+}  // namespace
+
+void add_certify(CLI::App& app, Action& action) {
+  auto request = std::make_shared<Request>();
+  CLI::App* verb = app.add_subcommand("certify", "Prove or refute a history of a scene");
+  add_file(*verb, "scene", request->scene, "the scene")->required();
+  add_file(*verb, "history", request->history, "the history, whoever wrote it")->required();
+  add_choice(*verb, "--truth", {"exact", "recorded"}, request->truth,
+             "against the true motion of the scene, or against that which the history's own\n"
+             "collision times and velocities define (for long floating-point runs)");
+  add_text(*verb, "--tolerance", request->tolerance, "TIME",
+           "of the claimed times; at most the horizon (1e-6 where that is less)")
+      ->capture_default_str();
+  add_text(*verb, "--law-tolerance", request->law_tolerance, "RATIO",
+           "of the claimed velocities, relative to the speeds that meet; at most 1")
+      ->capture_default_str();
+  verb->add_flag("--strict", request->options.strict,
+                 "refute claims that are out of order, however near they are, quadruplets without\n"
+                 "orientation, and another horizon than the scene's");
+  verb->add_flag("--unoriented", request->options.unoriented,
+                 "quadruplets may have their third generators exchanged, as in .evtsq files");
+  verb->add_flag(
+      "--kernel", request->kernel,
+      "have the kernel (docs/kernel.md) judge the files, too: certified only if both do");
+  verb->add_option("--threads", request->options.threads,
+                   "threads to use, for the recorded truth; the certificate is the same")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  add_file(*verb, "--report", request->report, "write everything that was found here, as JSON");
+  add_max_bits(*verb, request->options.motion.max_bits);
+  add_max_events(*verb, request->max_events);
+  verb->add_flag("--quiet", request->quiet, "no progress on the terminal, nothing but the verdict");
+  verb->footer(
+      "What s CERTIFIED says is stated in docs/claim.md.\n"
+      "The last line of the output is s CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) or\n"
+      "s UNDECIDED (3).\n"
+      "Example:\n  voroproof certify a.scene.json a.history.jsonl --truth recorded --report "
+      "r.json");
+  verb->callback([request, &action] {
+    action = [request] {
+      try {
+        return certify_files(*request);
+      } catch (const InputError& error) {
+        std::cerr << "voroproof: " << printable(error.what(), 4096) << '\n';
+      } catch (const UsageError& error) {
+        std::cerr << "voroproof: " << error.what() << '\n';
+        return ExitCode::bad_input;
+      }
+      std::cout << "s INVALID\n";
+      return ExitCode::bad_input;
+    };
+  });
+}
+
+}  // namespace voroproof::internal

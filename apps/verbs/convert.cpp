@@ -1,0 +1,190 @@
+// voroproof convert: between this project's formats and those of the paper's authors.
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include "apps/cli/command_line.h"
+#include "apps/cli/interruption.h"
+#include "apps/verbs/verbs.h"
+#include "history/atomic_file.h"
+#include "history/claim.h"
+#include "history/disk_file.h"
+#include "history/error.h"
+#include "history/evtsq_file.h"
+
+namespace voroproof::internal {
+namespace {
+
+struct Request {
+  std::string input, output, scene, horizon, restitution;
+  std::string numbers = "hexadecimal", version = "1.1";
+};
+
+bool names(const std::string& path, std::string_view ending) {
+  return path.size() > ending.size() && path.ends_with(ending);
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+// A disk file has no horizon and no restitution: they come from the command line.
+void disks_to_scene(const Request& request) {
+  if (!is_disk_file(request.input)) {
+    throw UsageError(printable(request.input) + ": no disk file: only these are made into scenes");
+  }
+  DiskFile disks = read_disk_file(request.input);
+  if (request.horizon.empty()) {
+    throw UsageError("a disk file has no horizon: give --horizon");
+  }
+  Scene& scene = disks.scene;
+  scene.horizon = time_argument("--horizon", request.horizon);
+  if (!request.restitution.empty()) {
+    scene.restitution = time_argument("--restitution", request.restitution);
+    if (scene.restitution > 1 || scene.restitution == 0) {
+      throw UsageError("--restitution: not in (0, 1]");
+    }
+    scene.container_restitution = scene.restitution;
+  }
+  for (std::size_t k = 0; k < scene.disks.size(); ++k) {
+    if (scene.disks[k].mass == 0 && scene.disks.size() > 1) {
+      throw InputError(request.input, 0, "disk " + std::to_string(disks.ids[k]),
+                       "a point has no mass there, and a scene must give it one");
+    }
+  }
+  std::ostringstream text;
+  write_scene(text, scene);
+  write_text(request.output, text.str());
+  if (!disks.ids.empty() && disks.ids.back() != static_cast<std::int64_t>(disks.ids.size()) - 1) {
+    std::cout << "the disks are renumbered from 0 in the order of their ids\n";
+  }
+}
+
+void scene_to_disks(const Request& request) {
+  const Scene scene = read_scene(request.input);
+  std::ostringstream text;
+  try {
+    write_disk_file(text, scene);
+  } catch (const UnsuitableScene& e) {
+    throw InputError(request.input, 0, "", std::string(e.what()) + ": a disk file cannot say it");
+  }
+  write_text(request.output, text.str());
+  if (!scene.maneuvers.empty()) std::cout << "the maneuvers are left out: a disk file has none\n";
+}
+
+void require_scene(const Request& request) {
+  if (request.scene.empty()) {
+    throw UsageError("the history is to be read with its scene: give --scene");
+  }
+}
+
+// As the file has it: without an initial diagram and velocities.
+void sequence_to_history(const Request& request) {
+  require_scene(request);
+  if (is_disk_file(request.scene)) {
+    throw UsageError("--scene: a history names its scene file; convert " +
+                     printable(request.scene) + " to a scene first");
+  }
+  const Claim claim = open_claim(request.scene, request.input);
+  HistoryHeader header = claim.history->header();
+  header.scene_sha256 = claim.scene.sha256;
+  const CooperativeInterruption interruption;
+  HistoryWriter writer(request.output);
+  writer.header(header);
+  while (const auto event = claim.history->next()) {
+    interruption.check();
+    writer.write(*event);
+  }
+  if (!claim.history->counts_match()) {
+    throw InputError(request.input, claim.history->line(), "number of events",
+                     "is not that of the file");
+  }
+  writer.end();
+  writer.close();
+  for (const std::string& remark : claim.history->remarks())
+    std::cout << printable(remark, 4096) << '\n';
+}
+
+void history_to_sequence(const Request& request) {
+  require_scene(request);
+  Claim counted = open_claim(request.scene, request.input);
+  while (counted.history->next()) {
+  }
+  Claim claim = open_claim(request.scene, request.input);
+  const Scene& scene = claim.scene;
+  if (scene.container_restitution != scene.restitution ||
+      (scene.law == ContainerLaw::normal && scene.restitution != 1)) {
+    std::cout << "the scene's law at the container is not that of an event sequence\n";
+  }
+  AtomicFile file(request.output);
+  const EvtsqSource source{.name = std::filesystem::path(request.scene).filename().string(),
+                           .history = request.input,
+                           .restitution = scene.restitution,
+                           .container_center = {round_nearest(scene.cx), round_nearest(scene.cy)}};
+  write_evtsq(file, *claim.history, counted.history->counts(), source,
+              {.centers = request.version == "1.1", .hexadecimal = request.numbers != "decimal"});
+  file.commit();
+}
+
+// An option that the file to be written has no use for would be passed over in silence.
+void require_use(const CLI::App& verb, const std::string& option, bool used, const char* written) {
+  if (!used && verb.count(option) > 0) {
+    throw UsageError(option + ": only where " + written + " is written");
+  }
+}
+
+ExitCode convert(const CLI::App& verb, const Request& request) {
+  require_distinct({request.input, request.scene}, {request.output});
+  const bool to_json = names(request.output, ".json"), to_disks = names(request.output, ".txt");
+  const bool to_history = names(request.output, ".jsonl");
+  const bool to_sequence = names(request.output, ".evtsq");
+  if (!to_json && !to_disks && !to_history && !to_sequence) {
+    throw UsageError("--output: none of .scene.json, .disks.txt, .history.jsonl and .evtsq");
+  }
+  require_use(verb, "--scene", to_history || to_sequence, "a history or event sequence");
+  require_use(verb, "--horizon", to_json, "a scene");
+  require_use(verb, "--restitution", to_json, "a scene");
+  require_use(verb, "--numbers", to_sequence, "an event sequence");
+  require_use(verb, "--evtsq-version", to_sequence, "an event sequence");
+  if (to_json) {
+    disks_to_scene(request);
+  } else if (to_disks) {
+    scene_to_disks(request);
+  } else if (to_history) {
+    sequence_to_history(request);
+  } else {
+    history_to_sequence(request);
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, Action& action) {
+  auto request = std::make_shared<Request>();
+  CLI::App* verb = app.add_subcommand(
+      "convert", "Between this project's formats and those of the paper's authors");
+  add_file(*verb, "input", request->input, "a scene, disk file, history or event sequence")
+      ->required();
+  add_output(*verb, request->output,
+             "its ending says what to write: .scene.json, .disks.txt, .history.jsonl, .evtsq");
+  add_file(*verb, "--scene", request->scene, "the scene of the history or event sequence");
+  add_text(*verb, "--horizon", request->horizon, "TIME", "of the scene that is written");
+  add_text(*verb, "--restitution", request->restitution, "E",
+           "of the scene that is written (default 1)");
+  add_choice(*verb, "--numbers", {"hexadecimal", "decimal"}, request->numbers,
+             "in an .evtsq: all 64 bits, or 15 digits after the point");
+  add_choice(*verb, "--evtsq-version", {"1.0", "1.1"}, request->version,
+             "1.0 has no centres at collisions");
+  verb->footer(
+      "Example:\n  voroproof convert a.disks.txt --horizon 1000 -o a.scene.json\n"
+      "  voroproof convert a.evtsq --scene a.scene.json -o a.history.jsonl");
+  verb->callback(
+      [request, verb, &action] { action = [request, verb] { return convert(*verb, *request); }; });
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,243 @@
+// voroproof corpus: the degenerate cases, and other engines held against them.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "apps/cli/command_line.h"
+#include "apps/cli/interruption.h"
+#include "apps/corpus/case.h"
+#include "apps/corpus/html.h"
+#include "apps/corpus/report.h"
+#include "apps/corpus/run.h"
+#include "apps/corpus/text.h"
+#include "apps/verbs/verbs.h"
+#include "history/atomic_file.h"
+
+namespace voroproof::internal {
+namespace {
+
+constexpr std::uint64_t bytes_per_megabyte = std::uint64_t{1} << 20;
+
+struct Request {
+  std::string root;  // empty: the corpus beside the program
+  CaseSelection selection;
+  // Of run.
+  std::string command, truth = "both", json, html;
+  double seconds = 60;
+  std::uint64_t megabytes = 4096;
+  std::size_t jobs = 1;
+};
+
+std::vector<CorpusCase> cases_of(const Request& request) {
+  const std::string root = request.root.empty() ? corpus_beside_program() : request.root;
+  if (root.empty()) {
+    throw UsageError("no corpus beside this program: name the folder of its cases (--corpus)");
+  }
+  try {
+    return find_cases(root, request.selection);
+  } catch (const CorpusError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+ExitCode list_cases(const Request& request) {
+  std::cout << list_text(cases_of(request));
+  return ExitCode::ok;
+}
+
+ExitCode show_case(const Request& request) {
+  const std::vector<CorpusCase> cases = cases_of(request);
+  if (cases.size() > 1) {
+    throw UsageError(request.selection.names.front() + ": more than one case has this name; give " +
+                     cases[0].id() + " or " + cases[1].id());
+  }
+  std::cout << case_text(cases.front());
+  return ExitCode::ok;
+}
+
+// "12 of 150 cases" on one line of a terminal.
+class CaseCounter {
+ public:
+  explicit CaseCounter(std::size_t all) : all_(all), shown_(isatty(STDERR_FILENO) == 1) {}
+  CaseCounter(const CaseCounter&) = delete;
+  CaseCounter& operator=(const CaseCounter&) = delete;
+  ~CaseCounter() {
+    if (last_) std::fputs("\r\033[K", stderr);
+  }
+
+  void report(std::size_t finished) {
+    if (!shown_ || last_ == finished) return;
+    std::fprintf(stderr, "\r%zu of %zu cases\033[K", finished, all_);
+    last_ = finished;
+  }
+
+ private:
+  std::size_t all_;
+  bool shown_;
+  std::optional<std::size_t> last_;
+};
+
+std::vector<Truth> truths_of(const std::string& word) {
+  if (word == "exact") return {Truth::exact};
+  if (word == "recorded") return {Truth::recorded};
+  return {Truth::exact, Truth::recorded};
+}
+
+// Writes the reports asked for and returns whether all cases passed.
+template <class Result>
+bool report(const CorpusRunInfo& info, const std::vector<Result>& results,
+            std::optional<AtomicFile>& json, std::optional<AtomicFile>& html) {
+  std::cout << report_for_terminal(info, results);
+  if (json) {
+    json->write(report_json(info, results));
+    json->commit();
+  }
+  if (html) {
+    html->write(report_html(info, results));
+    html->commit();
+  }
+  return std::all_of(results.begin(), results.end(),
+                     [](const Result& result) { return result.passed(); });
+}
+
+void require_placeholders(const std::string& command) {
+  for (const char* placeholder : {"{scene}", "{history}"}) {
+    if (command.find(placeholder) == std::string::npos) {
+      throw UsageError(std::string("--against: the command does not name ") + placeholder);
+    }
+  }
+}
+
+ExitCode run_cases(const Request& request) {
+  const bool against = !request.command.empty();
+  if (against) require_placeholders(request.command);
+  if (!(request.seconds > 0)) throw UsageError("--timeout: must be more than 0");
+  require_distinct({}, {request.json, request.html});
+  std::optional<AtomicFile> json, html;
+  if (!request.json.empty()) json.emplace(request.json);
+  if (!request.html.empty()) html.emplace(request.html);
+  const std::vector<CorpusCase> cases = cases_of(request);
+  const CooperativeInterruption interruption;
+  std::optional<CaseCounter> counter;
+  counter.emplace(cases.size());
+  CorpusRunOptions options;
+  options.command = request.command;
+  options.truths = truths_of(request.truth);
+  options.limits = {.seconds = request.seconds, .bytes = request.megabytes * bytes_per_megabyte};
+  options.jobs = request.jobs;
+  options.progress = [&](std::size_t finished) {
+    counter->report(finished);
+    interruption.check();
+    return true;
+  };
+  const CorpusRunInfo info{.producer = producer(),
+                           .command = request.command,
+                           .truths = options.truths,
+                           .limits = options.limits};
+  bool all_passed = false;
+  if (against) {
+    const std::vector<ProgramResult> results = against_program(cases, options);
+    counter.reset();
+    all_passed = report(info, results, json, html);
+  } else {
+    const std::vector<OwnResult> results = own_histories(cases, options);
+    counter.reset();
+    all_passed = report(info, results, json, html);
+  }
+  return all_passed ? ExitCode::ok : ExitCode::refuted;
+}
+
+void add_corpus_folder(CLI::App& verb, Request& request) {
+  add_text(verb, "--corpus", request.root, "DIR",
+           "the folder of the cases (default: those that came with the program)");
+}
+
+void add_selection(CLI::App& verb, Request& request) {
+  verb.add_option("--family", request.selection.families, "only cases of this family")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  verb.add_option("--tag", request.selection.tags, "only cases with this tag")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+}
+
+void add_list(CLI::App& corpus, Action& action) {
+  auto request = std::make_shared<Request>();
+  CLI::App* verb = corpus.add_subcommand("list", "A table of the cases");
+  add_selection(*verb, *request);
+  add_corpus_folder(*verb, *request);
+  verb->footer("Example:\n  voroproof corpus list --family lattices");
+  verb->callback([request, &action] { action = [request] { return list_cases(*request); }; });
+}
+
+void add_show(CLI::App& corpus, Action& action) {
+  auto request = std::make_shared<Request>();
+  CLI::App* verb =
+      corpus.add_subcommand("show", "One case: its story, its scene, its events, its files");
+  verb->add_option("name", request->selection.names, "NAME or FAMILY/NAME")
+      ->type_name("NAME")
+      ->expected(1)
+      ->required();
+  add_corpus_folder(*verb, *request);
+  verb->footer("Example:\n  voroproof corpus show cradles/cradle-02");
+  verb->callback([request, &action] { action = [request] { return show_case(*request); }; });
+}
+
+void add_run(CLI::App& corpus, Action& action) {
+  auto request = std::make_shared<Request>();
+  CLI::App* verb = corpus.add_subcommand(
+      "run",
+      "Certify the corpus: its own histories and wrong ones or, with --against, the histories\n"
+      "that another program writes for its scenes");
+  CLI::Option* against =
+      add_text(*verb, "--against", request->command, "COMMAND",
+               "run by the shell for each case, in this folder: {scene} stands for the\n"
+               "scene to read, {history} for the history or event sequence to write;\n"
+               "both are put in quotes where they need them");
+  add_selection(*verb, *request);
+  verb->add_option("--case", request->selection.names, "only this case, NAME or FAMILY/NAME")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  add_choice(*verb, "--truth", {"exact", "recorded", "both"}, request->truth,
+             "what to certify the program's histories against: the true motion, that which\n"
+             "each history itself records, or either, whichever holds")
+      ->needs(against);
+  add_real(*verb, "--timeout", request->seconds,
+           "seconds for each run of the program and for each certification");
+  verb->add_option("--memory", request->megabytes,
+                   "megabytes for each of these processes; 0: no limit")
+      ->check(whole_number())
+      ->check(CLI::Range(0, 1 << 30))
+      ->capture_default_str();
+  verb->add_option("--jobs", request->jobs,
+                   "cases side by side (more than 1 makes the seconds longer)")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  add_file(*verb, "--json", request->json, "write everything that was found here");
+  add_file(*verb, "--html", request->html, "and here a page to look at, pictures included");
+  add_corpus_folder(*verb, *request);
+  verb->footer(
+      "Exit code 0 if every case is as expected or certified, 1 if not, 2 for bad usage.\n"
+      "Example:\n  voroproof corpus run --against 'mysim --in {scene} --out {history}' "
+      "--html r.html");
+  verb->callback([request, &action] { action = [request] { return run_cases(*request); }; });
+}
+
+}  // namespace
+
+void add_corpus(CLI::App& app, Action& action) {
+  CLI::App* corpus =
+      app.add_subcommand("corpus", "The degenerate cases: look at them, run any program on them");
+  corpus->require_subcommand(1);
+  add_list(*corpus, action);
+  add_show(*corpus, action);
+  add_run(*corpus, action);
+  corpus->footer("Example:\n  voroproof corpus run --against 'mysim {scene} {history}'");
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,130 @@
+// voroproof experiment: the paper's experiments (section 7) again.
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "apps/cli/command_line.h"
+#include "apps/cli/interruption.h"
+#include "apps/cli/progress.h"
+#include "apps/paper/experiment_report.h"
+#include "apps/verbs/verbs.h"
+#include "corpus/paper_sets.h"
+#include "history/atomic_file.h"
+#include "history/error.h"
+#include "history/json_text.h"
+
+namespace voroproof::internal {
+namespace {
+
+struct Request {
+  std::string set, json, csv, predictions = "on";
+  double scale = 0.1, horizon = 1000;
+  std::uint64_t seed = 1;
+  int members = 0;  // 0: all
+  bool quiet = false;
+};
+
+Scene scene_of(const ReferenceOptions& options) {
+  // By way of its text, like any scene.
+  std::ostringstream text;
+  try {
+    write_scene(text, generate_reference(options));
+  } catch (const std::runtime_error& refusal) {
+    throw UsageError(std::string("experiment: ") + refusal.what());
+  }
+  return parse_scene(text.view(), "experiment");
+}
+
+void print_member(const std::string& set, const ExperimentMember& member) {
+  const EngineStats& stats = member.run.stats;
+  std::cout << set << ' ' << member.k << ": n " << member.run.disks << "; flips "
+            << stats.flip_count() << "; collisions "
+            << stats.disk_collisions + stats.wall_collisions << "; t "
+            << number_text(member.run.outcome.t) << std::endl;
+}
+
+ExitCode experiment(const Request& request) {
+  require_distinct({}, {request.json, request.csv});
+  if (!(request.scale > 0) || request.scale > 100) throw UsageError("--scale: not in (0, 100]");
+  if (!(request.horizon > 0)) throw UsageError("--horizon: not positive");
+  // The frequencies of events have an entry for each 10 units.
+  if (request.horizon > 1e9) throw UsageError("--horizon: more than 1e9");
+  const CooperativeInterruption interruption;
+  AtomicFile json_file(request.json);
+  std::optional<AtomicFile> csv_file;
+  if (!request.csv.empty()) csv_file.emplace(request.csv);
+
+  Experiment all;
+  all.producer = producer();
+  all.set = request.set;
+  all.scale = request.scale;
+  all.predictions = request.predictions == "on";
+  bool stopped = false;
+  int members = request.members;
+  for (const PaperSet& set : paper_sets())
+    if (set.name == request.set)
+      members = members == 0 ? set.members : std::min(members, set.members);
+  for (int k = 1; k <= members; ++k) {
+    ExperimentMember member{k, paper_set_member(request.set, k, request.scale), {}};
+    member.options.horizon = request.horizon;
+    member.options.seed = request.seed;
+    const Scene scene = scene_of(member.options);
+    {
+      Progress progress(request.horizon, request.quiet);
+      member.run = run_experiment(scene, all.predictions, [&](double t, std::uint64_t events) {
+        progress.report(t, events);
+        return !interruption.requested();
+      });
+    }
+    interruption.check();
+    if (!request.quiet) print_member(request.set, member);
+    if (member.run.outcome.kind == Outcome::Kind::stopped) {
+      stopped = true;
+      std::cerr << "voroproof: " << request.set << ' ' << k
+                << " stopped at t = " << number_text(member.run.outcome.t) << ": "
+                << printable(member.run.outcome.reason, 4096) << '\n';
+    }
+    all.members.push_back(std::move(member));
+  }
+  json_file.write(experiment_json(all));
+  if (csv_file) csv_file->write(experiment_csv(all));
+  json_file.commit();
+  if (csv_file) csv_file->commit();
+  return stopped ? ExitCode::undecided : ExitCode::ok;
+}
+
+}  // namespace
+
+void add_experiment(CLI::App& app, Action& action) {
+  auto request = std::make_shared<Request>();
+  CLI::App* verb = app.add_subcommand("experiment", "Run an experiment of the paper's again");
+  std::vector<std::string> names;
+  for (const PaperSet& set : paper_sets()) names.push_back(set.name);
+  verb->add_option("set", request->set,
+                   "reference (Fig. 18), speed (19), size (20), density (21) or restitution (22)")
+      ->check(CLI::IsMember(names))
+      ->required();
+  add_output(*verb, request->json, "all results, as JSON, for scripts/plot-experiments.py");
+  add_file(*verb, "--csv", request->csv, "write a table of the counts here");
+  add_real(*verb, "--scale", request->scale, "multiplies the numbers of disks; 1 is the paper's");
+  add_real(*verb, "--horizon", request->horizon, "of every scene");
+  verb->add_option("--seed", request->seed, "of the random numbers, the same for all members")
+      ->check(whole_number())
+      ->capture_default_str();
+  verb->add_option("--members", request->members, "only the first so many; 0 for all")
+      ->check(whole_number())
+      ->check(CLI::Range(0, 10))
+      ->capture_default_str();
+  add_choice(*verb, "--predictions", {"on", "off"}, request->predictions,
+             "whether the paper's predictions are counted, which takes much longer than the runs");
+  verb->add_flag("--quiet", request->quiet, "no progress on the terminal and no summaries");
+  verb->footer(
+      "Exit code 3 where some run stopped early; the others are in the files.\n"
+      "Example:\n  voroproof experiment speed -o speed.json --csv speed.csv");
+  verb->callback([request, &action] { action = [request] { return experiment(*request); }; });
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,239 @@
+// voroproof simulate: from a scene to its history.
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "apps/cli/command_line.h"
+#include "apps/cli/interruption.h"
+#include "apps/cli/limits.h"
+#include "apps/cli/progress.h"
+#include "apps/run/history_sink.h"
+#include "apps/run/self_check.h"
+#include "apps/run/stats_file.h"
+#include "apps/verbs/verbs.h"
+#include "certify/report.h"
+#include "history/error.h"
+#include "history/json_text.h"
+#include "library/maneuver_input.h"
+
+namespace voroproof::internal {
+namespace {
+
+struct Request {
+  std::string scene, history, stats, horizon;
+  int threads = 1;
+  MotionOptions motion;
+  std::uint64_t max_events = 0;
+  std::string filters = "on";
+  bool self_check = false;
+  bool quiet = false;
+};
+
+EngineOptions engine_options(const Request& request) {
+  EngineOptions options;
+  options.motion = request.motion;
+  options.motion.filters = request.filters == "on";
+  options.motion.late_states = request.threads > 1;
+  options.profile = !request.stats.empty();
+  options.max_events = request.max_events;
+  return options;
+}
+
+std::unique_ptr<HistorySink> make_sink(int threads, HistoryWriter& writer, HistoryHeader header,
+                                       int disks) {
+  if (threads == 1) return std::make_unique<HistorySink>(writer, std::move(header), disks);
+  return std::make_unique<BackgroundHistorySink>(writer, std::move(header), disks);
+}
+
+// The events that an outcome names, as a history writes them.
+std::vector<Event> events_of(const Outcome& outcome) {
+  std::vector<Event> events;
+  for (const auto& event : outcome.events) {
+    if (const auto* edge = std::get_if<Quad>(&event)) {
+      events.emplace_back(FlipEvent{.t = outcome.t, .quad = *edge});
+    } else {
+      const auto [i, j] = std::get<std::pair<GenId, GenId>>(event);
+      events.emplace_back(CollideEvent{.t = outcome.t, .i = std::min(i, j), .j = std::max(i, j)});
+    }
+  }
+  return events;
+}
+
+// One line that depends on the scene and the options alone.
+void print_summary(const Outcome& outcome, const EngineStats& stats) {
+  std::cout << "flips " << stats.flip_count();
+  for (std::size_t kind = 0; kind < stats.flips.size(); ++kind) {
+    if (stats.flips[kind] == 0) continue;
+    std::cout << ' ' << flip_kind_names[kind] << ' ' << stats.flips[kind];
+  }
+  std::cout << "; collisions " << stats.disk_collisions + stats.wall_collisions << " disks "
+            << stats.disk_collisions << " container " << stats.wall_collisions << "; maneuvers "
+            << stats.maneuvers << "; t " << number_text(outcome.t) << "; bits "
+            << stats.highest_bits << '\n';
+}
+
+ExitCode report(const Outcome& outcome) {
+  switch (outcome.kind) {
+    case Outcome::Kind::complete:
+      return ExitCode::ok;
+    case Outcome::Kind::stopped:
+      std::cerr << "voroproof: stopped at t = " << number_text(outcome.t) << ": "
+                << printable(outcome.reason, 4096) << '\n';
+      return ExitCode::undecided;
+    case Outcome::Kind::interrupted:
+      break;
+  }
+  std::cerr << "voroproof: interrupted at t = " << number_text(outcome.t) << '\n';
+  return ExitCode::interrupted;
+}
+
+// What the certifier says of the engine's history: a complete one must be certified, one that
+// stopped must be right as far as it goes.
+void require_checked(const Certificate& certificate, bool complete) {
+  const Verdict good = complete ? Verdict::certified : Verdict::undecided;
+  if (certificate.verdict != good) {
+    throw std::logic_error("self-check: " + std::string(verdict_line(certificate.verdict)) + ": " +
+                           reason_line(certificate));
+  }
+}
+
+// The engine's run; one that a limit of the user's ends is one that stopped.
+Outcome run(Engine<true>& engine, HistorySink& sink, const CooperativeInterruption& interruption) {
+  Outcome outcome;
+  try {
+    outcome = engine.run(sink);
+  } catch (const std::bad_alloc&) {
+    if (!has_memory_limit()) throw;
+    lift_memory_limit();
+    if (!sink.has_begun()) sink.begin({});
+    outcome.kind = Outcome::Kind::stopped;
+    outcome.t = sink.last_time();
+    outcome.reason = memory_limit_reason();
+    return outcome;
+  }
+  if (outcome.kind == Outcome::Kind::interrupted && interruption.late()) {
+    outcome.kind = Outcome::Kind::stopped;
+    outcome.reason = time_limit_reason();
+  }
+  return outcome;
+}
+
+ExitCode simulate(const Request& request) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  require_distinct({request.scene}, {request.history, request.stats});
+  if (request.motion.start_bits > request.motion.max_bits) {
+    throw UsageError("--start-bits: more than --max-bits");
+  }
+  CooperativeInterruption interruption;
+  Scene scene = read_scene(request.scene);
+  if (!request.horizon.empty()) scene.horizon = time_argument("--horizon", request.horizon);
+  const int disks = static_cast<int>(scene.disks.size());
+
+  // Both outputs are begun first, so that a path that cannot be written is known before the run.
+  std::optional<AtomicFile> stats_file;
+  if (!request.stats.empty()) stats_file.emplace(request.stats);
+  HistoryWriter writer(request.history);
+  const auto sink = make_sink(request.threads, writer,
+                              {.scene_sha256 = scene.sha256,
+                               .horizon = scene.horizon,
+                               .producer = producer(),
+                               .initial = {}},
+                              disks);
+
+  std::optional<SelfCheck> check;
+  if (request.self_check) {
+    CertifyOptions certify_options;
+    certify_options.strict = true;
+    certify_options.motion.max_bits = request.motion.max_bits;
+    check.emplace(scene, certify_options);
+    sink->observe([&](const HistoryHeader& header) { check->begin(header); },
+                  [&](const Event& event) { check->event(event); });
+  }
+
+  EngineOptions options = engine_options(request);
+  std::optional<Progress> progress;
+  progress.emplace(round_nearest(scene.horizon), request.quiet);
+  options.monitor = [&](double t, std::uint64_t events) {
+    progress->report(t, events);
+    return !interruption.requested() && !(check && check->over());
+  };
+  Engine<true> engine(motion_input(scene), maneuver_input(scene), options);
+  if (!check) scene.disks = std::vector<DiskInput>();  // the engine has its own
+  const Outcome outcome = run(engine, *sink, interruption);
+  progress.reset();
+  interruption.wind_up();
+  sink->finish();
+
+  const bool complete = outcome.kind == Outcome::Kind::complete;
+  if (check) {
+    HistoryStop stop;
+    stop.t = outcome.t;
+    stop.reason = outcome.reason;
+    require_checked(complete ? check->finish(HistoryEnd{writer.counts()}) : check->finish(stop),
+                    complete);
+  }
+  if (complete) {
+    writer.end();
+  } else {
+    writer.stopped(outcome.t, outcome.reason, events_of(outcome));
+  }
+  writer.close();
+  if (stats_file) {
+    const RunDescription run{
+        .producer = producer(),
+        .scene_sha256 = scene.sha256,
+        .disks = disks,
+        .horizon = scene.horizon,
+        .start_bits = request.motion.start_bits,
+        .max_bits = request.motion.max_bits,
+        .threads = request.threads,
+        .filters = request.filters == "on",
+        .total_seconds = std::chrono::duration<double>(Clock::now() - start).count()};
+    stats_file->write(stats_text(run, outcome, engine.stats()));
+    stats_file->commit();
+  }
+  if (!request.quiet) print_summary(outcome, engine.stats());
+  return report(outcome);
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Action& action) {
+  auto request = std::make_shared<Request>();
+  CLI::App* verb = app.add_subcommand("simulate", "Write the exact history of a scene");
+  add_file(*verb, "scene", request->scene, "the scene")->required();
+  add_output(*verb, request->history, "the history to write");
+  add_text(*verb, "--horizon", request->horizon, "TIME",
+           "in place of the scene's, exactly: a decimal (0.1 is one tenth), a fraction\n"
+           "(1/3) or a hexadecimal float (0x1.8p-3)");
+  add_file(*verb, "--stats", request->stats, "write counts and times of the run here, as JSON");
+  verb->add_option("--threads", request->threads,
+                   "2 or more: further threads write the history and compute collisions beyond\n"
+                   "double-doubles; a history that reaches its horizon does not depend on it")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  verb->add_option(
+          "--start-bits", request->motion.start_bits,
+          "precision of the states to begin with; a history that reaches its horizon does\n"
+          "not depend on it")
+      ->check(whole_number())
+      ->check(CLI::Range(least_bits, most_bits))
+      ->capture_default_str();
+  add_max_bits(*verb, request->motion.max_bits);
+  add_max_events(*verb, request->max_events);
+  add_choice(*verb, "--filters", {"on", "off"}, request->filters,
+             "whether decisions are tried in doubles and double-doubles first; a history\n"
+             "that reaches its horizon does not depend on it, where a run stops may");
+  verb->add_flag("--self-check", request->self_check,
+                 "a second thread certifies every event (certify --strict); a history that is not\n"
+                 "proved right is not written (exit code 4)");
+  verb->add_flag("--quiet", request->quiet, "no progress on the terminal and no summary");
+  verb->footer(
+      "Example:\n  voroproof simulate a.scene.json -o a.history.jsonl --stats a.stats.json");
+  verb->callback([request, &action] { action = [request] { return simulate(*request); }; });
+}
+
+}  // namespace voroproof::internal

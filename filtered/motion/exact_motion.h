@@ -1,0 +1,57 @@
+// The motion of the disks, exactly.
+#pragma once
+
+#include <unordered_map>
+
+#include "exact/generators.h"
+#include "exact/predicates.h"
+#include "exact/rational.h"
+#include "exact/tower.h"
+#include "filtered/motion/motion.h"
+
+namespace voroproof::internal {
+
+// Exact states of the disks of a Motion as it stands, in a tower of quadratic
+// fields over the rationals: what proves equalities. Follows a disk's causal past
+// through the log; throws BudgetExceeded where the tower would need more radicals
+// or larger coefficients than the budget allows. Valid until the Motion changes.
+class ExactMotion {
+ public:
+  struct State {
+    Rational t_ref;
+    Tower x, y, vx, vy;
+  };
+  explicit ExactMotion(const Motion& motion);
+
+  // State in force of a generator (the container rests).
+  const State& state(GenId g);
+  // The state with a given id (Motion::state_id), of generator g.
+  const State& state(int id, GenId g);
+  // The time of the collision or maneuver at which a state began; 0 for an initial one.
+  const Tower& start(int id, GenId g);
+  Tower radius(GenId g) const;  // signed
+  RadicalField& field() { return field_; }
+  MovingSite<Tower> moving_site(GenId g, const Rational& t);
+  Site<Tower> site(GenId g, const Tower& t);
+
+ private:
+  struct Entry {
+    State state;
+    Tower start;
+  };
+  const Entry& entry(int id, GenId g);
+  void compute(int record);
+  const Motion& motion_;
+  RadicalField field_;
+  std::unordered_map<long, Entry> memo_;
+};
+
+// The exact time, within the tower, of the next contact of two moving sites given
+// at time t (see Contact): the root at which they begin to overlap, or the exit of
+// a disk from the container. Precondition: that root exists.
+Tower contact_delay(const Contact<Tower>& contact, bool with_container, RadicalField& field);
+
+// The binary64 nearest to an element, ties to even.
+double round_nearest(const Tower& x);
+
+}  // namespace voroproof::internal

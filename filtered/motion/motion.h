@@ -1,0 +1,204 @@
+// The motion of the disks: piecewise linear, known at several precisions at once.
+//
+// Between its own collisions and maneuvers a disk moves on a line, so its motion is
+// a state (centre and velocity at a reference time). The state is carried as
+//   - doubles and double-doubles with error bounds, for the filters,
+//   - fixed-point numbers and balls of as many bits as the rest of the run needs (MotionStates),
+//   - on demand, elements of a tower of quadratic fields (ExactMotion).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "exact/ball.h"
+#include "exact/generators.h"
+#include "exact/predicates.h"
+#include "exact/rational.h"
+#include "filtered/motion/motion_states.h"
+#include "filtered/motion/options.h"
+#include "filtered/numbers/dd_ball.h"
+#include "filtered/numbers/double_ball.h"
+
+namespace voroproof::internal {
+
+// Motion of one generator in doubles: centre (x, y) at time t, velocity, signed
+// radius; the true centre at t is within ex of (x, y) in each coordinate, the true
+// radius within ex of r, the true velocity within ev. One line of the caches: nearly
+// everything that is decided begins with four of these.
+struct alignas(64) DoubleMotion {
+  double t = 0, x = 0, y = 0, vx = 0, vy = 0, r = 0;
+  double ex = 0, ev = 0;
+};
+
+// What is left of the true values by those doubles, to make double-doubles of them:
+// the true centre is within ex of (x, y) + (this x, y) and so on.
+struct alignas(64) SecondMotion {
+  double x = 0, y = 0, vx = 0, vy = 0, r = 0;
+  double ex = 0, ev = 0, er = 0;
+};
+
+// The same in double-doubles.
+struct DdMotion {
+  DdBall x, y, vx, vy, r;
+};
+
+// A disk's state just after a collision or maneuver, rounded to nearest.
+struct RoundedState {
+  double px, py, vx, vy;
+};
+
+struct Impact {
+  double t;         // the collision time, rounded to nearest
+  DoubleBall time;  // enclosures of it
+  DdBall time_dd;
+  RoundedState first, second;  // second is unused for the container
+};
+
+class Motion {
+ public:
+  Motion(MotionInput input, MotionOptions options);
+
+  int size() const { return states_->size(); }
+  // Of disks whose motion is given, centres and velocities may be those of another time: see
+  // initial_state().
+  const MotionInput& input() const { return states_->input(); }
+  // Disk g with the centre and the velocity of its initial state, or of its last restart().
+  const DiskInput& initial_state(GenId g) const { return states_->initial_state(g); }
+  const MotionOptions& options() const { return options_; }
+
+  const DoubleMotion& doubles(GenId g) const { return doubles_[g + 1]; }
+  const SecondMotion& seconds(GenId g) const { return seconds_[g + 1]; }
+  // Both together, referred to the time of doubles(g).
+  DdMotion double_doubles(GenId g) const {
+    const DoubleMotion& m = doubles(g);
+    const SecondMotion& s = seconds(g);
+    return {{m.x, s.x, s.ex}, {m.y, s.y, s.ex}, {m.vx, s.vx, s.ev}, {m.vy, s.vy, s.ev}, radius(g)};
+  }
+  // Whether every radius is a binary64.
+  bool radii_are_doubles() const { return radii_are_doubles_; }
+  DdBall radius(GenId g) const { return {doubles(g).r, seconds(g).r, seconds(g).er}; }
+  // Position at a time in the current motion of the generator.
+  Site<DoubleBall> site(GenId g, const DoubleBall& t) const;
+  Site<DdBall> site(GenId g, const DdBall& t) const;
+  Site<Ball> site(GenId g, const Ball& t) const;
+  MovingSite<DoubleBall> moving_site(GenId g, const DoubleBall& t) const;
+  MovingSite<DdBall> moving_site(GenId g, const DdBall& t) const;
+  MovingSite<Ball> moving_site(GenId g, const Ball& t) const;
+
+  // Whether two generators certainly have the same velocity (identical exact
+  // values), so that their offset never changes.
+  bool same_velocity(GenId a, GenId b) const;
+
+  // Processes the contact of i and j (i < j, i may be the container) that lies
+  // next to the double t_near and which the caller has proved to be their next
+  // contact. Changes both states.
+  Impact collide(GenId i, GenId j, double t_near);
+  // Gives disk g a new velocity at an exact time; returns its rounded state.
+  RoundedState maneuver(GenId g, const Rational& t, const Rational& vx, const Rational& vy);
+
+  // From now on disk g moves as if it had been at (x, y) at time t, with that velocity: motion that
+  // is given and not computed. Precondition: no collide() or maneuver() of the disk so far.
+  void restart(GenId g, const Rational& t, const Rational& x, const Rational& y, const Rational& vx,
+               const Rational& vy);
+  // The same from enclosures of x and y. The exact state is asked of `given` if it is ever needed,
+  // and must be at hand until the disk is restarted.
+  void restart(GenId g, double t, const DdBall& x, const DdBall& y, double vx, double vy,
+               const GivenMotion& given);
+
+  // The same in plain doubles, without certificates: for comparison only.
+  Impact collide_in_doubles(GenId i, GenId j, double t);
+  RoundedState maneuver_in_doubles(GenId g, double t, double vx, double vy);
+
+  // The changes of motion so far, in order of time.
+  const MotionStates::Record& record(int k) const { return states_->record(k); }
+  const MotionStates::Maneuver& maneuver(int index) const { return states_->maneuver(index); }
+  // Waits for states that are still to come. May throw what collide() does.
+  void settle();
+  // Asks for more bits in all states. False when the budget (max_bits) is exhausted.
+  bool raise_precision();
+  // The present goal: every state is known to at least this many bits below the
+  // scale of the scene.
+  int goal_bits() const { return states_->goal_bits(); }
+  int highest_bits() const { return states_->progress().highest_bits; }
+  std::uint64_t replays() const { return states_->progress().replays; }
+
+  // Whether the present motion of g is rational for certain: no collision is in its past.
+  bool is_rational(GenId g) const;
+
+  // The state in force: -1 - g for the initial one, else one more than its record's index in
+  // the log.
+  int state_id(GenId g) const { return state_[g + 1]; }
+  // The collisions and maneuvers so far.
+  int records() const { return static_cast<int>(states_->size_of_log()); }
+
+  // How the state of disk g with an id > 0 came about: from its state `before`, by a maneuver or
+  // by a collision with the partner, whose state before that is given.
+  struct Origin {
+    int before;
+    const MotionStates::Maneuver* maneuver;  // or null; valid until the Motion changes
+    GenId partner;
+    int partner_before;
+  };
+  Origin origin(GenId g, int id) const;
+  // The two generators of the collision with this id, the smaller first; a maneuver's disk twice.
+  std::pair<GenId, GenId> generators_of(int id) const {
+    const Record& r = states_->record(id - 1);
+    return {r.i, r.j};
+  }
+  // Two collisions of one disk at one instant with normals at right angles: 1 where that of id b,
+  // seen from the disk, is to the left of that of a, -1 to the right, 0 where nothing was noted.
+  int right_angle(int a, int b) const;
+  // Three disks of one mass in a row, and three elastic collisions of theirs at one instant: of an
+  // end and the middle, of the middle and the other end, and again of the first two. Together they
+  // exchange the velocities of the ends along the row and leave the middle as it was.
+  struct Cradle {
+    GenId end, middle, far_end;
+    std::array<int, 3> ids;
+  };
+  // The one that the collision with this id belongs to, or null; valid until another is noted.
+  const Cradle* cradle(int id) const;
+  // Notes what the caller has proved. Precondition: none of its collisions belongs to another.
+  void note_cradle(const Cradle& c);
+  void note_right_angle(int a, int b, int turn);
+  // When the initial state of a disk holds: 0 unless it was restarted.
+  double initial_time(GenId g) const { return states_->initial_time(g); }
+
+ private:
+  using Record = MotionStates::Record;
+
+  const MotionStates& full_states() const;
+  Ball radius_ball(GenId g, Ball::Precision bits) const;
+  void refresh(GenId g);
+  void take_over();
+  double error_of_length() const;
+  double error_of_speed() const;
+  void set_state(GenId g, const DdBall& x, const DdBall& y, const DdBall& vx, const DdBall& vy);
+  void set_radius(GenId g, const DdBall& r);
+  void append(const Record& r);
+  std::optional<Impact> collide_ahead(const Record& r);
+  Impact collide_now(const Record& r);
+  double round_coordinate(const DdBall& rough, GenId g, int which);
+
+  MotionOptions options_;
+  std::unique_ptr<MotionStates> states_;
+  std::size_t taken_over_ = 0;  // records that take_over() has seen
+  std::map<std::pair<int, int>, int> right_angles_;
+  std::vector<Cradle> cradles_;
+  std::map<int, int> cradle_;  // by the ids of their collisions: which
+  std::vector<int> state_;     // per generator
+  std::vector<DoubleMotion> doubles_;
+  std::vector<SecondMotion> seconds_;
+  bool radii_are_doubles_ = true;
+  // Factors of the laws of collision.
+  DdBall disk_law_, wall_law_;
+  // Of the uncertified instance.
+  double plain_restitution_ = 1;
+  std::int64_t plain_collisions_ = 0;
+};
+
+}  // namespace voroproof::internal

@@ -1,0 +1,182 @@
+// The states of moving disks in as many bits as the rest of a run needs, and the log of what
+// changed them.
+//
+// The log of collisions and maneuvers is the expression graph of every state: to get more bits it
+// is applied anew at a higher precision; no search is repeated.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <vector>
+
+#include "exact/ball.h"
+#include "exact/compact_rational.h"
+#include "exact/fixed_ball.h"
+#include "exact/generators.h"
+#include "exact/rational.h"
+#include "filtered/motion/options.h"
+#include "filtered/motion/worker.h"
+#include "filtered/numbers/dd_ball.h"
+
+namespace voroproof::internal {
+
+// An enclosure by the double next to the number and what is left of it.
+DdBall dd_of(const Rational& q);
+DdBall dd_of(const CompactRational& q);
+
+// A number that few bits hold as it is, whatever the precision; else rounded to `bits`.
+Ball dyadic_or_rounded(const Rational& q, Ball::Precision bits);
+
+// Records are appended, and applied to the states later: what tells of states is of the records
+// applied so far.
+class MotionStates {
+ public:
+  MotionStates(MotionInput input, const MotionOptions& options);
+  MotionStates(const MotionStates&) = delete;
+  MotionStates& operator=(const MotionStates&) = delete;
+  ~MotionStates();
+
+  // Of disks whose motion is given, centres and velocities may be those of another time: see
+  // initial_state().
+  const MotionInput& input() const { return input_; }
+  int size() const { return static_cast<int>(input_.disks.size()); }
+  // Disk g with the centre and the velocity of its initial state, or of its last restart().
+  const DiskInput& initial_state(GenId g) const;
+  // When the initial state of a disk holds: 0 unless it was restarted.
+  double initial_time(GenId g) const { return start_[g]; }
+  // As Motion's; the state is one at time t.
+  void restart(GenId g, double t, const Rational& x, const Rational& y, const Rational& vx,
+               const Rational& vy);
+  void restart(GenId g, double t, const GivenMotion& given);
+
+  struct Maneuver {
+    Rational t, vx, vy;
+  };
+  // A collision of i < j; a maneuver of i has j = i.
+  struct Record {
+    GenId i, j;
+    int before_i, before_j;  // the states before it: Motion::state_id
+    double t_i, t_j;         // their reference times
+    double t_ref;            // and that of the states after it
+    int maneuver;            // its index, or -1
+  };
+  // The records so far, oldest first.
+  std::size_t size_of_log() const { return log_.size() + rest_.size(); }
+  const Record& record(std::size_t k) const {
+    return k < log_.size() ? log_[k] : rest_[k - log_.size()];
+  }
+  const Maneuver& maneuver(int index) const { return maneuvers_[index]; }
+
+  void append(const Record& r) { rest_.push_back(r); }
+  // Its index, for a record.
+  int append(Maneuver m);
+
+  // Applies all records. Raises the supply of bits where the states after a collision are not
+  // accurate enough. Throws Undecided where that would exceed the budget.
+  void apply_rest();
+  // The same in a thread of its own. Precondition: the rest are collisions.
+  void apply_rest_late();
+  // Waits for that thread, and throws what apply_rest() would have thrown.
+  void wait();
+  // How many records are neither applied nor handed to that thread.
+  std::size_t rest() const { return rest_.size(); }
+  // Applies all records anew, for states known to twice as many bits. False when the budget is
+  // exhausted.
+  bool raise_goal();
+
+  // How far things are; while the other thread works, how far they were when it began. Until it is
+  // waited for, states may not be asked for, nor bits_at().
+  struct Progress {
+    std::size_t applied = 0;    // records
+    int highest_bits = 0;       // those at time 0
+    std::uint64_t replays = 0;  // how often all records have been applied anew
+  };
+  Progress progress() const;
+  // Whether the supply of bits is far from the budget.
+  bool has_spare_bits() const { return 4 * std::int64_t{progress().highest_bits} <= max_bits_; }
+
+  // The present goal: every state is known to at least this many bits below the scale of the
+  // scene.
+  int goal_bits() const { return goal_bits_; }
+  int bits_at(double t) const;
+  // The scales of lengths and of speeds are 2 to these powers.
+  std::int64_t x_scale() const { return x_scale_; }
+  std::int64_t v_scale() const { return v_scale_; }
+
+  template <class T>
+  struct State {
+    T x, y, vx, vy;
+  };
+  // The state of g, whose reference time is t_ref; its balls have the precision of that time.
+  const State<Ball>& balls(GenId g, double t_ref) const;
+  State<DdBall> double_doubles(GenId g) const;
+  // Negative for the container.
+  DdBall radius_dd(GenId g) const;
+  // The time of the collision applied last, and its delay after the reference time.
+  DdBall last_time() const;
+  DdBall last_delay() const;
+  Ball last_time_ball() const;
+  Ball last_delay_ball() const;
+
+ private:
+  // x, y, vx, vy after a collision, as the computation left them: in units of 2^x_scale_ and of
+  // 2^v_scale.
+  struct FixedState {
+    FixedRow numbers;
+    std::int64_t v_scale;
+    std::int64_t scale(std::size_t k, std::int64_t x_scale) const {
+      return k < 2 ? x_scale : v_scale;
+    }
+  };
+  // What a collision computes with, kept so that no memory is allocated for it.
+  struct Workspace {
+    FixedArithmetic arithmetic;
+    FixedBall now, dt, term, x[2], y[2], vx[2], vy[2], dx, dy, wx, wy, mass[2];
+    FixedBall reach, a, b, c, root, s, nx, ny, k, kx, ky, sx, sy;
+    std::int64_t time_scale = 0;  // of `s`, the delay of the collision after `now`
+  };
+
+  int integer_limbs() const;
+  void begin();
+  State<Ball> initial_balls(GenId g, Ball::Precision bits) const;
+  Ball ball_of(const FixedBall& time) const;
+  void set_fixed(FixedBall& out, const CompactRational& x, std::int64_t unit);
+  void apply(const Record& r);
+  void apply_maneuver(const Record& r);
+  void respond(const Record& r);
+  bool is_accurate_enough(const Record& r) const;
+  bool is_working() const { return worker_ && worker_->is_working(); }
+  void take_over_rest();
+  void apply_log();
+  void replay();
+  bool raise_for(double t);
+
+  // Where `given_` is set for a disk, its state is yet to be taken over from there.
+  mutable MotionInput input_;
+  mutable std::vector<const GivenMotion*> given_;
+  DiskInput container_;  // at rest; its radius is positive here
+  int max_bits_;
+  int goal_bits_;
+  double slope_ = 0;  // further bits per unit of time before the horizon
+  double horizon_ = 0;
+  std::int64_t x_scale_ = 0, v_scale_ = 0;        // exponents
+  std::int64_t far_scale_ = 0, reach_scale_ = 0;  // of the farthest coordinate, the least reach
+  std::uint64_t replays_ = 0;
+  std::vector<double> start_;       // per disk: when its initial state holds
+  std::vector<Record> log_, rest_;  // applied or handed over, and those after them
+  std::vector<Maneuver> maneuvers_;
+  std::size_t applied_ = 0;     // records
+  std::exception_ptr failure_;  // of a state that could not be computed: none can be since
+  Progress before_job_;
+  // The states of generators whose last change was a collision; null of all others.
+  std::vector<std::unique_ptr<FixedState>> fixed_;
+  // States in balls: those after a maneuver, others from when they are asked for.
+  mutable std::vector<std::unique_ptr<State<Ball>>> balls_;
+  Ball disk_law_, wall_law_, wall_keep_;  // factors of the laws of collision
+  Workspace workspace_;
+  std::unique_ptr<Worker> worker_;  // the last member: its job uses the others
+};
+
+}  // namespace voroproof::internal

@@ -1,0 +1,45 @@
+// How the motion is computed, and what it says where that does not suffice.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "exact/generators.h"
+#include "exact/motion_input.h"
+
+namespace voroproof::internal {
+
+struct MotionOptions {
+  bool filters = true;  // false: no decision is taken in doubles or double-doubles
+  // Collisions are computed in double-doubles at first; what goes beyond these follows some
+  // collisions later, from a second thread.
+  bool late_states = false;
+  int start_bits = 192;
+  int max_bits = 32768;
+  std::size_t max_radicals = 4;
+};
+
+// A decision that needs more than the stated budget, and what it is about.
+class Undecided : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+  Undecided(const std::string& reason, const Quad& edge) : std::runtime_error(reason), flip(edge) {}
+  Undecided(const std::string& reason, GenId i, GenId j)
+      : std::runtime_error(reason), contact(std::pair(i, j)) {}
+
+  std::optional<Quad> flip;
+  std::optional<std::pair<GenId, GenId>> contact;
+};
+
+// Tells the exact states of disks whose motion is given and not computed.
+class GivenMotion {
+ public:
+  virtual ~GivenMotion() = default;
+  // Centre and velocity of disk g when it was last restarted: sets x, y, vx and vy.
+  virtual void state(GenId g, DiskInput& disk) const = 0;
+};
+
+}  // namespace voroproof::internal

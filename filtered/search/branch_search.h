@@ -1,0 +1,51 @@
+// Where the flip polynomial f has roots close together or double ones, the in-circle functions
+// tell them apart: f is q times its conjugate up to a positive factor (exact/predicates.h), and a
+// pair of roots is mostly one of each. Of nearly equal radii all roots of f come in such pairs.
+#pragma once
+
+#include <optional>
+
+#include "exact/ball.h"
+#include "exact/dual.h"
+#include "filtered/motion/motion.h"
+#include "filtered/search/collapse.h"
+#include "filtered/search/edge_predicates.h"
+
+namespace voroproof::internal {
+
+// The first collapse of q in [start, end] by its in-circle functions, in doubles with error bounds:
+// `root`, an isolated one of f; or `none` up to the time up to which there is none, which may be
+// `start`.
+Collapse search_branches(const Motion& motion, const Quad& q, double start, double end);
+
+// The zero of the in-circle function of q's start between lo, where it is positive, and hi, where
+// it is negative, isolated from other roots of f; nullopt where that cannot be seen.
+// Preconditions: the edge collapses wherever that function falls in [lo, hi], and no tangency of
+// the four vanishes there.
+std::optional<Collapse> isolate_on_branch(const Motion& motion, const Quad& q, double lo,
+                                          double hi);
+
+// The collapse of q that an interval [lo, hi] is known to hold, by the interval Newton method
+// for an in-circle function; the radius is infinite where that cannot say.
+DdBall refine_branch(const Motion& motion, const Quad& q, double lo, double hi);
+
+// The generators of q at t, with their velocities as slopes.
+template <class T>
+std::array<Site<Dual<T>>, 4> moving_sites(const Motion& motion, const Quad& q, const T& t) {
+  std::array<Site<Dual<T>>, 4> out;
+  const GenId ids[4] = {q.l, q.r, q.s, q.e};
+  for (int k = 0; k < 4; ++k) {
+    const MovingSite<T> m = motion.moving_site(ids[k], t);
+    out[k] = {{m.x, m.vx}, {m.y, m.vy}, {m.r, T()}};
+  }
+  return out;
+}
+
+// The in-circle function of e in the start circle of q, up to a positive factor that depends on
+// time.
+template <class T>
+T start_incircle(const Quad& q, const std::array<Site<T>, 4>& at) {
+  return incircle_value(EdgeTriples<T>::of(q, at).start, at[3], q.e == container_id);
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,181 @@
+// The exact tier of the search for collapses.
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "filtered/numbers/subdivision.h"
+#include "filtered/search/collapse.h"
+#include "filtered/search/edge_predicates.h"
+#include "filtered/search/flip_polynomial.h"
+
+namespace voroproof::internal {
+
+namespace {
+
+// A root that is still to come is narrowed no further.
+constexpr int kBitsBeforeWaiting = 256;
+
+std::array<Site<Polynomial<Tower>>, 4> paths(const Quad& q, ExactMotion& exact) {
+  std::array<Site<Polynomial<Tower>>, 4> out;
+  const GenId ids[4] = {q.l, q.r, q.s, q.e};
+  for (int k = 0; k < 4; ++k) {
+    const ExactMotion::State& s = exact.state(ids[k]);
+    const Tower t(s.t_ref);
+    out[k] = {Polynomial<Tower>{s.x - s.vx * t, s.vx}, Polynomial<Tower>{s.y - s.vy * t, s.vy},
+              Polynomial<Tower>{exact.radius(ids[k])}};
+  }
+  return out;
+}
+
+bool equal_radii(const Quad& q, ExactMotion& exact) {
+  const Tower r = exact.radius(q.l);
+  return exact.radius(q.r) == r && exact.radius(q.s) == r && exact.radius(q.e) == r;
+}
+
+Polynomial<Tower> flip_polynomial(const Quad& q, ExactMotion& exact) {
+  const auto p = paths(q, exact);
+  return equal_radii(q, exact) ? cocircularity(p[3], p[0], p[1], p[2])
+                               : cotangency(p[0], p[1], p[2], p[3]);
+}
+
+std::array<Site<Tower>, 4> exact_sites(const Quad& q, const Rational& t, ExactMotion& exact) {
+  const Tower at(t);
+  return {exact.site(q.l, at), exact.site(q.r, at), exact.site(q.s, at), exact.site(q.e, at)};
+}
+
+// Both in-circle signs at an exact time at which the circles exist.
+std::array<Sign, 2> exact_incircles(const Quad& q, const Rational& t, ExactMotion& exact) {
+  const auto at = exact_sites(q, t, exact);
+  const auto triples = EdgeTriples<Tower>::of(q, at);
+  const Sign f = sign(cotangency(at[0], at[1], at[2], at[3]));
+  return {incircle(triples.start, at[3], q.e == container_id, f),
+          incircle(triples.end, at[2], q.s == container_id, f)};
+}
+
+}  // namespace
+
+// Four generators at rest relative to each other: the edge is legal for good unless
+// they are cotangent now and the rule of the largest id is against it.
+Collapse CollapseSearch::at_rest(const Quad& q, const Instant& now) {
+  const Collapse legal = Collapse::none_until(std::numeric_limits<double>::infinity());
+  if (legal_while_cotangent(q)) return legal;
+  if (sign(flip_value(motion_, q, DoubleBall::hull(now.lo, now.hi), false)) != Sign::unknown) {
+    counts_.count(Predicate::flip_search, Tier::filter);
+    return legal;
+  }
+  if (sign(flip_value(motion_, q, now.dd, false)) != Sign::unknown) {
+    counts_.count(Predicate::flip_search, Tier::dd);
+    return legal;
+  }
+  try {
+    ExactMotion exact(motion_);
+    const auto s = exact_incircles(q, to_rational(now.hi), exact);
+    counts_.count(Predicate::flip_search, Tier::exact);
+    if (s[0] != Sign::zero || s[1] != Sign::zero) return legal;
+  } catch (const BudgetExceeded& e) {
+    throw Undecided(std::string("four generators at relative rest may be cotangent: ") + e.what(),
+                    q);
+  }
+  const Ball t(to_rational(now.hi), motion_.goal_bits() + 32);
+  const auto answer = while_cotangent(q, {Sign::zero, Sign::zero}, t);
+  if (!answer) throw Undecided("the order of four generators on their circle is not decided", q);
+  return *answer;
+}
+
+Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Instant* now,
+                                 double end) {
+  ExactMotion exact(motion_);
+  const Polynomial<Tower> phi = flip_polynomial(q, exact);
+  const Rational finish = std::max<Rational>(to_rational(end), start);
+  if (phi.is_zero()) {
+    const Rational t = now != nullptr ? Rational(to_rational(now->hi)) : start;
+    const auto answer =
+        while_cotangent(q, exact_incircles(q, t, exact), Ball(t, motion_.goal_bits() + 32));
+    if (!answer) {
+      throw Undecided("four generators stay cotangent, in an order that is not decided", q);
+    }
+    return *answer;
+  }
+  Collapse answer;
+  answer.kind = Collapse::Kind::now;
+  // To which a root is narrowed so that its circles show whether they exist and which they touch.
+  const int least = motion_.goal_bits() + 32;
+  const int most = std::max(least, motion_.options().max_bits / 8);
+  const Rational beyond = finish + 1;
+  std::vector<ExactTime> roots = real_roots(phi, start, beyond);
+  std::optional<ExactTime> instant;
+  if (now != nullptr) instant = now->exact(exact);
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    const auto order = instant ? compare(roots[k], *instant) : compare(roots[k], start);
+    if (order < 0) continue;
+    if (order == 0 && !instant) continue;  // the search starts at a root: beyond it
+    // A rational time after this root and before the next; near the root: later on the
+    // generators may overlap.
+    const Rational hair(Integer(1), Integer(1) << 64);
+    const auto after_root = [&]() -> Rational {
+      if (!roots[k].is_point()) return roots[k].interval().hi;
+      const Rational next = k + 1 < roots.size() ? roots[k + 1].interval().lo : beyond;
+      return std::min<Rational>((roots[k].interval().lo + next) / 2, roots[k].interval().lo + hair);
+    };
+    // The same before it, after the root before and after the start and the instant.
+    const auto before_root = [&]() -> Rational {
+      const Rational at = roots[k].interval().lo;
+      if (!roots[k].is_point()) return at;
+      const Rational last = k > 0 ? roots[k - 1].interval().hi : start;
+      Rational t = std::max<Rational>((at + last) / 2, at - hair);
+      while (instant && compare(*instant, t) >= 0) t = (t + at) / 2;
+      return t;
+    };
+    // Whether both circles of the edge are in conflict after the root, and one at it.
+    const auto shrinks = [&](int limit) {
+      const auto s = exact_incircles(q, after_root(), exact);
+      if (s[0] != Sign::negative || s[1] != Sign::negative) return false;
+      for (int bits = least;; bits *= 2) {
+        const RootInterval& at = roots[k].interval();
+        const Sign contacts =
+            contact_order(q, sites(motion_, q, MakeBall{bits}.hull(at.lo, at.hi)));
+        if (is_certain(contacts)) {
+          return contacts == Sign::positive;
+        }
+        if (bits > limit) throw RootTooBlurred("the order of the contacts at a flip", bits);
+        roots[k].refine(Rational(Integer(1), Integer(1) << bits));
+      }
+    };
+    if (order == 0) {
+      roots[k].refine(hair);
+      if (shrinks(most)) return answer;
+      continue;
+    }
+    // Later: does the edge collapse here? Whether its circles exist is not asked: those of an edge
+    // of the diagram do, and others are not there any more. Where the answer takes many bits it can
+    // wait, for an event may come before the root.
+    if (compare(roots[k], finish) > 0) break;
+    roots[k].refine(hair);
+    const double reached = voroproof::internal::round_down(before_root());
+    const bool can_wait =
+        reached > (now != nullptr ? now->hi : voroproof::internal::round_up(start));
+    bool collapses = false;
+    try {
+      collapses = shrinks(can_wait ? std::min(most, kBitsBeforeWaiting) : most);
+    } catch (const RootTooBlurred&) {
+      if (!can_wait) throw;
+      return Collapse::none_until(reached);
+    }
+    if (collapses) {
+      // A root that is a point needs an interval all the same: it may not be an end.
+      return Collapse::at_root(before_root(), after_root());
+    }
+  }
+  return Collapse::none_until(voroproof::internal::round_down(finish));
+}
+
+ExactTime CollapseSearch::exact_root(const Quad& q, const Rational& lo, const Rational& hi,
+                                     ExactMotion& exact) {
+  if (lo == hi) return ExactTime(lo);
+  const Polynomial<Tower> phi = flip_polynomial(q, exact);
+  const Sign at_lo = sign(phi.evaluate(Tower(lo))), at_hi = sign(phi.evaluate(Tower(hi)));
+  if (at_lo != Sign::zero && at_lo == -at_hi) return ExactTime(phi, RootInterval{lo, hi});
+  return real_roots(phi, lo, hi).at(0);  // of even order
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,110 @@
+// Narrowing a root that has been isolated.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "exact/patience.h"
+#include "filtered/numbers/subdivision.h"
+#include "filtered/search/branch_search.h"
+#include "filtered/search/collapse.h"
+#include "filtered/search/flip_polynomial.h"
+#include "filtered/search/newton_step.h"
+
+namespace voroproof::internal {
+
+DdBall CollapseSearch::newton(const Quad& q, double lo, double hi) const {
+  // One step of the interval Newton method: the root lies in c - f(c) / f'([lo, hi]).
+  const bool cocircular = flip_polynomial_is_cocircularity(motion_, q);
+  const double c = 0.5 * (lo + hi);
+  const DdBall root = newton_step(motion_, q, lo, hi, cocircular);
+  if (std::isfinite(root.rad)) return root;
+  const DoubleBall slope =
+      flip_value_and_slope(motion_, q, DoubleBall::hull(lo, hi), cocircular).slope;
+  const DdBall f = flip_value(motion_, q, DdBall(c), cocircular);
+  return DdBall(c) - f / DdBall(slope.mid, 0, slope.rad);
+}
+
+DdBall CollapseSearch::refine(const Quad& q, double lo, double hi) const {
+  const DdBall root = newton(q, lo, hi);
+  if (root.rad < 0.25 * (hi - lo)) return root;
+  const DdBall by_branch = refine_on_branch(q, lo, hi);
+  return by_branch.rad < root.rad ? by_branch : root;
+}
+
+DdBall CollapseSearch::refine_on_branch(const Quad& q, double lo, double hi) const {
+  return refine_branch(motion_, q, lo, hi);
+}
+
+namespace {
+
+// A function of time with a zero that is sought, in balls of a given precision.
+struct Falling {
+  std::function<Ball(const Ball&)> value, slope;  // at a time, over an interval
+};
+
+// Narrows [a, b], at whose ends f has certain and different signs.
+Ball narrow(const Falling& f, Sign at_a, Rational a, Rational b, const MakeBall& make) {
+  Ball root = make.hull(a, b);
+  for (;;) {
+    Patience::ask();
+    const Rational middle = (a + b) / 2;
+    const Ball center = make(middle);
+    const Ball value = f.value(center);
+    const Ball slope = f.slope(make.hull(a, b));
+    const Ball next = center - value / slope;
+    if (is_certain(sign(slope)) && next.radius().scaled(2) < root.radius()) {
+      // The interval Newton method gains at least two bits.
+      root = next;
+      Rational mid, rad = 1;
+      mpfr_get_q(mid.get_mpq_t(), root.midpoint());
+      const long e = static_cast<long>(root.radius().exponent()) + 1;
+      if (e >= 0) {
+        rad <<= static_cast<unsigned long>(e);
+      } else {
+        rad >>= static_cast<unsigned long>(-e);
+      }
+      a = std::max<Rational>(a, mid - rad);
+      b = std::min<Rational>(b, mid + rad);
+      if (!(a < b)) return root;
+    } else {
+      // Not monotone enough yet, or at the limit of the precision: bisect.
+      const Sign s = sign(value);
+      if (s == at_a) {
+        a = middle;
+      } else if (s == -at_a && s != Sign::unknown) {
+        b = middle;
+      } else {
+        return root;
+      }
+      root = make.hull(a, b);
+    }
+  }
+}
+
+}  // namespace
+
+Ball CollapseSearch::refine(const Quad& q, const Rational& lo, const Rational& hi, int bits) const {
+  const bool cocircular = flip_polynomial_is_cocircularity(motion_, q);
+  const MakeBall make{bits};
+  const auto branch = [&](const Quad& edge) {
+    return Falling{
+        [this, edge](const Ball& t) { return start_incircle(edge, sites(motion_, edge, t)); },
+        [this, edge](const Ball& t) {
+          return start_incircle(edge, moving_sites(motion_, edge, t)).slope;
+        }};
+  };
+  const Falling polynomial{
+      [&](const Ball& t) { return flip_value(motion_, q, t, cocircular); },
+      [&](const Ball& t) { return flip_value_and_slope(motion_, q, t, cocircular).slope; }};
+  // Of a root of even order the polynomial tells nothing; next to one of high order the precision
+  // may not tell an end of the interval from it.
+  for (const Falling& f : {polynomial, branch(q), branch(reversed(q))}) {
+    const Sign at_lo = sign(f.value(make(lo))), at_hi = sign(f.value(make(hi)));
+    if (is_certain(at_lo) && at_hi == -at_lo) {
+      return narrow(f, at_lo, lo, hi, make);
+    }
+  }
+  return make.hull(lo, hi);
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,169 @@
+// Predicates of the generators at one exact time: written once for every number type, decided by
+// the cheapest that can.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exact/directions.h"
+#include "exact/predicates.h"
+#include "filtered/motion/motion.h"
+#include "filtered/numbers/stats.h"
+#include "filtered/search/collapse.h"
+
+namespace voroproof::internal {
+
+// What a predicate asks: the sites, and constants that are not the motion's.
+template <class T>
+class SitesAt {
+ public:
+  SitesAt(const std::vector<Site<T>>& sites, const std::vector<T>& constants)
+      : sites_(&sites), constants_(&constants) {}
+  const Site<T>& operator()(GenId g) const { return (*sites_)[g + 1]; }
+  const T& constant(std::size_t k) const { return (*constants_)[k]; }
+
+ private:
+  const std::vector<Site<T>>* sites_;
+  const std::vector<T>* constants_;
+};
+
+class InstantPredicates {
+ public:
+  // The states of `motion` are in force at t. It must outlive this object.
+  InstantPredicates(const Motion& motion, const Rational& t, TierCounts& counts,
+                    std::vector<Rational> constants = {})
+      : motion_(motion), counts_(counts), t_(t), constants_(std::move(constants)) {
+    const double nearest = round_nearest(t);
+    const DoubleBall at(nearest, distance(t, nearest));
+    const DdBall at_dd(nearest, 0, distance(t, nearest));
+    for (GenId g = container_id; g < motion.size(); ++g) {
+      doubles_.push_back(motion.site(g, at));
+      dds_.push_back(motion.site(g, at_dd));
+    }
+    for (const Rational& q : constants_) {
+      const double x = round_nearest(q);
+      double_constants_.emplace_back(x, distance(q, x));
+      dd_constants_.emplace_back(x, 0, distance(q, x));
+    }
+  }
+
+  const Motion& motion() const { return motion_; }
+  const Rational& t() const { return t_; }
+  const Site<DoubleBall>& rough(GenId g) const { return doubles_[g + 1]; }
+
+  // Runs a predicate, given as a template over (sites, square root), through the tiers until it
+  // gives a value. It must give one over exact numbers. `proof` gives the value where something
+  // else than arithmetic proves it, and is asked before exact numbers are. Throws Undecided where
+  // those need more than the budget.
+  template <class F, class Proof>
+  auto decide(F&& predicate, Proof&& proof) {
+    if (motion_.options().filters) {
+      if (const auto r = predicate(SitesAt<DoubleBall>(doubles_, double_constants_), OwnRoot{})) {
+        counts_.count(Predicate::incircle, Tier::filter);
+        return *r;
+      }
+      if (const auto r = predicate(SitesAt<DdBall>(dds_, dd_constants_), OwnRoot{})) {
+        counts_.count(Predicate::incircle, Tier::dd);
+        return *r;
+      }
+    }
+    if (const auto r = predicate(BallSites(*this), OwnRoot{})) {
+      counts_.count(Predicate::incircle, Tier::ball);
+      return *r;
+    }
+    if (const auto r = proof()) {
+      counts_.count(Predicate::incircle, Tier::symmetry);
+      return *r;
+    }
+    ExactMotion exact(motion_);
+    try {
+      const auto r = predicate(ExactSites(*this, exact),
+                               [&](const Tower& x) { return exact.field().sqrt(x); });
+      counts_.count(Predicate::incircle, Tier::exact);
+      return r.value();
+    } catch (const BudgetExceeded& e) {
+      throw Undecided(std::string("a predicate at an instant: ") + e.what());
+    }
+  }
+
+  template <class F>
+  auto decide(F&& predicate) {
+    return decide(predicate, [&] { return decltype(predicate(BallSites(*this), OwnRoot{}))(); });
+  }
+
+  // The sign of such an expression.
+  template <class F>
+  Sign sign_of(F&& expression) {
+    return decide([&](auto at, auto root) -> std::optional<Sign> {
+      const Sign s = sign(expression(at, root));
+      if (s == Sign::unknown) return std::nullopt;
+      return s;
+    });
+  }
+
+  // A ball that contains the value of such an expression.
+  template <class F>
+  auto ball(F&& expression) const {
+    return expression(BallSites(*this), OwnRoot{});
+  }
+
+ private:
+  static double distance(const Rational& q, double nearest) {
+    return std::fabs(round_nearest(Rational(q - to_rational(nearest)))) * (1 + 0x1p-50);
+  }
+
+  // Sites and constants in balls, computed when asked for.
+  class BallSites {
+   public:
+    explicit BallSites(const InstantPredicates& p)
+        : p_(&p), bits_(p.motion_.goal_bits() + 32), t_(p.t_, bits_) {}
+    Site<Ball> operator()(GenId g) const { return p_->motion_.site(g, t_); }
+    Ball constant(std::size_t k) const { return Ball(p_->constants_[k], bits_); }
+
+   private:
+    const InstantPredicates* p_;
+    int bits_;
+    Ball t_;
+  };
+
+  class ExactSites {
+   public:
+    ExactSites(const InstantPredicates& p, ExactMotion& exact) : p_(&p), exact_(&exact), t_(p.t_) {}
+    Site<Tower> operator()(GenId g) const { return exact_->site(g, t_); }
+    Tower constant(std::size_t k) const { return Tower(p_->constants_[k]); }
+
+   private:
+    const InstantPredicates* p_;
+    ExactMotion* exact_;
+    Tower t_;
+  };
+
+  const Motion& motion_;
+  TierCounts& counts_;
+  Rational t_;
+  std::vector<Rational> constants_;
+  std::vector<Site<DoubleBall>> doubles_;
+  std::vector<Site<DdBall>> dds_;
+  std::vector<DoubleBall> double_constants_;
+  std::vector<DdBall> dd_constants_;
+};
+
+// The counterclockwise tangent circle of the vertex [a,b,c].
+template <class Sites>
+auto triple(Sites& at, GenId a, GenId b, GenId c) {
+  const auto v = disk_first(a, b, c);
+  return TangentTriple(at(v[0]), at(v[1]), at(v[2]), v[1] == container_id || v[2] == container_id);
+}
+
+// Direction from the disk `base` to the vertex (base, b, c), up to a positive factor.
+template <class Sites, class Root>
+auto vertex_direction(Sites& at, Root& root, GenId base, GenId b, GenId c) {
+  return circle_direction(
+      TangentTriple(at(base), at(b), at(c), b == container_id || c == container_id), root);
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,75 @@
+// The certifier: proves a claimed history, refutes it with evidence, or says what it cannot decide.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "voroproof/export.h"
+#include "voroproof/history.h"
+#include "voroproof/scene.h"
+
+namespace voroproof {
+
+// docs/claim.md states what each verdict says.
+enum class Verdict { certified, refuted, undecided };
+VOROPROOF_API const char* name(Verdict verdict);  // "certified" and so on
+
+enum class Truth {
+  exact,     // the true motion of the scene
+  recorded,  // the motion that the claimed collision times and velocities define
+};
+
+struct CertifyOptions {
+  Truth truth = Truth::exact;
+  Number tolerance{1e-6};      // of times
+  Number law_tolerance{1e-9};  // of velocities, relative to the speeds involved
+  bool strict = false;         // swaps, unoriented edges and another horizon are refuted
+  int threads = 1;             // for the recorded truth; the report is the same
+  int max_bits = 32768;
+  // Called now and then with the time and the number of events judged; false interrupts.
+  std::function<bool(double t, std::int64_t events)> monitor;
+};
+
+// Where a refuted history is wrong.
+struct Divergence {
+  std::string fault;         // "missing event", "wrong time", ... (docs/certificate.md)
+  std::int64_t line = 0;     // of the file; of a History, event k is on line k + 2
+  double t = 0;              // of the claim, or of the truth where no claim is at fault
+  std::string truth;         // what is true instead, one sentence
+  std::optional<Edge> edge;  // that flips in truth
+  std::optional<std::array<int, 2>> pair;  // that touches in truth
+};
+
+// Something that was accepted by leniency (docs/claim.md, section 5).
+struct Leniency {
+  std::string name, words;
+  std::int64_t count = 0;
+};
+
+struct Report {
+  Verdict verdict = Verdict::undecided;
+  std::string reason;  // in one line, why it is not certified
+  std::optional<Divergence> divergence;
+  std::string evidence;  // of a refutation: how its witness was checked, by CGAL
+  // The first so many events are right, and nothing is missing before t.
+  std::int64_t prefix_events = 0;
+  double prefix_t = 0;
+  std::int64_t flips = 0, collisions = 0, maneuvers = 0;  // that were proved
+  std::vector<Leniency> leniency;                         // with count > 0
+  std::vector<std::string> remarks;
+  std::string json;  // the whole report as `voroproof certify --report` writes it, witness included
+};
+
+// Throw InputError where the history is none or is not of this scene, Interrupted where the monitor
+// says so, std::invalid_argument for tolerances without meaning, and std::logic_error where CGAL
+// contradicts the witness of a refutation.
+VOROPROOF_API Report certify(const Scene& scene, const History& history,
+                             const CertifyOptions& options = {});
+// Of files, in any format that the program reads; large ones are read as they are judged.
+VOROPROOF_API Report certify_files(const std::string& scene_path, const std::string& history_path,
+                                   const CertifyOptions& options = {});
+
+}  // namespace voroproof

@@ -1,0 +1,7 @@
+// What the library exports; everything else of it is hidden.
+#pragma once
+
+#if defined(_WIN32)
+#error "voroproof is built for systems with ELF libraries"
+#endif
+#define VOROPROOF_API __attribute__((visibility("default")))

@@ -1,0 +1,14 @@
+// All of the library.
+#pragma once
+
+#include "voroproof/certify.h"
+#include "voroproof/diagram.h"
+#include "voroproof/error.h"
+#include "voroproof/generators.h"
+#include "voroproof/history.h"
+#include "voroproof/number.h"
+#include "voroproof/plan.h"
+#include "voroproof/queries.h"
+#include "voroproof/scene.h"
+#include "voroproof/simulate.h"
+#include "voroproof/version.h"

@@ -1,0 +1,56 @@
+#include "library/certification.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "evidence/evidence.h"
+#include "history/json_text.h"
+#include "kinetic/static_diagram.h"
+
+namespace voroproof::internal {
+
+void require_meaningful(const CertifyOptions& options, const HistoryHeader& header) {
+  static const Rational always_meaningful(1, 1'000'000);
+  if (options.tolerance > std::max(header.horizon, always_meaningful)) {
+    throw std::invalid_argument("tolerance: more than the horizon of the history, " +
+                                number_text(round_nearest(header.horizon)) + ": any time would do");
+  }
+  if (options.law_tolerance > 1) {
+    throw std::invalid_argument("law-tolerance: more than 1: any velocity would do");
+  }
+}
+
+std::vector<Quad> construct_initial(Motion& motion) {
+  TierCounts counts;
+  Diagram diagram = static_diagram(motion, 0, counts);
+  settle(diagram, motion, instant_at(0), counts);
+  return diagram.quads();
+}
+
+std::string checked_evidence(const Certificate& certificate, const std::string& scene_path,
+                             const std::string& history_path) {
+  if (!certificate.divergence) return {};
+  const EvidenceCheck check = check_evidence(*certificate.divergence);
+  if (check.evidence == Evidence::contradicted) {
+    throw std::logic_error("CGAL contradicts the witness of the refutation (" + check.sentence +
+                           "); please report the files " + scene_path + " and " + history_path +
+                           " (" + reason_line(certificate) + ")");
+  }
+  return check.sentence;
+}
+
+CertificationRun certification_run(const std::string& producer, const std::string& scene_path,
+                                   const std::string& history_path, const Claim& claim,
+                                   const std::string& evidence) {
+  const HistoryHeader& header = claim.history->header();
+  return {.producer = producer,
+          .scene_file = scene_path,
+          .history_file = history_path,
+          .scene_sha256 = claim.scene.sha256,
+          .history_producer = header.producer,
+          .disks = static_cast<int>(claim.scene.disks.size()),
+          .horizon = header.horizon,
+          .evidence = evidence};
+}
+
+}  // namespace voroproof::internal

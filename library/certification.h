@@ -1,0 +1,32 @@
+// What the verbs that certify histories share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "certify/report.h"
+#include "history/claim.h"
+
+namespace voroproof::internal {
+
+// What tolerances mean is stated in docs/formats.md, section 8. Greater ones than this accept any
+// time, or any velocity, and only cost: each claim is looked at beside all others that may be in
+// its place. Throws std::invalid_argument for them, naming the tolerance and the reason.
+void require_meaningful(const CertifyOptions& options, const HistoryHeader& header);
+
+// A diagram for histories that give none (CertifyOptions::propose_initial); the certifier proves it
+// or refutes it.
+std::vector<Quad> construct_initial(Motion& motion);
+
+// What a third party says to the witness of a refutation (evidence/evidence.h); empty without one.
+// Throws std::logic_error, with the files to report, where it says that the witness is false: then
+// the certifier is not to be believed, and nothing may be printed.
+std::string checked_evidence(const Certificate& certificate, const std::string& scene_path,
+                             const std::string& history_path);
+
+// What the report says of the two files and of the evidence; `producer` is this program.
+CertificationRun certification_run(const std::string& producer, const std::string& scene_path,
+                                   const std::string& history_path, const Claim& claim,
+                                   const std::string& evidence);
+
+}  // namespace voroproof::internal

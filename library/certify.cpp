@@ -1,0 +1,121 @@
+#include "voroproof/certify.h"
+
+#include <utility>
+
+#include "certify/certifier.h"
+#include "certify/report.h"
+#include "history/claim.h"
+#include "history/error.h"
+#include "library/certification.h"
+#include "library/values.h"
+#include "voroproof/version.h"
+
+namespace voroproof {
+namespace internal {
+namespace {
+
+voroproof::Verdict verdict_value(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::certified:
+      return voroproof::Verdict::certified;
+    case Verdict::refuted:
+      return voroproof::Verdict::refuted;
+    case Verdict::undecided:
+      break;
+  }
+  return voroproof::Verdict::undecided;
+}
+
+CertifyOptions options_of(const voroproof::CertifyOptions& asked) {
+  if (asked.threads < 1) throw std::invalid_argument("threads: less than 1");
+  CertifyOptions options;
+  options.truth = asked.truth == voroproof::Truth::recorded ? Truth::recorded : Truth::exact;
+  options.tolerance = rational(asked.tolerance);
+  options.law_tolerance = rational(asked.law_tolerance);
+  if (options.tolerance < 0) throw std::invalid_argument("tolerance: negative");
+  if (options.law_tolerance < 0) throw std::invalid_argument("law-tolerance: negative");
+  options.strict = asked.strict;
+  options.threads = asked.threads;
+  options.motion = motion_options(asked.max_bits);
+  options.propose_initial = construct_initial;
+  options.monitor = asked.monitor;
+  return options;
+}
+
+voroproof::Divergence divergence_value(const Divergence& d) {
+  voroproof::Divergence out;
+  out.fault = fault_names[static_cast<std::size_t>(d.fault)];
+  out.line = d.line;
+  out.t = d.t;
+  out.truth = d.truth;
+  if (d.true_flip) out.edge = edge_value(*d.true_flip);
+  if (d.true_contact) out.pair = {d.true_contact->first, d.true_contact->second};
+  return out;
+}
+
+voroproof::Report judged(Claim&& claim, const std::string& scene_name,
+                         const std::string& history_name, const voroproof::CertifyOptions& asked) {
+  const CertifyOptions options = options_of(asked);
+  require_meaningful(options, claim.history->header());
+  Certificate c = certify(claim.scene, *claim.history, options);
+  c.remarks.insert(c.remarks.begin(), claim.remarks.begin(), claim.remarks.end());
+
+  voroproof::Report out;
+  out.evidence = checked_evidence(c, scene_name, history_name);
+  out.verdict = verdict_value(c.verdict);
+  out.reason = reason_line(c);
+  if (c.divergence) out.divergence = divergence_value(*c.divergence);
+  out.prefix_events = c.prefix_events;
+  out.prefix_t = c.prefix_t;
+  out.flips = c.flips;
+  out.collisions = c.collisions;
+  out.maneuvers = c.maneuvers;
+  for (const Leniency& l : leniencies(c)) {
+    if (l.count > 0) out.leniency.push_back({std::string(l.name), std::string(l.words), l.count});
+  }
+  out.remarks = c.remarks;
+  out.json = report_text(certification_run("voroproof " VOROPROOF_VERSION, scene_name, history_name,
+                                           claim, out.evidence),
+                         options, c);
+  return out;
+}
+
+}  // namespace
+}  // namespace internal
+
+using internal::with_public_errors;
+
+const char* name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::certified:
+      return "certified";
+    case Verdict::refuted:
+      return "refuted";
+    case Verdict::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+Report certify(const Scene& scene, const History& history, const CertifyOptions& options) {
+  return with_public_errors([&] {
+    internal::Claim claim;
+    claim.scene = internal::checked_scene(scene);
+    claim.history = internal::memory_history(history, static_cast<int>(claim.scene.disks.size()));
+    if (history.scene_sha256 != claim.scene.sha256) {
+      throw internal::InputError("history", 1, "scene_sha256",
+                                 "the history is one of another scene");
+    }
+    return internal::judged(std::move(claim), "scene", "history", options);
+  });
+}
+
+Report certify_files(const std::string& scene_path, const std::string& history_path,
+                     const CertifyOptions& options) {
+  return with_public_errors([&] {
+    return internal::judged(internal::open_claim(scene_path, history_path), scene_path,
+                            history_path, options);
+  });
+}
+
+}  // namespace voroproof

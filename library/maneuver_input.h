@@ -1,0 +1,13 @@
+// From a scene file's contents to what the engine takes.
+#pragma once
+
+#include "history/scene.h"
+#include "history/scene_motion.h"
+#include "kinetic/engine.h"
+
+namespace voroproof::internal {
+
+// The maneuvers; for what moves, see motion_input().
+std::vector<ManeuverInput> maneuver_input(const Scene& scene);
+
+}  // namespace voroproof::internal

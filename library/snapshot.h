@@ -1,0 +1,49 @@
+// The diagram at one instant, with coordinates.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "history/diagram_file.h"
+#include "history/scene.h"
+#include "kinetic/engine.h"
+#include "queries/recorded_moment.h"
+
+namespace voroproof::internal {
+
+// The diagram just after all events at the exact time t >= 0, which may lie beyond the scene's
+// horizon: the motion is followed up to t and the diagram at t built from nothing but the positions
+// and velocities there. The edges are exact; the coordinates are computed with 160 bits, and more
+// where the motion is known better, and rounded to nearest.
+//
+// Throws Undecided where the engine stops before t, and Interrupted where the monitor says so.
+DiagramFile snapshot(const Scene& scene, const Rational& t, const EngineOptions& options = {});
+
+// How the diagram at an instant comes from a history (the paper's section 6: Move-1 to 3,
+// Construct-1 and 2).
+enum class Construct {
+  from_scratch = 1,  // from the positions at the instant
+  by_flips = 2,      // the initial diagram, flipped
+};
+struct SnapshotWay {
+  Move move = Move::colliding;
+  Construct construct = Construct::by_flips;
+};
+
+// The diagram at t according to a history of the scene: its initial diagram after its flips up to
+// t, the disks where its last recorded centres and velocities put them. What the history does not
+// record, the engine computes.
+//
+// All ways give the same, provided that the history is right. Construct::from_scratch takes the
+// edges from the true motion at t, replayed from the collisions (replayed_motion), and then puts
+// the flips recorded within a unit in the last place of t on the side of t on which they are
+// recorded; it throws InputError where the collisions are not those of the true motion.
+//
+// Throws InputError besides: see recorded_moment().
+DiagramFile snapshot(const Scene& scene, const std::string& history_path, const Rational& t,
+                     const EngineOptions& options = {}, const SnapshotWay& way = {});
+// The same, by its flips, of a history that need be no file; `name` is for messages.
+DiagramFile snapshot(const Scene& scene, HistorySource& history, const std::string& name,
+                     const Rational& t, const EngineOptions& options = {});
+
+}  // namespace voroproof::internal

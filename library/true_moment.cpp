@@ -1,0 +1,55 @@
+#include "library/true_moment.h"
+
+#include <utility>
+
+#include "exact/patience.h"
+#include "history/json_text.h"
+#include "kinetic/static_diagram.h"
+#include "library/maneuver_input.h"
+#include "queries/replayed_motion.h"
+
+namespace voroproof::internal {
+namespace {
+
+class NoSink final : public EventSink {
+ public:
+  void begin(const std::vector<Quad>&) override {}
+  void flip(double, const Quad&) override {}
+  void collide(double, GenId, GenId, const RoundedState&, const RoundedState&) override {}
+  void maneuver(double, GenId, const RoundedState&) override {}
+};
+
+}  // namespace
+
+std::unique_ptr<Engine<true>> run_to(const Scene& scene, const Rational& t,
+                                     const EngineOptions& options) {
+  MotionInput input = motion_input(scene);
+  input.horizon = t;
+  auto engine = std::make_unique<Engine<true>>(input, maneuver_input(scene), options);
+  NoSink sink;
+  const Outcome outcome = engine->run(sink);
+  if (outcome.kind == Outcome::Kind::interrupted) throw Interrupted();
+  if (outcome.kind == Outcome::Kind::stopped) {
+    throw Undecided("the motion is known before t = " + number_text(outcome.t) +
+                    " only: " + outcome.reason);
+  }
+  return engine;
+}
+
+Diagram diagram_at(Motion& motion, const Rational& t) {
+  TierCounts counts;
+  Diagram diagram = static_diagram(motion, t, counts);
+  settle(diagram, motion, instant_at(t), counts);
+  return diagram;
+}
+
+TrueMoment true_moment(const Scene& scene, const std::string& history_path, const Rational& t,
+                       const EngineOptions& options) {
+  Motion motion = history_path.empty()
+                      ? std::move(run_to(scene, t, options)->motion())
+                      : replayed_motion(scene, history_path, t, options.motion).motion;
+  Diagram diagram = diagram_at(motion, t);
+  return {std::move(motion), std::move(diagram)};
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,406 @@
+// certify and convert as their users meet them: verdicts, exit codes, reports, foreign files.
+#include <filesystem>
+#include <fstream>
+
+#include "tests/apps/verbs/cli.h"
+
+namespace voroproof::internal {
+namespace {
+
+class CertifyCli : public Cli {
+ protected:
+  // The last line of the output, which is the verdict, and the exit code that belongs to it.
+  std::string verdict(const Arguments& arguments) const {
+    Arguments all{"certify"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const Result result = run(all);
+    const auto lines = lines_of(result.out);
+    const std::string last = lines.empty() ? "" : lines.back();
+    const std::vector<std::string> of_code{"s CERTIFIED", "s REFUTED", "s INVALID", "s UNDECIDED"};
+    EXPECT_GE(result.code, 0);
+    EXPECT_LE(result.code, 3) << result.err;
+    if (result.code >= 0 && result.code <= 3) {
+      EXPECT_EQ(last, of_code[result.code]) << result.err;
+    }
+    EXPECT_EQ(result.err.empty(), result.code == 0) << result.err;
+    return last;
+  }
+
+  std::string history(const std::string& scene) const {
+    const std::string path = file("a.history.jsonl");
+    must({"simulate", scene, "-o", path});
+    return path;
+  }
+
+  // The history with line `number` (from 0) put through `change`.
+  template <class Change>
+  std::string edited(const std::string& path, Change&& change) const {
+    std::vector<std::string> lines = lines_of(read_file(path));
+    change(lines);
+    std::string text;
+    for (const std::string& line : lines) text += line + '\n';
+    const std::string to = file("edited.history.jsonl");
+    std::ofstream(to, std::ios::binary) << text;
+    return to;
+  }
+
+  std::string written(const std::string& name, const std::string& text) const {
+    const std::string path = file(name);
+    std::ofstream(path, std::ios::binary) << text;
+    return path;
+  }
+
+  // A scene of disks of mass 1 in a container of radius 100.
+  std::string scene(const std::string& horizon, const std::string& disks,
+                    const std::string& maneuvers = "") const {
+    return written("small.scene.json",
+                   R"({"format":"voroproof-scene","version":1,"horizon":)" + horizon +
+                       R"(,"container":{"center":[0,0],"radius":100},"disks":[)" + disks +
+                       R"(],"maneuvers":[)" + maneuvers + "]}");
+  }
+  static std::string disk(const std::string& center, const std::string& radius,
+                          const std::string& velocity) {
+    return R"({"center":[)" + center + R"(],"radius":)" + radius + R"(,"velocity":[)" + velocity +
+           R"(],"mass":1})";
+  }
+
+  static std::string read_file(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+};
+
+TEST_F(CertifyCli, OwnHistoriesUnderBothTruths) {
+  const std::string scene = reference(30, "40"), path = history(scene);
+  EXPECT_EQ(verdict({scene, path}), "s CERTIFIED");
+  EXPECT_EQ(verdict({scene, path, "--truth", "recorded"}), "s CERTIFIED");
+  EXPECT_EQ(verdict({scene, path, "--strict", "--report", file("r.json")}), "s CERTIFIED");
+  const Json report = json("r.json");
+  EXPECT_EQ(report["verdict"], "CERTIFIED");
+  EXPECT_LE(report["time_error_ulps"]["max"].get<double>(), 0.5000001);
+  EXPECT_EQ(report["certified_prefix"]["events"].get<std::size_t>(),
+            lines_of(read_file(path)).size() - 2);
+}
+
+TEST_F(CertifyCli, SmallestScenes) {
+  for (const char* n : {"0", "1", "2", "3"}) {
+    const std::string scene = reference(std::stoi(n), "20"), path = history(scene);
+    EXPECT_EQ(verdict({scene, path}), "s CERTIFIED") << n;
+    EXPECT_EQ(verdict({scene, path, "--truth", "recorded"}), "s CERTIFIED") << n;
+  }
+}
+
+TEST_F(CertifyCli, FaultsAreRefutedWithTheirLine) {
+  const std::string scene = reference(30, "40"), path = history(scene);
+  std::size_t dropped = 0;
+  const std::string bad = edited(path, [&](std::vector<std::string>& lines) {
+    while (lines[++dropped].find("flip") == std::string::npos) {
+    }
+    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(dropped));
+  });
+  for (const char* truth : {"exact", "recorded"}) {
+    EXPECT_EQ(verdict({scene, bad, "--truth", truth, "--report", file("r.json")}), "s REFUTED");
+    const Json report = json("r.json");
+    EXPECT_EQ(report["verdict"], "REFUTED");
+    EXPECT_EQ(report["divergence"]["kind"], "missing event");
+    EXPECT_EQ(report["divergence"]["line"].get<std::size_t>(), dropped + 1);
+  }
+}
+
+TEST_F(CertifyCli, ReportsAreExplainedAndDrawn) {
+  const std::string scene = reference(30, "40"), path = history(scene);
+  const std::string bad = edited(path, [](auto& lines) {
+    lines.erase(lines.begin() + 1);
+    lines.erase(lines.begin() + 1);
+  });
+  EXPECT_EQ(verdict({scene, bad, "--report", file("r.json")}), "s REFUTED");
+  const std::string words = must({"explain", file("r.json")}).out;
+  EXPECT_NE(words.find("REFUTED"), std::string::npos);
+  EXPECT_NE(words.find("Exactly one root lies between"), std::string::npos);
+  EXPECT_EQ(directory_.read("r.svg").substr(0, 5), "<?xml");
+  must({"explain", file("r.json"), "-o", file("r.png")});
+  EXPECT_EQ(directory_.read("r.png").substr(1, 3), "PNG");
+  EXPECT_EQ(verdict({scene, path, "--report", file("good.json")}), "s CERTIFIED");
+  EXPECT_NE(must({"explain", file("good.json")}).out.find(" before t = 40.\n"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(file("good.svg")));
+  Json cut = json("r.json");
+  cut["divergence"]["witness"]["generators"][0]["center"] = Json::array();
+  const std::string cut_report = written("cut.json", cut.dump());
+  refused({"explain", cut_report},
+          cut_report + ": divergence.witness.generators[0].center: fewer than 1 elements");
+  cut["certified_prefix"]["events"] = "12";
+  refused({"explain", written("cut.json", cut.dump())},
+          ": certified_prefix.events: not an integer\n");
+  cut.erase("certified_prefix");
+  refused({"explain", written("cut.json", cut.dump())}, ": certified_prefix: missing\n");
+  const std::string half = written("half.json", directory_.read("r.json").substr(0, 200));
+  refused({"explain", half}, half + ":");
+  refused({"explain", half}, ": incomplete\n");
+  refused({"explain", scene}, scene + ":1: format: not \"voroproof-report\"\n");
+  refused({"explain", path}, path + ":1: format: not \"voroproof-report\"\n");
+  refused({"explain", file("r.json"), "-o", file("r.gif")}, ".svg or .png");
+}
+
+TEST_F(CertifyCli, TheSelfCheckChangesNoByte) {
+  const std::string scene = reference(30, "40"), path = history(scene);
+  const std::string plain = read_file(path);
+  must({"simulate", scene, "-o", path, "--self-check"});
+  EXPECT_EQ(read_file(path), plain);
+  must({"simulate", scene, "-o", path, "--self-check", "--threads", "2"});
+  EXPECT_EQ(read_file(path), plain);
+}
+
+TEST_F(CertifyCli, WhatIsNotAHistoryOfTheSceneIsInvalid) {
+  const std::string scene = reference(30, "40"), path = history(scene);
+  EXPECT_EQ(verdict({scene, edited(path, [](auto& lines) { lines.pop_back(); })}), "s INVALID");
+  EXPECT_EQ(verdict({scene, edited(path,
+                                   [](auto& lines) {
+                                     const auto at = lines[0].find("sha256\":\"") + 9;
+                                     lines[0][at] = lines[0][at] == 'a' ? 'b' : 'a';
+                                   })}),
+            "s INVALID");
+  EXPECT_EQ(verdict({scene, file("absent")}), "s INVALID");
+  EXPECT_EQ(verdict({path, path}), "s INVALID");
+}
+
+TEST_F(CertifyCli, AToleranceThatAcceptsEverythingIsRefused) {
+  const std::string scene = reference(10, "40"), path = history(scene);
+  for (const char* truth : {"exact", "recorded"}) {
+    EXPECT_EQ(verdict({scene, path, "--truth", truth, "--tolerance", "40"}), "s CERTIFIED");
+    for (const char* more : {"40.000001", "1e100"}) {
+      refused({"certify", scene, path, "--truth", truth, "--tolerance", more},
+              "--tolerance: more than the horizon of the history, 40");
+    }
+    refused({"certify", scene, path, "--truth", truth, "--law-tolerance", "1.1"},
+            "--law-tolerance: more than 1");
+  }
+  // The default is never refused.
+  const std::string none = reference(10, "0");
+  EXPECT_EQ(verdict({none, history(none)}), "s CERTIFIED");
+}
+
+// The run may be shorter than its scene asks for; what it is right about is said.
+TEST_F(CertifyCli, AHistoryIsJudgedUpToItsOwnHorizon) {
+  const std::string scene = reference(10, "40"), path = file("a.history.jsonl");
+  must({"simulate", scene, "-o", path, "--horizon", "20"});
+  for (const char* truth : {"exact", "recorded"}) {
+    EXPECT_EQ(verdict({scene, path, "--truth", truth, "--report", file("r.json")}), "s CERTIFIED");
+    const Json report = json("r.json");
+    EXPECT_EQ(report["certified_prefix"]["t"], 20);
+    EXPECT_EQ(report["remarks"].at(0), "the horizon of the history is 20, that of the scene 40");
+  }
+  // Nothing is right beyond its end.
+  const std::string longer = edited(path, [](auto& lines) {
+    const auto at = lines[0].find("\"horizon\":20");
+    lines[0].replace(at, 12, "\"horizon\":40");
+    lines.back().replace(lines.back().find("\"t\":20"), 6, "\"t\":40");
+  });
+  EXPECT_EQ(verdict({scene, longer}), "s REFUTED");
+}
+
+TEST_F(CertifyCli, NothingAfterTheHorizonIsAnEvent) {
+  const std::string turn = R"({"t":2.0000005,"disk":0,"velocity":[0,1]})";
+  const std::string scene = this->scene("2", disk("0,0", "1", "1,0"), turn);
+  const std::string bad = edited(history(scene), [](auto& lines) {
+    lines.back() = R"({"t":2,"maneuver":0})";
+    lines.push_back(R"({"end":{"t":2,"flips":0,"collisions":0,"maneuvers":1}})");
+  });
+  for (const char* truth : {"exact", "recorded"}) {
+    EXPECT_EQ(verdict({scene, bad, "--truth", truth}), "s REFUTED");
+  }
+}
+
+// Disk 3 enters the circle of the others at t = 2.5e-7 and leaves it again. Told at t = 0, its turn
+// would make the diagram between another one from the start.
+TEST_F(CertifyCli, AManeuverToldTooEarlyDoesNotChangeTheStart) {
+  const std::string others =
+      disk("5,0", "0", "0,0") + ',' + disk("0,5", "0", "0,0") + ',' + disk("-5,0", "0", "0,0");
+  const std::string scene = this->scene("1", others + ',' + disk("0,-5.00000025", "0", "0,1"),
+                                        R"({"t":5e-7,"disk":3,"velocity":[0,-1]})");
+  const std::string path = history(scene);
+  EXPECT_EQ(verdict({scene, path}), "s CERTIFIED");
+  ASSERT_EQ(lines_of(read_file(path)).size(), 5U);
+  const std::string bad = edited(path, [](auto& lines) {
+    lines[0].resize(lines[0].find(",\"initial"));
+    lines[0] +=
+        ",\"initial\":[[-1,0,1,3],[-1,1,2,0],[-1,2,3,1],[-1,3,0,2],[0,1,-1,3],[0,3,1,-1],"
+        "[1,2,-1,3],[1,3,2,0],[2,3,-1,1]]}";
+    lines[1] = R"({"t":0,"maneuver":3})";
+    lines.erase(lines.begin() + 2);
+    lines.back() = R"({"end":{"t":1,"flips":1,"collisions":0,"maneuvers":1}})";
+  });
+  EXPECT_EQ(verdict({scene, bad}), "s REFUTED");
+}
+
+TEST_F(CertifyCli, CentresThatCoincideGiveNoNormal) {
+  const std::string scene =
+      this->scene("3", disk("-2,0", "1", "1,0") + ',' + disk("2,0", "1", "-1,0"));
+  const std::string path = history(scene);
+  for (const char* truth : {"exact", "recorded"}) {
+    for (const char* velocities : {"", R"(,"v":[[-1,0],[1,0]])"}) {
+      const std::string bad = edited(path, [&](auto& lines) {
+        lines[1] = R"({"t":1,"collide":[0,1],"p":[[0,0],[0,0]])" + std::string(velocities) + '}';
+      });
+      EXPECT_EQ(verdict({scene, bad, "--truth", truth}), "s REFUTED");
+    }
+  }
+  // Two points that meet.
+  const std::string points =
+      this->scene("3", disk("-2,0", "0", "1,0") + ',' + disk("2,0", "0", "-1,0"));
+  run({"simulate", points, "-o", path});  // stops, as the truth does
+  const std::string meeting = edited(path, [&](auto& lines) {
+    lines.resize(1);
+    lines.push_back(R"({"t":2,"collide":[0,1]})");
+    lines.push_back(R"({"end":{"t":3,"flips":0,"collisions":1,"maneuvers":0}})");
+  });
+  for (const char* truth : {"exact", "recorded"}) {
+    EXPECT_EQ(verdict({points, meeting, "--truth", truth}), "s UNDECIDED");
+  }
+}
+
+// Its cell has no area at the start: simulate stops there and names the pair, and certify does not
+// decide what others claim.
+TEST_F(CertifyCli, APointThatTouchesAtTheStartIsUndecided) {
+  const std::string point = disk("0,1", "0", "0,1"), unit = disk("0,0", "1", "0,0");
+  const std::string far = disk("-3,0", "1", "1,0"), at_wall = disk("100,0", "0", "-1,0");
+  const auto expect_stop = [&](const std::string& disks, const Json& pair) {
+    const std::string path = file("a.history.jsonl");
+    const std::string scene = this->scene("3", disks);
+    EXPECT_EQ(run({"simulate", scene, "-o", path}).code, 3) << disks;
+    const Json last = Json::parse(lines_of(read_file(path)).back());
+    EXPECT_EQ(last["stopped"]["t"], 0) << disks;
+    EXPECT_EQ(last["stopped"]["events"], Json::array({{{"collide", pair}}})) << disks;
+    EXPECT_EQ(verdict({scene, path}), "s UNDECIDED") << disks;
+  };
+  expect_stop(point + ',' + unit, {0, 1});
+  expect_stop(unit + ',' + far + ',' + point, {0, 2});
+  expect_stop(far + ',' + at_wall, {-1, 1});
+  // A history of two disks as another program may write it.
+  const std::string two = scene("3", point + ',' + unit), path = file("a.history.jsonl");
+  run({"simulate", two, "-o", path});
+  const std::string claimed = edited(path, [&](auto& lines) {
+    Json header = Json::parse(lines.front());
+    header["initial"] = {{-1, 0, 1, 1}, {-1, 1, 0, 0}, {0, 1, -1, -1}};
+    lines = {header.dump(), R"({"end":{"t":3,"flips":0,"collisions":0,"maneuvers":0}})"};
+  });
+  EXPECT_EQ(verdict({two, claimed}), "s UNDECIDED");
+  // Alone there is no diagram to be missed: it collides with the wall at once.
+  const std::string alone = scene("3", disk("100,0", "0", "1,0"));
+  EXPECT_EQ(verdict({alone, history(alone)}), "s CERTIFIED");
+}
+
+// Under the recorded truth no overlap is excused but by a claimed collision of the two, however
+// short it is and whatever they do in it.
+TEST_F(CertifyCli, OverlapsAreMeasuredWhole) {
+  const std::string disks = disk("-3,0", "1", "1,0") + ',' + disk("1,0", "1", "0,0");
+  std::string turns, claims;
+  for (int k = 1; k <= 9; ++k) {
+    const std::string t = "2.00000" + std::to_string(100 + 5 * k).substr(1);
+    turns += (k > 1 ? "," : "") + (R"({"t":)" + t) + R"(,"disk":0,"velocity":[1,0]})";
+    claims += R"({"t":)" + t + R"(,"maneuver":0})" + '\n';
+  }
+  const auto without_contact = [&](const std::string& scene, const std::string& events, int count) {
+    return edited(history(scene), [&](auto& lines) {
+      lines.resize(1);
+      lines.push_back(events + R"({"end":{"t":3,"flips":0,"collisions":0,"maneuvers":)" +
+                      std::to_string(count) + "}}");
+    });
+  };
+  std::string scene = this->scene("3", disks, turns);
+  EXPECT_EQ(verdict({scene, history(scene), "--truth", "recorded"}), "s CERTIFIED");
+  EXPECT_EQ(verdict({scene, without_contact(scene, claims, 9), "--truth", "recorded"}),
+            "s REFUTED");
+  // At rest in the other; parting at once, without a collision.
+  for (const bool parting : {false, true}) {
+    const std::string v = parting ? "[-1,0]" : "[0,0]";
+    scene = this->scene("3", disks, R"({"t":2.0000002,"disk":0,"velocity":)" + v + '}');
+    const std::string claim = "{\"t\":2.0000002,\"maneuver\":0}\n";
+    EXPECT_EQ(verdict({scene, without_contact(scene, claim, 1), "--truth", "recorded"}),
+              "s REFUTED");
+  }
+}
+
+TEST_F(CertifyCli, AHistoryThatStopsIsUndecided) {
+  const std::string scene = reference(30, "40"), path = history(scene);
+  const std::string stopped = edited(path, [](auto& lines) {
+    lines.resize(20);
+    lines.push_back(R"({"stopped":{"t":)" + lines.back().substr(5, lines.back().find(',') - 5) +
+                    R"(,"reason":"interrupted","events":[]}})");
+  });
+  EXPECT_EQ(verdict({scene, stopped, "--report", file("r.json")}), "s UNDECIDED");
+  EXPECT_EQ(json("r.json")["certified_prefix"]["events"], 19);
+}
+
+TEST_F(CertifyCli, ThereAndBackThroughAnEventSequence) {
+  const std::string scene = reference(30, "40"), path = history(scene);
+  const std::string disks = file("a.disks.txt"), events = file("a.evtsq");
+  must({"convert", scene, "-o", disks});
+  must({"convert", path, "--scene", scene, "-o", events});
+  EXPECT_EQ(verdict({disks, events, "--truth", "recorded"}), "s CERTIFIED");
+  EXPECT_EQ(verdict({scene, events, "--truth", "recorded"}), "s CERTIFIED");
+  EXPECT_EQ(verdict({scene, events}), "s CERTIFIED");
+  must({"convert", path, "--scene", scene, "-o", events, "--numbers", "decimal"});
+  EXPECT_EQ(verdict({scene, events, "--truth", "recorded"}), "s CERTIFIED");
+  must({"convert", disks, "--horizon", "40", "-o", file("b.scene.json")});
+  const std::string back = file("b.history.jsonl");
+  must({"convert", events, "--scene", file("b.scene.json"), "-o", back});
+  EXPECT_EQ(verdict({file("b.scene.json"), back, "--truth", "recorded"}), "s CERTIFIED");
+}
+
+TEST_F(CertifyCli, ConversionsThatCannotBe) {
+  const std::string scene = reference(5, "5"), path = history(scene);
+  refused({"convert", path, "-o", file("a.evtsq")}, "--scene");
+  refused({"convert", scene, "-o", file("a.svg")}, "--output");
+  must({"convert", scene, "-o", file("a.disks.txt")});
+  refused({"convert", file("a.disks.txt"), "-o", file("b.scene.json")}, "--horizon");
+  refused({"convert", path, "-o", file("b.scene.json"), "--horizon", "1"}, "no disk file");
+}
+
+TEST_F(CertifyCli, OptionsOfConvertThatTheOutputHasNoUseForAreRefused) {
+  const std::string scene = reference(5, "5"), path = history(scene);
+  must({"convert", scene, "-o", file("a.disks.txt")});
+  must({"convert", path, "--scene", scene, "-o", file("a.evtsq")});
+  const Arguments to_scene{"convert", file("a.disks.txt"), "-o", file("b.scene.json"), "--horizon",
+                           "5"};
+  const Arguments to_disks{"convert", scene, "-o", file("b.disks.txt")};
+  const Arguments to_history{"convert", file("a.evtsq"),        "--scene", scene,
+                             "-o",      file("b.history.jsonl")};
+  const Arguments to_sequence{"convert", path, "--scene", scene, "-o", file("b.evtsq")};
+  const Arguments of_a_scene[] = {{"--horizon", "1"}, {"--restitution", "1/2"}};
+  const Arguments of_a_sequence[] = {{"--numbers", "hexadecimal"}, {"--evtsq-version", "1.1"}};
+  const auto refuse = [&](Arguments words, const Arguments& option) {
+    words.insert(words.end(), option.begin(), option.end());
+    refused(words, option[0] + ": only where ");
+  };
+  for (const Arguments& option : of_a_scene) {
+    for (const Arguments& words : {to_disks, to_history, to_sequence}) refuse(words, option);
+  }
+  for (const Arguments& option : of_a_sequence) {
+    for (const Arguments& words : {to_scene, to_disks, to_history}) refuse(words, option);
+  }
+  for (const Arguments& words : {to_scene, to_disks}) refuse(words, {"--scene", scene});
+}
+
+// Real output of the engine of the paper's authors, where it is at hand.
+TEST_F(CertifyCli, SamplesOfTheAuthorsEngine) {
+  const std::filesystem::path samples =
+      std::filesystem::path(VOROPROOF_SOURCE).parent_path() / "shared" / "samples";
+  if (!std::filesystem::exists(samples)) {
+    GTEST_SKIP() << "the samples of the authors' engine are not beside the project";
+  }
+  const auto sample = [&](const char* name) { return (samples / name).string(); };
+  const std::string events = sample("vdrc-n30.evtsq");
+  for (const std::string& scene : {sample("vdrc-n30.disks.txt"), sample("vdrc-n30.scene.json")}) {
+    EXPECT_EQ(verdict({scene, events, "--truth", "recorded"}), "s CERTIFIED");
+    // A float history leaves the true motion after a while, and no sooner.
+    EXPECT_EQ(verdict({scene, events, "--report", file("r.json")}), "s REFUTED");
+    EXPECT_GT(json("r.json")["certified_prefix"]["t"], 100);
+  }
+  // It begins with a wrong diagram, for its start is cocircular.
+  EXPECT_EQ(verdict({sample("vdrc-grid25.disks.txt"), sample("vdrc-grid25.evtsq"), "--truth",
+                     "recorded"}),
+            "s REFUTED");
+}
+
+}  // namespace
+}  // namespace voroproof::internal

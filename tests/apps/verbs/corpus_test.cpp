@@ -1,0 +1,405 @@
+// The verb corpus as its users meet it: the corpus against itself, and programs of every kind
+// against the corpus.
+#include <signal.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "tests/apps/verbs/cli.h"
+
+namespace voroproof::internal {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Six small cases: two in general position, three with ties, one made to be undecided.
+class CorpusCli : public Cli {
+ protected:
+  void SetUp() override {
+    add("generic", "three",
+        {"reference", "--n", "3", "--seed", "1", "--density", "0.2", "--horizon", "20"});
+    add("generic", "eight",
+        {"reference", "--n", "8", "--seed", "2", "--density", "0.2", "--horizon", "20"});
+    add("ties", "lattice-at-rest", {"grid", "--n", "9", "--motion", "rest", "--horizon", "1"});
+    add("ties", "lattice-shears", {"grid", "--n", "9", "--motion", "shear", "--horizon", "5"});
+    add("ties", "formation", {"swarm", "--n", "6", "--horizon", "20"});
+    write("cases/stops/slide/scene.scene.json",
+          R"({"format":"voroproof-scene","version":1,"container":{"center":[0,0],"radius":10},)"
+          R"("horizon":6,"disks":[{"center":[0,5],"radius":1,"velocity":[0,1]},)"
+          R"({"center":[0,-5],"radius":2,"velocity":[0,0]}],)"
+          R"("maneuvers":[{"t":4,"disk":0,"velocity":[1,0]}]})");
+    EXPECT_EQ(run({"simulate", path("stops/slide/scene.scene.json"), "-o",
+                   path("stops/slide/exact.history.jsonl")})
+                  .code,
+              3);
+    describe("stops", "slide", Json::array(), Json::array(), "undecided");
+  }
+
+  std::string cases() const { return file("cases"); }
+  std::string path(const std::string& name) const { return cases() + "/" + name; }
+
+  void write(const std::string& name, const std::string& bytes) const {
+    fs::create_directories(fs::path(file(name)).parent_path());
+    std::ofstream(file(name), std::ios::binary) << bytes;
+  }
+
+  void describe(const std::string& family, const std::string& name, const Json& instants,
+                const Json& wrong, const std::string& verdict = "certified") const {
+    const Json story = "The story of " + name + ": <b>ties</b> & \"symmetry\".";
+    const Json all = {{"format", "voroproof-case"},
+                      {"version", 1},
+                      {"name", name},
+                      {"family", family},
+                      {"tags", {"tag-" + name}},
+                      {"story", story},
+                      {"verdict", verdict},
+                      {"instants", instants},
+                      {"truth", {"by hand"}},
+                      {"wrong", wrong}};
+    write("cases/" + family + "/" + name + "/case.json", all.dump());
+  }
+
+  void add(const std::string& family, const std::string& name, Arguments generate) const {
+    const std::string folder = family + "/" + name + "/";
+    fs::create_directories(path(folder + "wrong"));
+    const std::string scene = path(folder + "scene.scene.json");
+    generate.insert(generate.begin(), "generate");
+    generate.insert(generate.end(), {"-o", scene});
+    must(generate);
+    const std::string history = path(folder + "exact.history.jsonl");
+    must({"simulate", scene, "-o", history, "--quiet"});
+    must({"snapshot", scene, "--at", "1/3", "-o", path(folder + "diagram-0.diagram.json")});
+    must({"render", path(folder + "diagram-0.diagram.json"), "-o", path(folder + "picture.svg")});
+    std::vector<std::string> lines = lines_of(bytes(history));
+    Json wrong = Json::array();
+    for (std::size_t k = lines.size() - 2; k > 0 && wrong.empty(); --k) {
+      if (lines[k].find("flip") == std::string::npos) continue;
+      lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(k));
+      std::string text;
+      for (const std::string& line : lines) text += line + '\n';
+      write("cases/" + folder + "wrong/dropped-flip.history.jsonl", text);
+      wrong.push_back({{"file", "wrong/dropped-flip.history.jsonl"},
+                       {"class", "dropped-flip"},
+                       {"kind", "missing event"},
+                       {"truth", "exact"}});
+    }
+    describe(family, name, {"1/3"}, wrong);
+  }
+
+  static std::string bytes(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  // `corpus run` on these cases, its JSON in report.json. Without a limit of memory, which
+  // sanitizers do not bear.
+  Arguments run_words(const Arguments& more) const {
+    Arguments words{"corpus", "run", "--corpus", cases(), "--json", file("report.json")};
+    if (std::find(more.begin(), more.end(), "--memory") == more.end()) {
+      words.insert(words.end(), {"--memory", "0"});
+    }
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  Result run_corpus(const Arguments& more = {}) const {
+    const Result result = run(run_words(more));
+    EXPECT_EQ(result.err, "");
+    return result;
+  }
+
+  // The same against a command, with one case.
+  Json against(const std::string& command, const std::string& name, Arguments more = {}) const {
+    more.insert(more.end(), {"--against", command, "--case", name});
+    const Result result = run_corpus(more);
+    const Json report = json("report.json");
+    EXPECT_EQ(report["results"].size(), 1u);
+    const Json found = report["results"][0];
+    EXPECT_EQ(result.code, found["passed"].get<bool>() ? 0 : 1) << result.out;
+    return found;
+  }
+
+  // How many cases of a family ended so, by the report's own counts.
+  int count(const std::string& family, const std::string& outcome) const {
+    const Json report = json("report.json");
+    for (const Json& f : report["families"]) {
+      if (f["family"] == family) return f["outcomes"][outcome];
+    }
+    ADD_FAILURE() << family;
+    return -1;
+  }
+
+  static std::string simulate() {
+    return std::string(VOROPROOF_PROGRAM) + " simulate {scene} -o {history} --quiet";
+  }
+  static std::string example() { return std::string(VOROPROOF_EXAMPLE) + " {scene} {history}"; }
+};
+
+TEST_F(CorpusCli, ListsAndShows) {
+  const std::string all = must({"corpus", "list", "--corpus", cases()}).out;
+  EXPECT_EQ(lines_of(all).size(), 9u) << all;
+  EXPECT_NE(all.find("stops/slide"), std::string::npos);
+  EXPECT_NE(all.find("\n6 cases\n"), std::string::npos) << all;
+  const std::string one =
+      must({"corpus", "list", "--corpus", cases(), "--family", "ties", "--tag", "tag-formation"})
+          .out;
+  EXPECT_NE(one.find("ties/formation"), std::string::npos) << one;
+  EXPECT_NE(one.find("\n1 case\n"), std::string::npos) << one;
+  for (const char* name : {"eight", "generic/eight"}) {
+    const std::string shown = must({"corpus", "show", name, "--corpus", cases()}).out;
+    EXPECT_NE(shown.find("The story of eight"), std::string::npos) << shown;
+    EXPECT_NE(shown.find("scene: 8 disks"), std::string::npos) << shown;
+    EXPECT_NE(shown.find("refuted: missing event"), std::string::npos) << shown;
+    EXPECT_NE(shown.find("diagram-0.diagram.json at t = \"1/3\""), std::string::npos) << shown;
+  }
+}
+
+TEST_F(CorpusCli, ExamplesInHelpTextsNameCasesThatExist) {
+  for (const char* verb : {"list", "show"}) {
+    const std::string help = must({"corpus", verb, "--help"}).out;
+    std::istringstream example(lines_of(help).back());
+    std::string program;
+    example >> program;
+    Arguments words;
+    for (std::string word; example >> word;) words.push_back(word);
+    words.insert(words.end(), {"--corpus", VOROPROOF_CASES});
+    must(words);
+  }
+}
+
+TEST_F(CorpusCli, HoldsTheCorpusAgainstItself) {
+  const Result result = run_corpus({"--jobs", "2"});
+  EXPECT_EQ(result.code, 0) << result.out;
+  EXPECT_NE(result.out.find("6 of 6 cases as expected"), std::string::npos) << result.out;
+  EXPECT_EQ(json("report.json")["results"].size(), 6u);
+}
+
+TEST_F(CorpusCli, SeesWhatIsNotAsExpected) {
+  const auto refused = [&](const std::string& message) {
+    const Result result = run_corpus({"--case", "eight"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_NE(result.out.find(message), std::string::npos) << result.out;
+    EXPECT_FALSE(json("report.json")["results"][0]["passed"].get<bool>());
+  };
+  const std::string folder = path("generic/eight/");
+  const std::string description = bytes(folder + "case.json");
+  const auto described = [&](const std::string& what, const std::string& by) {
+    std::string text = description;
+    text.replace(text.find(what), what.size(), by);
+    std::ofstream(folder + "case.json", std::ios::binary) << text;
+  };
+  described("missing event", "wrong time");
+  refused("expected refuted (exact): wrong time, found refuted (exact): missing event");
+  described("\"certified\"", "\"undecided\"");
+  refused("expected undecided (exact), found certified (exact)");
+  described("\"1/3\"", "\"2/3\"");
+  refused("expected same edges, found another instant");
+  described("\"1/3\"", "\"1/3\"");
+  const std::string later = file("later.diagram.json");
+  must({"snapshot", folder + "scene.scene.json", "--at", "20", "-o", later});
+  std::string diagram = bytes(later);
+  diagram.replace(diagram.find("\"t\":20"), 6, "\"t\":\"1/3\"");
+  std::ofstream(folder + "diagram-0.diagram.json", std::ios::binary) << diagram;
+  refused("expected same edges, found other edges");
+  fs::copy_file(folder + "wrong/dropped-flip.history.jsonl", folder + "exact.history.jsonl",
+                fs::copy_options::overwrite_existing);
+  refused("expected certified (exact), found refuted (exact): missing event: line ");
+}
+
+TEST_F(CorpusCli, CertificationHasALimitToo) {
+  const Result result = run_corpus({"--case", "eight", "--timeout", "1e-9"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_NE(result.out.find("found undecided (exact): the certifier did not finish: time out"),
+            std::string::npos)
+      << result.out;
+}
+
+TEST_F(CorpusCli, CertifiesWhatTheEngineWrites) {
+  const Result result = run_corpus({"--against", simulate(), "--html", file("r.html")});
+  EXPECT_EQ(result.code, 0) << result.out;
+  EXPECT_EQ(count("all", "certified"), 5);
+  EXPECT_EQ(count("stops", "undecided"), 1);
+  const std::string page = bytes(file("r.html"));
+  EXPECT_NE(page.find("&lt;b&gt;ties&lt;/b&gt; &amp;"), std::string::npos);
+  EXPECT_NE(page.find("src=\"data:image/svg+xml;base64,PD94bWwg"), std::string::npos);
+  EXPECT_EQ(page.find("http"), std::string::npos);
+}
+
+TEST_F(CorpusCli, TheExamplePassesGenericCasesAndFailsAtTies) {
+  const Result generic = run_corpus({"--against", example(), "--family", "generic"});
+  EXPECT_EQ(generic.code, 0) << generic.out;
+  const Result ties = run_corpus({"--against", example()});
+  EXPECT_EQ(ties.code, 1) << ties.out;
+  EXPECT_EQ(count("generic", "certified"), 2);
+  EXPECT_LT(count("ties", "certified"), 3);
+  EXPECT_GE(count("ties", "refuted"), 1) << ties.out;
+}
+
+TEST_F(CorpusCli, EachWayToFailHasItsName) {
+  EXPECT_EQ(against("kill -SEGV $$ # {scene} {history}", "three")["outcome"], "crashed");
+  EXPECT_EQ(against(": {scene} {history}; exit 7", "three")["reason"], "exit code 7");
+  EXPECT_EQ(against("echo oh >&2; exit 7 # {scene} {history}", "three")["reason"],
+            "exit code 7: oh");
+  const Json silent = against("true {scene} {history}", "three");
+  EXPECT_EQ(silent["outcome"], "invalid");
+  EXPECT_EQ(silent["reason"], "no history was written");
+  EXPECT_EQ(against("cp {scene} {history}", "three")["outcome"], "invalid");
+  EXPECT_EQ(against("head -c 200 {scene} > {history}", "three")["outcome"], "invalid");
+  const Json wrong = against(
+      "cp " + path("generic/eight/wrong/dropped-flip.history.jsonl") + " {history} # {scene}",
+      "eight");
+  ASSERT_EQ(wrong["outcome"], "refuted") << wrong;
+  for (const char* truth : {"exact", "recorded"}) EXPECT_EQ(wrong[truth]["kind"], "missing event");
+  EXPECT_EQ(count("generic", "refuted"), 1);
+}
+
+// A right history does not excuse a crash; one that stops early is as good as its verdict.
+TEST_F(CorpusCli, ExitCodesCount) {
+  EXPECT_EQ(against(simulate() + "; exit 1", "three")["outcome"], "crashed");
+  const Json stops = against(simulate(), "slide");
+  EXPECT_EQ(stops["outcome"], "undecided");
+  EXPECT_EQ(stops["program"]["end"], "exit code 3");
+  EXPECT_TRUE(stops["passed"].get<bool>());
+}
+
+TEST_F(CorpusCli, TruthsAreChosen) {
+  for (const char* truth : {"exact", "recorded"}) {
+    const Json found = against(simulate(), "three", {"--truth", truth});
+    for (const char* other : {"exact", "recorded"}) {
+      EXPECT_EQ(found.contains(other), std::string(truth) == other);
+    }
+  }
+}
+
+// After some collisions no run in doubles follows the true motion; its history may be right of its
+// own. The case passes, and the columns tell which.
+TEST_F(CorpusCli, EitherTruthWillDo) {
+  add("generic", "long",
+      {"reference", "--n", "12", "--seed", "2", "--density", "0.3", "--horizon", "60"});
+  const Json found = against(example(), "long");
+  EXPECT_EQ(found["outcome"], "certified");
+  EXPECT_EQ(found["exact"]["verdict"], "refuted");
+  EXPECT_EQ(found["recorded"]["verdict"], "certified");
+  const Json report = json("report.json");
+  EXPECT_EQ(report["families"][0]["exact"], 0);
+  EXPECT_EQ(report["families"][0]["recorded"], 1);
+  EXPECT_EQ(against(example(), "long", {"--truth", "exact"})["outcome"], "refuted");
+}
+
+TEST_F(CorpusCli, EventSequencesAreHistoriesToo) {
+  const std::string convert = std::string(VOROPROOF_PROGRAM) +
+                              " convert {history} --scene {scene} -o {history}.evtsq && mv "
+                              "{history}.evtsq {history}";
+  const Json found = against(simulate() + " && " + convert, "eight");
+  EXPECT_EQ(found["outcome"], "certified") << found;
+}
+
+bool alive(pid_t process) {
+  // A zombie whose parent is gone is as good as dead: nobody here may wait for it.
+  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
+  std::string number, name, state;
+  return (stat >> number >> name >> state) && state != "Z" && state != "X";
+}
+
+// The number of a process that a command wrote to the file, as soon as it did.
+pid_t process_in(const std::string& path) {
+  for (int k = 0; k < 1000; ++k) {
+    std::ifstream in(path);
+    pid_t process = 0;
+    std::string end;
+    if (in >> process >> end) return process;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ADD_FAILURE() << path << ": nothing was written";
+  return 0;
+}
+
+bool dies(pid_t process) {
+  for (int k = 0; k < 1000 && alive(process); ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return !alive(process);
+}
+
+TEST_F(CorpusCli, TheWholeGroupEndsWithItsTime) {
+  const std::string note = file("process");
+  const Json found = against("sleep 1000 & echo $! end > " + note + "; wait # {scene} {history}",
+                             "three", {"--timeout", "0.3"});
+  EXPECT_EQ(found["outcome"], "timed out");
+  EXPECT_TRUE(dies(process_in(note)));
+}
+
+TEST_F(CorpusCli, WhatAProgramLeavesBehindIsKilled) {
+  const std::string note = file("process");
+  const Json found = against("sleep 1000 & echo $! end > " + note + "; " + simulate(), "three");
+  EXPECT_EQ(found["outcome"], "certified");
+  EXPECT_TRUE(dies(process_in(note)));
+}
+
+TEST_F(CorpusCli, MemoryIsLimited) {
+  const Json found = against("dd if=/dev/zero of=/dev/null bs=400M count=1 # {scene} {history}",
+                             "three", {"--memory", "200"});
+  EXPECT_EQ(found["outcome"], "crashed");
+  EXPECT_NE(found["reason"].get<std::string>().find("memory"), std::string::npos) << found;
+}
+
+// Interrupted, it leaves no process, no report and no scratch files.
+TEST_F(CorpusCli, InterruptionLeavesNothing) {
+  const TemporaryDirectory scratch;
+  ASSERT_EQ(setenv("TMPDIR", scratch.file("").c_str(), 1), 0);
+  const std::string note = file("process");
+  const pid_t program = start(
+      run_words({"--against", "echo $$ end > " + note + "; sleep 1000; : {scene} {history}",
+                 "--html", file("r.html"), "--jobs", "2", "--case", "three", "--timeout", "1000"}));
+  const pid_t child = process_in(note);
+  EXPECT_TRUE(alive(child));
+  kill(program, SIGINT);
+  const Result result = finish(program);
+  unsetenv("TMPDIR");
+  EXPECT_EQ(result.code, 6) << result.err;
+  EXPECT_TRUE(dies(child));
+  EXPECT_FALSE(fs::exists(file("report.json")));
+  EXPECT_FALSE(fs::exists(file("r.html")));
+  EXPECT_EQ(scratch.number_of_files(), 0u);
+}
+
+TEST_F(CorpusCli, NamesAreQuotedForTheShell) {
+  const TemporaryDirectory scratch;
+  const std::string odd = scratch.file("it's $HOME; \"odd\"");
+  fs::create_directory(odd);
+  ASSERT_EQ(setenv("TMPDIR", odd.c_str(), 1), 0);
+  const Json found = against(simulate(), "three");
+  unsetenv("TMPDIR");
+  EXPECT_EQ(found["outcome"], "certified") << found;
+}
+
+TEST_F(CorpusCli, BadUsageIsRefused) {
+  const Arguments run_words{"corpus", "run", "--corpus", cases()};
+  const auto with = [&](const Arguments& more) {
+    Arguments words = run_words;
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  refused(with({"--against", "mysim {scene}"}), "does not name {history}");
+  refused(with({"--against", "mysim {history}"}), "does not name {scene}");
+  refused(with({"--family", "none"}), "no case of the family none");
+  refused(with({"--family", "ties", "--case", "three"}), "no case named three");
+  refused(with({"--timeout", "0"}), "--timeout");
+  refused(with({"--jobs", "0"}), "--jobs");
+  refused(with({"--against", simulate(), "--truth", "mine"}), "--truth");
+  refused(with({"--truth", "exact"}), "--truth requires --against");
+  refused(with({"--json", file("a"), "--html", file("a")}), "named for two outputs");
+  refused({"corpus", "show", "three", "--corpus", file("nowhere")}, "nowhere");
+  refused({"corpus"}, "no verb given");
+  describe("generic", "three", Json::array({-1}), Json::array());
+  refused(run_words, "instants[0]: is negative");
+  describe("generic", "three", Json::array(), Json::array(), "maybe");
+  refused(run_words, "verdict");
+  fs::remove(path("generic/three/case.json"));
+  refused(run_words, "case.json");
+}
+
+}  // namespace
+}  // namespace voroproof::internal

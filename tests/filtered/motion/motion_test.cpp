@@ -1,0 +1,276 @@
+// The states of the disks at every precision against the exact ones, through collisions and
+// maneuvers.
+#include "filtered/motion/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "filtered/search/contact.h"
+#include "kinetic/static_diagram.h"
+#include "library/maneuver_input.h"
+#include "tests/support/compact_arithmetic.h"
+#include "tests/support/random_scenes.h"
+#include "tests/support/scene_run.h"
+
+namespace voroproof::internal::testing {
+namespace {
+
+bool within(const Tower& x, const Rational& center, double radius) {
+  const Rational r = to_rational(radius);
+  return x >= Tower(Rational(center - r)) && x <= Tower(Rational(center + r));
+}
+bool contains(const DoubleBall& b, const Tower& x) { return within(x, to_rational(b.mid), b.rad); }
+bool contains(const DdBall& b, const Tower& x) {
+  return within(x, to_rational(b.hi) + to_rational(b.lo), b.rad);
+}
+bool contains(const Ball& b, const Tower& x) {
+  double lo = 0, hi = 0;
+  b.to_interval(lo, hi);
+  return x >= Tower(to_rational(lo)) && x <= Tower(to_rational(hi));
+}
+
+template <class B>
+void expect_contains(const MovingSite<B>& s, const MovingSite<Tower>& truth) {
+  EXPECT_TRUE(contains(s.x, truth.x));
+  EXPECT_TRUE(contains(s.y, truth.y));
+  EXPECT_TRUE(contains(s.vx, truth.vx));
+  EXPECT_TRUE(contains(s.vy, truth.vy));
+  EXPECT_TRUE(contains(s.r, truth.r));
+}
+
+// All generators at the reference time of their states and at another time.
+void expect_enclosed(const Motion& motion) {
+  // The bounds are of some use, too.
+  const double useful = motion.options().late_states ? 1e-16 : 1e-26;
+  ExactMotion exact(motion);
+  for (GenId g = container_id; g < motion.size(); ++g) {
+    const DoubleMotion& m = motion.doubles(g);
+    EXPECT_EQ(to_rational(m.t), exact.state(g).t_ref);
+    const auto truth = exact.moving_site(g, to_rational(m.t));
+    expect_contains(
+        MovingSite<DoubleBall>{{m.x, m.ex}, {m.y, m.ex}, {m.vx, m.ev}, {m.vy, m.ev}, {m.r, m.ex}},
+        truth);
+    EXPECT_LE(m.ex, 1e-13);
+    for (const double t : {m.t + 0.7, m.t - 0.3}) {
+      const auto at = exact.moving_site(g, to_rational(t));
+      expect_contains(motion.moving_site(g, DoubleBall(t)), at);
+      expect_contains(motion.moving_site(g, DdBall(t)), at);
+      expect_contains(motion.moving_site(g, Ball(t, 200)), at);
+      EXPECT_LE(motion.site(g, DdBall(t)).x.rad, useful);
+    }
+  }
+}
+
+// Rounded outputs of an impact against the exact states.
+void expect_rounded(const Motion& motion, const Impact& impact, GenId i, GenId j) {
+  ExactMotion exact(motion);
+  const Tower time = exact.start(motion.state_id(j), j);
+  EXPECT_EQ(impact.t, round_nearest(time));
+  EXPECT_TRUE(contains(impact.time, time));
+  EXPECT_TRUE(contains(impact.time_dd, time));
+  for (const GenId g : {i, j}) {
+    if (g == container_id) continue;
+    const RoundedState& s = g == i ? impact.first : impact.second;
+    const Site<Tower> at = exact.site(g, time);
+    EXPECT_EQ(s.px, round_nearest(at.x));
+    EXPECT_EQ(s.py, round_nearest(at.y));
+    EXPECT_EQ(s.vx, round_nearest(exact.state(g).vx));
+    EXPECT_EQ(s.vy, round_nearest(exact.state(g).vy));
+  }
+}
+
+struct Contact2 {
+  NextContact when;
+  GenId i, j;
+};
+
+// The first contact of all pairs after `now`.
+Contact2 first_contact(Motion& motion, const Instant& now) {
+  TierCounts unused;
+  ContactSearch search(motion, unused);
+  Contact2 first{{NextContact::Kind::none, 1e300, 1e300}, 0, 0};
+  for (GenId i = container_id; i < motion.size(); ++i) {
+    for (GenId j = std::max(i + 1, 0); j < motion.size(); ++j) {
+      const NextContact c = search.from(i, j, now, 1e3);
+      if (c.kind == NextContact::Kind::at && c.lo < first.when.lo) first = {c, i, j};
+    }
+  }
+  return first;
+}
+
+// Runs `count` collisions; returns what is written of each.
+std::vector<Impact> collide(Motion& motion, int count, bool check) {
+  std::vector<Impact> impacts;
+  Instant now = instant_at(0);
+  for (int k = 0; k < count; ++k) {
+    const Contact2 c = first_contact(motion, now);
+    if (c.when.kind != NextContact::Kind::at) break;
+    const Impact impact = motion.collide(c.i, c.j, c.when.lo);
+    impacts.push_back(impact);
+    if (check) {
+      expect_rounded(motion, impact, c.i, c.j);
+      expect_enclosed(motion);
+    }
+    now.lo = std::nextafter(impact.t, 0);
+    now.hi = std::nextafter(impact.t, 1e300);
+    now.dd = impact.time_dd;
+    const int id = motion.state_id(c.j);
+    const GenId j = c.j;
+    now.exact = [id, j](ExactMotion& exact) { return time_of(exact.start(id, j)); };
+  }
+  return impacts;
+}
+
+Scene thirds(Scene scene) {
+  for (DiskInput& d : scene.disks) {
+    d.x += Rational(1, 3000000);
+    d.radius -= Rational(1, 3000000);
+    d.vy += Rational(1, 7);
+  }
+  return scene;
+}
+
+TEST(Motion, InitialStates) {
+  Random random(1);
+  for (int k = 0; k < 10; ++k) {
+    const Scene scene = random_scene({.n = 6}, random);
+    expect_enclosed(Motion(motion_input(scene), {}));
+    expect_enclosed(Motion(motion_input(thirds(scene)), {}));
+    // What a double holds has no error.
+    EXPECT_EQ(Motion(motion_input(scene), {}).doubles(0).ex, 0);
+  }
+}
+
+TEST(Motion, CollisionsOfEveryLaw) {
+  Random random(2);
+  for (int k = 0; k < 12; ++k) {
+    Scene scene = random_scene({.n = 4, .rmin = 10, .rmax = 20}, random);
+    if (k % 2 == 0) scene = thirds(scene);
+    if (k % 3 != 0) scene.restitution = Rational(2, 3);
+    if (k % 3 != 0) scene.container_restitution = Rational(1, 3);
+    if (k % 3 == 2) scene.law = ContainerLaw::whole;
+    for (const bool late : {false, true}) {
+      MotionOptions options;
+      options.late_states = late;
+      Motion motion(motion_input(scene), options);
+      EXPECT_EQ(collide(motion, 3, true).size(), 3u);
+    }
+  }
+}
+
+void expect_same(const std::vector<Impact>& a, const std::vector<Impact>& b, bool at_container) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t n = 0; n < a.size(); ++n) {
+    const auto expect_same_state = [](const RoundedState& s, const RoundedState& t) {
+      EXPECT_EQ(s.px, t.px);
+      EXPECT_EQ(s.py, t.py);
+      EXPECT_EQ(s.vx, t.vx);
+      EXPECT_EQ(s.vy, t.vy);
+    };
+    EXPECT_EQ(a[n].t, b[n].t);
+    if (!at_container) expect_same_state(a[n].first, b[n].first);
+    expect_same_state(a[n].second, b[n].second);
+  }
+}
+
+// Through more collisions than are handed over at once, and more bits than there are at first.
+TEST(Motion, LateStatesAreTheSame) {
+  Random random(5);
+  for (int k = 0; k < 4; ++k) {
+    Scene scene = random_scene({.n = 30, .rmin = 4, .rmax = 12}, random);
+    scene.horizon = 400;
+    if (k == 1) scene = thirds(scene);
+    if (k == 2) scene.restitution = scene.container_restitution = Rational(4, 5);
+    if (k == 3) scene.law = ContainerLaw::whole;
+    MotionOptions late;
+    late.late_states = true;
+    Motion now(motion_input(scene), {}), later(motion_input(scene), late);
+    const auto a = collide(now, 500, false), b = collide(later, 500, false);
+    ASSERT_EQ(a.size(), 500u);
+    expect_same(a, b, false);
+    bool differs = false;
+    for (GenId g = 0; g < 30; ++g) differs = differs || now.seconds(g).ex != later.seconds(g).ex;
+    EXPECT_TRUE(differs) << "none was late";
+    later.settle();
+    EXPECT_GT(now.replays(), 0u);
+    EXPECT_EQ(now.replays(), later.replays());
+    EXPECT_EQ(now.highest_bits(), later.highest_bits());
+    ASSERT_TRUE(now.raise_precision() && later.raise_precision());
+    for (GenId g = 0; g < 30; ++g) {
+      EXPECT_EQ(now.seconds(g).x, later.seconds(g).x);
+      EXPECT_EQ(now.seconds(g).vy, later.seconds(g).vy);
+      EXPECT_EQ(now.seconds(g).ex, later.seconds(g).ex);
+    }
+  }
+}
+
+// What is written does not depend on the precision that was used inside.
+TEST(Motion, OutputsDoNotDependOnThePrecision) {
+  Random random(3);
+  for (int k = 0; k < 5; ++k) {
+    const Scene scene = thirds(random_scene({.n = 5, .rmin = 10, .rmax = 20}, random));
+    MotionOptions generous;
+    generous.start_bits = 2000;
+    Motion few(motion_input(scene), {}), many(motion_input(scene), generous);
+    const auto a = collide(few, 8, false), b = collide(many, 8, false);
+    ASSERT_EQ(a.size(), 8u);
+    ASSERT_EQ(b.size(), 8u);
+    for (std::size_t n = 0; n < 8; ++n) {
+      EXPECT_EQ(a[n].t, b[n].t);
+      EXPECT_EQ(a[n].second.px, b[n].second.px);
+      EXPECT_EQ(a[n].second.vy, b[n].second.vy);
+    }
+  }
+}
+
+TEST(Motion, RaisingThePrecisionKeepsTheStates) {
+  Random random(4);
+  MotionOptions options;
+  options.max_bits = 1024;
+  Motion motion(motion_input(thirds(random_scene({.n = 3, .rmin = 15, .rmax = 20}, random))),
+                options);
+  collide(motion, 2, false);
+  motion.maneuver(0, Rational(1000, 3), Rational(1, 3), 0);
+  std::vector<DoubleMotion> before;
+  for (GenId g = 0; g < 3; ++g) before.push_back(motion.doubles(g));
+  int raised = 0;
+  for (int goal = motion.goal_bits(); motion.raise_precision(); goal = motion.goal_bits()) {
+    ++raised;
+    EXPECT_GT(motion.goal_bits(), goal);
+    EXPECT_EQ(motion.replays(), static_cast<std::uint64_t>(raised));
+    for (GenId g = 0; g < 3; ++g) {
+      EXPECT_EQ(motion.doubles(g).t, before[g].t);
+      EXPECT_EQ(motion.doubles(g).x, before[g].x);
+      EXPECT_EQ(motion.doubles(g).vy, before[g].vy);
+    }
+  }
+  EXPECT_GT(raised, 1);
+  EXPECT_LE(motion.highest_bits(), 1024);
+}
+
+TEST(Motion, Maneuver) {
+  Motion motion(motion_input(scene_of(100, 50, {disk(0, 0, 1, 1, 2), disk(9, 0, 1, 0, 1)})), {});
+  EXPECT_FALSE(motion.same_velocity(0, 1));
+  const RoundedState s = motion.maneuver(0, Rational(1, 3), 0, 1);
+  EXPECT_EQ(s.px, 1.0 / 3);
+  EXPECT_EQ(s.py, 2.0 / 3);
+  EXPECT_EQ(s.vx, 0);
+  EXPECT_EQ(s.vy, 1);
+  EXPECT_TRUE(motion.same_velocity(0, 1));
+  EXPECT_TRUE(motion.is_rational(0));
+  expect_enclosed(motion);
+  ExactMotion exact(motion);
+  EXPECT_EQ(exact.site(0, Tower(3)).y, Tower(Rational(2, 3) + Rational(8, 3)));
+  // A second one follows the first; then a collision makes the state irrational.
+  motion.maneuver(0, Rational(2, 3), 3, Rational(1, 7));
+  expect_enclosed(motion);
+  EXPECT_EQ(ExactMotion(motion).site(0, Tower(1)).x, Tower(Rational(4, 3)));
+  ASSERT_EQ(collide(motion, 1, false).size(), 1u);
+  expect_enclosed(motion);
+}
+
+}  // namespace
+}  // namespace voroproof::internal::testing
