@@ -10,6 +10,7 @@
 #include "bench/data_sets.h"
 #include "bench/flip_peer.h"
 #include "bench/paired.h"
+#include "bench/plain_motion.h"
 #include "bench/predicates_bench.h"
 #include "bench/tasks.h"
 #include "filtered/search/collapse.h"
@@ -29,13 +30,13 @@ std::vector<FlipTask> sample_of(const std::vector<FlipTask>& searches, std::size
   return out;
 }
 
-Collapse plain_collapse(const Motion& motion, const FlipTask& s) {
-  return through_window(s, [&](const Quad& q, double start, double end) {
-    return collapse_in_doubles(motion, q, start, end);
-  });
+Collapse plain_collapse(const PlainMotion& motion, const FlipTask& s) {
+  return through_window(
+      s, [&](const Quad& q, double start, double end) { return motion.collapse(q, start, end); });
 }
 
-double plain_pass(const Motion& motion, const std::vector<FlipTask>& searches) {
+double plain_pass(Motion& in, const std::vector<FlipTask>& searches) {
+  const PlainMotion motion(in);
   return seconds_of([&] {
     for (const FlipTask& s : searches) benchmark::DoNotOptimize(plain_collapse(motion, s));
   });
@@ -47,10 +48,11 @@ void count_faults(benchmark::State& state, const DataSet& set,
                   const std::vector<FlipTask>& searches) {
   TierCounts counts;
   CollapseSearch search(*set.motion, counts);
+  const PlainMotion plain(*set.motion);
   long collapses = 0, missed = 0, invented = 0;
   for (const FlipTask& s : searches) {
     const Collapse truth = certified_collapse(search, s);
-    const Collapse claim = plain_collapse(*set.motion, s);
+    const Collapse claim = plain_collapse(plain, s);
     const bool claims = claim.kind == Collapse::Kind::root;
     if (truth.kind != Collapse::Kind::root) {
       invented += claims;

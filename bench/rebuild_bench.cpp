@@ -90,7 +90,7 @@ std::size_t rebuild(const Positions& positions) {
 void bench(const SceneChoice& choice, int repeats, const std::string& path) {
   const Scene scene = scene_of(choice);
   Positions positions(scene);
-  Engine<true> engine(motion_input(scene), maneuver_input(scene), {});
+  Engine engine(motion_input(scene), maneuver_input(scene), {});
   if (engine.run(positions).kind != Outcome::Kind::complete) {
     throw std::runtime_error("the scene's run does not reach its horizon");
   }

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "apps/run/history_sink.h"
+#include "bench/plain_engine.h"
 #include "bench/statistics.h"
 #include "corpus/generate.h"
 #include "library/maneuver_input.h"
@@ -66,14 +67,14 @@ class TimedSink : public EventSink {
   std::clock_t begun_ = std::clock();
 };
 
-template <bool certified>
+template <class AnEngine>
 RunResult run(const Scene& scene, const EngineOptions& options) {
   const TemporaryFile file;
   RunResult result;
   const std::clock_t cpu_start = std::clock();
   const auto start = Clock::now();
   {
-    Engine<certified> engine(motion_input(scene), maneuver_input(scene), options);
+    AnEngine engine(motion_input(scene), maneuver_input(scene), options);
     HistoryWriter writer(file.path());
     // The scene exists in memory only: its fingerprint stands for none.
     BackgroundHistorySink history(
@@ -111,7 +112,7 @@ Scene scene_of(const SceneChoice& choice) {
 }
 
 RunResult simulate(const Scene& scene, bool certified, const EngineOptions& options) {
-  return certified ? run<true>(scene, options) : run<false>(scene, options);
+  return certified ? run<Engine>(scene, options) : run<PlainEngine>(scene, options);
 }
 
 std::uint64_t peak_memory(const SceneChoice& choice, EngineKind engine) {

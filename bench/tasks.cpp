@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <random>
 
-#include "filtered/search/contact.h"
+#include "bench/plain_motion.h"
 #include "kinetic/engine.h"
 #include "library/maneuver_input.h"
 
@@ -11,13 +11,13 @@ namespace voroproof::internal::bench {
 
 namespace {
 
-double first_contact(const Motion& motion, const Quad& q, double horizon) {
+double first_contact(const PlainMotion& motion, const Quad& q, double horizon) {
   const GenId ids[4] = {q.l, q.r, q.s, q.e};
   double end = horizon;
   for (int a = 0; a < 4; ++a) {
     for (int b = a + 1; b < 4; ++b) {
       const auto [i, j] = std::minmax(ids[a], ids[b]);
-      const NextContact c = contact_in_doubles(motion, i, j, 0, end);
+      const NextContact c = motion.contact(i, j, 0, end);
       if (c.kind == NextContact::Kind::at) end = std::min(end, c.lo);
     }
   }
@@ -38,8 +38,9 @@ struct HitRecorder : EventSink {
 
 std::vector<FlipTask> flip_tasks(const DataSet& set, double horizon) {
   std::vector<FlipTask> out;
+  const PlainMotion motion(*set.motion);
   for (const Quad& q : set.quads) {
-    const double end = first_contact(*set.motion, q, horizon);
+    const double end = first_contact(motion, q, horizon);
     if (end > 0) out.push_back({q, end});
   }
   return out;
@@ -67,7 +68,7 @@ std::vector<std::pair<GenId, GenId>> neighbours(const DataSet& set) {
 
 std::vector<Hit> hits_of(Scene scene, double horizon) {
   scene.horizon = to_rational(horizon);
-  Engine<true> engine(motion_input(scene), {}, {});
+  Engine engine(motion_input(scene), {}, {});
   HitRecorder recorder;
   engine.run(recorder);
   return recorder.hits;

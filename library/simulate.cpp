@@ -76,7 +76,7 @@ voroproof::Ending run(const Scene& scene, voroproof::EventSink& sink,
   settings.max_events = options.max_events;
   settings.monitor = options.monitor;
   Forwarding forwarding(sink);
-  Engine<true> engine(motion_input(scene), maneuver_input(scene), std::move(settings));
+  Engine engine(motion_input(scene), maneuver_input(scene), std::move(settings));
   const Outcome outcome = engine.run(forwarding);
   if (outcome.kind == Outcome::Kind::complete) return {true, outcome.t, {}};
   return {false, outcome.t,

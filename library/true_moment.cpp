@@ -21,11 +21,11 @@ class NoSink final : public EventSink {
 
 }  // namespace
 
-std::unique_ptr<Engine<true>> run_to(const Scene& scene, const Rational& t,
-                                     const EngineOptions& options) {
+std::unique_ptr<Engine> run_to(const Scene& scene, const Rational& t,
+                               const EngineOptions& options) {
   MotionInput input = motion_input(scene);
   input.horizon = t;
-  auto engine = std::make_unique<Engine<true>>(input, maneuver_input(scene), options);
+  auto engine = std::make_unique<Engine>(input, maneuver_input(scene), options);
   NoSink sink;
   const Outcome outcome = engine->run(sink);
   if (outcome.kind == Outcome::Kind::interrupted) throw Interrupted();

@@ -13,8 +13,7 @@ namespace voroproof::internal {
 
 // The engine with the motion that is in force at the exact time t, which may lie beyond the scene's
 // horizon. Throws Undecided where it stops before t, and Interrupted where the monitor says so.
-std::unique_ptr<Engine<true>> run_to(const Scene& scene, const Rational& t,
-                                     const EngineOptions& options);
+std::unique_ptr<Engine> run_to(const Scene& scene, const Rational& t, const EngineOptions& options);
 
 // The diagram just after all events at t, from nothing but the motion in force there.
 Diagram diagram_at(Motion& motion, const Rational& t);

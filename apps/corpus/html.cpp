@@ -134,11 +134,11 @@ std::string family_table(const std::vector<FamilyTally>& families) {
   return out + "</table></div>\n";
 }
 
-std::string judgement_row(const char* truth, const std::optional<Judgement>& judgement) {
+std::string judgement_row(const char* truth, const std::optional<CaseJudgement>& judgement) {
   if (!judgement) return {};
   const std::string verdict(name_of(judgement->verdict));
   std::string prefix;
-  if (judgement->verdict != Judgement::Verdict::invalid) {
+  if (judgement->verdict != CaseJudgement::Verdict::invalid) {
     prefix = std::to_string(judgement->prefix_events) +
              " events, up to t = " + number_text(judgement->prefix_t);
   }

@@ -46,14 +46,14 @@ int certify_into(const std::string& scene, const std::string& history, Truth tru
   }
 }
 
-Judgement from_report(const std::string& path) {
+CaseJudgement from_report(const std::string& path) {
   using Json = nlohmann::json;
   const Json report = Json::parse(file_bytes(path, max_report_bytes));
-  Judgement j;
+  CaseJudgement j;
   const std::string verdict = report.at("verdict");
-  j.verdict = verdict == "CERTIFIED" ? Judgement::Verdict::certified
-              : verdict == "REFUTED" ? Judgement::Verdict::refuted
-                                     : Judgement::Verdict::undecided;
+  j.verdict = verdict == "CERTIFIED" ? CaseJudgement::Verdict::certified
+              : verdict == "REFUTED" ? CaseJudgement::Verdict::refuted
+                                     : CaseJudgement::Verdict::undecided;
   j.reason = printable(report.at("reason").get<std::string>(), longest_reason);
   j.prefix_events = report.at("certified_prefix").at("events");
   j.prefix_t = report.at("certified_prefix").at("t");
@@ -65,11 +65,11 @@ Judgement from_report(const std::string& path) {
   return j;
 }
 
-Judgement judgement_of(const ProcessEnd& end, const std::string& report) {
+CaseJudgement judgement_of(const ProcessEnd& end, const std::string& report) {
   if (end.success()) return from_report(report);
-  Judgement j;
+  CaseJudgement j;
   if (end.kind == ProcessEnd::Kind::exited && end.code == refused) {
-    j.verdict = Judgement::Verdict::invalid;
+    j.verdict = CaseJudgement::Verdict::invalid;
     j.reason = printable(file_bytes(report, longest_reason, true), longest_reason);
   } else if (end.kind == ProcessEnd::Kind::exited && end.code == out_of_memory) {
     j.reason = "the certifier ran out of memory";
@@ -81,7 +81,7 @@ Judgement judgement_of(const ProcessEnd& end, const std::string& report) {
 
 }  // namespace
 
-std::string_view name_of(Judgement::Verdict verdict) {
+std::string_view name_of(CaseJudgement::Verdict verdict) {
   static constexpr std::array<std::string_view, 4> names{"certified", "refuted", "undecided",
                                                          "invalid"};
   return names[static_cast<std::size_t>(verdict)];
@@ -89,12 +89,12 @@ std::string_view name_of(Judgement::Verdict verdict) {
 
 ProcessStep judging(const std::string& scene, const std::string& history, Truth truth,
                     const std::string& report, const ProcessLimits& limits,
-                    std::function<void(const Judgement&)> on_judgement) {
+                    std::function<void(const CaseJudgement&)> on_judgement) {
   return {.work = [=] { return certify_into(scene, history, truth, report); },
           .limits = limits,
           .on_end =
               [report, on_judgement = std::move(on_judgement)](const ProcessEnd& end) {
-                Judgement j = judgement_of(end, report);
+                CaseJudgement j = judgement_of(end, report);
                 j.seconds = end.seconds;
                 on_judgement(j);
               }};

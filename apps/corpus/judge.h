@@ -11,7 +11,7 @@
 
 namespace voroproof::internal {
 
-struct Judgement {
+struct CaseJudgement {
   enum class Verdict { certified, refuted, undecided, invalid };
   Verdict verdict = Verdict::undecided;
   std::string reason;  // one line; empty where certified
@@ -26,13 +26,13 @@ struct Judgement {
 };
 
 // "certified" and so on.
-std::string_view name_of(Judgement::Verdict verdict);
+std::string_view name_of(CaseJudgement::Verdict verdict);
 
 // The step that certifies the history against the truth, with the certifier's usual tolerances, and
 // then hands on the judgement. Its process writes a report or a message to `report`, a file that
 // it may overwrite. Where it exceeds the limits or fails, the judgement is undecided and says why.
 ProcessStep judging(const std::string& scene, const std::string& history, Truth truth,
                     const std::string& report, const ProcessLimits& limits,
-                    std::function<void(const Judgement&)> on_judgement);
+                    std::function<void(const CaseJudgement&)> on_judgement);
 
 }  // namespace voroproof::internal

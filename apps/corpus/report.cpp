@@ -17,8 +17,8 @@ constexpr std::size_t longest_reason = 160;
 const char* name_of(Truth truth) { return truth == Truth::exact ? "exact" : "recorded"; }
 
 void add(FamilyTally& tally, const ProgramResult& r) {
-  const auto certified = [](const std::optional<Judgement>& j) {
-    return j && j->verdict == Judgement::Verdict::certified ? 1 : 0;
+  const auto certified = [](const std::optional<CaseJudgement>& j) {
+    return j && j->verdict == CaseJudgement::Verdict::certified ? 1 : 0;
   };
   const bool counts = r.outcome == CaseOutcome::certified;
   ++tally.cases;
@@ -52,16 +52,16 @@ Json json(const CorpusRunInfo& info) {
   return j;
 }
 
-Json json(const Judgement& judgement) {
+Json json(const CaseJudgement& judgement) {
   Json j;
   j["verdict"] = name_of(judgement.verdict);
   j["reason"] = judgement.reason;
-  if (judgement.verdict == Judgement::Verdict::refuted) {
+  if (judgement.verdict == CaseJudgement::Verdict::refuted) {
     j["kind"] = judgement.kind;
     j["line"] = judgement.line;
     j["t"] = judgement.t;
   }
-  if (judgement.verdict != Judgement::Verdict::invalid) {
+  if (judgement.verdict != CaseJudgement::Verdict::invalid) {
     j["certified_prefix"] = {{"events", judgement.prefix_events}, {"t", judgement.prefix_t}};
   }
   j["seconds"] = judgement.seconds;

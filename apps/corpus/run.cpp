@@ -64,29 +64,29 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }
 
 // Of a history's two judgements the better decides: whoever holds against one truth is right.
-int rank(Judgement::Verdict verdict) {
+int rank(CaseJudgement::Verdict verdict) {
   switch (verdict) {
-    case Judgement::Verdict::certified:
+    case CaseJudgement::Verdict::certified:
       return 0;
-    case Judgement::Verdict::undecided:
+    case CaseJudgement::Verdict::undecided:
       return 1;
-    case Judgement::Verdict::refuted:
+    case CaseJudgement::Verdict::refuted:
       return 2;
-    case Judgement::Verdict::invalid:
+    case CaseJudgement::Verdict::invalid:
       break;
   }
   return 3;
 }
 
-CaseOutcome outcome_of(Judgement::Verdict verdict) {
+CaseOutcome outcome_of(CaseJudgement::Verdict verdict) {
   switch (verdict) {
-    case Judgement::Verdict::certified:
+    case CaseJudgement::Verdict::certified:
       return CaseOutcome::certified;
-    case Judgement::Verdict::refuted:
+    case CaseJudgement::Verdict::refuted:
       return CaseOutcome::refuted;
-    case Judgement::Verdict::undecided:
+    case CaseJudgement::Verdict::undecided:
       return CaseOutcome::undecided;
-    case Judgement::Verdict::invalid:
+    case CaseJudgement::Verdict::invalid:
       break;
   }
   return CaseOutcome::invalid;
@@ -94,12 +94,12 @@ CaseOutcome outcome_of(Judgement::Verdict verdict) {
 
 // What the judgements and the program's own end amount to.
 void conclude(ProgramResult& result) {
-  const Judgement* decisive = result.decisive();
+  const CaseJudgement* decisive = result.decisive();
   if (result.end.kind == ProcessEnd::Kind::timed_out) {
     result.outcome = CaseOutcome::timed_out;
     result.reason = "no end within the time limit";
   } else if (!result.end.success() &&
-             (!decisive || decisive->verdict != Judgement::Verdict::undecided)) {
+             (!decisive || decisive->verdict != CaseJudgement::Verdict::undecided)) {
     result.outcome = CaseOutcome::crashed;
     result.reason = description(result.end);
     if (!result.message.empty()) result.reason += ": " + result.message;
@@ -121,9 +121,9 @@ void add_judging(ProcessJob& job, ProgramResult& result, const fs::path& folder,
                  const std::string& history, const CorpusRunOptions& options) {
   const std::string report = (folder / "report").string();
   for (const Truth truth : options.truths) {
-    std::optional<Judgement>& into = truth == Truth::exact ? result.exact : result.recorded;
+    std::optional<CaseJudgement>& into = truth == Truth::exact ? result.exact : result.recorded;
     job.push_back(judging(result.of->scene(), history, truth, report, options.limits,
-                          [&into](const Judgement& judgement) { into = judgement; }));
+                          [&into](const CaseJudgement& judgement) { into = judgement; }));
   }
   job.back().on_end = [&result, folder, judged = job.back().on_end](const ProcessEnd& end) {
     judged(end);
@@ -132,9 +132,9 @@ void add_judging(ProcessJob& job, ProgramResult& result, const fs::path& folder,
   };
 }
 
-std::string judged_text(const Judgement& j, std::string_view truth) {
+std::string judged_text(const CaseJudgement& j, std::string_view truth) {
   std::string text = std::string(name_of(j.verdict)) + " (" + std::string(truth) + ")";
-  if (j.verdict == Judgement::Verdict::refuted) text += ": " + j.kind;
+  if (j.verdict == CaseJudgement::Verdict::refuted) text += ": " + j.kind;
   return text;
 }
 
@@ -174,9 +174,9 @@ ProcessStep comparing(const CorpusCase& c, std::size_t k, const ProcessLimits& l
 
 }  // namespace
 
-const Judgement* ProgramResult::decisive() const {
-  const Judgement* best = nullptr;
-  for (const std::optional<Judgement>* j : {&recorded, &exact}) {
+const CaseJudgement* ProgramResult::decisive() const {
+  const CaseJudgement* best = nullptr;
+  for (const std::optional<CaseJudgement>* j : {&recorded, &exact}) {
     if (*j && (!best || rank((*j)->verdict) < rank(best->verdict))) best = &**j;
   }
   return best;
@@ -245,7 +245,7 @@ std::vector<OwnResult> own_histories(const std::vector<CorpusCase>& cases,
       OwnCheck& check = result.checks.back();
       job->push_back(judging(c.scene(), c.path(file),
                              truth == "exact" ? Truth::exact : Truth::recorded, report,
-                             options.limits, [&check, truth](const Judgement& j) {
+                             options.limits, [&check, truth](const CaseJudgement& j) {
                                check.found = judged_text(j, truth);
                                check.reason = j.reason;
                                check.seconds = j.seconds;

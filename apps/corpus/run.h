@@ -35,10 +35,10 @@ struct ProgramResult {
   ProcessEnd end;       // of the program
   std::string message;  // its last line on stderr
   // Where it wrote a history that was judged.
-  std::optional<Judgement> exact, recorded;
+  std::optional<CaseJudgement> exact, recorded;
 
   // The judgement that the outcome rests on: of two, the better; null where there is none.
-  const Judgement* decisive() const;
+  const CaseJudgement* decisive() const;
   // Certified, or undecided in a case made to be so.
   bool passed() const;
 };

@@ -135,7 +135,7 @@ ExperimentRun run_experiment(const Scene& scene, bool predictions,
   options.profile = true;
   options.monitor = monitor;
   const Clock::time_point start = Clock::now();
-  Engine<true> engine(input, maneuver_input(scene), options);
+  Engine engine(input, maneuver_input(scene), options);
   run.outcome = engine.run(recorder);
   run.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   run.stats = engine.stats();

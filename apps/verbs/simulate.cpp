@@ -99,7 +99,7 @@ void require_checked(const Certificate& certificate, bool complete) {
 }
 
 // The engine's run; one that a limit of the user's ends is one that stopped.
-Outcome run(Engine<true>& engine, HistorySink& sink, const CooperativeInterruption& interruption) {
+Outcome run(Engine& engine, HistorySink& sink, const CooperativeInterruption& interruption) {
   Outcome outcome;
   try {
     outcome = engine.run(sink);
@@ -159,7 +159,7 @@ ExitCode simulate(const Request& request) {
     progress->report(t, events);
     return !interruption.requested() && !(check && check->over());
   };
-  Engine<true> engine(motion_input(scene), maneuver_input(scene), options);
+  Engine engine(motion_input(scene), maneuver_input(scene), options);
   if (!check) scene.disks = std::vector<DiskInput>();  // the engine has its own
   const Outcome outcome = run(engine, *sink, interruption);
   progress.reset();

@@ -39,7 +39,6 @@ Motion::Motion(MotionInput input, MotionOptions options)
   const Rational& e = this->input().container_restitution;
   disk_law_ = dd_of(Rational(1 + this->input().restitution));
   wall_law_ = dd_of(this->input().whole_container_law ? e : Rational(1 + e));
-  plain_restitution_ = this->input().restitution.get_d();
 }
 
 // Double-doubles may stay behind.
@@ -412,53 +411,6 @@ void Motion::restart(GenId g, double t, const DdBall& x, const DdBall& y, double
   states_->restart(g, t, given);
   doubles_[g + 1].t = t;
   set_state(g, x, y, DdBall(vx), DdBall(vy));
-}
-
-Impact Motion::collide_in_doubles(GenId i, GenId j, double t) {
-  DoubleMotion& a = doubles_[i + 1];
-  DoubleMotion& b = doubles_[j + 1];
-  for (DoubleMotion* m : {&a, &b}) {
-    if (m == &a && i == container_id) continue;
-    m->x += m->vx * (t - m->t);
-    m->y += m->vy * (t - m->t);
-    m->t = t;
-  }
-  const double nx = b.x - a.x, ny = b.y - a.y;
-  const double reach = a.r + b.r;
-  const double q = ((b.vx - a.vx) * nx + (b.vy - a.vy) * ny) / (reach * reach);
-  const int id = static_cast<int>(++plain_collisions_);
-  if (i == container_id) {
-    const double e = input().container_restitution.get_d();
-    if (input().whole_container_law) {
-      b.vx = e * (b.vx - 2 * q * nx);
-      b.vy = e * (b.vy - 2 * q * ny);
-    } else {
-      b.vx -= (1 + e) * q * nx;
-      b.vy -= (1 + e) * q * ny;
-    }
-  } else {
-    const double mi = round_nearest(input().disks[i].mass),
-                 mj = round_nearest(input().disks[j].mass);
-    const double k = (1 + plain_restitution_) * q / (mi + mj);
-    a.vx += k * mj * nx;
-    a.vy += k * mj * ny;
-    b.vx -= k * mi * nx;
-    b.vy -= k * mi * ny;
-    state_[i + 1] = id;
-  }
-  state_[j + 1] = id;
-  return {t, DoubleBall(t), DdBall(t), {a.x, a.y, a.vx, a.vy}, {b.x, b.y, b.vx, b.vy}};
-}
-
-RoundedState Motion::maneuver_in_doubles(GenId g, double t, double vx, double vy) {
-  DoubleMotion& m = doubles_[g + 1];
-  m.x += m.vx * (t - m.t);
-  m.y += m.vy * (t - m.t);
-  m.t = t;
-  m.vx = vx;
-  m.vy = vy;
-  state_[g + 1] = static_cast<int>(++plain_collisions_);
-  return {m.x, m.y, vx, vy};
 }
 
 }  // namespace voroproof::internal

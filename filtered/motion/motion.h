@@ -110,9 +110,9 @@ class Motion {
   void restart(GenId g, double t, const DdBall& x, const DdBall& y, double vx, double vy,
                const GivenMotion& given);
 
-  // The same in plain doubles, without certificates: for comparison only.
-  Impact collide_in_doubles(GenId i, GenId j, double t);
-  RoundedState maneuver_in_doubles(GenId g, double t, double vx, double vy);
+  // Without any proof: doubles(g) is m from now on, and nothing else here tells the motion of g any
+  // more. For peers in plain doubles, to measure against.
+  void overwrite(GenId g, const DoubleMotion& m) { doubles_[g + 1] = m; }
 
   // The changes of motion so far, in order of time.
   const MotionStates::Record& record(int k) const { return states_->record(k); }
@@ -196,9 +196,6 @@ class Motion {
   bool radii_are_doubles_ = true;
   // Factors of the laws of collision.
   DdBall disk_law_, wall_law_;
-  // Of the uncertified instance.
-  double plain_restitution_ = 1;
-  std::int64_t plain_collisions_ = 0;
 };
 
 }  // namespace voroproof::internal

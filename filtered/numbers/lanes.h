@@ -7,9 +7,6 @@
 #include <immintrin.h>
 #endif
 
-// Lanes are passed within the project only, which is compiled for one processor.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace voroproof::internal {
 
 using Lanes [[gnu::vector_size(32)]] = double;

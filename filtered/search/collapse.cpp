@@ -57,13 +57,6 @@ Site<double> plain_site(const Motion& motion, GenId g, double t) {
   return {m.x + m.vx * dt, m.y + m.vy * dt, m.r};
 }
 
-Judgement judge_in_doubles(const Motion& m, const Quad& q, double after, Sign f) {
-  const std::array<Site<double>, 4> at{plain_site(m, q.l, after), plain_site(m, q.r, after),
-                                       plain_site(m, q.s, after), plain_site(m, q.e, after)};
-  return judge(
-      q, at, [&] { return at; }, f);
-}
-
 // The answer of a tier that may give up: then it is decided up to `reached` only.
 struct Attempt {
   bool decided = false;
@@ -484,25 +477,6 @@ std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rationa
     return answer;
   }
   return std::nullopt;
-}
-
-Collapse collapse_in_doubles(const Motion& motion, const Quad& q, double start, double end) {
-  if (q.s == q.e) return Collapse::none_until(kInfinity);
-  if (!(start < end)) return Collapse::none_until(end);
-  BernsteinForm form;
-  if (form_flip_polynomial<false>(motion, q, start, end, form)) return Collapse::none_until(end);
-  Collapse answer;
-  const double reached = each_root(form, start, end, [&](const DoubleRoot& root) {
-    const Judgement verdict = form.degree == 8
-                                  ? judge_in_doubles(motion, q, root.hi, root.after)
-                                  : judge_cocircular_in_doubles(motion, q, root.hi, root.after);
-    if (verdict != Judgement::collapses) return true;
-    answer = {Collapse::Kind::root, root.lo, root.hi, nullptr};
-    return false;
-  });
-  if (answer.kind == Collapse::Kind::root) return answer;
-  // A root too near to the start to be told from it is passed over.
-  return Collapse::none_until(std::fmax(reached, start + 1e-7 * (end - start)));
 }
 
 }  // namespace voroproof::internal

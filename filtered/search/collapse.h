@@ -139,9 +139,6 @@ class CollapseSearch {
   TierCounts& counts_;
 };
 
-// Without certificates: the same search in plain doubles, for comparison only.
-Collapse collapse_in_doubles(const Motion& motion, const Quad& q, double start, double end);
-
 // The three ways to name a triple start with a disk in at most one rotation: the
 // vertex's generators with a disk first.
 std::array<GenId, 3> disk_first(GenId a, GenId b, GenId c);

@@ -308,28 +308,4 @@ ExactTime ContactSearch::exact_time(GenId i, GenId j, const Rational& near, Exac
   return time_of(Tower(near) + s);
 }
 
-NextContact contact_in_doubles(const Motion& motion, GenId i, GenId j, double now, double end) {
-  if (i != container_id && motion.state_id(i) > 0 && motion.state_id(i) == motion.state_id(j)) {
-    return {};
-  }
-  const auto at = [&](GenId g) {
-    const DoubleMotion& m = motion.doubles(g);
-    const double dt = now - m.t;
-    return MovingSite<double>{m.x + m.vx * dt, m.y + m.vy * dt, m.vx, m.vy, m.r};
-  };
-  const Contact<double> k(at(i), at(j));
-  double s = 0;
-  const double disc = k.b * k.b - k.a * k.c;
-  if (i == container_id) {
-    if (!(k.a > 0)) return {};
-    s = k.b > 0 ? -k.c / (k.b + std::sqrt(disc)) : (std::sqrt(disc) - k.b) / k.a;
-  } else {
-    if (!(k.b < 0) || !(disc > 0)) return {};
-    s = k.c / (std::sqrt(disc) - k.b);
-  }
-  const double t = now + std::fmax(s, 0);
-  if (!(t <= end)) return {};
-  return {NextContact::Kind::at, t, t};
-}
-
 }  // namespace voroproof::internal

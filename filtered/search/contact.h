@@ -50,7 +50,4 @@ class ContactSearch {
   TierCounts& counts_;
 };
 
-// Without certificates: in plain doubles, for comparison only.
-NextContact contact_in_doubles(const Motion& motion, GenId i, GenId j, double now, double end);
-
 }  // namespace voroproof::internal

@@ -64,15 +64,6 @@ Judgement judge_cocircular(const Motion& motion, const Quad& q, double lo, doubl
              : Judgement::unknown;
 }
 
-Judgement judge_cocircular_in_doubles(const Motion& motion, const Quad& q, double t, Sign after) {
-  if (after == Sign::positive) return Judgement::stays;
-  const auto at = [&](GenId g) { return rough_site(motion.doubles(g), t, 0).at; };
-  const Site<double> l = at(q.l), r = at(q.r);
-  return orientation(l, at(q.s), r).doubled_area > 0 && orientation(r, at(q.e), l).doubled_area > 0
-             ? Judgement::collapses
-             : Judgement::stays;
-}
-
 Judgement judge_roughly(const Motion& motion, const Quad& q, double lo, double hi, Sign f) {
   const RoughCircles circles(motion, q, lo, hi);
   if (!circles.usable()) return Judgement::unknown;

@@ -20,7 +20,5 @@ Judgement judge_roughly(const Motion& motion, const Quad& q, double lo, double h
 //   are the same ones, and the edge collapses where they fall.
 Judgement judge_cocircular(const Motion& motion, const Quad& q, double lo, double hi, double spread,
                            Sign after);
-// Without certificates, at the time t, for comparison only.
-Judgement judge_cocircular_in_doubles(const Motion& motion, const Quad& q, double t, Sign after);
 
 }  // namespace voroproof::internal

@@ -68,8 +68,8 @@ TEST(LibraryNumber, HoldsWhatItIsGivenExactly) {
 TEST(LibraryNumber, RefusesWhatIsNone) {
   EXPECT_THROW(Number("one"), std::invalid_argument);
   EXPECT_THROW(Number("1/0"), std::invalid_argument);
-  EXPECT_THROW(Number(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
-  EXPECT_THROW(Number(std::numeric_limits<double>::infinity()), std::invalid_argument);
+  EXPECT_THROW(Number{std::numeric_limits<double>::quiet_NaN()}, std::invalid_argument);
+  EXPECT_THROW(Number{std::numeric_limits<double>::infinity()}, std::invalid_argument);
 }
 
 TEST(LibraryScene, TextAndBack) {

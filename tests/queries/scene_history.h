@@ -19,7 +19,7 @@ struct SceneHistory {
     HistoryWriter writer(history);
     HistorySink sink(writer, {scene.sha256, scene.horizon, "test", {}, {}},
                      static_cast<int>(scene.disks.size()));
-    Engine<true> engine(motion_input(scene), maneuver_input(scene), {});
+    Engine engine(motion_input(scene), maneuver_input(scene), {});
     complete = engine.run(sink).kind == Outcome::Kind::complete;
     if (!complete) return;
     writer.end();

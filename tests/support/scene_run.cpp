@@ -135,7 +135,7 @@ RecordedRun run(const Scene& scene, const MotionOptions& options,
   EngineOptions engine_options;
   engine_options.motion = options;
   engine_options.monitor = std::move(monitor);
-  Engine<true> engine(motion_input(scene), maneuver_input(scene), engine_options);
+  Engine engine(motion_input(scene), maneuver_input(scene), engine_options);
   result.outcome = engine.run(recorder);
   result.stats = engine.stats();
   result.final_diagram = engine.diagram().quads();

@@ -13,6 +13,7 @@
 #include "corpus/paper_sets.h"
 #include "filtered/search/root_presence.h"
 #include "library/maneuver_input.h"
+#include "tests/support/rough_contact.h"
 #include "tests/support/scene_run.h"
 
 namespace voroproof::internal {
@@ -146,9 +147,9 @@ TEST(Predictions, AskOfEveryEdgeThatIsNew) {
       double end = options.horizon, at = start;
       for (const auto& [i, j] :
            {std::pair(q.l, q.r), {q.l, q.s}, {q.l, q.e}, {q.r, q.s}, {q.r, q.e}, {q.s, q.e}}) {
-        const NextContact c =
-            contact_in_doubles(motion, std::min(i, j), std::max(i, j), start, end);
-        if (c.kind == NextContact::Kind::at) end = std::min(end, c.lo);
+        end = std::min(
+            end,
+            testing::rough_contact(motion, std::min(i, j), std::max(i, j), start).value_or(end));
       }
       bool found = false;
       while (!found && at < end) {

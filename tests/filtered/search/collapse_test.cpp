@@ -15,6 +15,7 @@
 #include "tests/filtered/search/collapse_truth.h"
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
+#include "tests/support/rough_contact.h"
 #include "tests/support/scene_run.h"
 
 namespace voroproof::internal::testing {
@@ -77,8 +78,7 @@ double free_until(const Motion& motion, std::vector<GenId> ids, double most) {
   std::sort(ids.begin(), ids.end());
   for (std::size_t a = 0; a < ids.size(); ++a) {
     for (std::size_t b = a + 1; b < ids.size(); ++b) {
-      const NextContact c = contact_in_doubles(motion, ids[a], ids[b], 0, most);
-      if (c.kind == NextContact::Kind::at) first = std::fmin(first, c.lo);
+      first = std::fmin(first, rough_contact(motion, ids[a], ids[b], 0).value_or(most));
     }
   }
   return std::fmax(0, first - 1e-6);

@@ -108,7 +108,7 @@ TEST(ContactSearch, RandomPairsAreDecidedInDoubles) {
 // Of a motion that is known to an error: the contacts of any two against balls of 300 bits.
 TEST(ContactSearch, AfterCollisions) {
   int contacts = 0, none = 0;
-  at_end_of_runs({.n = 12, .rmin = 0.5, .rmax = 6}, "20", 8, [&](Engine<true>& engine) {
+  at_end_of_runs({.n = 12, .rmin = 0.5, .rmax = 6}, "20", 8, [&](Engine& engine) {
     Motion& motion = engine.motion();
     TierCounts tiers;
     ContactSearch search(motion, tiers);

@@ -22,7 +22,7 @@ void at_end_of_runs(const RandomScene& family, const char* horizon, unsigned see
   for (int k = 0; k < 12; ++k) {
     Scene scene = random_scene(family, random);
     scene.horizon = Rational(horizon);
-    Engine<true> engine(motion_input(scene), {}, {});
+    Engine engine(motion_input(scene), {}, {});
     Silence silence;
     ASSERT_EQ(engine.run(silence).kind, Outcome::Kind::complete);
     ASSERT_NO_FATAL_FAILURE(check(engine));

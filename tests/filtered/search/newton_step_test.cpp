@@ -21,7 +21,7 @@ struct Tally {
 
 // All flips to come of the edges at the end of a run.
 void expect_bounds(const RandomScene& family, const char* horizon, Tally& tally) {
-  at_end_of_runs(family, horizon, 3, [&](Engine<true>& engine) {
+  at_end_of_runs(family, horizon, 3, [&](Engine& engine) {
     const double start = round_up(Rational(horizon));
     TierCounts counts;
     CollapseSearch search(engine.motion(), counts);

@@ -52,7 +52,7 @@ void expect_same(const Motion& motion, const Quad& q, double lo, double hi, Tall
 }
 
 void expect_verdicts(const RandomScene& family, const char* horizon, Tally& tally) {
-  at_end_of_runs(family, horizon, 5, [&](Engine<true>& engine) {
+  at_end_of_runs(family, horizon, 5, [&](Engine& engine) {
     const Motion& motion = engine.motion();
     const double start = round_up(Rational(horizon)), end = start + 8;
     for (int e = 0; e < engine.diagram().edges(); ++e) {
@@ -95,7 +95,7 @@ TEST(RoughJudge, AfterCollisions) {
 // width: before and after a collapse, and that the circles exist there or one of them never.
 void expect_cocircular_verdicts(const RandomScene& family, Tally& tally) {
   const MakeBall make{300};
-  at_end_of_runs(family, "3", 5, [&](Engine<true>& engine) {
+  at_end_of_runs(family, "3", 5, [&](Engine& engine) {
     const Motion& motion = engine.motion();
     const double start = 3, end = start + 8;
     const auto expect_right = [&](const Quad& q, const BernsteinForm& form, double lo, double hi,
@@ -181,7 +181,7 @@ TEST(RoughJudge, CocircularNearlyEqualRadii) {
 TEST(RoughJudge, CocircularOverTheWholeInterval) {
   std::mt19937 random(11);
   int changes = 0, beside = 0;
-  at_end_of_runs({.n = 20, .rmin = 2, .rmax = 2}, "4", 6, [&](Engine<true>& engine) {
+  at_end_of_runs({.n = 20, .rmin = 2, .rmax = 2}, "4", 6, [&](Engine& engine) {
     const Motion& motion = engine.motion();
     std::vector<GenId> ids(20);
     std::iota(ids.begin(), ids.end(), 0);
@@ -233,7 +233,7 @@ TEST(RoughJudge, CocircularMindsTheSpread) {
   std::mt19937 random(12);
   const double spread = 0.25;
   int collapses = 0, stays = 0;
-  at_end_of_runs({.n = 20, .rmin = 2, .rmax = 2 + spread}, "4", 6, [&](Engine<true>& engine) {
+  at_end_of_runs({.n = 20, .rmin = 2, .rmax = 2 + spread}, "4", 6, [&](Engine& engine) {
     const Motion& motion = engine.motion();
     std::vector<GenId> ids(20);
     std::iota(ids.begin(), ids.end(), 0);
@@ -267,7 +267,7 @@ void expect_over_the_whole_interval(Truth&& truth, Told&& told) {
   int changes[2] = {}, certain[2] = {};
   std::mt19937 random(7);
   const int n = 30;
-  at_end_of_runs({.n = n, .rmin = 0.1, .rmax = 5}, "10", 6, [&](Engine<true>& engine) {
+  at_end_of_runs({.n = n, .rmin = 0.1, .rmax = 5}, "10", 6, [&](Engine& engine) {
     const Motion& motion = engine.motion();
     std::vector<GenId> ids(n + 1);
     std::iota(ids.begin(), ids.end(), container_id);

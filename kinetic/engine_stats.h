@@ -1,0 +1,54 @@
+// What an engine counts while it runs.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+
+#include "filtered/numbers/stats.h"
+#include "kinetic/flip_kind.h"
+
+namespace voroproof::internal {
+
+struct EngineStats {
+  std::array<std::uint64_t, static_cast<int>(FlipKind::count)> flips{};
+  std::uint64_t disk_collisions = 0, wall_collisions = 0, maneuvers = 0;
+  // Collapses and contacts that were predicted (found by a search), whether or not they
+  // came true; and the searches made.
+  std::uint64_t predicted_flips = 0, predicted_collisions = 0;
+  std::uint64_t flip_searches = 0, contact_searches = 0;
+  std::uint64_t ties = 0;            // pairs of events proved simultaneous
+  std::uint64_t settling_flips = 0;  // at t = 0, not events
+  std::uint64_t replays = 0;
+  int highest_bits = 0, goal_bits = 0;
+  double end = 0;  // time reached
+  // The paper's four steps (section 7.3), in seconds; only where asked for.
+  double flip_seconds = 0, collision_seconds = 0, queue_seconds = 0, move_seconds = 0;
+  double initial_seconds = 0;
+  TierCounts tiers;
+  std::uint64_t flip_count() const {
+    std::uint64_t sum = 0;
+    for (const auto f : flips) sum += f;
+    return sum;
+  }
+};
+
+// Adds the time spent in a scope to a sum, if it is wanted.
+class Stopwatch {
+ public:
+  Stopwatch(bool wanted, double& sum) : sum_(wanted ? &sum : nullptr) {
+    if (sum_ != nullptr) start_ = Clock::now();
+  }
+  ~Stopwatch() {
+    if (sum_ != nullptr) *sum_ += std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double* sum_;
+  Clock::time_point start_{};
+};
+
+}  // namespace voroproof::internal

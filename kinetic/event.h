@@ -1,0 +1,52 @@
+// An event that a search has found, and its time.
+#pragma once
+
+#include <memory>
+
+#include "exact/generators.h"
+#include "exact/rational.h"
+#include "exact/roots.h"
+#include "filtered/numbers/dd_ball.h"
+
+namespace voroproof::internal {
+
+// The time of a flip or contact as its search has left it: no other root of the flip polynomial,
+// or no other contact of the pair, is between lo and hi.
+struct IsolatingInterval {
+  double lo = 0, hi = 0;
+};
+
+struct Event {
+  enum class Kind {
+    flip,
+    contact,
+    maneuver,  // of one or more disks
+    horizon,
+  };
+  Event(Kind of_kind, int queue_item) : kind(of_kind), item(queue_item) {}
+  Kind kind;
+  int item;              // of the schedule's queue
+  Quad quad{};           // of a flip
+  GenId i = 0, j = 0;    // of a contact, i < j
+  IsolatingInterval at;  // of a flip or contact
+  // Of a flip that neighbouring doubles do not isolate, else null.
+  std::shared_ptr<const RootInterval> fine;
+  const Rational* exactly = nullptr;  // of a maneuver or the horizon; valid during the instant
+
+  bool is_flip() const { return kind == Kind::flip; }
+  bool is_contact() const { return kind == Kind::contact; }
+  // Of a flip: the isolating interval that holds whatever its width.
+  RootInterval root() const {
+    return fine ? *fine : RootInterval{to_rational(at.lo), to_rational(at.hi)};
+  }
+};
+
+// An event with an enclosure of its time.
+struct TimedEvent {
+  Event event;
+  double lo, hi;
+  DdBall dd;
+  bool tight;  // dd is as narrow as it gets without more precision
+};
+
+}  // namespace voroproof::internal

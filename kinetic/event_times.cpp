@@ -1,0 +1,167 @@
+#include "kinetic/event_times.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "kinetic/static_diagram.h"
+
+namespace voroproof::internal {
+
+namespace {
+
+// Relative width below which a time needs no further refinement before it is compared
+// and rounded: both nearly always succeed then.
+constexpr double fine_width = 1e-20;
+
+bool is_fine(const DdBall& t) { return t.rad <= fine_width * (1 + t.hi) || rounds_to_leading(t); }
+
+bool is_told(Sign s) { return s == Sign::negative || s == Sign::positive; }
+
+double middle(const IsolatingInterval& at) { return 0.5 * (at.lo + at.hi); }
+
+}  // namespace
+
+TimedEvent EventTimes::rough(const Event& event) const {
+  if (!event.is_contact()) return tight(event);
+  const auto [lo, hi] = event.at;
+  return {event, lo, hi, DdBall(middle(event.at), 0, (hi - lo) * (1 + 0x1p-50)), false};
+}
+
+TimedEvent EventTimes::tight(const Event& event) const {
+  if (event.exactly != nullptr) {
+    const Instant t = instant_at(*event.exactly);
+    return {event, t.lo, t.hi, t.dd, true};
+  }
+  const auto [lo, hi] = event.at;
+  DdBall dd(0, 0, std::numeric_limits<double>::infinity());
+  if (!motion_.options().filters) {
+    dd = by_ball(event);
+  } else if (event.is_flip()) {
+    dd = collapses_.refine_until(event.quad, lo, hi, is_fine);
+  } else {
+    dd = contacts_.refine(event.i, event.j, middle(event.at));
+  }
+  if (!is_fine(dd)) dd = by_ball(event);
+  TimedEvent timed{event, 0, 0, dd, true};
+  enclose(dd, timed.lo, timed.hi);
+  // The isolating interval may be the tighter one.
+  timed.lo = std::max(lo, timed.lo);
+  timed.hi = std::min(hi, timed.hi);
+  return timed;
+}
+
+Ball EventTimes::ball(const Event& event, int bits) const {
+  if (event.is_flip()) {
+    const RootInterval root = event.root();
+    return collapses_.refine(event.quad, root.lo, root.hi, bits);
+  }
+  if (event.is_contact()) {
+    return contacts_.refine(event.i, event.j, to_rational(middle(event.at)), bits);
+  }
+  return Ball(*event.exactly, bits);
+}
+
+DdBall EventTimes::by_ball(const Event& event) const {
+  DdBall dd;
+  ball(event, bits()).to_double_double(dd.hi, dd.lo, dd.rad);
+  return dd;
+}
+
+ExactTime EventTimes::exact(const Event& event, ExactMotion& exact) {
+  if (event.is_flip()) {
+    const RootInterval root = event.root();
+    return CollapseSearch::exact_root(event.quad, root.lo, root.hi, exact);
+  }
+  if (event.is_contact()) {
+    return ContactSearch::exact_time(event.i, event.j, to_rational(event.at.lo), exact);
+  }
+  return ExactTime(*event.exactly);
+}
+
+void EventTimes::give_up(const std::string& reason, const Event& event) {
+  if (event.is_flip()) throw Undecided(reason, event.quad);
+  if (event.is_contact()) throw Undecided(reason, event.i, event.j);
+  throw Undecided(reason);
+}
+
+bool EventTimes::is_rational(const Event& event) const {
+  if (event.is_flip()) return collapses_.has_rational_motion(event.quad);
+  return !event.is_contact() || (motion_.is_rational(event.i) && motion_.is_rational(event.j));
+}
+
+// Tried where arithmetic is expensive.
+bool EventTimes::same_by_symmetry(const Event& a, const Event& b) const {
+  if (is_rational(a) && is_rational(b)) return false;
+  const Symmetry symmetry(motion_);
+  if (a.is_contact() && b.is_contact()) {
+    return symmetry.same_contact(symmetry.states(a.i, a.j), symmetry.states(b.i, b.j));
+  }
+  if (!a.is_flip() || !b.is_flip()) return false;
+  const auto same = [&](const Event& x, const Event& y) {
+    return symmetry.same_flip(symmetry.states(x.quad), ball(x, bits()), symmetry.states(y.quad),
+                              y.root());
+  };
+  return same(a, b) || same(b, a);
+}
+
+int EventTimes::order(const TimedEvent& x, const TimedEvent& y) {
+  const Event &a = x.event, &b = y.event;
+  if (a.is_contact() && b.is_contact() && std::pair(a.i, a.j) == std::pair(b.i, b.j)) return 0;
+  const auto decided = [this](Tier tier, int order) {
+    stats_.tiers.count(Predicate::compare, tier);
+    return order;
+  };
+  const auto by_balls = [&] { return sign(ball(a, bits()) - ball(b, bits())); };
+  if (motion_.options().filters) {
+    if (const Sign s = sign(x.dd - y.dd); is_told(s)) return decided(Tier::dd, static_cast<int>(s));
+  }
+  if (const Sign s = by_balls(); is_told(s)) return decided(Tier::ball, static_cast<int>(s));
+  if (same_by_symmetry(a, b)) {
+    ++stats_.ties;
+    return decided(Tier::symmetry, 0);
+  }
+  std::string budget;
+  try {
+    ExactMotion algebra(motion_);
+    const auto c = compare(exact(a, algebra), exact(b, algebra));
+    if (c == 0) ++stats_.ties;
+    return decided(Tier::exact, c < 0 ? -1 : c > 0 ? 1 : 0);
+  } catch (const BudgetExceeded& e) {
+    budget = e.what();
+  }
+  for (;;) {
+    if (const Sign s = by_balls(); is_told(s)) return decided(Tier::ball, static_cast<int>(s));
+    if (!motion_.raise_precision()) give_up("two events may be simultaneous: " + budget, a);
+  }
+}
+
+double EventTimes::rounded(const TimedEvent& timed) {
+  const auto decided = [this](Tier tier, double t) {
+    stats_.tiers.count(Predicate::round_time, tier);
+    return t;
+  };
+  if (motion_.options().filters && rounds_to_leading(timed.dd)) {
+    return decided(Tier::dd, timed.dd.hi);
+  }
+  const Event& event = timed.event;
+  double t = 0;
+  if (ball(event, bits()).round_to_double(t)) return decided(Tier::ball, t);
+  std::string budget;
+  try {
+    ExactMotion algebra(motion_);
+    t = round_nearest(exact(event, algebra));
+    return decided(Tier::exact, t);
+  } catch (const BudgetExceeded& e) {
+    budget = e.what();
+  }
+  while (!ball(event, bits()).round_to_double(t)) {
+    if (!motion_.raise_precision()) {
+      give_up("an event time may lie on a rounding boundary: " + budget, event);
+    }
+  }
+  return t;
+}
+
+}  // namespace voroproof::internal

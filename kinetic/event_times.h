@@ -1,0 +1,48 @@
+// The times of events: enclosed, put in order, rounded. Doubles, double-doubles and balls decide
+// nearly always; else a proof by symmetry, or exact arithmetic within its budget.
+#pragma once
+
+#include "filtered/motion/motion.h"
+#include "filtered/search/collapse.h"
+#include "filtered/search/contact.h"
+#include "kinetic/engine_stats.h"
+#include "kinetic/event.h"
+
+namespace voroproof::internal {
+
+class EventTimes {
+ public:
+  EventTimes(Motion& motion, const CollapseSearch& collapses, const ContactSearch& contacts,
+             EngineStats& stats)
+      : motion_(motion), collapses_(collapses), contacts_(contacts), stats_(stats) {}
+
+  // What the search has found, and no more, where that may do: of a contact.
+  TimedEvent rough(const Event& event) const;
+  // As narrow as double-doubles say, or more bits where these leave much open.
+  TimedEvent tight(const Event& event) const;
+
+  // The order of two events: negative, zero (simultaneous: proved) or positive. Throws Undecided
+  // where the bits do not suffice.
+  int order(const TimedEvent& a, const TimedEvent& b);
+
+  // The time rounded to nearest. Throws Undecided where the bits do not suffice.
+  double rounded(const TimedEvent& event);
+
+  // As an algebraic number. Throws BudgetExceeded.
+  static ExactTime exact(const Event& event, ExactMotion& exact);
+
+ private:
+  int bits() const { return motion_.goal_bits() + 32; }
+  Ball ball(const Event& event, int bits) const;
+  DdBall by_ball(const Event& event) const;
+  bool is_rational(const Event& event) const;
+  bool same_by_symmetry(const Event& a, const Event& b) const;
+  [[noreturn]] static void give_up(const std::string& reason, const Event& event);
+
+  Motion& motion_;
+  const CollapseSearch& collapses_;
+  const ContactSearch& contacts_;
+  EngineStats& stats_;
+};
+
+}  // namespace voroproof::internal

@@ -1,0 +1,310 @@
+// The engine over any arithmetic: what is done at each instant.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "exact/patience.h"
+#include "kinetic/engine.h"
+#include "kinetic/fetch.h"
+#include "kinetic/flip_kind.h"
+#include "kinetic/inelastic_collapse.h"
+#include "kinetic/instant_record.h"
+#include "kinetic/schedule.h"
+#include "kinetic/static_diagram.h"
+
+namespace voroproof::internal {
+
+// The paper's Algorithm 2. `Arithmetic` is Certified (kinetic/certified.h) or a class with the same
+// members.
+template <class Arithmetic>
+class EngineOver {
+ public:
+  EngineOver(MotionInput input, std::vector<ManeuverInput> maneuvers, EngineOptions options)
+      : options_(std::move(options)),
+        motion_(std::move(input), options_.motion),
+        diagram_(motion_.size()),
+        arithmetic_(motion_, stats_),
+        schedule_(diagram_, arithmetic_, stats_, options_.profile, std::move(maneuvers),
+                  motion_.input().horizon),
+        instant_(options_.max_events),
+        collapse_watch_(motion_),
+        fetch_(diagram_, motion_) {}
+  EngineOver(const EngineOver&) = delete;
+  EngineOver& operator=(const EngineOver&) = delete;
+
+  // As Engine::run().
+  Outcome run(EventSink& sink) {
+    sink_ = &sink;
+    Outcome outcome;
+    std::optional<Patience> patience;
+    if (options_.monitor) patience.emplace([this] { return goes_on(); });
+    try {
+      start();
+      while (step()) {
+        if (options_.monitor && (++steps_ & 0x0f) == 0 && !goes_on()) throw GivenUp();
+      }
+      motion_.settle();
+      outcome.t = round_nearest(motion_.input().horizon);
+    } catch (const GivenUp&) {
+      if (!begun_) sink_->begin({});
+      outcome.kind = Outcome::Kind::interrupted;
+      outcome.t = instant_.told_time();
+      outcome.reason = "interrupted";
+    } catch (const Undecided& u) {
+      if (!begun_) sink_->begin({});
+      outcome.kind = Outcome::Kind::stopped;
+      outcome.t = instant_.right_before(schedule_.frontier());
+      outcome.reason = u.what();
+      if (u.flip) outcome.events.emplace_back(*u.flip);
+      if (u.contact) outcome.events.emplace_back(*u.contact);
+      settle_quietly();
+    }
+    stats_.end = outcome.t;
+    stats_.replays = motion_.replays();
+    stats_.highest_bits = motion_.highest_bits();
+    stats_.goal_bits = motion_.goal_bits();
+    return outcome;
+  }
+
+  const EngineStats& stats() const { return stats_; }
+  const Diagram& diagram() const { return diagram_; }
+  Motion& motion() { return motion_; }
+
+ private:
+  using HalfEdge = Diagram::HalfEdge;
+
+  bool goes_on() const { return options_.monitor(arithmetic_.now().lo, instant_.told()); }
+
+  // For the statistics of a run that has stopped, possibly for want of bits.
+  void settle_quietly() {
+    try {
+      motion_.settle();
+    } catch (const Undecided&) {
+    } catch (const GivenUp&) {
+    }
+  }
+
+  // ---- The start: t = 0. ----
+  void start() {
+    const Stopwatch watch(options_.profile, stats_.initial_seconds);
+    arithmetic_.is_at(0);
+    diagram_ = static_diagram(motion_, 0, stats_.tiers);
+    stamp_.assign(diagram_.edges(), 0);
+    schedule_.start(first_window(), motion_.size());
+    for (int e = 0; e < schedule_.slots(); ++e) schedule_.search_contact(e);
+    // What happens to the motion at t = 0 comes before the diagram at 0+.
+    schedule_.make_first_maneuvers_due();
+    process_motion_events();
+    stats_.settling_flips = arithmetic_.settle(diagram_);
+    sink_->begin(diagram_.quads());
+    begun_ = true;
+    degrees_ = Degrees(diagram_, motion_.size());
+    for (int e = 0; e < diagram_.edges(); ++e) schedule_.search_flip_from_now(e);
+    for (int e = 0; e < schedule_.slots(); ++e) schedule_.search_contact(e);
+    instant_.tell(*sink_);
+  }
+
+  // A quarter of the time in which the fastest disk goes as far as from one disk to the next.
+  double first_window() const {
+    const double spacing =
+        2 * round_nearest(motion_.input().container_radius) / std::sqrt(1.0 + motion_.size());
+    double speed = 0;
+    for (GenId g = 0; g < motion_.size(); ++g) {
+      const DoubleMotion& m = motion_.doubles(g);
+      speed = std::fmax(speed, std::hypot(m.vx, m.vy));
+    }
+    return speed > 0 ? 0.25 * spacing / speed : round_up(motion_.input().horizon);
+  }
+
+  // ---- One instant; false if it is the horizon and has no event, or there is none. ----
+  bool step() {
+    if (!schedule_.next_instant(ties_)) return false;
+    const TimedEvent& first = ties_.front();
+    if (diagram_.edges() > 0) {
+      if (first.event.exactly == nullptr) fetch_.around_edge(first.event.item & ~1);
+      schedule_.fetch_ahead(fetch_);
+    }
+    arithmetic_.begin(ties_);
+    bool horizon = false;
+    if (!first.tight) {
+      process_contact(first.event.i, first.event.j, true);
+    } else {
+      instant_.set_time(arithmetic_.rounded(first));
+      horizon = process_simultaneous();
+      if (horizon && ties_.size() == 1) return false;
+    }
+    process_motion_events();
+    while (const std::optional<int> edge = schedule_.take_due_flip()) process_flip(*edge);
+    instant_.tell(*sink_);
+    if (horizon) schedule_.pass_horizon();
+    return true;
+  }
+
+  // The events of ties_: a single flip or contact at once, all else in its order. Returns whether
+  // the horizon is one of them.
+  bool process_simultaneous() {
+    const Event& first = ties_.front().event;
+    if (ties_.size() == 1 && first.is_flip()) {
+      process_flip(first.item / 2);
+      return false;
+    }
+    if (ties_.size() == 1 && first.is_contact()) {
+      process_contact(first.i, first.j, false);
+      return false;
+    }
+    bool horizon = false;
+    for (const TimedEvent& timed : ties_) {
+      schedule_.make_due(timed.event);
+      horizon |= timed.event.kind == Event::Kind::horizon;
+    }
+    return horizon;
+  }
+
+  // Collisions, then maneuvers, then collisions again.
+  void process_motion_events() {
+    for (;;) {
+      if (const auto pair = schedule_.take_due_contact()) {
+        process_contact(pair->first, pair->second, false);
+        continue;
+      }
+      const std::vector<ManeuverInput> together = schedule_.take_due_maneuvers();
+      if (together.empty()) break;
+      process_maneuvers(together);
+    }
+    arithmetic_.after_changes();
+    // Only now: with some of the instant's velocities most searches would be for nothing, and
+    // harder than those that count.
+    ++stamp_now_;
+    for (const GenId g : changed_) search_around(g);
+    changed_.clear();
+  }
+
+  // `lone`: nothing else is at the instant, and the collision tells its time.
+  void process_contact(GenId i, GenId j, bool lone) {
+    Impact impact;
+    {
+      const Stopwatch watch(options_.profile, stats_.move_seconds);
+      impact = arithmetic_.collide(i, j, lone);
+    }
+    if (lone) instant_.set_time(impact.t);
+    instant_.add_collision(i, j, impact);
+    ++(i == container_id ? stats_.wall_collisions : stats_.disk_collisions);
+    collapse_watch_.after_collision(i, j, arithmetic_.now(), schedule_.quiet_until());
+    change(i);
+    change(j);
+  }
+
+  // Of one instant.
+  void process_maneuvers(const std::vector<ManeuverInput>& together) {
+    arithmetic_.is_at(together.front().t);
+    for (const ManeuverInput& m : together) {
+      const Stopwatch watch(options_.profile, stats_.move_seconds);
+      instant_.add_maneuver(m.disk, arithmetic_.maneuver(m.disk, m.t, m.vx, m.vy));
+      ++stats_.maneuvers;
+    }
+    for (const ManeuverInput& m : together) change(m.disk);
+  }
+
+  // A disk has a new velocity: which of its neighbours does it touch and approach now?
+  void change(GenId g) {
+    if (g == container_id) return;
+    schedule_.forget_contacts_of(g);
+    if (std::find(changed_.begin(), changed_.end(), g) == changed_.end()) changed_.push_back(g);
+    for_each_half_edge_of(g, [this](HalfEdge h) {
+      const auto [i, j] = schedule_.pair_of(h / 2);
+      if (!arithmetic_.certainly_apart(i, j)) schedule_.search_contact(h / 2);
+    });
+  }
+
+  // The disk's motion and that of its neighbours is settled for the instant.
+  void search_around(GenId g) {
+    const HalfEdge first = diagram_.anchor(g);
+    if (first >= 0) fetch_.around_cell(first);
+    for_each_half_edge_of(g, [&](HalfEdge h) {
+      schedule_.search_contact(h / 2);
+      if (first < 0) return;
+      search_flip_once(h / 2);
+      search_flip_once(diagram_.next(h) / 2);
+    });
+  }
+  // Once for all changes of an instant.
+  void search_flip_once(int edge) {
+    if (stamp_[edge] == stamp_now_) return;
+    stamp_[edge] = stamp_now_;
+    schedule_.forget_flip_of(edge);
+    if (begun_) schedule_.search_flip_from_now(edge);
+  }
+  // Of the disk's cell, counterclockwise; half-edge 0 for a lone disk.
+  template <class Visit>
+  void for_each_half_edge_of(GenId g, Visit&& visit) const {
+    const HalfEdge first = diagram_.anchor(g);
+    if (first < 0) return visit(0);
+    HalfEdge h = first;
+    do {
+      visit(h);
+      h = diagram_.rotate(h);
+    } while (h != first);
+  }
+
+  void process_flip(int edge) {
+    const HalfEdge h = 2 * edge;
+    const Quad q = diagram_.quad(h);
+    const auto root = schedule_.take_root(edge);
+    if (!root.isolated) arithmetic_.note_flip(q);
+    ++stats_.flips[static_cast<int>(degrees_.kind_of_flip(diagram_, q))];
+    const HalfEdge sides[4] = {diagram_.next(h), diagram_.previous(h), diagram_.next(h ^ 1),
+                               diagram_.previous(h ^ 1)};
+    int around[4];
+    for (int k = 0; k < 4; ++k) {
+      around[k] = sides[k] / 2;
+      fetch_.beyond(sides[k]);
+    }
+    diagram_.flip(h);
+    degrees_.flip(q);
+    instant_.add_flip(canonical(q));
+    // Edges with the same four generators have the flip time as a root: they start
+    // beyond its isolating interval, where they are legal by construction.
+    const auto search = [&](int e) {
+      schedule_.forget_flip_of(e);
+      const bool same = e == edge || same_generators(diagram_.quad(2 * e), q);
+      if (same && root.isolated) {
+        schedule_.search_flip_after(e, root.hi, root.fine.get());
+      } else {
+        schedule_.search_flip_from_now(e);
+      }
+    };
+    search(edge);
+    for (int k = 0; k < 4; ++k) {
+      // In small configurations one edge may appear twice.
+      if (std::find(around, around + k, around[k]) == around + k && around[k] != edge) {
+        search(around[k]);
+      }
+    }
+    schedule_.search_contact(edge);
+  }
+
+  EngineStats stats_;
+  EngineOptions options_;
+  Motion motion_;
+  Diagram diagram_;
+  Arithmetic arithmetic_;
+  Schedule<Arithmetic> schedule_;
+  InstantRecord instant_;
+  InelasticCollapse collapse_watch_;
+  Fetch fetch_;
+  Degrees degrees_;
+  EventSink* sink_ = nullptr;
+  bool begun_ = false;                // the sink has the first diagram
+  std::vector<GenId> changed_;        // disks with new velocities at the present instant
+  std::vector<std::uint64_t> stamp_;  // of edges: the last change of motions they were searched for
+  std::uint64_t stamp_now_ = 0;
+  std::vector<TimedEvent> ties_;  // the events of the present instant
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace voroproof::internal
