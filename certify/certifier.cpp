@@ -36,7 +36,7 @@ void name_shadow(Certificate& c, HistorySource& history, double tolerance) {
     return;
   }
   Divergence& d = *c.divergence;
-  const double far = kMistimed * tolerance;
+  const double far = mistimed_tolerances * tolerance;
   // The file has been read as far as the checkers came: on to the end of what is asked for.
   try {
     while (const auto event = history.next()) {

@@ -1,0 +1,62 @@
+#include "certify/cells_around.h"
+
+namespace voroproof::internal {
+
+// Collects the edges that have one of the two disks among their generators: spokes of the cells,
+// and the rims around them. i may be the container, for one disk.
+void CellsAround::collect(GenId i, GenId j) {
+  spokes_.clear();
+  all_.clear();
+  if (!front_.begun) return;
+  if (s_.motion.size() == 1) {
+    spokes_.push_back(0);
+    return;
+  }
+  const long spoke = ++collection_, any = ++collection_;
+  const auto add = [this](std::vector<int>& to, int edge, long stamp, long known) {
+    if (collected_[edge] >= known) return;
+    collected_[edge] = stamp;
+    to.push_back(edge);
+  };
+  const auto each = [this, i, j](auto&& visit) {
+    for (const GenId g : {i, j}) {
+      if (g == container_id) continue;
+      const Diagram::HalfEdge first = s_.diagram.anchor(g);
+      Diagram::HalfEdge h = first;
+      do {
+        visit(h);
+        h = s_.diagram.rotate(h);
+      } while (h != first);
+    }
+  };
+  // What is needed of them soon is asked for on the way: the lives, the pairs, and the generators
+  // on the other sides.
+  each([&](Diagram::HalfEdge h) {
+    add(spokes_, h / 2, spoke, spoke);
+    const Diagram::HalfEdge rim = s_.diagram.next(h);
+    s_.diagram.prefetch(s_.diagram.previous(rim ^ 1));
+    edges_.prefetch(rim / 2);
+    pairs_.prefetch(h / 2);
+    __builtin_prefetch(&s_.motion.doubles(s_.diagram.dest(h)));
+  });
+  all_ = spokes_;
+  each([&](Diagram::HalfEdge h) {
+    const Diagram::HalfEdge rim = s_.diagram.next(h);
+    add(all_, rim / 2, any, spoke);
+    edges_.prefetch(h / 2);
+    __builtin_prefetch(&s_.motion.doubles(s_.diagram.apex(rim ^ 1)));
+  });
+}
+
+void CellsAround::end(GenId i, GenId j, const Moment& m) {
+  collect(i, j);
+  pairs_.end(spokes_, m, PairEnd::turn);
+  edges_.end(all_, m);
+}
+
+void CellsAround::begin(const Moment& m) {
+  for (const int e : spokes_) pairs_.begin(e, m.lo);
+  edges_.postpone(all_, m);
+}
+
+}  // namespace voroproof::internal

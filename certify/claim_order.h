@@ -1,0 +1,57 @@
+// Which claim is checked next: claims near each other in time may be written in another order than
+// the true one.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "certify/claims.h"
+#include "certify/edge_lives.h"
+#include "certify/front.h"
+#include "certify/instants.h"
+#include "certify/pair_lives.h"
+#include "certify/refuter.h"
+#include "certify/setting.h"
+
+namespace voroproof::internal {
+
+class ClaimOrder {
+ public:
+  using HalfEdge = Diagram::HalfEdge;
+
+  ClaimOrder(Setting& s, Claims& claims, const Front& front, const Refuter& refuter,
+             EdgeLives& edges, PairLives& pairs, Instants& instants)
+      : s_(s),
+        claims_(claims),
+        front_(front),
+        refuter_(refuter),
+        edges_(edges),
+        pairs_(pairs),
+        instants_(instants) {}
+
+  // Makes the next claim the one being checked. Precondition: there are near claims. Throws Refuted
+  // where the order in the file is wrong and may not be.
+  void take_next();
+  // The same of the next claim of a change of the motion at t = 0, in truth, wherever within the
+  // tolerance the file has it. False if there is none.
+  bool take_next_at_start();
+
+ private:
+  std::size_t earliest();
+  std::size_t turn_before(const Event& event);
+  std::optional<Moment> probe(const Event& event);
+  std::optional<Moment> probe_flip(const FlipEvent& claim);
+  void take_before_others(std::size_t k);
+  bool turns_at_start(const Event& event);
+
+  Setting& s_;
+  Claims& claims_;
+  const Front& front_;
+  const Refuter& refuter_;
+  EdgeLives& edges_;
+  PairLives& pairs_;
+  Instants& instants_;
+  std::int64_t ties_ = 0;  // so many have been numbered
+};
+
+}  // namespace voroproof::internal

@@ -1,0 +1,97 @@
+#include "certify/claims.h"
+
+#include <algorithm>
+
+#include "history/error.h"
+
+namespace voroproof::internal {
+
+namespace {
+
+// How many of the claims that are near each other in time are looked at together.
+constexpr std::size_t most_near = 64;
+
+}  // namespace
+
+std::array<GenId, 2> turned_by(const Event& event) {
+  if (const auto* c = std::get_if<CollideEvent>(&event)) return {c->i, c->j};
+  if (const auto* m = std::get_if<ManeuverEvent>(&event)) return {m->disk, container_id};
+  return {container_id, container_id};
+}
+
+bool turn_one_disk(const Event& a, const Event& b) {
+  for (const GenId g : turned_by(a)) {
+    for (const GenId h : turned_by(b)) {
+      if (g != container_id && g == h) return true;
+    }
+  }
+  return false;
+}
+
+bool Claims::wants_more() const {
+  if (ended_) return false;
+  return near_.empty() || (near_.size() < most_near &&
+                           time(near_.back().event) <= time(near_.front().event) + 2 * tolerance_);
+}
+
+bool Claims::read() {
+  std::optional<Event> event = history_.next();
+  if (!event) {
+    ended_ = true;
+    return false;
+  }
+  const HalfEdge place = place_ahead(0).half;
+  near_.push_back({std::move(*event), history_.line(), place, {}, false});
+  times_.push_back(time(near_.back().event));
+  lines_.push_back(history_.line());
+  return true;
+}
+
+void Claims::take(std::size_t k) {
+  current_ = std::move(near_[k].event);
+  line_ = near_[k].line;
+  place_ = near_[k].place;
+  tie_ = near_[k].tie;
+  placed_ = near_[k].placed;
+  near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
+}
+
+bool Claims::has_unchecked(const Maneuver& due, const Rational& tolerance) {
+  const auto is_it = [&](const Event& event) {
+    const auto* m = std::get_if<ManeuverEvent>(&event);
+    return m != nullptr && m->disk == due.disk &&
+           abs(Rational(exact_time(event) - due.t)) <= tolerance;
+  };
+  if (current_ && is_it(*current_)) return true;
+  for (const Claim& c : near_) {
+    if (is_it(c.event)) return true;
+  }
+  const double latest = round_up(Rational(due.t + tolerance));
+  try {
+    while (near_.empty() || time(near_.back().event) <= latest) {
+      std::optional<Event> event = history_.next();
+      if (!event) {
+        // A file that stops early may stop before it.
+        const auto* stop = std::get_if<HistoryStop>(&history_.ending());
+        return stop != nullptr && stop->t <= latest;
+      }
+      near_.push_back({std::move(*event), history_.line(), -1, {}, false});
+      if (is_it(near_.back().event)) return true;
+    }
+    return false;
+  } catch (const InputError&) {
+    return true;
+  }
+}
+
+std::int64_t Claims::line_at(double t) const {
+  const auto it = std::upper_bound(times_.begin(), times_.end(), t);
+  return it == times_.end() ? history_.line() : lines_[it - times_.begin()];
+}
+
+std::int64_t Claims::proved_before(double t) const {
+  const auto it = std::lower_bound(times_.begin(), times_.end(), t);
+  return std::min<std::int64_t>(it - times_.begin(), processed_);
+}
+
+}  // namespace voroproof::internal

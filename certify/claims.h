@@ -1,0 +1,116 @@
+// The claims of a history as they are read: those near the next one in time, the one being checked,
+// and what refutations have to say of the lines.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "certify/moment.h"
+#include "certify/replay.h"
+#include "history/history_source.h"
+
+namespace voroproof::internal {
+
+// What claims have in common that were proved simultaneous: a number, 0 for none. With the moment
+// of each as it was isolated then, by the motion after so many changes.
+struct Tie {
+  std::int64_t number = 0;
+  double lo = 0, hi = 0;
+  int changes = 0;
+};
+
+// The disks that a claim turns, the container for none.
+std::array<GenId, 2> turned_by(const Event& event);
+// Whether both turn one and the same disk.
+bool turn_one_disk(const Event& a, const Event& b);
+
+class Claims {
+ public:
+  using HalfEdge = Diagram::HalfEdge;
+
+  struct Claim {
+    Event event;
+    std::int64_t line;
+    HalfEdge place;  // what it is about, as far as somebody knows, or -1
+    Tie tie;
+    bool placed = false;  // no order with another is known: it stays where the file has it
+  };
+
+  // `places`: for the claims in their order, as far as somebody knows, what a claim is about.
+  // Whoever is wrong there makes the checker slower.
+  Claims(HistorySource& history, double tolerance, std::vector<Replay::Place> places)
+      : history_(history), tolerance_(tolerance), places_(std::move(places)) {}
+
+  const HistorySource& history() const { return history_; }
+
+  // ---- Reading. ----
+  // Reads the claims that follow within twice the tolerance of the next one: their true order may
+  // differ from that of the file. False at the end. `on_read` is called after each.
+  template <class OnRead>
+  bool refill(OnRead&& on_read) {
+    while (wants_more() && read()) on_read();
+    return !near_.empty();
+  }
+  // Those read and not yet checked: one, nearly always.
+  std::vector<Claim>& near() { return near_; }
+  // Whether no other of them is so near the first that it may come before it.
+  bool first_is_alone() const {
+    return near_.size() == 1 || time(near_[1].event) > time(near_[0].event) + 2 * tolerance_;
+  }
+  // What is known of the claim that will be read after so many others.
+  Replay::Place place_ahead(std::size_t far) const {
+    const std::size_t k = times_.size() + far;
+    return k < places_.size() ? places_[k] : Replay::Place{};
+  }
+  // Makes the k-th of the near claims the one being checked.
+  void take(std::size_t k);
+  // Whether a claim that has not been checked is of this maneuver, or may be for what the file
+  // says. Reads on: no claim is checked after this.
+  bool has_unchecked(const Maneuver& due, const Rational& tolerance);
+
+  // ---- The claim being checked; none before the first and after the last. ----
+  const std::optional<Event>& current() const { return current_; }
+  // Of it, or where the history has come to.
+  std::int64_t line() const { return line_; }
+  HalfEdge place() const { return place_; }
+  const Tie& tie() const { return tie_; }
+  bool placed() const { return placed_; }
+  // It is proved.
+  void done() { ++processed_; }
+  // No claim is being checked: the history is at this line.
+  void stand_at(std::int64_t line) {
+    current_.reset();
+    line_ = line;
+  }
+  std::int64_t processed() const { return processed_; }
+
+  // ---- What the lines say. ----
+  // The line of the first claim later than t, or the last line read.
+  std::int64_t line_at(double t) const;
+  // Of the claims proved, how many are before t.
+  std::int64_t proved_before(double t) const;
+  // Whether the last claim read is of this time.
+  bool last_is_at(double t) const { return !times_.empty() && times_.back() == t; }
+
+ private:
+  bool wants_more() const;
+  bool read();
+
+  HistorySource& history_;
+  double tolerance_;
+  std::vector<Claim> near_;
+  bool ended_ = false;                 // no more to read
+  std::vector<double> times_;          // of the claims read
+  std::vector<std::int64_t> lines_;    // theirs
+  std::vector<Replay::Place> places_;  // of the claims, read or not
+  std::optional<Event> current_;
+  std::int64_t line_ = 1;
+  HalfEdge place_ = -1;
+  Tie tie_;
+  bool placed_ = false;
+  std::int64_t processed_ = 0;
+};
+
+}  // namespace voroproof::internal

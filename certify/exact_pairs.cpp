@@ -1,0 +1,86 @@
+#include "certify/exact_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "certify/wording.h"
+
+namespace voroproof::internal {
+
+// When the present motion of the pair began: with the later of the last turns of the two. Nothing
+// where neither has turned.
+const ExactPairs::Birth* ExactPairs::birth(GenId i, GenId j) const {
+  const auto of = [this](GenId g) {
+    return g == container_id || births_.empty() ? nullptr : births_[g].get();
+  };
+  const Birth *a = of(i), *b = of(j);
+  if (a == nullptr || b == nullptr) return a != nullptr ? a : b;
+  // States are numbered in their order of time.
+  return s_.motion.state_id(i) > s_.motion.state_id(j) ? a : b;
+}
+
+Moment ExactPairs::born(GenId i, GenId j) const {
+  const Birth* b = birth(i, j);
+  return b != nullptr ? b->moment : Moment::at(0.0);
+}
+
+bool ExactPairs::born_at_present(GenId i, GenId j) const {
+  const Birth* b = birth(i, j);
+  return (b != nullptr ? b->instant : 0) == front_.instant &&
+         front_.moment.kind != Moment::Kind::flip;
+}
+
+Instant ExactPairs::since(GenId i, GenId j) const {
+  return born_at_present(i, j) ? s_.chronology.present(front_.moment)
+                               : s_.chronology.instant(born(i, j));
+}
+
+void ExactPairs::note_birth(GenId g, const Moment& m) {
+  if (g == container_id) return;
+  births_.resize(s_.motion.size());
+  births_[g] = std::make_shared<const Birth>(Birth{m, front_.instant});
+}
+
+Moment ExactPairs::moment_of(GenId i, GenId j, const NextContact& c) const {
+  if (c.kind != NextContact::Kind::now) return Moment::of(i, j, c);
+  return born_at_present(i, j) ? front_.moment : born(i, j);
+}
+
+NextContact ExactPairs::next_contact(GenId i, GenId j) {
+  if (s_.replay.partners(i, j)) return {};
+  NextContact c = s_.contacts.from(i, j, since(i, j), s_.search_end);
+  if (c.kind != NextContact::Kind::at) return c;
+  const DdBall dd = s_.contacts.refine(i, j, 0.5 * (c.lo + c.hi));
+  if (std::isfinite(dd.rad)) {
+    double lo = 0, hi = 0;
+    enclose(dd, lo, hi);
+    c.lo = std::max(c.lo, lo);
+    c.hi = std::min(c.hi, hi);
+  }
+  return c;
+}
+
+void ExactPairs::require_no_contact(GenId i, GenId j, const Moment& m, PairEnd why) {
+  const NextContact c = s_.contacts.from(i, j, since(i, j), std::nextafter(m.hi, HUGE_VAL));
+  if (c.kind == NextContact::Kind::none) return;
+  const int order = s_.chronology.compare(moment_of(i, j, c), m);
+  if (order > 0) return;
+  // Collisions come before maneuvers; with the velocities between two maneuvers nothing moves.
+  const bool averted = front_.maneuvering &&
+                       (i == *front_.maneuvering || j == *front_.maneuvering) &&
+                       !front_.maneuvered_now(i == *front_.maneuvering ? j : i);
+  if (order == 0 && why == PairEnd::turn && !averted) {
+    // They touch as something else happens. If they still approach after it, that is for their
+    // next life; but of collisions at one instant the smallest pair comes first.
+    if (front_.colliding && std::pair(i, j) < *front_.colliding) {
+      refuter_.refute(
+          Fault::wrong_order,
+          "generators " + text_of(i, j) + " touch and approach at the same instant and come first");
+    }
+    return;
+  }
+  throw Refuted{refuter_.missing_contact(i, j, c.lo, c.hi)};
+}
+
+}  // namespace voroproof::internal

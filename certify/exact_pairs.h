@@ -1,0 +1,50 @@
+// Contacts under the exact truth: when two neighbours touch, as they have moved since the later of
+// them last turned.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "certify/front.h"
+#include "certify/refuter.h"
+#include "certify/setting.h"
+
+namespace voroproof::internal {
+
+// Why the life of a pair ends: one of the two turns; its edge flips; the history ends, or a part.
+enum class PairEnd { turn, flip, end };
+
+class ExactPairs {
+ public:
+  ExactPairs(Setting& s, const Front& front, const Refuter& refuter)
+      : s_(s), front_(front), refuter_(refuter) {}
+
+  // The disk has turned at m, the present instant.
+  void note_birth(GenId g, const Moment& m);
+  // When the present motion of the pair began: with the later of the last turns of the two.
+  Instant since(GenId i, GenId j) const;
+  // When the two touch next, from the birth of their present motion on.
+  NextContact next_contact(GenId i, GenId j);
+  // When i and j touch: `c` is not `none`.
+  Moment moment_of(GenId i, GenId j, const NextContact& c) const;
+  // The pair does not touch while it approaches from the birth of its motion to m; at m itself it
+  // may only where its motion ends there, too. Throws Refuted.
+  void require_no_contact(GenId i, GenId j, const Moment& m, PairEnd why);
+
+ private:
+  // When the present motion of a disk began, and the number of that instant.
+  struct Birth {
+    Moment moment;
+    int instant;
+  };
+  const Birth* birth(GenId i, GenId j) const;
+  Moment born(GenId i, GenId j) const;
+  bool born_at_present(GenId i, GenId j) const;
+
+  Setting& s_;
+  const Front& front_;
+  const Refuter& refuter_;
+  std::vector<std::shared_ptr<const Birth>> births_;  // by disk; empty before the first
+};
+
+}  // namespace voroproof::internal

@@ -1,0 +1,51 @@
+// What was refuted may be the consequence of something missed before: the first divergence of a
+// history that is known to be false.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+
+#include "certify/claims.h"
+#include "certify/edge_lives.h"
+#include "certify/front.h"
+#include "certify/pair_lives.h"
+#include "certify/refuter.h"
+#include "certify/setting.h"
+
+namespace voroproof::internal {
+
+class FirstDivergence {
+ public:
+  FirstDivergence(Setting& s, Claims& claims, const Front& front, const Refuter& refuter,
+                  EdgeLives& edges, PairLives& pairs)
+      : s_(s), claims_(claims), front_(front), refuter_(refuter), edges_(edges), pairs_(pairs) {}
+
+  // The first event or maneuver that the history lacks before what was found, or that.
+  Divergence before(const Divergence& found);
+  // The first maneuver scheduled by t that the history lacks. Reads on.
+  std::optional<Divergence> maneuver_missing_by(double t);
+  // Disks that move through each other, since a collision is missing, lead the edges into
+  // degeneracies that may be beyond the budget. Refutes the history where a contact should have
+  // been claimed before the present claim.
+  void refute_missing_contacts();
+
+ private:
+  // The earliest so far, and the time before which another would be earlier.
+  struct Earliest {
+    Divergence divergence;
+    double limit;
+  };
+  bool turns_one_of(std::initializer_list<GenId> generators) const;
+  Divergence first_event_missing(const Divergence& found);
+  void look_for_contacts(Earliest& first, double margin);
+  void look_for_flips(Earliest& first, double margin);
+
+  Setting& s_;
+  Claims& claims_;
+  const Front& front_;
+  const Refuter& refuter_;
+  EdgeLives& edges_;
+  PairLives& pairs_;
+};
+
+}  // namespace voroproof::internal

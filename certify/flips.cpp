@@ -1,0 +1,176 @@
+#include "certify/flips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "certify/edge_proof.h"
+#include "certify/witness.h"
+#include "certify/wording.h"
+
+namespace voroproof::internal {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+// The half-edge with the quadruplet of the claim being checked, or -1.
+Diagram::HalfEdge Flips::claimed(const Quad& q) const {
+  const HalfEdge h = claims_.place();
+  if (h >= 0 && h < 2 * s_.diagram.edges() && s_.diagram.quad(h) == q) return h;
+  return s_.replay.find(q);
+}
+
+// The edge that the claim means, and when it flips for it.
+Flips::Meant Flips::meant_by(const FlipEvent& claim) {
+  HalfEdge h = claimed(claim.quad);
+  if (h < 0) {
+    // A quadruplet whose two third generators are exchanged is that of an edge whose producer
+    // cannot orient its quadruplets, or a fault.
+    h = s_.replay.find_mirrored(claim.quad);
+    if (h < 0) {
+      refuter_.refute(Fault::edge_not_present,
+                      "no edge of the diagram has the quadruplet " + text_of(claim.quad));
+    }
+    resolve(h);
+    return {h, collapse_for(claim, h)};
+  }
+  try {
+    return {h, collapse_for(claim, h)};
+  } catch (const Refuted&) {
+    // Both edges of Configuration I may be there, and the other one be meant.
+    if (!s_.options.unoriented) throw;
+    h = s_.replay.find_mirrored(claim.quad);
+    if (h < 0 || !edges_.bracket(s_.diagram.quad(h), edges_.life(h / 2).from, claim.t)) throw;
+  }
+  resolve(h);
+  return {h, collapse_for(claim, h)};
+}
+
+void Flips::flip(const FlipEvent& claim) {
+  instants_.require_maneuvers_before(time(*claims_.current()));
+  instants_.begin_pending_lives();
+  const auto [h, found] = meant_by(claim);
+  const int edge = h / 2;
+  const Moment& m = found.root.m;
+  if (edges_.life(edge).illegal) {
+    ++s_.certificate.simultaneous;
+  } else {
+    if (s_.options.truth == Truth::exact && m.hi >= s_.horizon_down &&
+        s_.chronology.compare(m, Moment::at(s_.last_instant)) > 0) {
+      refuter_.refute(Fault::spurious_event,
+                      "the edge flips " + between(m.lo, m.hi) + ", after the horizon");
+    }
+    instants_.advance(m);
+  }
+  if (s_.options.truth == Truth::exact && found.own) count_ulps(m, claim.t);
+  ++s_.certificate.flips;
+  const EdgeRing ring(s_.diagram, h);
+  order_.note_flip(ring.q);
+  pairs_.end(edge, m, PairEnd::flip);
+  edges_.end_beside(ring, m);
+  s_.diagram.flip(h);
+  edges_.begin_after_flip(edge, ring, m, found.own ? &found.root : nullptr);
+  pairs_.begin(edge, m.lo);
+}
+
+// When the edge of h flips for this claim, or a refutation.
+Flips::Found Flips::collapse_for(const FlipEvent& claim, HalfEdge h) {
+  const Quad q = s_.diagram.quad(h);
+  const EdgeLives::Life& life = edges_.life(h / 2);
+  std::optional<IsolatedRoot> easy;
+  if (!life.illegal && !life.due) {
+    const IsolatedRoot root = edges_.claimed_root(q, claim.t);
+    if (proved_first_collapse(s_.motion, q, life.from, root.lo, root.hi)) return {root};
+    easy = edges_.bracket(q, life.from, claim.t);
+  }
+  if (easy && proved_free(s_.motion, q, life.from, easy->lo)) return {*easy};
+  ++s_.certificate.beyond_filter;
+  const Rational t = exact_time(*claims_.current());
+  if (life.illegal) return present_collapse(q, life, t);
+  const double end = round_up(Rational(t + s_.options.tolerance));
+  std::optional<Collapse> c =
+      life.due ? std::optional(edges_.due(h / 2)) : edges_.first_collapse(q, life.from, end);
+  if (!c) {
+    c = edges_.first_collapse(q, std::max(life.from, end), s_.search_end);
+    // Kept on beyond other events, the motion may lead to roots at which q is no longer an edge.
+    if (c) {
+      const auto [lo, hi] = interval_of(*c);
+      if (!proved_no_flip(s_.motion, q, lo, hi)) mistimed(q, *c, t);
+    }
+    refuter_.refute(Fault::spurious_event,
+                    "edge " + text_of(canonical(q)) + " does not collapse under its present motion",
+                    motion_witness(s_.motion, generators(q), t));
+  }
+  const Moment m = Moment::of(q, *c);
+  if (!instants_.in_time(m)) mistimed(q, *c, t);
+  return {{m, m.lo, m.hi}};
+}
+
+// The same of an edge that is illegal since the present instant.
+Flips::Found Flips::present_collapse(const Quad& q, const EdgeLives::Life& life,
+                                     const Rational& claimed) {
+  if (life.born != front_.instant) {
+    refuter_.refute(Fault::wrong_order, "the edge flips at an earlier instant");
+  }
+  const Moment& m = front_.moment;
+  if (!instants_.in_time(m)) mistimed(q, {Collapse::Kind::now, m.lo, m.hi, nullptr}, claimed);
+  return {{m, m.lo, m.hi}, false};
+}
+
+// The edge flips at c, too far from the claimed time.
+void Flips::mistimed(const Quad& q, const Collapse& c, const Rational& claimed) {
+  const auto [lo, hi] = interval_of(c);
+  const Rational far = mistimed_tolerances * s_.options.tolerance;
+  const bool near = lo - claimed <= far && claimed - hi <= far;
+  Divergence d =
+      refuter_.at_claim(near || hi < claimed ? Fault::wrong_time : Fault::spurious_event,
+                        "edge " + text_of(canonical(q)) + " flips " + between(c.lo, c.hi));
+  d.true_flip = canonical(q);
+  d.true_time = {c.lo, c.hi};
+  // Of an edge that is illegal from the instant on, other polynomials may isolate that.
+  d.witness = c.kind == Collapse::Kind::now ? motion_witness(s_.motion, generators(q), lo)
+                                            : collapse_witness(s_.motion, q, lo, hi);
+  throw Refuted{d};
+}
+
+// Takes the claim for one of the edge of h, though it exchanges the third generators: where the
+// history cannot say which, and nowhere else.
+void Flips::resolve(HalfEdge h) {
+  if (s_.options.unoriented) {
+    ++s_.certificate.resolved;
+    return;
+  }
+  const Quad q = canonical(s_.diagram.quad(h));
+  Divergence d =
+      refuter_.at_claim(Fault::wrong_quadruple, "the edge with these generators is " + text_of(q));
+  d.true_flip = q;
+  d.witness = motion_witness(s_.motion, generators(s_.diagram.quad(h)), to_rational(d.t));
+  throw Refuted{d};
+}
+
+// The distance of the claimed time from the true one, for the report: to a tenth of a unit in the
+// last place, and where it may be the greatest to a hundredth.
+void Flips::count_ulps(const Moment& m, double claimed) {
+  const DdBall d = s_.chronology.narrow(m) - DdBall(claimed);
+  const double ulp = std::nextafter(claimed, infinity) - claimed;
+  double error = std::fabs(d.hi + d.lo) / ulp;
+  const double uncertain = d.rad / ulp;
+  if (!(uncertain <= 0.01) &&
+      (!(uncertain <= 0.1) || error + uncertain > s_.certificate.ulps_max)) {
+    double lo = 0, hi = 0;
+    (s_.chronology.ball(m) - Ball(exact_time(*claims_.current()), s_.motion.goal_bits() + 32))
+        .to_interval(lo, hi);
+    error = std::fmax(std::fabs(lo), std::fabs(hi)) / ulp;
+  }
+  ulps_sum_ += error;
+  ++ulps_count_;
+  if (error > s_.certificate.ulps_max) {
+    s_.certificate.ulps_max = error;
+    s_.certificate.ulps_max_line = claims_.line();
+  }
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,121 @@
+#include "certify/instants.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "certify/initial_proof.h"
+#include "certify/wording.h"
+
+namespace voroproof::internal {
+
+void Instants::advance(const Moment& m) {
+  const bool tied = is_moment_of(claims_.tie(), m);
+  const int order =
+      tied && claims_.tie().number == tie_ ? 0 : s_.chronology.compare(m, front_.moment);
+  if (order < 0 && claims_.placed()) {
+    throw Undecided("two events are claimed in the other order, nearer than was seen in time");
+  }
+  if (order < 0) {
+    refuter_.refute(Fault::wrong_order,
+                    "the event lies " + between(m.lo, m.hi) +
+                        ", before the event claimed before it, and cannot be swapped "
+                        "with it");
+  }
+  if (order > 0 || tied) tie_ = tied ? claims_.tie().number : 0;
+  if (order > 0) {
+    leave();
+    if (m.lo <= revealed_) {
+      throw Undecided("something happens while a generator may lie inside another");
+    }
+    front_.moment = m;
+    if (front_.instant == std::numeric_limits<int>::max())
+      throw Undecided("too many instants to number");
+    ++front_.instant;
+    order_.clear();
+    s_.chronology.begin_present();
+    s_.chronology.note_present(m);
+    return;
+  }
+  s_.chronology.note_present(m);
+  if (claims_.processed() > 0) ++s_.certificate.simultaneous;
+  if (m.kind != Moment::Kind::flip) front_.moment = m;
+}
+
+void Instants::leave() {
+  begin_pending_lives();
+  edges_.require_none_illegal();
+}
+
+void Instants::begin_pending_lives() {
+  if (!edges_.any_pending()) return;
+  s_.chronology.note_collisions(front_.moment);
+  edges_.begin(prove_hidden_anew(edges_.take_pending()), front_.moment);
+}
+
+// Recorded truth: of the pairs around the disks that have turned at the present instant, those of
+// which one generator has lain inside the other since they last met. At a time at which it does so
+// no more, the vertices, edges and cells that depend on the tangency of the two are proved anew;
+// the lives of these edges begin then. Gives the other edges of `edges`.
+std::vector<int> Instants::prove_hidden_anew(const std::vector<int>& edges) {
+  RecordedContacts& recorded = pairs_.recorded().contacts();
+  if (!recorded.carries_any() || s_.diagram.edges() == 0) return edges;
+  std::vector<int> rest = edges;
+  for (const int e : edges) {
+    const auto pair = s_.replay.pair_of(e);
+    if (!recorded.hidden(pair)) continue;
+    const auto [i, j] = pair;
+    const auto lines = pairs_.recorded().lines(i, j, front_.moment.lo);
+    const auto revealed = lines.gap.revealed(front_.moment.exact(), 2 * s_.options.tolerance);
+    if (!revealed) throw Undecided("a generator lies inside another for long", i, j);
+    const double from = round_up(*revealed);
+    if (fault_around(s_.diagram, s_.motion, i, j, to_rational(from), s_.certificate.tiers)) {
+      throw Undecided("the diagram is not proved after a generator lay inside another", i, j);
+    }
+    std::erase_if(rest, [&, i = i, j = j](int f) {
+      const Quad q = s_.diagram.quad(2 * f);
+      const auto among = [&](GenId g) { return g == q.l || g == q.r || g == q.s || g == q.e; };
+      if (!among(i) || !among(j)) return false;
+      edges_.begin_proved(f, from);
+      return true;
+    });
+    revealed_ = std::max(revealed_, from);
+    ++s_.certificate.proved_anew;
+    recorded.reveal(pair, *revealed);
+  }
+  return rest;
+}
+
+bool Instants::in_time(const Moment& m) {
+  const bool plain =
+      std::visit([](const auto& c) { return c.exact == nullptr; }, *claims_.current());
+  if (plain) {
+    const DoubleBall t(time(*claims_.current()));
+    if (sign(DoubleBall(m.lo) - (t - s_.near_tolerance)) == Sign::positive &&
+        sign(t + s_.near_tolerance - DoubleBall(m.hi)) == Sign::positive) {
+      return true;
+    }
+  }
+  return s_.chronology.within(s_.options.tolerance, m, exact_time(*claims_.current()));
+}
+
+bool Instants::is_moment_of(const Tie& tie, const Moment& m) const {
+  const auto same = [&](std::initializer_list<GenId> generators) {
+    return std::all_of(generators.begin(), generators.end(),
+                       [&](GenId g) { return s_.replay.unchanged_since(g, tie.changes); });
+  };
+  // With a finer interval of its own, m need not be the only root of its generators in [lo, hi].
+  if (tie.number == 0 || m.root || m.lo != tie.lo || m.hi != tie.hi) return false;
+  return (m.kind == Moment::Kind::flip && same({m.quad.l, m.quad.r, m.quad.s, m.quad.e})) ||
+         (m.kind == Moment::Kind::contact && same({m.i, m.j}));
+}
+
+void Instants::require_maneuvers_before(double t) {
+  const std::size_t next = s_.replay.next_maneuver();
+  if (next == s_.scene.maneuvers.size()) return;
+  const Rational& due = s_.scene.maneuvers[next].t;
+  if (t <= due.get_d()) return;  // which is rounded towards zero
+  if (due > s_.header.horizon || due + s_.options.tolerance >= to_rational(t)) return;
+  throw Refuted{refuter_.missing_maneuver(next)};
+}
+
+}  // namespace voroproof::internal

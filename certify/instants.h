@@ -1,0 +1,60 @@
+// The instants of a history: when the truth moves on to the next one, nothing may be left that had
+// to happen at the one before.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "certify/claims.h"
+#include "certify/edge_lives.h"
+#include "certify/front.h"
+#include "certify/pair_lives.h"
+#include "certify/refuter.h"
+#include "certify/setting.h"
+#include "certify/turn_order.h"
+
+namespace voroproof::internal {
+
+class Instants {
+ public:
+  Instants(Setting& s, const Claims& claims, Front& front, const Refuter& refuter, EdgeLives& edges,
+           PairLives& pairs, TurnOrder& order)
+      : s_(s),
+        claims_(claims),
+        front_(front),
+        refuter_(refuter),
+        edges_(edges),
+        pairs_(pairs),
+        order_(order) {}
+
+  // The event of the claim being checked happens at m: the front moves there. Throws Refuted where
+  // it has moved on already, or where something is missing before m.
+  void advance(const Moment& m);
+  // The present instant is left. Throws Refuted where an edge should have flipped at it.
+  void leave();
+  // What turns at the present instant has turned: the lives that wait for this begin.
+  void begin_pending_lives();
+
+  // Whether the event of the claim being checked, which happens at m, is claimed in time.
+  bool in_time(const Moment& m);
+  // Whether m is the moment for which the tie was proved: then no generator of it has turned since.
+  bool is_moment_of(const Tie& tie, const Moment& m) const;
+
+  // Every maneuver scheduled before t must have been claimed. Throws Refuted.
+  void require_maneuvers_before(double t);
+
+ private:
+  std::vector<int> prove_hidden_anew(const std::vector<int>& edges);
+
+  Setting& s_;
+  const Claims& claims_;
+  Front& front_;
+  const Refuter& refuter_;
+  EdgeLives& edges_;
+  PairLives& pairs_;
+  TurnOrder& order_;
+  std::int64_t tie_ = 0;  // what is tied so is simultaneous with the front
+  double revealed_ = 0;   // up to here a generator lay inside another at the last such moment
+};
+
+}  // namespace voroproof::internal

@@ -1,0 +1,60 @@
+#include "certify/refuter.h"
+
+#include "certify/witness.h"
+#include "certify/wording.h"
+
+namespace voroproof::internal {
+
+Divergence Refuter::at_claim(Fault fault, std::string truth) const {
+  Divergence d;
+  d.fault = fault;
+  d.line = claims_.line();
+  d.t = claims_.current() ? time(*claims_.current()) : front_.moment.lo;
+  d.claim = claims_.current();
+  d.truth = std::move(truth);
+  return d;
+}
+
+void Refuter::refute(Fault fault, const std::string& truth, Witness witness) const {
+  Divergence d = at_claim(fault, truth);
+  d.witness = std::move(witness);
+  throw Refuted{std::move(d)};
+}
+
+Divergence Refuter::missing_flip(const Quad& q, const Collapse& root) const {
+  Divergence d;
+  d.fault = Fault::missing_event;
+  d.t = root.lo;
+  d.line = claims_.line_at(root.lo);
+  d.truth = "edge " + text_of(canonical(q)) + " flips " + between(root.lo, root.hi);
+  d.true_flip = canonical(q);
+  d.true_time = {root.lo, root.hi};
+  const auto [lo, hi] = interval_of(root);
+  d.witness = collapse_witness(s_.motion, q, lo, hi);
+  return d;
+}
+
+Divergence Refuter::missing_contact(GenId i, GenId j, double lo, double hi) const {
+  Divergence d;
+  d.fault = s_.options.truth == Truth::recorded ? Fault::overlap : Fault::missing_event;
+  d.t = lo;
+  d.line = claims_.line_at(lo);
+  d.truth = "generators " + text_of(i, j) + " touch and approach " + between(lo, hi);
+  d.true_contact = {i, j};
+  d.true_time = {lo, hi};
+  d.witness = contact_witness(s_.motion, i, j, to_rational(lo), to_rational(hi));
+  return d;
+}
+
+Divergence Refuter::missing_maneuver(std::size_t k) const {
+  const Maneuver& m = s_.scene.maneuvers[k];
+  Divergence d;
+  d.fault = Fault::missing_event;
+  d.line = claims_.line();
+  d.t = round_nearest(m.t);
+  d.truth =
+      "disk " + std::to_string(m.disk) + " is scheduled for a maneuver at t = " + m.t.get_str();
+  return d;
+}
+
+}  // namespace voroproof::internal

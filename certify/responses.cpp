@@ -1,0 +1,92 @@
+#include "certify/responses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "certify/witness.h"
+#include "certify/wording.h"
+
+namespace voroproof::internal {
+
+BallVec2 Responses::claimed_center(const CollideEvent& claim, int side) {
+  return claim.exact ? ball(*exact_center(claim, side)) : ball(*claim.p[side]);
+}
+
+// What is allowed of a claimed centre: what the disk covers in the tolerance, with its speeds just
+// before and after, and what writing it as binary64 changes.
+Rational Responses::allowed_distance(GenId g, const ExactVec2& after, const ExactVec2& at) const {
+  const Rational speeds = length_bound(s_.replay.velocity(g).value()) + length_bound(after);
+  return s_.options.tolerance * speeds + 4 * length_bound(at) / (Rational(1) << 53);
+}
+
+bool Responses::certainly_near(const CollideEvent& claim, int side, const BallVec2& at) const {
+  const BallVec2 p = claimed_center(claim, side);
+  const BallVec2 v = s_.replay.near_velocities(claim.i, claim.j)[side];
+  return sign(norm2(minus(p, at)) - s_.near_tolerance * s_.near_tolerance * norm2(v)) ==
+         Sign::negative;
+}
+
+// Exact truth: claimed values against the true ones, which are correctly rounded. A contact that is
+// off by the tolerance in time turns its normal by what the two cover meanwhile, over their reach,
+// and the velocities by twice that; where the reach is too short for that to say much, by no more
+// than a part in 1024.
+void Responses::check_state(const CollideEvent& claim, int side, const RoundedState& truth) {
+  const GenId g = side == 0 ? claim.i : claim.j;
+  const ExactVec2 true_v{to_rational(truth.vx), to_rational(truth.vy)};
+  const auto v = exact_velocity(claim, side);
+  if (v && !certainly_equal(claim, side, truth)) {
+    const ExactPair before = s_.replay.velocities(claim.i, claim.j);
+    Rational speed = length_bound(before[1]);
+    if (claim.i != container_id) speed += length_bound(before[0]);
+    const Rational turned =
+        4 * s_.options.tolerance * speed * speed / s_.law.reach(claim.i, claim.j);
+    const Rational allowed =
+        s_.options.law_tolerance * speed + std::min(turned, Rational(speed / 1024));
+    if (norm2(minus(*v, true_v)) > square(allowed)) {
+      refuter_.refute(Fault::wrong_response,
+                      "the velocity is (" + number_text(true_v[0].get_d()) + ", " +
+                          number_text(true_v[1].get_d()) +
+                          "); --tolerance and --law-tolerance set the bound");
+    }
+  }
+  if (claim.p[side] && !certainly_near(claim, side, ball(Vec2{truth.px, truth.py}))) {
+    check_center(g, exact_center(claim, side), true_v,
+                 {to_rational(truth.px), to_rational(truth.py)});
+  }
+}
+
+// Whether a claimed velocity is the true one, but for a rounding or two.
+bool Responses::certainly_equal(const CollideEvent& claim, int side, const RoundedState& truth) {
+  if (claim.exact) return false;
+  const auto near = [](double x, double y) { return std::fabs(x - y) <= 0x1p-51 * std::fabs(y); };
+  const Vec2& v = *claim.v[side];
+  return near(v[0], truth.vx) && near(v[1], truth.vy);
+}
+
+void Responses::check_center(GenId g, const std::optional<ExactVec2>& p, const ExactVec2& after,
+                             const ExactVec2& true_p) {
+  if (!p) return;
+  if (norm2(minus(*p, true_p)) > square(allowed_distance(g, after, true_p))) {
+    refuter_.refute(Fault::wrong_response, "the centre is (" + number_text(true_p[0].get_d()) +
+                                               ", " + number_text(true_p[1].get_d()) + ")");
+  }
+}
+
+void Responses::refute(const CollideEvent& claim, const ExactPair& p) {
+  refuter_.refute(Fault::wrong_response,
+                  s_.law.expectation(claim.i, claim.j, p, s_.replay.velocities(claim.i, claim.j)) +
+                      "; --law-tolerance sets the bound",
+                  motion_witness(s_.motion, {claim.i, claim.j}, exact_time(*claims_.current())));
+}
+
+void Responses::remark_velocities(bool centers) {
+  if (centers ? remarked_centers_ : remarked_paths_) return;
+  (centers ? remarked_centers_ : remarked_paths_) = true;
+  s_.certificate.remarks.push_back(
+      centers
+          ? "collisions without velocities: computed by the law from the recorded centres"
+          : "collisions without velocities and centres: computed by the law from the path; such "
+            "a file soon leaves its producer's motion");
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,64 @@
+// What all parts of the checker work with: the scene, what was asked for, the motion, the diagram,
+// the tools that decide, and the certificate that is being made.
+#pragma once
+
+#include <utility>
+
+#include "certify/certifier.h"
+#include "certify/collision_law.h"
+#include "certify/moment.h"
+#include "certify/replay.h"
+#include "history/history_file.h"
+
+namespace voroproof::internal {
+
+struct Setting {
+  // `of_motion` is that of checked_input(). All but the replay outlive the setting.
+  Setting(const Scene& of_scene, Motion& of_motion, const HistoryHeader& of_history,
+          const CertifyOptions& asked, Replay known)
+      : scene(of_scene),
+        header(of_history),
+        options(asked),
+        last_instant(header.horizon + header.horizon_error),
+        search_end(round_up(last_instant)),
+        horizon_down(round_down(last_instant)),
+        horizon_window(header.horizon - header.horizon_error - options.tolerance),
+        horizon_window_down(round_down(horizon_window)),
+        tolerance_up(round_up(options.tolerance)),
+        near_tolerance(ball(options.tolerance)),
+        motion(of_motion),
+        replay(std::move(known)),
+        diagram(replay.diagram()),
+        collapses(motion, certificate.tiers),
+        contacts(motion, certificate.tiers),
+        chronology(motion, collapses, contacts, certificate.beyond_filter),
+        law(scene, options.law_tolerance) {}
+  Setting(const Setting&) = delete;
+  Setting& operator=(const Setting&) = delete;
+
+  const Scene& scene;
+  const HistoryHeader& header;
+  const CertifyOptions& options;
+  Rational last_instant;       // no event that the file may claim lies beyond it
+  double search_end;           // nor beyond this
+  double horizon_down;         // nor at or before it beyond the last instant
+  Rational horizon_window;     // the horizon less the tolerance
+  double horizon_window_down;  // rounded
+  double tolerance_up;
+  DoubleBall near_tolerance;
+  Motion& motion;
+  Replay replay;  // of the claims proved so far
+  Diagram& diagram;
+  Certificate certificate;
+  CollapseSearch collapses;
+  ContactSearch contacts;
+  Chronology chronology;
+  CollisionLaw law;
+};
+
+// A false claim is called mistimed where the event comes within so many tolerances of it.
+inline constexpr int mistimed_tolerances = 1000;
+
+inline std::vector<GenId> generators(const Quad& q) { return {q.l, q.r, q.s, q.e}; }
+
+}  // namespace voroproof::internal
