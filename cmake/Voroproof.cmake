@@ -32,8 +32,8 @@ target_compile_options(voroproof_options INTERFACE
   $<$<BOOL:${VOROPROOF_NATIVE}>:-march=native>
   # g++ 12 sees overlapping copies in string concatenations (GCC bug 105651).
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
-  # Vectors of lanes are passed within one translation unit only: how differs by processor.
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)
+  # How vectors of lanes are passed differs by processor; all of the project is made for one.
+  -Wno-psabi)
 if(VOROPROOF_SANITIZE)
   target_compile_options(voroproof_options INTERFACE
     -fsanitize=${VOROPROOF_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
