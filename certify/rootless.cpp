@@ -47,6 +47,22 @@ unsigned inside(unsigned bits) {
   return bits == 0 ? 0 : (std::bit_floor(bits) - 1) & ~((bits & -bits) * 2 - 1);
 }
 
+constexpr double binomials[9] = {1, 8, 28, 56, 70, 56, 28, 8, 1};
+
+// Whether every tangency is positive, between a disk and the container negative, over the whole
+// time: p within err, coefficient by coefficient.
+LaneMask separated(const Lanes (&radius)[4], const Lanes (&p)[6][3], const Lanes (&err)[6]) {
+  LaneMask all = ~LaneMask{};
+  for (int k = 0; k < 6; ++k) {
+    const LaneMask wall = (radius[I[k]] < 0) ^ (radius[J[k]] < 0);
+    for (int i = 0; i < 3; ++i) {
+      const Lanes limit = i == 1 ? 2 * err[k] : err[k];
+      all &= (wall & (p[k][i] < -limit)) | (~wall & (p[k][i] > limit));
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 int most_roots(unsigned above, unsigned below) {
@@ -182,7 +198,6 @@ void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
     for (int j = 0; j < 5; ++j) f[i + j] -= B[i] * C[j];
   }
   const Lanes total = cotangency_error(size, err);
-  constexpr double binomials[9] = {1, 8, 28, 56, 70, 56, 28, 8, 1};
   LaneMask positive = f[0] > total, negative = f[0] < -total;
   for (int k = 1; k < 9; ++k) {
     const Lanes limit = total * binomials[k];
@@ -194,28 +209,25 @@ void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
     if (proved[k] != 0) found_[first + k] = Found::rootless;
   }
   if (!any(~proved)) return;
-  // Separated: every tangency positive, between a disk and the container negative.
-  LaneMask separated = ~LaneMask{};
-  for (int k = 0; k < 6; ++k) {
-    const LaneMask wall = (radius[I[k]] < 0) ^ (radius[J[k]] < 0);
-    for (int i = 0; i < 3; ++i) {
-      const Lanes limit = i == 1 ? 2 * err[k] : err[k];
-      separated &= (wall & (p[k][i] < -limit)) | (~wall & (p[k][i] > limit));
-    }
-  }
+  const LaneMask asked = separated(radius, p, err) & ~proved;
   for (std::size_t k = 0; k < count; ++k) {
-    if (proved[k] != 0 || separated[k] == 0) continue;
-    unsigned above = 0, below = 0;  // what is not a number may be both
-    for (int i = 0; i < 9; ++i) {
-      const double limit = total[k] * binomials[i];
-      above |= (f[i][k] < -limit ? 0U : 1U) << i;
-      below |= (f[i][k] > limit ? 0U : 1U) << i;
-    }
-    if (most_roots(above, below) > 1) continue;
-    found_[first + k] = Found::one_root;
-    const bool up = (above >> 8) != 0, down = (below >> 8) != 0;
-    end_signs_[first + k] = up && down ? Sign::unknown : up ? Sign::positive : Sign::negative;
+    if (asked[k] != 0) count_roots(f, total, k, first + k);
   }
+}
+
+// At most one root, by Descartes' rule for the coefficients of one lane, each within `total`.
+void RootlessBatch::count_roots(const Lanes (&f)[9], const Lanes& total, std::size_t lane,
+                                std::size_t k) {
+  unsigned above = 0, below = 0;  // what is not a number may be both
+  for (int i = 0; i < 9; ++i) {
+    const double limit = total[lane] * binomials[i];
+    above |= (f[i][lane] < -limit ? 0U : 1U) << i;
+    below |= (f[i][lane] > limit ? 0U : 1U) << i;
+  }
+  if (most_roots(above, below) > 1) return;
+  found_[k] = Found::one_root;
+  const bool up = (above >> 8) != 0, down = (below >> 8) != 0;
+  end_signs_[k] = up && down ? Sign::unknown : up ? Sign::positive : Sign::negative;
 }
 
 // As above, at one time with an uncertainty: the polynomials are constants. A coordinate moves by

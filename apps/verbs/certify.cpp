@@ -50,67 +50,10 @@ Certificate undecided(const std::string& reason, std::int64_t prefix_events, dou
   return certificate;
 }
 
-ExitCode certify_files(Request& request) {
-  require_distinct({request.scene, request.history}, {request.report});
-  CooperativeInterruption interruption;
-  std::optional<AtomicFile> report_file;
-  if (!request.report.empty()) report_file.emplace(request.report);
-  Claim claim = open_claim(request.scene, request.history);
-  if (request.max_events > 0) {
-    claim.history = std::make_unique<LimitedHistory>(std::move(claim.history), request.max_events,
-                                                     event_limit_reason(request.max_events));
-  }
-  const Scene& scene = claim.scene;
-  const HistoryHeader& header = claim.history->header();
-  CertifyOptions& options = request.options;
-  options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
-  options.tolerance = time_argument("--tolerance", request.tolerance);
-  options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
-  try {
-    require_meaningful(options, header);
-  } catch (const std::invalid_argument& fault) {
-    throw UsageError(std::string("--") + fault.what());
-  }
-  options.propose_initial = construct_initial;
-  std::optional<Progress> progress;
-  progress.emplace(round_nearest(header.horizon), request.quiet);
-  options.monitor = [&](double t, std::int64_t events) {
-    progress->report(t, static_cast<std::uint64_t>(events));
-    return !interruption.requested();
-  };
-  Certificate certificate;
-  try {
-    certificate = certify(scene, *claim.history, options);
-    certificate.remarks.insert(certificate.remarks.begin(), claim.remarks.begin(),
-                               claim.remarks.end());
-  } catch (const CertificationInterrupted& at) {
-    if (!interruption.late()) throw Interrupted();
-    certificate = undecided(time_limit_reason(), at.prefix_events, at.prefix_t);
-  } catch (const std::bad_alloc&) {
-    if (!has_memory_limit()) throw;
-    lift_memory_limit();
-    certificate = undecided(memory_limit_reason(), 0, 0);
-  }
-  progress.reset();
-  std::string kernel;
-  if (request.kernel) {
-    kernel = judged_by_kernel(certificate, request.scene, request.history, options,
-                              [&] { return !interruption.requested(); });
-    if (kernel.empty()) {
-      if (!interruption.late()) throw Interrupted();
-      certificate = undecided(time_limit_reason() + " while the kernel judges",
-                              certificate.prefix_events, certificate.prefix_t);
-    }
-  }
-  interruption.wind_up();
-  const std::string evidence = checked_evidence(certificate, request.scene, request.history);
-  if (report_file) {
-    CertificationRun run =
-        certification_run(producer(), request.scene, request.history, claim, evidence);
-    run.kernel = kernel;
-    report_file->write(report_text(run, options, certificate));
-    report_file->commit();
-  }
+// On stdout what was found, the verdict last; the reason of another verdict than CERTIFIED on
+// stderr.
+void tell(const Request& request, const Certificate& certificate, const std::string& kernel,
+          const std::string& evidence) {
   if (certificate.verdict != Verdict::certified) {
     std::cerr << "voroproof: " << printable(request.history, 4096) << ": "
               << printable(reason_line(certificate), 4096) << '\n';
@@ -132,6 +75,75 @@ ExitCode certify_files(Request& request) {
     std::cout << "c " << line << '\n';
   }
   std::cout << verdict_line(certificate.verdict) << '\n';
+}
+
+// The certificate of the claim, undecided where a limit is reached. Throws Interrupted.
+Certificate certify_claim(Claim& claim, const CertifyOptions& options,
+                          const CooperativeInterruption& interruption) {
+  try {
+    Certificate certificate = certify(claim.scene, *claim.history, options);
+    certificate.remarks.insert(certificate.remarks.begin(), claim.remarks.begin(),
+                               claim.remarks.end());
+    return certificate;
+  } catch (const CertificationInterrupted& at) {
+    if (!interruption.late()) throw Interrupted();
+    return undecided(time_limit_reason(), at.prefix_events, at.prefix_t);
+  } catch (const std::bad_alloc&) {
+    if (!has_memory_limit()) throw;
+    lift_memory_limit();
+    return undecided(memory_limit_reason(), 0, 0);
+  }
+}
+
+ExitCode certify_files(Request& request) {
+  require_distinct({request.scene, request.history}, {request.report});
+  CooperativeInterruption interruption;
+  std::optional<AtomicFile> report_file;
+  if (!request.report.empty()) report_file.emplace(request.report);
+  Claim claim = open_claim(request.scene, request.history);
+  if (request.max_events > 0) {
+    claim.history = std::make_unique<LimitedHistory>(std::move(claim.history), request.max_events,
+                                                     event_limit_reason(request.max_events));
+  }
+  const HistoryHeader& header = claim.history->header();
+  CertifyOptions& options = request.options;
+  options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
+  options.tolerance = time_argument("--tolerance", request.tolerance);
+  options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
+  try {
+    require_meaningful(options, header);
+  } catch (const std::invalid_argument& fault) {
+    throw UsageError(std::string("--") + fault.what());
+  }
+  options.propose_initial = construct_initial;
+  std::optional<Progress> progress;
+  progress.emplace(round_nearest(header.horizon), request.quiet);
+  options.monitor = [&](double t, std::int64_t events) {
+    progress->report(t, static_cast<std::uint64_t>(events));
+    return !interruption.requested();
+  };
+  Certificate certificate = certify_claim(claim, options, interruption);
+  progress.reset();
+  std::string kernel;
+  if (request.kernel) {
+    kernel = judged_by_kernel(certificate, request.scene, request.history, options,
+                              [&] { return !interruption.requested(); });
+    if (kernel.empty()) {
+      if (!interruption.late()) throw Interrupted();
+      certificate = undecided(time_limit_reason() + " while the kernel judges",
+                              certificate.prefix_events, certificate.prefix_t);
+    }
+  }
+  interruption.wind_up();
+  const std::string evidence = checked_evidence(certificate, request.scene, request.history);
+  if (report_file) {
+    CertificationRun run =
+        certification_run(producer(), request.scene, request.history, claim, evidence);
+    run.kernel = kernel;
+    report_file->write(report_text(run, options, certificate));
+    report_file->commit();
+  }
+  tell(request, certificate, kernel, evidence);
   return exit_code(certificate.verdict);
 }
 

@@ -66,16 +66,9 @@ void add_probe(CLI::App& verb, Request& request) {
       ->required();
 }
 
-}  // namespace
-
-void add_query(CLI::App& app, Action& action) {
-  CLI::App* query =
-      app.add_subcommand("query", "Ask what holds of a scene, at an instant or over time");
-  query->require_subcommand(1);
-  const auto request = std::make_shared<Request>();
-
+void add_nearest(CLI::App& query, Action& action, const std::shared_ptr<Request>& request) {
   CLI::App* verb = add_instant(
-      *query, action, request, "nearest", "The disks nearest to a point",
+      query, action, request, "nearest", "The disks nearest to a point",
       [](const InstantQuery& q, const Request& r) {
         return answer_nearest(
             q, {number_argument("--point", r.point[0]), number_argument("--point", r.point[1])},
@@ -91,44 +84,71 @@ void add_query(CLI::App& app, Action& action) {
       ->check(CLI::Range(1, 2'000'000))
       ->capture_default_str();
   verb->footer("Example:\n  voroproof query nearest a.scene.json --at 12.5 --point 1 -2 --count 3");
+}
 
-  verb = add_instant(*query, action, request, "neighbours",
-                     "The generators whose cells share an edge with that of a disk, and the gaps",
-                     [](const InstantQuery& q, const Request& r) {
-                       return answer_neighbours(q, disk_of(q.scene, r.disk));
-                     });
+void add_neighbours(CLI::App& query, Action& action, const std::shared_ptr<Request>& request) {
+  CLI::App* verb =
+      add_instant(query, action, request, "neighbours",
+                  "The generators whose cells share an edge with that of a disk, and the gaps",
+                  [](const InstantQuery& q, const Request& r) {
+                    return answer_neighbours(q, disk_of(q.scene, r.disk));
+                  });
   verb->add_option("--disk", request->disk, "the disk")
       ->check(whole_number())
       ->check(CLI::Range(0, max_disks))
       ->required();
   verb->footer("Example:\n  voroproof query neighbours a.scene.json --at 12.5 --disk 7");
+}
 
-  verb = add_instant(*query, action, request, "closest",
-                     "The closest pairs, of all generators and of disks",
-                     [](const InstantQuery& q, const Request&) { return answer_closest(q); });
+void add_closest(CLI::App& query, Action& action, const std::shared_ptr<Request>& request) {
+  CLI::App* verb = add_instant(
+      query, action, request, "closest", "The closest pairs, of all generators and of disks",
+      [](const InstantQuery& q, const Request&) { return answer_closest(q); });
   verb->footer("Example:\n  voroproof query closest a.scene.json --at 12.5");
+}
 
-  verb = add_instant(*query, action, request, "offset",
-                     "The boundary of the places where the centre of a probe fits",
-                     [](const InstantQuery& q, const Request& r) {
-                       return answer_offset(q, time_argument("--probe", r.probe));
-                     });
+void add_offset(CLI::App& query, Action& action, const std::shared_ptr<Request>& request) {
+  CLI::App* verb = add_instant(query, action, request, "offset",
+                               "The boundary of the places where the centre of a probe fits",
+                               [](const InstantQuery& q, const Request& r) {
+                                 return answer_offset(q, time_argument("--probe", r.probe));
+                               });
   add_probe(*verb, *request);
   verb->footer("Example:\n  voroproof query offset a.scene.json --at 12.5 --probe 1/2 -o o.json");
+}
 
-  verb = add_instant(*query, action, request, "voids",
-                     "The voids in which a probe can move, and the tunnels it passes",
-                     [](const InstantQuery& q, const Request& r) {
-                       return answer_voids(q, time_argument("--probe", r.probe));
-                     });
+void add_voids(CLI::App& query, Action& action, const std::shared_ptr<Request>& request) {
+  CLI::App* verb = add_instant(query, action, request, "voids",
+                               "The voids in which a probe can move, and the tunnels it passes",
+                               [](const InstantQuery& q, const Request& r) {
+                                 return answer_voids(q, time_argument("--probe", r.probe));
+                               });
   add_probe(*verb, *request);
   verb->footer("Example:\n  voroproof query voids a.scene.json --at 12.5 --probe 1/2 -o v.json");
+}
 
-  verb = add_instant(*query, action, request, "critical",
-                     "The probe radii at which each tunnel closes and each void vanishes",
-                     [](const InstantQuery& q, const Request&) { return answer_critical(q); });
+void add_critical(CLI::App& query, Action& action, const std::shared_ptr<Request>& request) {
+  CLI::App* verb =
+      add_instant(query, action, request, "critical",
+                  "The probe radii at which each tunnel closes and each void vanishes",
+                  [](const InstantQuery& q, const Request&) { return answer_critical(q); });
   verb->footer("Example:\n  voroproof query critical a.scene.json --at 12.5");
+}
 
+}  // namespace
+
+void add_query(CLI::App& app, Action& action) {
+  CLI::App* query =
+      app.add_subcommand("query", "Ask what holds of a scene, at an instant or over time");
+  query->require_subcommand(1);
+  const auto request = std::make_shared<Request>();
+
+  add_nearest(*query, action, request);
+  add_neighbours(*query, action, request);
+  add_closest(*query, action, request);
+  add_offset(*query, action, request);
+  add_voids(*query, action, request);
+  add_critical(*query, action, request);
   add_queries_over_time(*query, action);
   query->footer(
       "At an instant: of the true motion. Over time (a window, not --at): of the paths that the\n"

@@ -119,6 +119,35 @@ Outcome run(Engine& engine, HistorySink& sink, const CooperativeInterruption& in
   return outcome;
 }
 
+RunDescription description(const Request& request, const Scene& scene, int disks) {
+  return {.producer = producer(),
+          .scene_sha256 = scene.sha256,
+          .disks = disks,
+          .horizon = scene.horizon,
+          .start_bits = request.motion.start_bits,
+          .max_bits = request.motion.max_bits,
+          .threads = request.threads,
+          .filters = request.filters == "on",
+          .total_seconds = 0};
+}
+
+// The history's last line, once the check, if any, has approved of the history.
+void finish(HistoryWriter& writer, std::optional<SelfCheck>& check, const Outcome& outcome) {
+  const bool complete = outcome.kind == Outcome::Kind::complete;
+  if (check) {
+    HistoryStop stop;
+    stop.t = outcome.t;
+    stop.reason = outcome.reason;
+    require_checked(complete ? check->finish(HistoryEnd{writer.counts()}) : check->finish(stop),
+                    complete);
+  }
+  if (complete) {
+    writer.end();
+  } else {
+    writer.stopped(outcome.t, outcome.reason, events_of(outcome));
+  }
+}
+
 ExitCode simulate(const Request& request) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -166,31 +195,11 @@ ExitCode simulate(const Request& request) {
   interruption.wind_up();
   sink->finish();
 
-  const bool complete = outcome.kind == Outcome::Kind::complete;
-  if (check) {
-    HistoryStop stop;
-    stop.t = outcome.t;
-    stop.reason = outcome.reason;
-    require_checked(complete ? check->finish(HistoryEnd{writer.counts()}) : check->finish(stop),
-                    complete);
-  }
-  if (complete) {
-    writer.end();
-  } else {
-    writer.stopped(outcome.t, outcome.reason, events_of(outcome));
-  }
+  finish(writer, check, outcome);
   writer.close();
   if (stats_file) {
-    const RunDescription run{
-        .producer = producer(),
-        .scene_sha256 = scene.sha256,
-        .disks = disks,
-        .horizon = scene.horizon,
-        .start_bits = request.motion.start_bits,
-        .max_bits = request.motion.max_bits,
-        .threads = request.threads,
-        .filters = request.filters == "on",
-        .total_seconds = std::chrono::duration<double>(Clock::now() - start).count()};
+    RunDescription run = description(request, scene, disks);
+    run.total_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     stats_file->write(stats_text(run, outcome, engine.stats()));
     stats_file->commit();
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "exact/collision_response.h"
+#include "filtered/motion/enclosures.h"
 #include "filtered/motion/exact_motion.h"
 
 namespace voroproof::internal {
@@ -187,26 +188,6 @@ Motion::Origin Motion::origin(GenId g, int id) const {
   if (r.maneuver >= 0) return {r.before_i, &states_->maneuver(r.maneuver), g, 0};
   if (g == r.i) return {r.before_i, nullptr, r.j, r.before_j};
   return {r.before_j, nullptr, r.i, r.before_i};
-}
-
-int Motion::right_angle(int a, int b) const {
-  const auto it = right_angles_.find(std::minmax(a, b));
-  if (it == right_angles_.end()) return 0;
-  return a < b ? it->second : -it->second;
-}
-
-void Motion::note_right_angle(int a, int b, int turn) {
-  right_angles_[std::minmax(a, b)] = a < b ? turn : -turn;
-}
-
-const Motion::Cradle* Motion::cradle(int id) const {
-  const auto it = cradle_.find(id);
-  return it == cradle_.end() ? nullptr : &cradles_[it->second];
-}
-
-void Motion::note_cradle(const Cradle& c) {
-  for (const int id : c.ids) cradle_[id] = static_cast<int>(cradles_.size());
-  cradles_.push_back(c);
 }
 
 bool Motion::raise_precision() {

@@ -7,9 +7,7 @@
 //   - on demand, elements of a tower of quadratic fields (ExactMotion).
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -19,6 +17,7 @@
 #include "exact/generators.h"
 #include "exact/predicates.h"
 #include "exact/rational.h"
+#include "filtered/motion/collision_relations.h"
 #include "filtered/motion/motion_states.h"
 #include "filtered/motion/options.h"
 #include "filtered/numbers/dd_ball.h"
@@ -150,21 +149,9 @@ class Motion {
     const Record& r = states_->record(id - 1);
     return {r.i, r.j};
   }
-  // Two collisions of one disk at one instant with normals at right angles: 1 where that of id b,
-  // seen from the disk, is to the left of that of a, -1 to the right, 0 where nothing was noted.
-  int right_angle(int a, int b) const;
-  // Three disks of one mass in a row, and three elastic collisions of theirs at one instant: of an
-  // end and the middle, of the middle and the other end, and again of the first two. Together they
-  // exchange the velocities of the ends along the row and leave the middle as it was.
-  struct Cradle {
-    GenId end, middle, far_end;
-    std::array<int, 3> ids;
-  };
-  // The one that the collision with this id belongs to, or null; valid until another is noted.
-  const Cradle* cradle(int id) const;
-  // Notes what the caller has proved. Precondition: none of its collisions belongs to another.
-  void note_cradle(const Cradle& c);
-  void note_right_angle(int a, int b, int turn);
+  // What is proved of the collisions so far.
+  const CollisionRelations& relations() const { return relations_; }
+  CollisionRelations& relations() { return relations_; }
   // When the initial state of a disk holds: 0 unless it was restarted.
   double initial_time(GenId g) const { return states_->initial_time(g); }
 
@@ -187,10 +174,8 @@ class Motion {
   MotionOptions options_;
   std::unique_ptr<MotionStates> states_;
   std::size_t taken_over_ = 0;  // records that take_over() has seen
-  std::map<std::pair<int, int>, int> right_angles_;
-  std::vector<Cradle> cradles_;
-  std::map<int, int> cradle_;  // by the ids of their collisions: which
-  std::vector<int> state_;     // per generator
+  CollisionRelations relations_;
+  std::vector<int> state_;  // per generator
   std::vector<DoubleMotion> doubles_;
   std::vector<SecondMotion> seconds_;
   bool radii_are_doubles_ = true;

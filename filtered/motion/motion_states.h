@@ -12,22 +12,14 @@
 #include <vector>
 
 #include "exact/ball.h"
-#include "exact/compact_rational.h"
-#include "exact/fixed_ball.h"
 #include "exact/generators.h"
 #include "exact/rational.h"
+#include "filtered/motion/fixed_collision.h"
 #include "filtered/motion/options.h"
 #include "filtered/motion/worker.h"
 #include "filtered/numbers/dd_ball.h"
 
 namespace voroproof::internal {
-
-// An enclosure by the double next to the number and what is left of it.
-DdBall dd_of(const Rational& q);
-DdBall dd_of(const CompactRational& q);
-
-// A number that few bits hold as it is, whatever the precision; else rounded to `bits`.
-Ball dyadic_or_rounded(const Rational& q, Ball::Precision bits);
 
 // Records are appended, and applied to the states later: what tells of states is of the records
 // applied so far.
@@ -106,43 +98,23 @@ class MotionStates {
   std::int64_t v_scale() const { return v_scale_; }
 
   template <class T>
-  struct State {
-    T x, y, vx, vy;
-  };
+  using State = MotionState<T>;
   // The state of g, whose reference time is t_ref; its balls have the precision of that time.
   const State<Ball>& balls(GenId g, double t_ref) const;
   State<DdBall> double_doubles(GenId g) const;
   // Negative for the container.
   DdBall radius_dd(GenId g) const;
   // The time of the collision applied last, and its delay after the reference time.
-  DdBall last_time() const;
-  DdBall last_delay() const;
-  Ball last_time_ball() const;
-  Ball last_delay_ball() const;
+  DdBall last_time() const { return collision_.time(); }
+  DdBall last_delay() const { return collision_.delay(); }
+  Ball last_time_ball() const { return collision_.time_ball(bits_at(0)); }
+  Ball last_delay_ball() const { return collision_.delay_ball(bits_at(0)); }
 
  private:
-  // x, y, vx, vy after a collision, as the computation left them: in units of 2^x_scale_ and of
-  // 2^v_scale.
-  struct FixedState {
-    FixedRow numbers;
-    std::int64_t v_scale;
-    std::int64_t scale(std::size_t k, std::int64_t x_scale) const {
-      return k < 2 ? x_scale : v_scale;
-    }
-  };
-  // What a collision computes with, kept so that no memory is allocated for it.
-  struct Workspace {
-    FixedArithmetic arithmetic;
-    FixedBall now, dt, term, x[2], y[2], vx[2], vy[2], dx, dy, wx, wy, mass[2];
-    FixedBall reach, a, b, c, root, s, nx, ny, k, kx, ky, sx, sy;
-    std::int64_t time_scale = 0;  // of `s`, the delay of the collision after `now`
-  };
-
   int integer_limbs() const;
   void begin();
   State<Ball> initial_balls(GenId g, Ball::Precision bits) const;
-  Ball ball_of(const FixedBall& time) const;
-  void set_fixed(FixedBall& out, const CompactRational& x, std::int64_t unit);
+  FixedCollision::Side side_of(GenId g, double t_ref) const;
   void apply(const Record& r);
   void apply_maneuver(const Record& r);
   void respond(const Record& r);
@@ -174,8 +146,8 @@ class MotionStates {
   std::vector<std::unique_ptr<FixedState>> fixed_;
   // States in balls: those after a maneuver, others from when they are asked for.
   mutable std::vector<std::unique_ptr<State<Ball>>> balls_;
-  Ball disk_law_, wall_law_, wall_keep_;  // factors of the laws of collision
-  Workspace workspace_;
+  CollisionFactors laws_;
+  FixedCollision collision_;
   std::unique_ptr<Worker> worker_;  // the last member: its job uses the others
 };
 

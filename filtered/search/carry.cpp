@@ -15,11 +15,10 @@ constexpr std::size_t kMaxPairs = std::size_t{1} << 18;
 // The state p of a disk before all that its collision with this id, which follows at the same
 // instant, does not depend on.
 DiskState independent(const Motion& motion, DiskState p, int id) {
-  while (p.id > 0 && motion.right_angle(id, p.id) != 0) p.id = motion.origin(p.g, p.id).before;
+  while (p.id > 0 && motion.relations().right_angle(id, p.id) != 0)
+    p.id = motion.origin(p.g, p.id).before;
   return p;
 }
-
-using Cradle = Motion::Cradle;
 
 // The first and the last collision of a disk in its cradle.
 int first_of(const Cradle& c, GenId g) { return c.ids[g == c.far_end ? 1 : 0]; }
@@ -34,7 +33,7 @@ struct Blow {
 };
 
 Blow blow_of(const Motion& motion, const DiskState& s) {
-  const Cradle* c = motion.cradle(s.id);
+  const Cradle* c = motion.relations().cradle(s.id);
   if (c == nullptr || last_of(*c, s.g) != s.id) {
     const Motion::Origin o = motion.origin(s.g, s.id);
     return {s.id, {independent(motion, {o.partner, o.partner_before}, s.id)}};
@@ -65,11 +64,12 @@ std::optional<Past> past_by_blows(const Motion& motion, const DiskState& s) {
   std::vector<const Cradle*> cradles;
   for (now = s; now.id > 0;) {
     const Motion::Origin o = motion.origin(now.g, now.id);
-    const Cradle* c = motion.cradle(now.id);
+    const Cradle* c = motion.relations().cradle(now.id);
     if (c == nullptr || std::find(cradles.begin(), cradles.end(), c) == cradles.end()) {
       if (o.maneuver != nullptr ||
-          !std::all_of(past.blows.begin(), past.blows.end(),
-                       [&](const Blow& b) { return motion.right_angle(b.id, now.id) != 0; })) {
+          !std::all_of(past.blows.begin(), past.blows.end(), [&](const Blow& b) {
+            return motion.relations().right_angle(b.id, now.id) != 0;
+          })) {
         break;
       }
       past.blows.push_back(blow_of(motion, now));
@@ -82,7 +82,8 @@ std::optional<Past> past_by_blows(const Motion& motion, const DiskState& s) {
     return std::nullopt;
   }
   std::erase_if(past.blows, [](const Blow& b) { return b.partners.empty(); });
-  if (past.blows.size() == 2 && motion.right_angle(past.blows[0].id, past.blows[1].id) < 0) {
+  if (past.blows.size() == 2 &&
+      motion.relations().right_angle(past.blows[0].id, past.blows[1].id) < 0) {
     std::swap(past.blows[0], past.blows[1]);
   }
   return past;
@@ -239,7 +240,7 @@ std::optional<Cradle> cradle_ending_with(const Motion& motion, int id, GenId g, 
     return std::nullopt;
   }
   for (const int k : {first, second, id}) {
-    if (motion.cradle(k) != nullptr) return std::nullopt;
+    if (motion.relations().cradle(k) != nullptr) return std::nullopt;
   }
   const MotionInput& in = motion.input();
   if (in.restitution != 1 || in.disks[g].mass != in.disks[end].mass) return std::nullopt;
@@ -267,7 +268,7 @@ void note_relations(Motion& motion, int records, double lo, double hi) {
         const Motion::Origin o = motion.origin(g, first);
         if (may_be_right_angle(motion, g, o.partner, b, now)) {
           const int turn = quarter_turn(motion, before(g), before(o.partner), before(b));
-          if (turn != 0) motion.note_right_angle(first, id, turn);
+          if (turn != 0) motion.relations().note_right_angle(first, id, turn);
         }
         first = o.before;
       }
@@ -277,7 +278,8 @@ void note_relations(Motion& motion, int records, double lo, double hi) {
     const auto [i, j] = motion.generators_of(id);
     if (i == container_id || i == j) continue;
     for (const GenId g : {i, j}) {
-      if (const auto c = cradle_ending_with(motion, id, g, records)) motion.note_cradle(*c);
+      if (const auto c = cradle_ending_with(motion, id, g, records))
+        motion.relations().note_cradle(*c);
     }
   }
 }

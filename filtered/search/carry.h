@@ -37,7 +37,8 @@ DiskState state_before(const Motion& motion, DiskState s, int records);
 // them in the motion; from then on the outcome is carried in whichever order they were processed.
 //   - Their normals are at right angles, because a quarter turn carries the one pair onto the
 //   other.
-//   - They make a cradle (Motion::Cradle), as a half turn about the middle shows.
+//   - They make a cradle (Cradle, filtered/motion/collision_relations.h), as a half turn about the
+//   middle shows.
 void note_relations(Motion& motion, int records, double lo, double hi);
 
 }  // namespace voroproof::internal

@@ -1,7 +1,10 @@
 // The exact tier of the search for collapses.
 #include <algorithm>
+#include <compare>
 #include <limits>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "filtered/numbers/subdivision.h"
 #include "filtered/search/collapse.h"
@@ -82,88 +85,120 @@ Collapse CollapseSearch::at_rest(const Quad& q, const Instant& now) {
   return *answer;
 }
 
+namespace {
+
+// The roots of an edge's flip polynomial after the start of a search, and rational times beside
+// each: near the root, for later on the generators may overlap.
+class EdgeRoots {
+ public:
+  EdgeRoots(const Motion& motion, const Quad& q, ExactMotion& exact, const Polynomial<Tower>& phi,
+            const Rational& start, const Rational& end, const Instant* now)
+      : motion_(motion),
+        q_(q),
+        exact_(exact),
+        start_(start),
+        end_(end),
+        roots_(real_roots(phi, start, end)) {
+    if (now != nullptr) instant_ = now->exact(exact);
+  }
+
+  std::size_t size() const { return roots_.size(); }
+  const ExactTime& operator[](std::size_t k) const { return roots_[k]; }
+  // The order of the root and the time at which the search starts: the instant, if there is one.
+  std::strong_ordering order_to_start(std::size_t k) {
+    return instant_ ? compare(roots_[k], *instant_) : compare(roots_[k], start_);
+  }
+  bool starts_at_instant() const { return instant_.has_value(); }
+  void narrow(std::size_t k) { roots_[k].refine(hair()); }
+
+  // After this root and before the next.
+  Rational after(std::size_t k) const {
+    if (!roots_[k].is_point()) return roots_[k].interval().hi;
+    const Rational& at = roots_[k].interval().lo;
+    const Rational next = k + 1 < roots_.size() ? roots_[k + 1].interval().lo : end_;
+    return std::min<Rational>((at + next) / 2, at + hair());
+  }
+  // Before it, after the root before and after the start and the instant.
+  Rational before(std::size_t k) {
+    const Rational at = roots_[k].interval().lo;
+    if (!roots_[k].is_point()) return at;
+    const Rational last = k > 0 ? roots_[k - 1].interval().hi : start_;
+    Rational t = std::max<Rational>((at + last) / 2, at - hair());
+    while (instant_ && compare(*instant_, t) >= 0) t = (t + at) / 2;
+    return t;
+  }
+  // Whether both circles of the edge are in conflict after the root, and one at it. For that it is
+  // narrowed, to so many bits to begin with and no more than `most`: throws RootTooBlurred.
+  bool shrinks(std::size_t k, int bits, int most) {
+    const auto s = exact_incircles(q_, after(k), exact_);
+    if (s[0] != Sign::negative || s[1] != Sign::negative) return false;
+    for (;; bits *= 2) {
+      const RootInterval& at = roots_[k].interval();
+      const Sign contacts =
+          contact_order(q_, sites(motion_, q_, MakeBall{bits}.hull(at.lo, at.hi)));
+      if (is_certain(contacts)) return contacts == Sign::positive;
+      if (bits > most) throw RootTooBlurred("the order of the contacts at a flip", bits);
+      roots_[k].refine(Rational(Integer(1), Integer(1) << bits));
+    }
+  }
+
+ private:
+  static Rational hair() { return Rational(Integer(1), Integer(1) << 64); }
+
+  const Motion& motion_;
+  const Quad& q_;
+  ExactMotion& exact_;
+  const Rational &start_, &end_;
+  std::vector<ExactTime> roots_;
+  std::optional<ExactTime> instant_;
+};
+
+}  // namespace
+
 Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Instant* now,
                                  double end) {
   ExactMotion exact(motion_);
   const Polynomial<Tower> phi = flip_polynomial(q, exact);
-  const Rational finish = std::max<Rational>(to_rational(end), start);
+  // To which a root is narrowed so that its circles show whether they exist and which they touch.
+  const int least = motion_.goal_bits() + 32;
+  const int most = std::max(least, motion_.options().max_bits / 8);
   if (phi.is_zero()) {
     const Rational t = now != nullptr ? Rational(to_rational(now->hi)) : start;
-    const auto answer =
-        while_cotangent(q, exact_incircles(q, t, exact), Ball(t, motion_.goal_bits() + 32));
+    const auto answer = while_cotangent(q, exact_incircles(q, t, exact), Ball(t, least));
     if (!answer) {
       throw Undecided("four generators stay cotangent, in an order that is not decided", q);
     }
     return *answer;
   }
-  Collapse answer;
-  answer.kind = Collapse::Kind::now;
-  // To which a root is narrowed so that its circles show whether they exist and which they touch.
-  const int least = motion_.goal_bits() + 32;
-  const int most = std::max(least, motion_.options().max_bits / 8);
-  const Rational beyond = finish + 1;
-  std::vector<ExactTime> roots = real_roots(phi, start, beyond);
-  std::optional<ExactTime> instant;
-  if (now != nullptr) instant = now->exact(exact);
+  const Rational finish = std::max<Rational>(to_rational(end), start), beyond = finish + 1;
+  EdgeRoots roots(motion_, q, exact, phi, start, beyond, now);
   for (std::size_t k = 0; k < roots.size(); ++k) {
-    const auto order = instant ? compare(roots[k], *instant) : compare(roots[k], start);
+    const auto order = roots.order_to_start(k);
     if (order < 0) continue;
-    if (order == 0 && !instant) continue;  // the search starts at a root: beyond it
-    // A rational time after this root and before the next; near the root: later on the
-    // generators may overlap.
-    const Rational hair(Integer(1), Integer(1) << 64);
-    const auto after_root = [&]() -> Rational {
-      if (!roots[k].is_point()) return roots[k].interval().hi;
-      const Rational next = k + 1 < roots.size() ? roots[k + 1].interval().lo : beyond;
-      return std::min<Rational>((roots[k].interval().lo + next) / 2, roots[k].interval().lo + hair);
-    };
-    // The same before it, after the root before and after the start and the instant.
-    const auto before_root = [&]() -> Rational {
-      const Rational at = roots[k].interval().lo;
-      if (!roots[k].is_point()) return at;
-      const Rational last = k > 0 ? roots[k - 1].interval().hi : start;
-      Rational t = std::max<Rational>((at + last) / 2, at - hair);
-      while (instant && compare(*instant, t) >= 0) t = (t + at) / 2;
-      return t;
-    };
-    // Whether both circles of the edge are in conflict after the root, and one at it.
-    const auto shrinks = [&](int limit) {
-      const auto s = exact_incircles(q, after_root(), exact);
-      if (s[0] != Sign::negative || s[1] != Sign::negative) return false;
-      for (int bits = least;; bits *= 2) {
-        const RootInterval& at = roots[k].interval();
-        const Sign contacts =
-            contact_order(q, sites(motion_, q, MakeBall{bits}.hull(at.lo, at.hi)));
-        if (is_certain(contacts)) {
-          return contacts == Sign::positive;
-        }
-        if (bits > limit) throw RootTooBlurred("the order of the contacts at a flip", bits);
-        roots[k].refine(Rational(Integer(1), Integer(1) << bits));
-      }
-    };
     if (order == 0) {
-      roots[k].refine(hair);
-      if (shrinks(most)) return answer;
-      continue;
+      if (!roots.starts_at_instant()) continue;  // the search starts at a root: beyond it
+      roots.narrow(k);
+      if (!roots.shrinks(k, least, most)) continue;
+      Collapse answer;
+      answer.kind = Collapse::Kind::now;
+      return answer;
     }
     // Later: does the edge collapse here? Whether its circles exist is not asked: those of an edge
     // of the diagram do, and others are not there any more. Where the answer takes many bits it can
     // wait, for an event may come before the root.
     if (compare(roots[k], finish) > 0) break;
-    roots[k].refine(hair);
-    const double reached = voroproof::internal::round_down(before_root());
+    roots.narrow(k);
+    const double reached = voroproof::internal::round_down(roots.before(k));
     const bool can_wait =
         reached > (now != nullptr ? now->hi : voroproof::internal::round_up(start));
-    bool collapses = false;
     try {
-      collapses = shrinks(can_wait ? std::min(most, kBitsBeforeWaiting) : most);
+      if (roots.shrinks(k, least, can_wait ? std::min(most, kBitsBeforeWaiting) : most)) {
+        // A root that is a point needs an interval all the same: it may not be an end.
+        return Collapse::at_root(roots.before(k), roots.after(k));
+      }
     } catch (const RootTooBlurred&) {
       if (!can_wait) throw;
       return Collapse::none_until(reached);
-    }
-    if (collapses) {
-      // A root that is a point needs an interval all the same: it may not be an end.
-      return Collapse::at_root(before_root(), after_root());
     }
   }
   return Collapse::none_until(voroproof::internal::round_down(finish));

@@ -10,11 +10,13 @@
 
 #include "exact/algebraic.h"
 #include "tests/exact/powers.h"
+#include "tests/exact/sturm_sequence.h"
 
 namespace voroproof::internal {
 namespace {
 
 using testing::power_of_two;
+using testing::SturmSequence;
 
 using RationalPolynomial = Polynomial<Rational>;
 using TowerPolynomial = Polynomial<Tower>;

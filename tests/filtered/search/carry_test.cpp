@@ -100,8 +100,8 @@ int noted(const std::vector<DiskInput>& disks, const std::vector<Pair>& collisio
           int b) {
   Motion motion = after(disks, collisions, t);
   note(motion, t);
-  EXPECT_EQ(motion.right_angle(b, a), -motion.right_angle(a, b));
-  return motion.right_angle(a, b);
+  EXPECT_EQ(motion.relations().right_angle(b, a), -motion.relations().right_angle(a, b));
+  return motion.relations().right_angle(a, b);
 }
 
 TEST(Carry, NormalsAtRightAngles) {
@@ -166,7 +166,7 @@ TEST(Carry, NearlyAQuarterTurnOrAHalf) {
   const auto is_cradle = [&](const Rational& a, const Rational& b) {
     Motion motion = after(turned(a, b), three, t);
     note(motion, t);
-    return motion.cradle(1) != nullptr;
+    return motion.relations().cradle(1) != nullptr;
   };
   EXPECT_TRUE(is_cradle(-1, 0));
   EXPECT_FALSE(is_cradle(-large, small));
@@ -215,7 +215,7 @@ TEST(Carry, ACradleThatMoves) {
 TEST(Carry, ACradleThatIsNotOver) {
   Motion motion = after(row(), {{0, 1}, {0, 2}}, hit());
   note(motion, hit());
-  EXPECT_EQ(motion.cradle(1), nullptr);
+  EXPECT_EQ(motion.relations().cradle(1), nullptr);
   EXPECT_TRUE(carried(motion, {1}, {2}).empty());
 }
 
@@ -229,7 +229,7 @@ TEST(Carry, NoCradleBesideATinyFault) {
     if (what == 4) disks[1].mass += kTiny;
     Motion motion = after(disks, kCradle, hit());
     note(motion, hit());
-    EXPECT_EQ(motion.cradle(1), nullptr) << what;
+    EXPECT_EQ(motion.relations().cradle(1), nullptr) << what;
     EXPECT_FALSE(at_rest(motion, {0, motion.state_id(0)})) << what;
     EXPECT_TRUE(carried(motion, {1}, {2}).empty()) << what;
   }
@@ -238,7 +238,7 @@ TEST(Carry, NoCradleBesideATinyFault) {
   Motion motion(motion_input(soft), {});
   for (const Pair& c : kCradle) motion.collide(c.i, c.j, hit());
   note(motion, hit());
-  EXPECT_EQ(motion.cradle(1), nullptr);
+  EXPECT_EQ(motion.relations().cradle(1), nullptr);
 }
 
 TEST(Carry, TwoCradlesAtRightAngles) {

@@ -9,6 +9,7 @@
 #include "exact/roots.h"
 #include "library/certification.h"
 #include "library/maneuver_input.h"
+#include "tests/exact/sturm_sequence.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scene_run.h"
 

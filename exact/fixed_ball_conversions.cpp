@@ -1,0 +1,156 @@
+// Numbers into fixed-point balls and out of them.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+
+#include "exact/fixed_ball.h"
+#include "exact/fixed_ball_bounds.h"
+
+namespace voroproof::internal {
+
+using namespace fixed_ball_bounds;
+
+void FixedArithmetic::set(FixedBall& out, double x, std::int64_t unit) {
+  out.radius_ = 0;
+  mp_limb_t* to = room(out);
+  std::fill_n(to, size_, 0);
+  if (x == 0) return;
+  // |x| = m 2^(e - 64), the first bit of m being set.
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto field = static_cast<int>((bits >> 52) & 0x7ff);
+  mp_limb_t m = bits << 11 | std::uint64_t{1} << 63;
+  std::int64_t e = field - 1022;
+  if (field == 0) {
+    const int zeros = std::countl_zero(bits << 1) + 1;
+    m = bits << zeros;
+    e = 64 - 1074 - zeros;
+  }
+  const std::int64_t top = e - unit + 64 * fraction_;  // bits in units of the last place
+  if (field == 0x7ff || top >= 64 * size_) {
+    out.radius_ = infinity;
+    return;
+  }
+  if (top <= 0) {
+    out.radius_ = last_place_ * up;
+    return;
+  }
+  const mp_size_t k = (top - 1) / 64;
+  const auto used = static_cast<unsigned>(top - 64 * k);  // of m in limb k, the rest in the next
+  const mp_limb_t rest = used == 64 ? 0 : m << used;
+  to[k] = m >> (64 - used);
+  if (k > 0) {
+    to[k - 1] = rest;
+  } else if (rest != 0) {
+    out.radius_ = last_place_ * up;
+  }
+  if (x < 0) mpn_neg(to, to, size_);
+}
+
+void FixedArithmetic::set(FixedBall& out, const Ball& x, std::int64_t unit) {
+  out.radius_ = 0;
+  if (!x.is_exact()) {
+    const double r = x.radius().scaled(-unit - radius_exponent_).to_double();
+    out.radius_ = std::max(r, least_radius);
+  }
+  mpfr_srcptr mid = x.midpoint();
+  if (!mpfr_regular_p(mid)) {
+    std::fill_n(room(out), size_, 0);
+    if (!mpfr_zero_p(mid)) out.radius_ = infinity;
+    return;
+  }
+  place(out, static_cast<const mp_limb_t*>(mpfr_custom_get_significand(mid)),
+        (mpfr_get_prec(mid) + 63) / 64, mpfr_get_exp(mid) - unit, mpfr_signbit(mid) != 0);
+}
+
+// Limbs after the point that the format does not have are cut off, which rounds down.
+void FixedArithmetic::set(FixedBall& out, const FixedView& x) const {
+  mp_limb_t* to = room(out);
+  const mp_limb_t sign = x.is_negative() ? ~mp_limb_t{0} : 0;
+  // Limb k is limb k + ahead of x.
+  const mp_size_t ahead = x.fraction_ - fraction_;
+  const mp_size_t first = std::max<mp_size_t>(0, -ahead), last = std::min(size_, x.size_ - ahead);
+  std::fill(to, to + first, 0);
+  std::copy(x.limbs_ + first + ahead, x.limbs_ + last + ahead, to + first);
+  std::fill(to + last, to + size_, sign);
+  double radius = 0;
+  if (x.radius_ != 0) {
+    const std::int64_t shift = x.radius_exponent_ - radius_exponent_;
+    radius = std::max(scaled(x.radius_, shift), least_radius);
+  }
+  if (ahead > 0 && mpn_zero_p(x.limbs_, ahead) == 0) radius += last_place_;
+  for (mp_size_t k = size_ + ahead; k < x.size_; ++k) {
+    if (x.limbs_[k] != sign) radius = infinity;
+  }
+  if (is_negative(out) != x.is_negative()) radius = infinity;
+  finish(out, radius);
+}
+
+void FixedArithmetic::store(FixedRow& row, const std::array<const FixedBall*, 4>& numbers) const {
+  row.size_ = size_;
+  row.fraction_ = fraction_;
+  row.radius_exponent_ = radius_exponent_;
+  row.limbs_.resize(static_cast<std::size_t>(4 * size_));
+  for (std::size_t k = 0; k < 4; ++k) {
+    const FixedBall& a = *numbers[k];
+    std::copy(a.limbs_.begin(), a.limbs_.begin() + size_,
+              row.limbs_.begin() + static_cast<std::ptrdiff_t>(k) * size_);
+    row.radii_[k] = a.radius_;
+  }
+}
+
+Magnitude FixedView::radius() const {
+  if (std::isinf(radius_)) return Magnitude::infinite();
+  return Magnitude::of(radius_).scaled(radius_exponent_);
+}
+
+void FixedView::get(Ball& out, std::int64_t unit, Ball::Precision bits) const {
+  out.set_precision(bits);
+  out.radius_ = radius().scaled(unit);
+  std::vector<mp_limb_t> from(limbs_, limbs_ + size_);
+  if (is_negative()) mpn_neg(from.data(), limbs_, size_);
+  while (!from.empty() && from.back() == 0) from.pop_back();
+  if (from.empty()) {
+    mpfr_set_zero(out.mid_, 1);
+    return;
+  }
+  const auto size = static_cast<mp_size_t>(from.size());
+  auto* to = static_cast<mp_limb_t*>(mpfr_custom_get_significand(out.mid_));
+  const mp_size_t wanted = bits / 64;
+  const auto shift = static_cast<unsigned>(std::countl_zero(from.back()));
+  if (shift > 0) mpn_lshift(from.data(), from.data(), size, shift);
+  const std::int64_t e = 64 * (size - fraction_) - shift + unit;
+  const mp_size_t kept = std::min(size, wanted), dropped = size - kept;
+  std::fill(to, to + (wanted - kept), 0);
+  std::copy(from.begin() + dropped, from.end(), to + (wanted - kept));
+  if (dropped > 0 && mpn_zero_p(from.data(), dropped) == 0) {
+    out.widen(Magnitude::power_of_two(e - bits));
+  }
+  mpfr_custom_init_set(out.mid_, is_negative() ? -MPFR_REGULAR_KIND : MPFR_REGULAR_KIND, e, bits,
+                       mpfr_custom_get_significand(out.mid_));
+}
+
+// Of a negative number the inverted limbs are its magnitude less one in the last place.
+void FixedView::to_double_double(std::int64_t unit, double& hi, double& lo, double& err) const {
+  if (radius_ != 0 && !std::isinf(radius_)) {
+    const mp_limb_t flip = is_negative() ? ~mp_limb_t{0} : 0;
+    mp_size_t k = size_ - 1;
+    while (k > 2 && (limbs_[k] ^ flip) == 0) --k;
+    const std::uint64_t a = limbs_[k] ^ flip;
+    if (a != 0 && k >= 2) {
+      const std::uint64_t b = limbs_[k - 1] ^ flip, c = limbs_[k - 2] ^ flip;
+      const int shift = std::countl_zero(a);
+      const std::uint64_t top = shift == 0 ? a : a << shift | b >> (64 - shift);
+      const std::uint64_t next = shift == 0 ? b : b << shift | c >> (64 - shift);
+      if (leading_double_double(top, next, 64 * (k + 1 - fraction_) - shift + unit, flip != 0,
+                                radius().scaled(unit).to_double(), hi, lo, err)) {
+        return;
+      }
+    }
+  }
+  Ball b;
+  get(b, unit, 64 * std::max<mp_size_t>(size_, 3));
+  b.to_double_double(hi, lo, err);
+}
+
+}  // namespace voroproof::internal
