@@ -25,6 +25,8 @@ class PlainDoubles {
   NextContact contact_from_now(GenId i, GenId j, double end) {
     return plain_.contact(i, j, now_.lo, end);
   }
+  bool has_points() const { return false; }
+  void require_area(GenId, const std::vector<GenId>&) const {}
   // Nothing is told to happen within an instant.
   bool certainly_apart(GenId, GenId) const { return true; }
 

@@ -106,6 +106,9 @@ class InitialProof {
       : diagram_(diagram), motion_(motion), t_(t), counts_(counts), sites_(motion, t, counts) {}
 
   std::optional<InitialFault> fault() {
+    for (HalfEdge h = 0; h < 2 * diagram_.edges(); h += 2) {
+      require_tangency(diagram_.org(h), diagram_.dest(h));
+    }
     for (HalfEdge h = 0; h < 2 * diagram_.edges(); ++h) {
       // Each vertex once, at its smallest half-edge.
       if (h > diagram_.next(h) || h > diagram_.previous(h)) continue;
@@ -120,38 +123,20 @@ class InitialProof {
     return std::nullopt;
   }
 
-  // Of what depends on the tangency of i and j.
-  std::optional<InitialFault> fault_around(GenId i, GenId j) {
-    std::vector<GenId> cells{i, j};
-    const auto look = [&](HalfEdge h) -> std::optional<InitialFault> {
-      const Quad q = diagram_.quad(h);
-      const auto among = [&](GenId g) { return g == q.l || g == q.r || g == q.s || g == q.e; };
-      if (!among(i) || !among(j)) return std::nullopt;
-      if (auto f = vertex_fault(h)) return f;
-      if (auto f = vertex_fault(h ^ 1)) return f;
-      for (const GenId g : {q.s, q.e}) {
-        if (std::find(cells.begin(), cells.end(), g) == cells.end()) cells.push_back(g);
-      }
-      return edge_fault(q);
-    };
-    // Around the disk: its spokes, and the edges opposite to it.
-    const HalfEdge first = diagram_.anchor(j);
-    HalfEdge h = first;
-    do {
-      if (auto f = look(h)) return f;
-      if (auto f = look(diagram_.next(h))) return f;
-      h = diagram_.rotate(h);
-    } while (h != first);
-    for (const GenId g : cells) {
-      if (auto f = cell_fault(g)) return f;
-    }
-    return std::nullopt;
-  }
-
  private:
   template <class Sites>
   static auto triple_at(Sites& at, GenId a, GenId b, GenId c) {
     return tangent_triple(a, at(a), b, at(b), c, at(c));
+  }
+
+  // Two generators, neither of which lies in the other nor is a point of its boundary.
+  void require_tangency(GenId a, GenId b) {
+    const Sign s = sites_.decide([&](auto at, auto) { return sign(tangency(at(a), at(b))); });
+    const bool wall = a == container_id || b == container_id;
+    if (s == (wall ? Sign::negative : Sign::positive)) return;
+    throw Undecided(s == Sign::zero ? "a point touches another generator: its cell has no area"
+                                    : "a generator lies inside another",
+                    std::min(a, b), std::max(a, b));
   }
 
   std::optional<InitialFault> vertex_fault(HalfEdge h) {
@@ -301,11 +286,6 @@ class InitialProof {
 std::optional<InitialFault> initial_fault(const Diagram& diagram, Motion& motion, const Rational& t,
                                           TierCounts& counts) {
   return InitialProof(diagram, motion, t, counts).fault();
-}
-
-std::optional<InitialFault> fault_around(const Diagram& diagram, Motion& motion, GenId i, GenId j,
-                                         const Rational& t, TierCounts& counts) {
-  return InitialProof(diagram, motion, t, counts).fault_around(i, j);
 }
 
 }  // namespace voroproof::internal

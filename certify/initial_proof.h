@@ -1,6 +1,7 @@
 // The proof that a set of edges is the Voronoi diagram of the disks at one instant.
 //
 // docs/certificate.md (section "The initial diagram") proves that the following is enough:
+//   0. no two neighbours have a tangency of the wrong sign, or none;
 //   1. the incidences are those of a triangulation of the sphere by all generators;
 //   2. the tangent circle of every vertex exists;
 //   3. around every generator the vertices of its cell turn once, counterclockwise seen from a
@@ -25,16 +26,10 @@ struct InitialFault {
   std::optional<GenId> cell;
 };
 
-// Checks 1 to 4 for the sites at time t of a diagram of motion.size() >= 2 disks, whose incidences
-// (point 1) are valid. Nothing found is a proof. `motion` is that just after t. Throws Undecided.
+// Checks 0 and 2 to 4 for the sites at time t of a diagram of motion.size() >= 2 disks, whose
+// incidences (point 1) are valid. Nothing found is a proof. `motion` is that just after t. Throws
+// Undecided, also where point 0 fails: there is no diagram then.
 std::optional<InitialFault> initial_fault(const Diagram& diagram, Motion& motion, const Rational& t,
                                           TierCounts& counts);
-
-// The same of what depends on the tangency of i and j, at a time t at which they have parted after
-// an overlap: the vertices that touch both, the edges that have both among their four generators,
-// and the winding of the cells around these. `i` and `j` are neighbours. Whatever is not proved
-// there, ties included, is named. Throws Undecided.
-std::optional<InitialFault> fault_around(const Diagram& diagram, Motion& motion, GenId i, GenId j,
-                                         const Rational& t, TierCounts& counts);
 
 }  // namespace voroproof::internal

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "certify/initial_proof.h"
 #include "certify/wording.h"
@@ -49,38 +51,68 @@ void Instants::leave() {
 void Instants::begin_pending_lives() {
   if (!edges_.any_pending()) return;
   s_.chronology.note_collisions(front_.moment);
-  edges_.begin(prove_hidden_anew(edges_.take_pending()), front_.moment);
+  const std::vector<int> edges = edges_.take_pending();
+  if (s_.points.any()) require_areas(edges);
+  edges_.begin(prove_hidden_anew(edges), front_.moment);
+}
+
+// Of the points among the generators of these edges, which are all around the disks that have
+// turned.
+void Instants::require_areas(const std::vector<int>& edges) const {
+  const Instant now = s_.chronology.instant(front_.moment);
+  std::vector<GenId> asked;
+  for (const int e : edges) {
+    const auto [i, j] = s_.replay.pair_of(e);
+    for (const GenId g : {i, j}) {
+      if (!s_.points.is_point(g) || std::find(asked.begin(), asked.end(), g) != asked.end()) {
+        continue;
+      }
+      asked.push_back(g);
+      s_.points.require_area(g, s_.diagram.neighbours(g), now);
+    }
+  }
 }
 
 // Recorded truth: of the pairs around the disks that have turned at the present instant, those of
-// which one generator has lain inside the other since they last met. At a time at which it does so
-// no more, the vertices, edges and cells that depend on the tangency of the two are proved anew;
-// the lives of these edges begin then. Gives the other edges of `edges`.
+// which one generator has lain inside the other since they last met. At a time at which none does
+// so any more the whole diagram is proved anew: in the hidden moment nothing was. The lives of the
+// edges with both of such a pair among their generators begin then. Gives the other edges.
 std::vector<int> Instants::prove_hidden_anew(const std::vector<int>& edges) {
   RecordedContacts& recorded = pairs_.recorded().contacts();
   if (!recorded.carries_any() || s_.diagram.edges() == 0) return edges;
-  std::vector<int> rest = edges;
+  std::set<std::pair<GenId, GenId>> hidden;
+  Rational revealed;
   for (const int e : edges) {
     const auto pair = s_.replay.pair_of(e);
-    if (!recorded.hidden(pair)) continue;
-    const auto [i, j] = pair;
-    const auto lines = pairs_.recorded().lines(i, j, front_.moment.lo);
-    const auto revealed = lines.gap.revealed(front_.moment.exact(), 2 * s_.options.tolerance);
-    if (!revealed) throw Undecided("a generator lies inside another for long", i, j);
-    const double from = round_up(*revealed);
-    if (fault_around(s_.diagram, s_.motion, i, j, to_rational(from), s_.certificate.tiers)) {
-      throw Undecided("the diagram is not proved after a generator lay inside another", i, j);
-    }
-    std::erase_if(rest, [&, i = i, j = j](int f) {
-      const Quad q = s_.diagram.quad(2 * f);
-      const auto among = [&](GenId g) { return g == q.l || g == q.r || g == q.s || g == q.e; };
-      if (!among(i) || !among(j)) return false;
-      edges_.begin_proved(f, from);
-      return true;
+    if (!recorded.hidden(pair) || !hidden.insert(pair).second) continue;
+    const auto lines = pairs_.recorded().lines(pair.first, pair.second, front_.moment.lo);
+    const auto t = lines.gap.revealed(front_.moment.exact(), 2 * s_.options.tolerance);
+    if (!t) throw Undecided("a generator lies inside another for long", pair.first, pair.second);
+    revealed = std::max(revealed, *t);
+  }
+  if (hidden.empty()) return edges;
+  revealed_ = std::max(revealed_, round_up(revealed));
+  const Rational at = to_rational(revealed_);
+  if (initial_fault(s_.diagram, s_.motion, at, s_.certificate.tiers)) {
+    throw Undecided("the diagram is not proved after a generator lay inside another",
+                    hidden.begin()->first, hidden.begin()->second);
+  }
+  std::vector<int> rest;
+  for (const int e : edges) {
+    const Quad q = s_.diagram.quad(2 * e);
+    const auto among = [&](GenId g) { return g == q.l || g == q.r || g == q.s || g == q.e; };
+    const bool concerned = std::any_of(hidden.begin(), hidden.end(), [&](const auto& pair) {
+      return among(pair.first) && among(pair.second);
     });
-    revealed_ = std::max(revealed_, from);
+    if (concerned) {
+      edges_.begin_proved(e, revealed_);
+    } else {
+      rest.push_back(e);
+    }
+  }
+  for (const auto& pair : hidden) {
     ++s_.certificate.proved_anew;
-    recorded.reveal(pair, *revealed);
+    recorded.reveal(pair, at);
   }
   return rest;
 }

@@ -44,6 +44,7 @@ class Instants {
   void require_maneuvers_before(double t);
 
  private:
+  void require_areas(const std::vector<int>& edges) const;
   std::vector<int> prove_hidden_anew(const std::vector<int>& edges);
 
   Setting& s_;

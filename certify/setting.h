@@ -8,6 +8,7 @@
 #include "certify/collision_law.h"
 #include "certify/moment.h"
 #include "certify/replay.h"
+#include "filtered/search/point_cells.h"
 #include "history/history_file.h"
 
 namespace voroproof::internal {
@@ -31,6 +32,7 @@ struct Setting {
         diagram(replay.diagram()),
         collapses(motion, certificate.tiers),
         contacts(motion, certificate.tiers),
+        points(motion, contacts),
         chronology(motion, collapses, contacts, certificate.beyond_filter),
         law(scene, options.law_tolerance) {}
   Setting(const Setting&) = delete;
@@ -52,6 +54,7 @@ struct Setting {
   Certificate certificate;
   CollapseSearch collapses;
   ContactSearch contacts;
+  PointCells points;
   Chronology chronology;
   CollisionLaw law;
 };

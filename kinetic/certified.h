@@ -5,6 +5,7 @@
 
 #include "filtered/search/collapse.h"
 #include "filtered/search/contact.h"
+#include "filtered/search/point_cells.h"
 #include "kinetic/engine_stats.h"
 #include "kinetic/event_times.h"
 #include "kinetic/present.h"
@@ -21,6 +22,7 @@ class Certified {
         stats_(stats),
         collapses_(motion, stats.tiers),
         contacts_(motion, stats.tiers),
+        points_(motion, contacts_),
         times_(motion, collapses_, contacts_, stats),
         present_(motion) {}
 
@@ -41,6 +43,13 @@ class Certified {
   }
   // Whether a pair is not searched for contacts within the present instant.
   bool certainly_apart(GenId i, GenId j) const { return contacts_.certainly_apart(i, j, now()); }
+
+  // ---- Points, as PointCells says. ----
+  bool has_points() const { return points_.any(); }
+  // Nothing is asked of generators that are no points.
+  void require_area(GenId g, const std::vector<GenId>& neighbours) const {
+    if (points_.is_point(g)) points_.require_area(g, neighbours, now());
+  }
 
   // ---- The times of events, as those of EventTimes. ----
   TimedEvent rough(const Event& event) const { return times_.rough(event); }
@@ -69,6 +78,7 @@ class Certified {
   EngineStats& stats_;
   CollapseSearch collapses_;
   ContactSearch contacts_;
+  PointCells points_;
   EventTimes times_;
   Present present_;
 };

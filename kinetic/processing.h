@@ -177,6 +177,9 @@ class EngineOver {
       process_maneuvers(together);
     }
     arithmetic_.after_changes();
+    if (arithmetic_.has_points()) {
+      for (const GenId g : changed_) require_areas(g);
+    }
     // Only now: with some of the instant's velocities most searches would be for nothing, and
     // harder than those that count.
     ++stamp_now_;
@@ -219,6 +222,13 @@ class EngineOver {
       const auto [i, j] = schedule_.pair_of(h / 2);
       if (!arithmetic_.certainly_apart(i, j)) schedule_.search_contact(h / 2);
     });
+  }
+
+  // The cells of the disk, if it is a point, and of its neighbours that are points.
+  void require_areas(GenId g) const {
+    const std::vector<GenId> near = diagram_.neighbours(g);
+    arithmetic_.require_area(g, near);
+    for (const GenId n : near) arithmetic_.require_area(n, diagram_.neighbours(n));
   }
 
   // The disk's motion and that of its neighbours is settled for the instant.

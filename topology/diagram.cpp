@@ -58,6 +58,20 @@ void Diagram::flip(HalfEdge h) {
   link(t, sr, re);  // e s r
 }
 
+std::vector<GenId> Diagram::neighbours(GenId g) const {
+  std::vector<GenId> all;
+  const HalfEdge first = anchor(g);
+  if (first < 0) return all;
+  HalfEdge h = first;
+  do {
+    all.push_back(dest(h));
+    h = rotate(h);
+  } while (h != first);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
 std::vector<Quad> Diagram::quads() const {
   std::vector<Quad> all;
   all.reserve(halves_.size() / 2);

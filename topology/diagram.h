@@ -52,6 +52,9 @@ class Diagram {
   // The next half-edge counterclockwise around org(h).
   HalfEdge rotate(HalfEdge h) const { return previous(h) ^ 1; }
 
+  // The neighbours of g, each once, sorted; none where it has no edge.
+  std::vector<GenId> neighbours(GenId g) const;
+
   // Asks the processor for the memory of a half-edge and its twin.
   void prefetch(HalfEdge h) const { __builtin_prefetch(&halves_[h]); }
 
