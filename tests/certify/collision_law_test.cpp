@@ -1,0 +1,488 @@
+// The law of collision: what it keeps, what it says without a normal or a mass, and where exactly
+// it draws the line between velocities that obey it and others.
+#include "certify/collision_law.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "filtered/motion/options.h"
+#include "tests/support/compact_arithmetic.h"
+#include "tests/support/scene_run.h"
+
+namespace voroproof::internal::testing {
+namespace {
+
+Rational dot(const ExactVec2& a, const ExactVec2& b) { return a[0] * b[0] + a[1] * b[1]; }
+ExactVec2 plus(const ExactVec2& a, const ExactVec2& b) { return {a[0] + b[0], a[1] + b[1]}; }
+ExactVec2 times(const Rational& k, const ExactVec2& a) { return {k * a[0], k * a[1]}; }
+
+Rational fraction(int numerator, int denominator) {
+  Rational q(numerator, denominator);
+  q.canonicalize();
+  return q;
+}
+
+// Velocities after a collision as a line gives them that writes exact strings.
+CollideEvent claim_of(GenId i, GenId j, const std::optional<ExactVec2>& vi,
+                      const std::optional<ExactVec2>& vj) {
+  const auto near = [](const ExactVec2& v) {
+    return Vec2{round_nearest(v[0]), round_nearest(v[1])};
+  };
+  auto exact = std::make_shared<ExactValues>();
+  exact->v = {vi, vj};
+  CollideEvent claim{.i = i, .j = j};
+  if (vi) claim.v[0] = near(*vi);
+  if (vj) claim.v[1] = near(*vj);
+  claim.exact = exact;
+  return claim;
+}
+
+CollideEvent claim_of(GenId i, GenId j, const ExactPair& v) {
+  return claim_of(i, j, i == container_id ? std::nullopt : std::optional(v[0]), v[1]);
+}
+
+// The same as a line gives them that writes JSON numbers.
+CollideEvent plain_claim(GenId i, GenId j, const Vec2& vi, const Vec2& vj) {
+  CollideEvent claim{.i = i, .j = j};
+  if (i != container_id) claim.v[0] = vi;
+  claim.v[1] = vj;
+  return claim;
+}
+
+const Rational kTolerance(1, 1000000000);
+
+// Two disks, of these radii and masses, in a container of radius 10 around (1, 2).
+Scene two(const Rational& r0, const Rational& m0, const Rational& r1, const Rational& m1) {
+  Scene scene = scene_of(10, 1, {disk(0, 0, r0, 0, 0, m0), disk(0, 0, r1, 0, 0, m1)});
+  scene.cx = 1;
+  scene.cy = 2;
+  return scene;
+}
+
+rc::Gen<Rational> small() {
+  return rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-8, 9)),
+                      [](int k) { return fraction(k, 2); });
+}
+ExactVec2 any_vector() { return {*small(), *small()}; }
+
+// Radii and masses of 0, equal ones, centres that coincide, no velocity: all are common.
+struct Contact {
+  Scene scene;
+  GenId i;
+  ExactPair p, v;
+
+  bool at_container() const { return i == container_id; }
+  ExactVec2 normal() const {
+    return minus(p[1], at_container() ? ExactVec2{scene.cx, scene.cy} : p[0]);
+  }
+  bool has_mass() const {
+    return at_container() || Rational(scene.disks[0].mass + scene.disks[1].mass) > 0;
+  }
+  bool has_normal() const { return norm2(normal()) != 0; }
+};
+
+Contact any_contact() {
+  const auto size = [] {
+    return *rc::gen::element(Rational(0), Rational(1, 2), Rational(1), Rational(3));
+  };
+  Contact c{two(size(), size(), size(), size()), *rc::gen::element(container_id, 0), {}, {}};
+  c.scene.restitution =
+      *rc::gen::element(Rational(0), Rational(1, 4), Rational(1, 3), Rational(1), Rational(1));
+  c.scene.container_restitution = *rc::gen::element(Rational(1, 10), Rational(7, 8), Rational(1));
+  c.scene.law = *rc::gen::element(ContainerLaw::normal, ContainerLaw::whole);
+  c.p = {any_vector(), any_vector()};
+  c.v = {any_vector(), any_vector()};
+  // Far from the origin the centres' roundings matter.
+  const Rational far =
+      *rc::gen::element(Rational(0), Rational(1 << 24), Rational("1125899906842624"));
+  for (ExactVec2& at : c.p) at[0] += far;
+  c.scene.cx += far;
+  return c;
+}
+
+BallPair ball(const ExactPair& p) { return {internal::ball(p[0]), internal::ball(p[1])}; }
+
+// ---- reach ----
+
+TEST(CollisionLaw, ReachOfDisksIsTheSumOfRadii) {
+  EXPECT_EQ(CollisionLaw(two(2, 1, 3, 1), kTolerance).reach(0, 1), 5);
+  EXPECT_EQ(CollisionLaw(two(2, 1, 2, 1), kTolerance).reach(0, 1), 4);
+  EXPECT_EQ(CollisionLaw(two(0, 1, 3, 1), kTolerance).reach(0, 1), 3);
+  EXPECT_EQ(CollisionLaw(two(0, 1, 0, 1), kTolerance).reach(0, 1), 0);
+  // Without rounding.
+  EXPECT_EQ(CollisionLaw(two(fraction(1, 3), 1, fraction(1, 7), 1), kTolerance).reach(0, 1),
+            fraction(10, 21));
+}
+
+TEST(CollisionLaw, ReachAtTheContainerIsTheGapOfRadii) {
+  const Scene scene = two(0, 1, fraction(1, 3), 1);
+  const CollisionLaw law(scene, kTolerance);
+  EXPECT_EQ(law.reach(container_id, 0), 10);
+  EXPECT_EQ(law.reach(container_id, 1), fraction(29, 3));
+  EXPECT_EQ(CollisionLaw(two(1, 1, 10, 1), kTolerance).reach(container_id, 1), 0);
+}
+
+// ---- after ----
+
+TEST(CollisionLaw, KnownCollisions) {
+  const ExactPair p{ExactVec2{0, 0}, ExactVec2{2, 0}};
+  {
+    // Equal masses exchange what they have along the normal.
+    const Scene scene = two(1, 5, 1, 5);
+    const ExactPair v = CollisionLaw(scene, 0).after(0, 1, p, {ExactVec2{3, 7}, ExactVec2{-1, 4}});
+    EXPECT_EQ(v, (ExactPair{ExactVec2{-1, 7}, ExactVec2{3, 4}}));
+  }
+  {
+    // Nothing is left of the approach without restitution.
+    Scene scene = two(1, 1, 1, 3);
+    scene.restitution = 0;
+    const ExactPair v = CollisionLaw(scene, 0).after(0, 1, p, {ExactVec2{4, 0}, ExactVec2{0, 0}});
+    EXPECT_EQ(v, (ExactPair{ExactVec2{1, 0}, ExactVec2{1, 0}}));
+  }
+  {
+    // A disk without mass bounces off one that does not notice.
+    const Scene scene = two(1, 0, 1, 3);
+    const ExactPair v = CollisionLaw(scene, 0).after(0, 1, p, {ExactVec2{4, 1}, ExactVec2{1, 1}});
+    EXPECT_EQ(v, (ExactPair{ExactVec2{-2, 1}, ExactVec2{1, 1}}));
+  }
+  {
+    // Nobody moves.
+    const ExactPair rest{ExactVec2{0, 0}, ExactVec2{0, 0}};
+    EXPECT_EQ(CollisionLaw(two(1, 1, 1, 2), 0).after(0, 1, p, rest), rest);
+  }
+}
+
+TEST(CollisionLaw, KnownCollisionsWithTheContainer) {
+  Scene scene = two(1, 1, 1, 1);
+  scene.container_restitution = Rational(1, 4);
+  // The centre of the container is (1, 2): the normal is (0, 9).
+  const ExactPair p{ExactVec2{}, ExactVec2{1, 11}}, v{ExactVec2{}, ExactVec2{8, 4}};
+  EXPECT_EQ(CollisionLaw(scene, 0).after(container_id, 1, p, v)[1], (ExactVec2{8, -1}));
+  scene.law = ContainerLaw::whole;
+  EXPECT_EQ(CollisionLaw(scene, 0).after(container_id, 1, p, v)[1], (ExactVec2{2, -1}));
+  scene.container_restitution = 1;
+  EXPECT_EQ(CollisionLaw(scene, 0).after(container_id, 1, p, v)[1], (ExactVec2{8, -4}));
+}
+
+RC_GTEST_PROP(CollisionLaw, KeepsMomentumAndEnergyAndReversesTheApproach, ()) {
+  Contact c = any_contact();
+  c.i = 0;
+  RC_PRE(c.has_normal() && c.has_mass());
+  const ExactPair after = CollisionLaw(c.scene, 0).after(0, 1, c.p, c.v);
+  const Rational m0 = c.scene.disks[0].mass, m1 = c.scene.disks[1].mass, e = c.scene.restitution;
+  RC_ASSERT(plus(times(m0, after[0]), times(m1, after[1])) ==
+            plus(times(m0, c.v[0]), times(m1, c.v[1])));
+  const auto energy = [&](const ExactPair& v) -> Rational {
+    return m0 * norm2(v[0]) + m1 * norm2(v[1]);
+  };
+  RC_CLASSIFY(e == 1, "elastic");
+  if (e == 1) RC_ASSERT(energy(after) == energy(c.v));
+  RC_ASSERT(energy(after) <= energy(c.v));
+  const ExactVec2 n = c.normal(), along{-n[1], n[0]};
+  RC_ASSERT(dot(minus(after[1], after[0]), n) == -e * dot(minus(c.v[1], c.v[0]), n));
+  // Neither is pushed along the line of contact.
+  RC_ASSERT(dot(after[0], along) == dot(c.v[0], along));
+  RC_ASSERT(dot(after[1], along) == dot(c.v[1], along));
+}
+
+RC_GTEST_PROP(CollisionLaw, OfTheContainer, ()) {
+  Contact c = any_contact();
+  c.i = container_id;
+  RC_PRE(c.has_normal());
+  const ExactVec2 v = CollisionLaw(c.scene, 0).after(container_id, 1, c.p, c.v)[1];
+  const ExactVec2 n = c.normal(), along{-n[1], n[0]};
+  const Rational e = c.scene.container_restitution;
+  const bool whole = c.scene.law == ContainerLaw::whole;
+  RC_ASSERT(dot(v, n) == -e * dot(c.v[1], n));
+  RC_ASSERT(dot(v, along) == (whole ? e : Rational(1)) * dot(c.v[1], along));
+}
+
+TEST(CollisionLaw, IsUndecidedWithoutNormalOrMass) {
+  const ExactPair together{ExactVec2{3, 4}, ExactVec2{3, 4}},
+      apart{ExactVec2{0, 0}, ExactVec2{1, 0}};
+  const ExactPair v{ExactVec2{1, 0}, ExactVec2{0, 0}};
+  const Scene points = two(0, 1, 0, 1), massless = two(0, 0, 0, 0);
+  try {
+    CollisionLaw(points, kTolerance).after(0, 1, together, v);
+    ADD_FAILURE() << "a normal of coincident centres";
+  } catch (const Undecided& u) {
+    EXPECT_EQ(u.contact, std::pair(0, 1));
+    EXPECT_NE(std::string(u.what()).find("normal"), std::string::npos);
+  }
+  try {
+    CollisionLaw(massless, kTolerance).after(0, 1, apart, v);
+    ADD_FAILURE() << "a response of two without mass";
+  } catch (const Undecided& u) {
+    EXPECT_EQ(u.contact, std::pair(0, 1));
+    EXPECT_NE(std::string(u.what()).find("mass"), std::string::npos);
+  }
+  EXPECT_THROW(CollisionLaw(massless, kTolerance).obeyed(claim_of(0, 1, v), apart, v, 0),
+               Undecided);
+  EXPECT_THROW(CollisionLaw(massless, kTolerance).obeyed(claim_of(0, 1, v), together, v, 0),
+               Undecided);
+  // A disk that fills the container, at its centre.
+  const Scene full = two(1, 1, 10, 1);
+  EXPECT_THROW(CollisionLaw(full, 0).after(container_id, 1, {ExactVec2{}, ExactVec2{1, 2}}, v),
+               Undecided);
+  // No mass is needed at the container.
+  EXPECT_EQ(CollisionLaw(massless, 0)
+                .after(container_id, 1, {ExactVec2{}, ExactVec2{1, 12}},
+                       {ExactVec2{}, ExactVec2{1, 1}})[1],
+            (ExactVec2{1, -1}));
+}
+
+// ---- obeyed ----
+
+RC_GTEST_PROP(CollisionLaw, ObeyedByWhatItGives, ()) {
+  const Contact c = any_contact();
+  RC_PRE(c.has_normal() && c.has_mass());
+  const Rational tolerance = *rc::gen::element(Rational(0), kTolerance);
+  const CollisionLaw law(c.scene, tolerance);
+  const Rational t =
+      *rc::gen::element(Rational(0), Rational(1, 3), Rational("1000000000000000000"));
+  RC_ASSERT(law.obeyed(claim_of(c.i, 1, law.after(c.i, 1, c.p, c.v)), c.p, c.v, t));
+}
+
+// The two touch and all that is known is small and written well: then the line is at the tolerance
+// times the speeds that meet, here 3 + 4, up to the roundings, below a part in 10^5 of it.
+TEST(CollisionLaw, ObeyedWithinTheTolerance) {
+  Scene scene = two(1, 1, 1, 2);
+  const ExactPair p{ExactVec2{0, 0}, ExactVec2{2, 0}}, v{ExactVec2{3, 0}, ExactVec2{0, 4}};
+  const CollisionLaw law(scene, kTolerance);
+  const ExactPair right = law.after(0, 1, p, v);
+  const Rational bound = 7 * kTolerance, in = Rational(99999, 100000) * bound,
+                 out = Rational(100001, 100000) * bound;
+  for (const int side : {0, 1}) {
+    for (const int axis : {0, 1}) {
+      for (const int sign : {-1, 1}) {
+        ExactPair claimed = right;
+        claimed[side][axis] = right[side][axis] + sign * in;
+        EXPECT_TRUE(law.obeyed(claim_of(0, 1, claimed), p, v, 0)) << side << axis << sign;
+        claimed[side][axis] = right[side][axis] + sign * out;
+        EXPECT_FALSE(law.obeyed(claim_of(0, 1, claimed), p, v, 0)) << side << axis << sign;
+      }
+    }
+    // The length counts, not the components.
+    ExactPair claimed = right;
+    claimed[side] = plus(right[side], {Rational(3, 5) * in, Rational(4, 5) * in});
+    EXPECT_TRUE(law.obeyed(claim_of(0, 1, claimed), p, v, 0));
+    claimed[side] = plus(right[side], {Rational(3, 5) * out, Rational(4, 5) * out});
+    EXPECT_FALSE(law.obeyed(claim_of(0, 1, claimed), p, v, 0));
+  }
+}
+
+TEST(CollisionLaw, ObeyedWithinTheToleranceAtTheContainer) {
+  for (const ContainerLaw kind : {ContainerLaw::normal, ContainerLaw::whole}) {
+    Scene scene = two(1, 1, 1, 2);
+    scene.law = kind;
+    scene.container_restitution = Rational(1, 8);
+    // Only the disk's speed counts: what stands for the container's is not looked at.
+    const ExactPair p{ExactVec2{}, ExactVec2{1, 11}}, v{ExactVec2{100, 0}, ExactVec2{3, 4}};
+    const CollisionLaw law(scene, kTolerance);
+    const ExactVec2 right = law.after(container_id, 1, p, v)[1];
+    for (const auto& [factor, accepted] : {std::pair(99999, true), std::pair(100001, false)}) {
+      const Rational off = 5 * kTolerance * Rational(factor, 100000);
+      EXPECT_EQ(law.obeyed(claim_of(container_id, 1, std::nullopt, plus(right, {0, off})), p, v, 0),
+                accepted);
+      EXPECT_EQ(
+          law.obeyed(claim_of(container_id, 1, std::nullopt, plus(right, {-off, 0})), p, v, 0),
+          accepted);
+    }
+  }
+}
+
+// Doubles that are the nearest to the law's velocities are no less right than these.
+TEST(CollisionLaw, ObeyedByRoundedVelocities) {
+  const Scene scene = two(1, 1, 1, 2);
+  const ExactPair p{ExactVec2{0, 0}, ExactVec2{1, 1}}, v{ExactVec2{3, 1}, ExactVec2{0, 1}};
+  const CollisionLaw law(scene, kTolerance);
+  const ExactPair right = law.after(0, 1, p, v);
+  const auto near = [](const ExactVec2& x) {
+    return Vec2{round_nearest(x[0]), round_nearest(x[1])};
+  };
+  EXPECT_TRUE(law.obeyed(plain_claim(0, 1, near(right[0]), near(right[1])), p, v, 0));
+  Vec2 wrong = near(right[1]);
+  wrong[0] += 1e-8;
+  EXPECT_FALSE(law.obeyed(plain_claim(0, 1, near(right[0]), wrong), p, v, 0));
+}
+
+// Without any speed no tolerance is left.
+TEST(CollisionLaw, NobodyMoves) {
+  const Scene scene = two(1, 1, 1, 1);
+  CollisionLaw law(scene, kTolerance);
+  const ExactPair p{ExactVec2{0, 0}, ExactVec2{2, 0}}, rest{ExactVec2{0, 0}, ExactVec2{0, 0}};
+  EXPECT_TRUE(law.obeyed(claim_of(0, 1, rest), p, rest, 0));
+  ExactPair pushed = rest;
+  pushed[1][0] = Rational(1, 1000000) * kTolerance;
+  EXPECT_FALSE(law.obeyed(claim_of(0, 1, pushed), p, rest, 0));
+  EXPECT_FALSE(law.certainly_obeyed(claim_of(0, 1, pushed), ball(p), ball(rest)));
+}
+
+// ---- Unknown normals ----
+
+// Two points meet at one place: head on, by the same speed, they leave in any direction, opposite
+// to each other.
+TEST(CollisionLaw, CoincidentPointsHaveSomeNormal) {
+  const Scene scene = two(0, 1, 0, 1);
+  const CollisionLaw law(scene, kTolerance);
+  const ExactPair p{ExactVec2{3, 4}, ExactVec2{3, 4}}, v{ExactVec2{1, 0}, ExactVec2{-1, 0}};
+  const auto obeyed = [&](const ExactVec2& v0, const ExactVec2& v1) {
+    return law.obeyed(claim_of(0, 1, v0, v1), p, v, 0);
+  };
+  EXPECT_TRUE(obeyed({-1, 0}, {1, 0}));
+  EXPECT_TRUE(obeyed({0, 1}, {0, -1}));
+  EXPECT_TRUE(obeyed({Rational(3, 5), Rational(4, 5)}, {Rational(-3, 5), Rational(-4, 5)}));
+  // A normal across the velocities changes nothing.
+  EXPECT_TRUE(obeyed({1, 0}, {-1, 0}));
+  // Energy without momentum, momentum without energy.
+  EXPECT_FALSE(obeyed({0, 1}, {0, 1}));
+  EXPECT_FALSE(obeyed({0, 2}, {0, -2}));
+  EXPECT_FALSE(obeyed({0, 0}, {0, 0}));
+  // Either alone.
+  EXPECT_FALSE(obeyed({0, Rational(3, 2)}, {0, -1}));
+  EXPECT_FALSE(obeyed({0, 1}, {0, Rational(-3, 2)}));
+}
+
+// The same with masses and a restitution: by every normal of a fan, and by no other velocities.
+TEST(CollisionLaw, CoincidentPointsOfEveryNormal) {
+  Scene scene = two(0, 1, 0, 3);
+  scene.restitution = Rational(1, 2);
+  const CollisionLaw law(scene, kTolerance);
+  const ExactPair p{ExactVec2{0, 0}, ExactVec2{0, 0}}, v{ExactVec2{2, 1}, ExactVec2{-1, 0}};
+  for (int x = -3; x <= 3; ++x) {
+    const ExactPair by_normal = law.after(0, 1, {ExactVec2{0, 0}, ExactVec2{x, 2}}, v);
+    EXPECT_TRUE(law.obeyed(claim_of(0, 1, by_normal), p, v, 0)) << x;
+    for (const int side : {0, 1}) {
+      ExactPair off = by_normal;
+      off[side] = plus(off[side], {Rational(1, 1000000), Rational(1, 1000000)});
+      EXPECT_FALSE(law.obeyed(claim_of(0, 1, off), p, v, 0)) << x;
+    }
+  }
+}
+
+// A disk that fills the container, or nearly.
+TEST(CollisionLaw, AtTheContainerWithoutNormal) {
+  Scene scene = two(1, 1, 10, 1);
+  scene.container_restitution = Rational(1, 2);
+  const ExactPair p{ExactVec2{}, ExactVec2{1, 2}}, v{ExactVec2{}, ExactVec2{4, 0}};
+  const auto obeyed = [&](const ExactVec2& v1) {
+    return CollisionLaw(scene, kTolerance)
+        .obeyed(claim_of(container_id, 1, std::nullopt, v1), p, v, 0);
+  };
+  scene.law = ContainerLaw::normal;
+  EXPECT_TRUE(obeyed({-2, 0}));
+  EXPECT_TRUE(obeyed({4, 0}));
+  EXPECT_TRUE(obeyed({1, -3}));  // by the normal (1, 1)
+  EXPECT_FALSE(obeyed({0, -2}));
+  scene.law = ContainerLaw::whole;
+  EXPECT_TRUE(obeyed({-2, 0}));
+  EXPECT_TRUE(obeyed({0, 2}));
+  EXPECT_FALSE(obeyed({1, -3}));
+  EXPECT_FALSE(obeyed({4, 0}));
+}
+
+// Centres in doubles at a late time are known no better than by their roundings: near the reach
+// of the two any normal will do, and before that the bound grows with them.
+TEST(CollisionLaw, RoundingsOfFarCentresHideTheNormal) {
+  const Scene scene = two(1, 1, 1, 1);
+  const CollisionLaw law(scene, kTolerance);
+  const ExactPair p{ExactVec2{0, 0}, ExactVec2{2, 0}}, v{ExactVec2{1, 0}, ExactVec2{-1, 0}};
+  const CollideEvent as_seen = claim_of(0, 1, ExactVec2{-1, 0}, ExactVec2{1, 0}),
+                     other = claim_of(0, 1, ExactVec2{0, 1}, ExactVec2{0, -1}),
+                     turned = claim_of(0, 1, ExactVec2{Rational(-4, 5), Rational(3, 5)},
+                                       ExactVec2{Rational(4, 5), Rational(-3, 5)}),
+                     none = claim_of(0, 1, ExactVec2{-1, 0}, ExactVec2{2, 0});
+  const auto obeyed = [&](const CollideEvent& claim, long power) {
+    return law.obeyed(claim, p, v, Rational(1) << power);
+  };
+  // Of 2^53 times the reach, 2, the error is 16 (2 + 2 t): all of it at t = 2^49, and half of it at
+  // 2^48, of which the speeds, 2, make velocities that are off by 1.
+  EXPECT_FALSE(obeyed(other, 0));
+  EXPECT_FALSE(obeyed(other, 48));
+  EXPECT_TRUE(obeyed(other, 49));
+  EXPECT_FALSE(obeyed(turned, 46));
+  EXPECT_TRUE(obeyed(turned, 48));
+  for (const long power : {0L, 48L, 49L, 60L}) {
+    EXPECT_TRUE(obeyed(as_seen, power)) << power;
+    // No normal explains these.
+    EXPECT_FALSE(obeyed(none, power)) << power;
+  }
+}
+
+// ---- In doubles ----
+
+TEST(CollisionLaw, CertainlyObeyedNextToTheTolerance) {
+  const Scene scene = two(1, 1, 1, 2);
+  CollisionLaw law(scene, kTolerance);
+  const ExactPair p{ExactVec2{0, 0}, ExactVec2{2, 0}}, v{ExactVec2{3, 0}, ExactVec2{0, 4}};
+  const ExactPair right = law.after(0, 1, p, v);
+  EXPECT_TRUE(law.certainly_obeyed(claim_of(0, 1, right), ball(p), ball(v)));
+  for (const int side : {0, 1}) {
+    for (const auto& [factor, accepted] : {std::pair(999, true), std::pair(1001, false)}) {
+      ExactPair claimed = right;
+      claimed[side][1] += 7 * kTolerance * Rational(factor, 1000);
+      EXPECT_EQ(law.certainly_obeyed(claim_of(0, 1, claimed), ball(p), ball(v)), accepted);
+      const Vec2 v0{claimed[0][0].get_d(), claimed[0][1].get_d()},
+          v1{claimed[1][0].get_d(), claimed[1][1].get_d()};
+      EXPECT_EQ(law.certainly_obeyed(plain_claim(0, 1, v0, v1), ball(p), ball(v)), accepted);
+    }
+  }
+  // Centres that may coincide, and those known to a thousandth, say nothing.
+  BallPair wide = ball(p);
+  wide[1][0].rad = 2;
+  EXPECT_FALSE(law.certainly_obeyed(claim_of(0, 1, right), wide, ball(v)));
+  wide[1][0].rad = 0;
+  wide[1][1].rad = 1e-3;
+  EXPECT_FALSE(law.certainly_obeyed(claim_of(0, 1, right), wide, ball(v)));
+}
+
+RC_GTEST_PROP(CollisionLaw, CertainlyObeyedIsObeyed, ()) {
+  const Contact c = any_contact();
+  const Rational tolerance = *rc::gen::element(kTolerance, Rational(1, 1000), Rational(1) >> 45);
+  CollisionLaw law(c.scene, tolerance);
+  RC_PRE(c.has_mass());
+  // By a normal that may be another one, and off by a factor of what the tolerance allows.
+  ExactPair p = c.p;
+  if (*rc::gen::element(false, false, false, true)) p[1] = plus(p[1], any_vector());
+  Contact seen = c;
+  seen.p = p;
+  RC_PRE(seen.has_normal());
+  ExactPair claimed = law.after(c.i, 1, p, c.v);
+  const Rational speed =
+      length_bound(c.v[1]) + (c.at_container() ? Rational(0) : length_bound(c.v[0]));
+  const Rational off = speed * tolerance *
+                       *rc::gen::element(Rational(0), Rational(1, 2), Rational(9999, 10000),
+                                         Rational(10001, 10000), Rational(2));
+  const ExactVec2 direction = *rc::gen::element(ExactVec2{1, 0}, ExactVec2{0, -1},
+                                                ExactVec2{Rational(-3, 5), Rational(4, 5)});
+  for (const int side : {0, 1}) {
+    if (*rc::gen::arbitrary<bool>()) claimed[side] = plus(claimed[side], times(off, direction));
+  }
+  const CollideEvent claim = claim_of(c.i, 1, claimed);
+  const bool certainly = law.certainly_obeyed(claim, ball(c.p), ball(c.v));
+  const Rational t = *rc::gen::element(Rational(0), Rational(1), Rational(1) << 40);
+  RC_CLASSIFY(certainly, "certainly obeyed");
+  if (certainly) RC_ASSERT(law.obeyed(claim, c.p, c.v, t));
+}
+
+// ---- In words ----
+
+TEST(CollisionLaw, ExpectationTellsTheVelocities) {
+  const Scene scene = two(1, 1, 1, 1);
+  const CollisionLaw law(scene, kTolerance);
+  const ExactPair p{ExactVec2{0, 0}, ExactVec2{2, 0}}, v{ExactVec2{3, 0.5}, ExactVec2{-1, 4}};
+  EXPECT_EQ(law.expectation(0, 1, p, v),
+            "by the law of collision the velocities are (-1, 0.5) and (3, 4)");
+  EXPECT_EQ(law.expectation(container_id, 1, {ExactVec2{}, ExactVec2{1, 11}}, v),
+            "by the law of collision the velocities are (-1, -4)");
+  EXPECT_EQ(law.expectation(0, 1, {ExactVec2{1, 1}, ExactVec2{1, 1}}, v),
+            "the centres coincide and give no normal");
+}
+
+}  // namespace
+}  // namespace voroproof::internal::testing
