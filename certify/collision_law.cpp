@@ -94,34 +94,38 @@ bool CollisionLaw::certainly_obeyed(const CollideEvent& claim, const BallPair& p
 }
 
 // A change d of velocity is -(k w.n) n for a unit vector n, w the velocity of approach and k by
-// restitution and masses, just where |d|^2 = -k d.w. The tolerance `e` of d makes for 8 e |w|^2,
-// as k <= 2. Both disks have the same n where the momentum is kept.
+// restitution and masses, just where |d|^2 = -k d.w: then |d| <= k |w|, and an error of d up to
+// `error` makes for up to error (3 k |w| + error). Whatever changes it by no more than that is
+// within 7 errors of some such d. Both disks have the same n where the momentum is kept.
 bool CollisionLaw::obeyed_in_some_direction(const CollideEvent& claim, const ExactPair& before,
                                             const Rational& speed) const {
   const auto dot = [](const ExactVec2& a, const ExactVec2& b) {
     return Rational(a[0] * b[0] + a[1] * b[1]);
   };
-  const auto is_reflection = [&](const ExactVec2& d, const ExactVec2& w, const Rational& k) {
-    return abs(Rational(norm2(d) + k * dot(d, w))) <= 8 * tolerance_ * speed * speed;
+  const auto is_reflection = [&](const ExactVec2& d, const ExactVec2& w, const Rational& k,
+                                 const Rational& error) {
+    return abs(Rational(norm2(d) + k * dot(d, w))) <= error * (3 * k * length_bound(w) + error);
   };
+  const Rational error = tolerance_ * speed;
   const auto v1 = exact_velocity(claim, 1);
   if (claim.i == container_id) {
     if (!v1) return true;
     ExactVec2 after = *v1;
-    Rational k = 1 + scene_.container_restitution;
-    if (scene_.law == ContainerLaw::whole) {
-      for (Rational& x : after) x /= scene_.container_restitution;
-      k = 2;
+    const Rational& e = scene_.container_restitution;
+    if (scene_.law == ContainerLaw::normal) {
+      return is_reflection(minus(after, before[1]), before[1], 1 + e, error);
     }
-    return is_reflection(minus(after, before[1]), before[1], k);
+    // What was reflected before it was scaled, with what the tolerance was then.
+    for (Rational& x : after) x /= e;
+    return is_reflection(minus(after, before[1]), before[1], 2, error / e);
   }
   const auto v0 = exact_velocity(claim, 0);
   const Rational m0 = scene_.disks[claim.i].mass, m1 = scene_.disks[claim.j].mass, m = m0 + m1;
   if (m == 0) throw Undecided("two points without mass touch", claim.i, claim.j);
   const ExactVec2 w = minus(before[1], before[0]), back = minus(before[0], before[1]);
   const Rational k = (1 + scene_.restitution) / m;
-  if (v0 && !is_reflection(minus(*v0, before[0]), back, k * m1)) return false;
-  if (v1 && !is_reflection(minus(*v1, before[1]), w, k * m0)) return false;
+  if (v0 && !is_reflection(minus(*v0, before[0]), back, k * m1, error)) return false;
+  if (v1 && !is_reflection(minus(*v1, before[1]), w, k * m0, error)) return false;
   if (!v0 || !v1) return true;
   const ExactVec2 d0 = minus(*v0, before[0]), d1 = minus(*v1, before[1]);
   return norm2(ExactVec2{m0 * d0[0] + m1 * d1[0], m0 * d0[1] + m1 * d1[1]}) <=

@@ -150,23 +150,25 @@ class Tracer {
   }
 
   // A change d of velocity is -(k w.n) n for some unit vector n iff |d|^2 = -k d.w, where w is the
-  // velocity of approach. Both disks have one n where the momentum is kept.
+  // velocity of approach: then |d| <= k |w|, and d is off by no more than `off` only where the two
+  // sides differ by no more than off (3 k |w| + off). Both disks have one n where the momentum is
+  // kept.
   bool some_normal(const Claim& c, const Pair& before, const Rat& speed) const {
-    const Rat most = 8 * p_.law_tolerance * speed * speed, e = p_.scene.wall_restitution;
-    const auto reflects = [&](const Vec& d, const Vec& w, const Rat& k) {
-      return abs(norm2(d) + k * dot(d, w)) <= most;
+    const Rat most = p_.law_tolerance * speed, e = p_.scene.wall_restitution;
+    const auto reflects = [&](const Vec& d, const Vec& w, const Rat& k, const Rat& off) {
+      return abs(norm2(d) + k * dot(d, w)) <= off * (3 * k * length_above(w) + off);
     };
     const Vec& after = *c.v[1];
     if (c.first == 1 && p_.scene.whole_law) {
-      return reflects(minus({after[0] / e, after[1] / e}, before[1]), before[1], 2);
+      return reflects(minus({after[0] / e, after[1] / e}, before[1]), before[1], 2, most / e);
     }
     const Vec d = minus(after, before[1]);
-    if (c.first == 1) return reflects(d, before[1], 1 + e);
+    if (c.first == 1) return reflects(d, before[1], 1 + e, most);
     const Rat mi = mass(c.id[0]), mj = mass(c.id[1]), k = (1 + p_.scene.restitution) / (mi + mj);
     const Vec di = minus(*c.v[0], before[0]), w = minus(before[1], before[0]);
     const Vec lost = plus({mi * di[0], mi * di[1]}, mj, d);
-    return reflects(d, w, k * mi) && reflects(di, minus({0, 0}, w), k * mj) &&
-           norm2(lost) <= square(2 * p_.law_tolerance * (mi + mj) * speed);
+    return reflects(d, w, k * mi, most) && reflects(di, minus({0, 0}, w), k * mj, most) &&
+           norm2(lost) <= square(2 * (mi + mj) * most);
   }
 
   // Whether the claimed velocities are those after a collision with centres p and velocities

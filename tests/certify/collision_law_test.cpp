@@ -414,6 +414,54 @@ TEST(CollisionLaw, RoundingsOfFarCentresHideTheNormal) {
   }
 }
 
+// The whole law shrinks what it reflects. Velocities within the tolerance obey it all the same
+// where the normal is not known.
+TEST(CollisionLaw, TheToleranceWithoutNormalIsOfWhatIsClaimed) {
+  Scene scene = two(1, 1, 10, 1);
+  scene.law = ContainerLaw::whole;
+  for (const Rational& restitution : {Rational(1), Rational(1, 10), Rational(1, 1000)}) {
+    scene.container_restitution = restitution;
+    const CollisionLaw law(scene, kTolerance);
+    const ExactPair p{ExactVec2{}, ExactVec2{1, 2}}, v{ExactVec2{}, ExactVec2{4, 0}};
+    for (const ExactVec2& n : {ExactVec2{1, 0}, ExactVec2{1, 1}, ExactVec2{0, 1}}) {
+      const ExactVec2 right =
+          law.after(container_id, 1, {ExactVec2{}, plus(ExactVec2{1, 2}, n)}, v)[1];
+      const Rational off = Rational(99, 100) * kTolerance * 4;
+      for (const ExactVec2& d : {ExactVec2{off, 0}, ExactVec2{-off, 0}, ExactVec2{0, off}}) {
+        EXPECT_TRUE(law.obeyed(claim_of(container_id, 1, std::nullopt, plus(right, d)), p, v, 0));
+      }
+    }
+  }
+}
+
+// Two points, one hardly faster than the other, change little by whatever normal. What is off by
+// ten tolerances from all of these is no velocity of any, however slow the approach.
+TEST(CollisionLaw, TheToleranceWithoutNormalOfASlowApproach) {
+  const Scene scene = two(0, 1, 0, 1);
+  const CollisionLaw law(scene, kTolerance);
+  const ExactPair p{ExactVec2{0, 0}, ExactVec2{0, 0}};
+  for (const Rational& approach :
+       {Rational(0), Rational(1, 1000000), Rational(1, 1000), Rational(1)}) {
+    const ExactPair v{ExactVec2{1 + approach, 0}, ExactVec2{1, 0}};
+    // By the normal along the velocities, across them, and between.
+    for (const ExactVec2& n : {ExactVec2{1, 0}, ExactVec2{0, 1}, ExactVec2{1, 1}}) {
+      const ExactPair right = law.after(0, 1, {ExactVec2{0, 0}, n}, v);
+      for (const auto& [factor, accepted] :
+           {std::pair(Rational(99, 100), true), std::pair(Rational(10), false)}) {
+        // Opposite to each other, so that the momentum is kept, and away from the circle on which
+        // the velocities by all normals lie.
+        ExactVec2 outward = minus(right[0], {1 + approach / 2, 0});
+        const Rational length = approach == 0 ? Rational(1) : Rational(approach / 2);
+        outward = approach == 0 ? ExactVec2{0, 1} : times(1 / length, outward);
+        const ExactVec2 off = times(factor * kTolerance * (2 + approach), outward);
+        EXPECT_EQ(law.obeyed(claim_of(0, 1, plus(right[0], off), minus(right[1], off)), p, v, 0),
+                  accepted)
+            << approach << " " << n[0] << n[1] << " " << factor;
+      }
+    }
+  }
+}
+
 // ---- In doubles ----
 
 TEST(CollisionLaw, CertainlyObeyedNextToTheTolerance) {
