@@ -399,9 +399,9 @@ TEST(ConsistentFaults, AManeuverMakesAPointRest) {
     scene.maneuvers = {{2, 0, rests ? Rational(-1, 4) : Rational(-1, 8), 0}};
     const RecordedRun made = run(scene);
     EXPECT_EQ(made.outcome.kind, rests ? Outcome::Kind::stopped : Outcome::Kind::complete);
-    const History h =
-        history_of(scene, kTwo,
-                   {collision(2, 0, 1, Vec2{0.75, 0}, {-0.25, 0}), ManeuverEvent{.t = 2, .disk = 0}});
+    const History h = history_of(
+        scene, kTwo,
+        {collision(2, 0, 1, Vec2{0.75, 0}, {-0.25, 0}), ManeuverEvent{.t = 2, .disk = 0}});
     for (const Truth truth : {Truth::exact, Truth::recorded}) {
       expect(rests ? Verdict::undecided : Verdict::certified, scene, h, truth);
     }
