@@ -162,6 +162,29 @@ void add_sent_pair(SceneData& s, Random& random) {
   s.maneuvers.push_back({t, s.size() - 1 - random.integer(0, 1), 3 * v[0], 3 * v[1]});
 }
 
+// A point that hits a disk head-on, both at binary numbers for as long as nothing else does: where
+// nothing is restored it rests on the disk, until a maneuver sends it away.
+void add_resting_point(SceneData& s, Random& random) {
+  const double x = random.integer(-20, 20), y = random.integer(-20, 20), r = random.integer(1, 4);
+  const double masses[] = {1, 3, 7};
+  const DiskData a{x, y, r, random.integer(-1, 1) / 4.0, 0, masses[random.integer(0, 2)]};
+  const bool upright = random.chance(0.5);
+  const double side = random.chance(0.5) ? 1 : -1, way = r + random.integer(1, 4);
+  DiskData p{x, y, 0, a.vx, a.vy, 1};
+  (upright ? p.y : p.x) += side * way;
+  (upright ? p.vy : p.vx) -= side;
+  if (!is_free(s, a, 0.01)) return;
+  s.disks.push_back(a);
+  if (!is_free(s, p, 0.01)) {
+    s.disks.pop_back();
+    return;
+  }
+  s.disks.push_back(p);
+  const Pair2 v = direction(random);
+  const double t = random.integer(5, 20);
+  if (t < s.horizon) s.maneuvers.push_back({t, s.size() - 1, v[0], v[1]});
+}
+
 }  // namespace
 
 SceneData scene_of(Family family, Random& random) {
@@ -285,6 +308,16 @@ SceneData scene_of(Family family, Random& random) {
     case Family::large:
       s.horizon = random.uniform(0.5, 4);
       fill(s, random.integer(20, 60), 1, 8, 3, random);
+      break;
+    case Family::resting:
+      s.cx = s.cy = 0;
+      s.radius = 32;
+      s.horizon = random.integer(6, 24);
+      s.restitution = random.chance(0.8) ? 0 : 0.5;
+      for (int k = random.integer(1, 2); k > 0; --k) add_resting_point(s, random);
+      fill(s, s.size() + random.integer(1, 4), 1, 4, 1, random);
+      std::sort(s.maneuvers.begin(), s.maneuvers.end(),
+                [](const ManeuverData& a, const ManeuverData& b) { return a.t < b.t; });
       break;
     case Family::count:
       break;
