@@ -9,79 +9,13 @@
 #include "certify/edge_signs.h"
 #include "exact/names.h"
 #include "filtered/search/collapse.h"
+#include "filtered/search/instant_predicates.h"
 
 namespace voroproof::internal {
 
 namespace {
 
 using HalfEdge = Diagram::HalfEdge;
-
-// The sites at one time in all tiers, and a predicate's way through them.
-class SitesAt {
- public:
-  SitesAt(const Motion& motion, const Rational& t, TierCounts& counts)
-      : motion_(motion), t_(t), counts_(counts) {
-    const double near = round_nearest(t);
-    const double error = std::fabs(round_nearest(Rational(t - to_rational(near)))) * (1 + 0x1p-50);
-    rough_ = DoubleBall(near, error);
-    fine_ = DdBall(near, 0, error);
-  }
-
-  // Whether doubles prove two signs positive: predicate(sites) gives both.
-  template <class F>
-  bool both_positive(F&& predicate) {
-    if (!motion_.options().filters) return false;
-    const std::array<Sign, 2> s = predicate([this](GenId g) { return motion_.site(g, rough_); });
-    if (s[0] != Sign::positive || s[1] != Sign::positive) return false;
-    for (const Sign one : s) counted(one, Tier::filter);
-    return true;
-  }
-
-  // For a proof in doubles alone, where they may be used, and how many signs it found.
-  bool may_be_rough() const { return motion_.options().filters; }
-  Site<DoubleBall> rough(GenId g) const { return motion_.site(g, rough_); }
-  void count_rough(int signs) {
-    for (int k = 0; k < signs; ++k) counted(Sign::positive, Tier::filter);
-  }
-
-  // predicate(sites, root) gives a Sign; unknown asks for the next tier.
-  template <class F>
-  Sign decide(F&& predicate) {
-    Sign s = Sign::unknown;
-    if (motion_.options().filters) {
-      s = predicate([this](GenId g) { return motion_.site(g, rough_); }, OwnRoot{});
-      if (s != Sign::unknown) return counted(s, Tier::filter);
-      s = predicate([this](GenId g) { return motion_.site(g, fine_); }, OwnRoot{});
-      if (s != Sign::unknown) return counted(s, Tier::dd);
-    }
-    const Ball t(t_, motion_.goal_bits() + 32);
-    s = predicate([&](GenId g) { return motion_.site(g, t); }, OwnRoot{});
-    if (s != Sign::unknown) return counted(s, Tier::ball);
-    try {
-      ExactMotion exact(motion_);
-      const Tower at(t_);
-      s = predicate([&](GenId g) { return exact.site(g, at); },
-                    [&](const Tower& x) { return exact.field().sqrt(x); });
-    } catch (const BudgetExceeded& e) {
-      throw Undecided(std::string("a predicate of a diagram: ") + e.what());
-    } catch (const std::domain_error&) {
-      // Recorded truth: one of the generators lies inside another, and there is no such circle.
-      throw Undecided("a generator lies inside another where a diagram is to be proved");
-    }
-    return counted(s, Tier::exact);
-  }
-
- private:
-  Sign counted(Sign s, Tier tier) {
-    counts_.count(Predicate::incircle, tier);
-    return s;
-  }
-  const Motion& motion_;
-  Rational t_;
-  TierCounts& counts_;
-  DoubleBall rough_;
-  DdBall fine_;
-};
 
 // The side of the x axis a direction lies on: positive for angles in [0, pi), negative for [pi,
 // 2 pi).
@@ -103,7 +37,11 @@ Sign angle_order(const std::array<T, 2>& a, const std::array<T, 2>& b) {
 class InitialProof {
  public:
   InitialProof(const Diagram& diagram, Motion& motion, const Rational& t, TierCounts& counts)
-      : diagram_(diagram), motion_(motion), t_(t), counts_(counts), sites_(motion, t, counts) {}
+      : diagram_(diagram),
+        motion_(motion),
+        t_(t),
+        counts_(counts),
+        predicates_(motion, t, counts) {}
 
   std::optional<InitialFault> fault() {
     for (HalfEdge h = 0; h < 2 * diagram_.edges(); h += 2) {
@@ -131,7 +69,8 @@ class InitialProof {
 
   // Two generators, neither of which lies in the other nor is a point of its boundary.
   void require_tangency(GenId a, GenId b) {
-    const Sign s = sites_.decide([&](auto at, auto) { return sign(tangency(at(a), at(b))); });
+    const Sign s =
+        predicates_.decide_sign([&](auto at, auto) { return sign(tangency(at(a), at(b))); });
     const bool wall = a == container_id || b == container_id;
     if (s == (wall ? Sign::negative : Sign::positive)) return;
     throw Undecided(s == Sign::zero ? "a point touches another generator: its cell has no area"
@@ -141,8 +80,8 @@ class InitialProof {
 
   std::optional<InitialFault> vertex_fault(HalfEdge h) {
     const GenId a = diagram_.org(h), b = diagram_.dest(h), c = diagram_.apex(h);
-    const Sign s =
-        sites_.decide([&](auto at, auto) { return circle_exists(triple_at(at, a, b, c)); });
+    const Sign s = predicates_.decide_sign(
+        [&](auto at, auto) { return circle_exists(triple_at(at, a, b, c)); });
     if (s == Sign::positive) return std::nullopt;
     const Triple v = canonical(Triple{a, b, c});
     return InitialFault{"no circle touches the generators of vertex " + text_of(v) +
@@ -153,17 +92,31 @@ class InitialProof {
                         {}};
   }
 
+  bool may_be_rough() const { return motion_.options().filters; }
+  void count_rough(int signs) {
+    for (int k = 0; k < signs; ++k) counts_.count(Predicate::incircle, Tier::filter);
+  }
+
+  // In doubles, both in-circle functions at once: false says nothing.
+  bool certainly_legal(const Quad& q) {
+    if (!may_be_rough()) return false;
+    const auto at = [this](GenId g) { return predicates_.rough(g); };
+    const auto l = at(q.l), r = at(q.r), s = at(q.s), e = at(q.e);
+    const Sign f = sign(cotangency(l, r, s, e));
+    const auto [start, end] = EdgeTriples<DoubleBall>::of(q, {l, r, s, e});
+    if (incircle(start, e, q.e == container_id, f) != Sign::positive ||
+        incircle(end, s, q.s == container_id, f) != Sign::positive) {
+      return false;
+    }
+    count_rough(2);
+    return true;
+  }
+
   std::optional<InitialFault> edge_fault(const Quad& q) {
     if (q.s == q.e) return std::nullopt;
-    const bool legal = sites_.both_positive([&](auto at) -> std::array<Sign, 2> {
-      const auto l = at(q.l), r = at(q.r), s = at(q.s), e = at(q.e);
-      const Sign f = sign(cotangency(l, r, s, e));
-      const auto [start, end] = EdgeTriples<std::decay_t<decltype(l.x)>>::of(q, {l, r, s, e});
-      return {incircle(start, e, q.e == container_id, f), incircle(end, s, q.s == container_id, f)};
-    });
-    if (legal) return std::nullopt;
+    if (certainly_legal(q)) return std::nullopt;
     const auto side = [&](bool at_start) {
-      return sites_.decide([&](auto at, auto) {
+      return predicates_.decide_sign([&](auto at, auto) {
         const auto l = at(q.l), r = at(q.r), s = at(q.s), e = at(q.e);
         const EdgeSigns signs = edge_signs(q, l, r, s, e, sign(cotangency(l, r, s, e)));
         return at_start ? signs.end_in_start : signs.start_in_end;
@@ -213,8 +166,8 @@ class InitialProof {
 
   // Whether doubles prove what cell_fault() asks for; each direction is computed once.
   bool turns_once(GenId g) {
-    if (!sites_.may_be_rough()) return false;
-    const auto at = [this](GenId i) { return sites_.rough(i); };
+    if (!may_be_rough()) return false;
+    const auto at = [this](GenId i) { return predicates_.rough(i); };
     const OwnRoot root;
     const HalfEdge first = diagram_.anchor(g);
     const auto vertex = [&](HalfEdge h) {
@@ -234,7 +187,7 @@ class InitialProof {
       d = e;
     } while (h != first);
     if (falls != 1) return false;
-    sites_.count_rough(steps);
+    count_rough(steps);
     return true;
   }
 
@@ -249,7 +202,7 @@ class InitialProof {
     do {
       const HalfEdge next = diagram_.rotate(h);
       const GenId a = diagram_.dest(h), b = diagram_.apex(h), c = diagram_.apex(next);
-      const Sign step = sites_.decide([&](auto at, auto root) {
+      const Sign step = predicates_.decide_sign([&](auto at, auto root) {
         const auto d = direction(at, root, g, a, b), e = direction(at, root, g, b, c);
         // Around the container the vertices run clockwise.
         return g == container_id ? angle_order(e, d) : angle_order(d, e);
@@ -278,7 +231,7 @@ class InitialProof {
   Motion& motion_;
   Rational t_;
   TierCounts& counts_;
-  SitesAt sites_;
+  InstantPredicates predicates_;
 };
 
 }  // namespace

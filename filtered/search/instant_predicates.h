@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,7 +59,7 @@ class InstantPredicates {
   // Runs a predicate, given as a template over (sites, square root), through the tiers until it
   // gives a value. It must give one over exact numbers. `proof` gives the value where something
   // else than arithmetic proves it, and is asked before exact numbers are. Throws Undecided where
-  // those need more than the budget.
+  // those need more than the budget, or one generator lies inside another.
   template <class F, class Proof>
   auto decide(F&& predicate, Proof&& proof) {
     if (motion_.options().filters) {
@@ -87,6 +88,9 @@ class InstantPredicates {
       return r.value();
     } catch (const BudgetExceeded& e) {
       throw Undecided(std::string("a predicate at an instant: ") + e.what());
+    } catch (const std::domain_error&) {
+      // Motion that is given and not computed: there is no circle around both.
+      throw Undecided("a generator lies inside another where a predicate is asked for");
     }
   }
 
@@ -95,14 +99,20 @@ class InstantPredicates {
     return decide(predicate, [&] { return decltype(predicate(BallSites(*this), OwnRoot{}))(); });
   }
 
-  // The sign of such an expression.
+  // The same of a predicate that gives a sign, unknown where it cannot tell.
   template <class F>
-  Sign sign_of(F&& expression) {
+  Sign decide_sign(F&& predicate) {
     return decide([&](auto at, auto root) -> std::optional<Sign> {
-      const Sign s = sign(expression(at, root));
+      const Sign s = predicate(at, root);
       if (s == Sign::unknown) return std::nullopt;
       return s;
     });
+  }
+
+  // The sign of such an expression.
+  template <class F>
+  Sign sign_of(F&& expression) {
+    return decide_sign([&](auto at, auto root) { return sign(expression(at, root)); });
   }
 
   // A ball that contains the value of such an expression.
