@@ -1,0 +1,138 @@
+// Rules of docs/certificate.md that no other test fails without, one test each.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "certify/report.h"
+#include "tests/certify/claimed_history.h"
+#include "tests/support/random_scenes.h"
+
+namespace voroproof::internal::testing {
+namespace {
+
+using Claims = std::vector<voroproof::internal::Event>;
+
+Certificate judged(const Scene& scene, const ClaimedHistory& h, Truth truth) {
+  CertifyOptions options;
+  options.truth = truth;
+  return certify(scene, h, options);
+}
+
+std::string told(const Scene& scene, const ClaimedHistory& h, const Certificate& c) {
+  return reason_line(c) + "\n" + text(scene) + text(h);
+}
+
+// A scene whose first event is a flip, and what the engine says of it up to soon after.
+struct FirstFlip {
+  Scene scene;
+  ClaimedHistory history;  // the flip is its only event
+  double t;
+};
+std::vector<FirstFlip> first_flips(int count) {
+  std::vector<FirstFlip> all;
+  Random random(7);
+  while (static_cast<int>(all.size()) < count) {
+    Scene scene = random_scene({.n = 8, .rmin = 1, .rmax = 9}, random);
+    scene.horizon = 5;
+    const ClaimedHistory whole = claimed_history(scene, run(scene));
+    if (whole.events.size() < 2 || !std::holds_alternative<FlipEvent>(whole.events[0])) continue;
+    const double t = time(whole.events[0]);
+    if (t < 0.01 || time(whole.events[1]) < t + 1e-5) continue;
+    ClaimedHistory h = whole;
+    h.events.resize(1);
+    h.count();
+    all.push_back({scene, h, t});
+  }
+  return all;
+}
+
+// With another horizon, and the flip at it at the latest or left out.
+ClaimedHistory ending_at(const FirstFlip& f, double horizon, bool with_flip) {
+  ClaimedHistory h = f.history;
+  h.header.horizon = to_rational(horizon);
+  if (with_flip) {
+    std::get<FlipEvent>(h.events[0]).t = std::min(f.t, horizon);
+  } else {
+    h.events.clear();
+  }
+  h.count();
+  return h;
+}
+
+// Rule 3.23: a flip within the tolerance after the horizon is no event under the exact truth. Under
+// the recorded one it may be claimed or left out.
+TEST(Rules, FlipsAfterTheHorizon) {
+  for (const FirstFlip& f : first_flips(6)) {
+    Scene scene = f.scene;
+    const double horizon = f.t - 1e-7;
+    scene.horizon = to_rational(horizon);
+    for (const bool claimed : {true, false}) {
+      const ClaimedHistory h = ending_at(f, horizon, claimed);
+      const Certificate exact = judged(scene, h, Truth::exact);
+      EXPECT_EQ(exact.verdict, claimed ? Verdict::refuted : Verdict::certified)
+          << told(scene, h, exact);
+      const Certificate recorded = judged(scene, h, Truth::recorded);
+      EXPECT_EQ(recorded.verdict, Verdict::certified) << told(scene, h, recorded);
+      EXPECT_EQ(recorded.at_horizon, claimed ? 1 : 0);
+    }
+  }
+}
+
+// The same rule for a flip within the tolerance before the horizon: it is an event, and only under
+// the recorded truth may it be left out, which is counted.
+TEST(Rules, FlipsBeforeTheHorizonLeftOut) {
+  for (const FirstFlip& f : first_flips(6)) {
+    Scene scene = f.scene;
+    const double horizon = f.t + 1e-7;
+    scene.horizon = to_rational(horizon);
+    for (const bool claimed : {true, false}) {
+      const ClaimedHistory h = ending_at(f, horizon, claimed);
+      const Certificate exact = judged(scene, h, Truth::exact);
+      EXPECT_EQ(exact.verdict, claimed ? Verdict::certified : Verdict::refuted)
+          << told(scene, h, exact);
+      const Certificate recorded = judged(scene, h, Truth::recorded);
+      EXPECT_EQ(recorded.verdict, Verdict::certified) << told(scene, h, recorded);
+      EXPECT_EQ(recorded.left_out, claimed ? 0 : 1);
+    }
+  }
+}
+
+// Rule 3.16: a disk is hit from both sides, one after the other, within the tolerance. Whoever
+// reads the lines in another order takes another velocity for its last one.
+TEST(Rules, TurnsOfOneDiskAreNotExchanged) {
+  const Scene scene = scene_of(
+      20, 2, {disk(-3, 0, 1, 1, 0, 1), disk(0, 0, 1, 0, 0, 1), disk(3 + 2e-7, 0, 1, -1, 0, 1)});
+  ClaimedHistory h = claimed_history(scene, run(scene));
+  std::size_t first = 0;
+  while (!std::holds_alternative<CollideEvent>(h.events.at(first))) ++first;
+  auto& a = std::get<CollideEvent>(h.events[first]);
+  auto& b = std::get<CollideEvent>(h.events[first + 1]);
+  ASSERT_EQ(std::pair(a.i, a.j), std::pair(0, 1));
+  ASSERT_EQ(std::pair(b.i, b.j), std::pair(1, 2));
+  ASSERT_LT(b.t, a.t + 1e-6);
+  EXPECT_EQ(judged(scene, h, Truth::exact).verdict, Verdict::certified);
+  std::swap(a.t, b.t);
+  std::swap(h.events[first], h.events[first + 1]);
+  const Certificate c = judged(scene, h, Truth::exact);
+  ASSERT_EQ(c.verdict, Verdict::refuted) << told(scene, h, c);
+  EXPECT_EQ(c.divergence->fault, Fault::wrong_order);
+}
+
+// Rule 2.11: those that collide are neighbours. The outer two of three in a row are not.
+TEST(Rules, WhoIsNoNeighbourDoesNotCollide) {
+  const Scene scene =
+      scene_of(20, 1, {disk(-8, 0, 3, 1, 0, 1), disk(0, 0, 3, 0, 0, 1), disk(8, 0, 3, -1, 0, 1)});
+  ClaimedHistory h = claimed_history(scene, run(scene));
+  CollideEvent claim{.t = 0.5, .i = 0, .j = 2};
+  claim.v = {Vec2{-1, 0}, Vec2{1, 0}};
+  h.events.insert(h.events.begin(), claim);
+  h.count();
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    const Certificate c = judged(scene, h, truth);
+    ASSERT_EQ(c.verdict, Verdict::refuted) << told(scene, h, c);
+    EXPECT_EQ(c.divergence->fault, Fault::wrong_pair);
+  }
+}
+
+}  // namespace
+}  // namespace voroproof::internal::testing
