@@ -54,12 +54,6 @@ class ArbBall {
   friend ArbBall operator+(const ArbBall& a, const ArbBall& b) { return apply(arb_add, a, b); }
   friend ArbBall operator-(const ArbBall& a, const ArbBall& b) { return apply(arb_sub, a, b); }
   friend ArbBall operator*(const ArbBall& a, const ArbBall& b) { return apply(arb_mul, a, b); }
-  friend ArbBall operator-(const ArbBall& a) {
-    ArbBall out;
-    out.bits_ = a.bits_;
-    arb_neg(out.value_, a.value_);
-    return out;
-  }
   friend Sign sign(const ArbBall& a) {
     if (arb_is_positive(a.value_)) return Sign::positive;
     if (arb_is_negative(a.value_)) return Sign::negative;

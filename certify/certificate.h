@@ -103,7 +103,7 @@ struct Certificate {
   std::int64_t computed_velocities = 0;  // collisions without velocities: by the law
   // The history's horizon and the scene's, where they are not one.
   std::optional<std::array<Rational, 2>> other_horizon;
-  // Of the claimed times against the exact ones, in units in the last place of the claim.
+  // Errors of the claimed times, in units in the last place of the claim.
   double ulps_max = 0, ulps_mean = 0;
   std::int64_t ulps_max_line = 0;
   std::vector<std::string> remarks;

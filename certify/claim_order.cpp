@@ -85,8 +85,8 @@ std::size_t ClaimOrder::earliest() {
   return best;
 }
 
-// Of a flip of an edge that stays as its generators move now: the first near claim that turns one
-// of them, for the edge may collapse after that. 0 where there is none.
+// A flip may be claimed of an edge that stays as its generators move now. The edge may collapse
+// after one of them turns: the first near claim of such a turn, or 0 where there is none.
 std::size_t ClaimOrder::turn_before(const Event& event) {
   const auto* f = std::get_if<FlipEvent>(&event);
   const HalfEdge h = f != nullptr ? s_.replay.find(f->quad) : -1;

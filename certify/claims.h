@@ -72,7 +72,7 @@ class Claims {
 
   // ---- The claim being checked; none before the first and after the last. ----
   const std::optional<Event>& current() const { return current_; }
-  // Of it, or where the history has come to.
+  // Its line, or where the history has come to.
   std::int64_t line() const { return line_; }
   HalfEdge place() const { return place_; }
   const Tie& tie() const { return tie_; }
@@ -89,7 +89,7 @@ class Claims {
   // ---- What the lines say. ----
   // The line of the first claim later than t, or the last line read.
   std::int64_t line_at(double t) const;
-  // Of the claims proved, how many are before t.
+  // How many of the claims proved are before t.
   std::int64_t proved_before(double t) const;
   // Whether the last claim read is of this time.
   bool last_is_at(double t) const { return !times_.empty() && times_.back() == t; }

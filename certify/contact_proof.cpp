@@ -39,8 +39,8 @@ void ApartBatch::prove(double b) {
     const BallLanes start{{p[0]->a, p[1]->a, p[2]->a, p[3]->a}, {}}, end{splat(b), {}};
     const Contact<BallLanes> before(i.moving_site(start), j.moving_site(start));
     const Contact<BallLanes> after(i.moving_site(end), j.moving_site(end));
-    // Of two disks: apart at a, and then parting, or never within reach, or still approaching at b.
-    // In the container: inside at b, as at a.
+    // Two disks: apart at a, and then parting, or never within reach, or still approaching at b. A
+    // disk and the container: inside at b, as at a.
     const LaneMask never = negative(before.b * before.b - before.a * before.c);
     const LaneMask not_yet = positive(after.c) & negative(after.b);
     const LaneMask disks = positive(before.c) & (positive(before.b) | never | not_yet);

@@ -6,7 +6,7 @@
 
 namespace voroproof::internal {
 
-// Of the edge q = [l,r,s,e], over a time that may be an interval: the signs of circle_exists() and
+// The edge q = [l,r,s,e] over a time that may be an interval: the signs of circle_exists() and
 // incircle() for its circles (l,s,r) and (r,e,l), with e and s as the fourth site.
 class EdgeCircles {
  public:

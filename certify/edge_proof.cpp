@@ -97,13 +97,13 @@ int most_roots(const Piece& p) {
   return voroproof::internal::most_roots(above, below);
 }
 
-// Of the polynomial at the end of the piece.
+// The sign of the polynomial at the end of the piece.
 Sign end_sign(const Piece& p) {
   const double last = p.c[p.degree];
   return last > p.err ? Sign::positive : last < -p.err ? Sign::negative : Sign::unknown;
 }
 
-// Of the cotangency there: for four equal radii the form is C, and f = -C^2.
+// The sign of the cotangency there: for four equal radii the form is C, and f = -C^2.
 Sign end_sign_of_cotangency(const Piece& p) {
   const Sign s = end_sign(p);
   return s == Sign::unknown ? s : cotangency_sign(s, p.degree == 4);
@@ -189,7 +189,7 @@ bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts, int& l
 bool free_in(const Motion& m, const Quad& q, double a, double b, int depth, int& looks) {
   BernsteinForm form;
   if (form_for_collapse(m, q, a, b, form)) return true;
-  // Of nearly equal radii roots come in pairs, which pieces do not tell apart.
+  // For nearly equal radii roots come in pairs, which pieces do not tell apart.
   if (form.spread > 0) return false;
   if (piece_free(m, q, {a, b, form.degree, form.c, form.err}, 0, looks)) return true;
   const double middle = 0.5 * (a + b);

@@ -7,7 +7,7 @@
 
 namespace voroproof::internal {
 
-// Of an edge [l,r,s,e]: whether its circles (l,s,r) and (r,e,l) exist, and where e lies to the
+// Whether the circles (l,s,r) and (r,e,l) of an edge [l,r,s,e] exist, and where e lies to the
 // first and s to the second (as incircle() says).
 struct EdgeSigns {
   Sign start_exists, end_exists;

@@ -130,7 +130,7 @@ void Flips::mistimed(const Quad& q, const Collapse& c, const Rational& claimed) 
                         "edge " + text_of(canonical(q)) + " flips " + between(c.lo, c.hi));
   d.true_flip = canonical(q);
   d.true_time = {c.lo, c.hi};
-  // Of an edge that is illegal from the instant on, other polynomials may isolate that.
+  // Where the edge is illegal from the instant on, another polynomial may isolate the instant.
   d.witness = c.kind == Collapse::Kind::now ? motion_witness(s_.motion, generators(q), lo)
                                             : collapse_witness(s_.motion, q, lo, hi);
   throw Refuted{d};

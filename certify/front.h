@@ -15,7 +15,7 @@ struct Front {
   int instant = 0;     // numbers the instants at which events were proved
   bool begun = false;  // the diagram at 0+ is proved, and lives have begun
 
-  // Of the claim being checked: the pair that collides, the disk of the maneuver.
+  // What the claim being checked turns: the pair that collides, the disk of the maneuver.
   std::optional<std::pair<GenId, GenId>> colliding;
   std::optional<GenId> maneuvering;
   // The disks whose motion has changed, and whose lives have not begun anew yet: nothing is looked

@@ -44,7 +44,7 @@ Gap::Gap(Contact<Rational> k, bool wall, Rational from, Rational reach, Rational
       reach_(std::move(reach)),
       hidden_reach2_(std::move(hidden_reach2)) {}
 
-// Of the sign of the gap: the squared distance less the squared reach, for the container negated.
+// A number of the gap's sign: the squared distance less the squared reach, negated at the wall.
 Rational Gap::value(const Rational& t) const {
   const Rational s = t - from_;
   Rational c = (k_.a * s + 2 * k_.b) * s + k_.c;

@@ -56,8 +56,8 @@ void Instants::begin_pending_lives() {
   edges_.begin(prove_hidden_anew(edges), front_.moment);
 }
 
-// Of the points among the generators of these edges, which are all around the disks that have
-// turned.
+// The points among the generators of these edges, which are all around the disks that have turned,
+// must have a cell.
 void Instants::require_areas(const std::vector<int>& edges) const {
   const Instant now = s_.chronology.instant(front_.moment);
   std::vector<GenId> asked;

@@ -51,12 +51,12 @@ class PartReader::Section : public HistorySource {
     if (taken_ > claims_.size()) return rest_ != nullptr ? rest_->line() : next_line_;
     return taken_ == 0 ? 1 : claims_.line(taken_ - 1);
   }
-  // Of a part that is not the last: that it does not stop.
+  // A part that is not the last does not stop.
   const std::variant<HistoryEnd, HistoryStop>& ending() const override {
     static const std::variant<HistoryEnd, HistoryStop> goes_on;
     return rest_ != nullptr ? rest_->ending() : goes_on;
   }
-  // Of the last part only.
+  // Only the last part has counts.
   const HistoryCounts& counts() const override { return rest_->counts(); }
   bool counts_match() const override { return rest_->counts_match(); }
   std::vector<std::string> remarks() const override { return {}; }

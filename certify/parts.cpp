@@ -121,8 +121,8 @@ class PartwiseCertifier {
   void prove(Work& work) {
     const std::size_t number = work.part.number;
     if (number > first_bad_) return;
-    // Of the last part that this thread proved, none at first. A disk that has moved by the end of
-    // an earlier part is restarted by every later one.
+    // The motion of the last part that this thread proved, none at first. A disk that has moved by
+    // the end of an earlier part is restarted by every later one.
     std::optional<Motion>& motion = motions_.local();
     try {
       CertifyOptions options = options_;

@@ -92,7 +92,7 @@ RecordedContacts::Answer RecordedContacts::answer(const Lines& lines, const Rati
   const Gap& gap = lines.gap;
   const auto it = carried_.find(lines.pair);
   const bool in_progress = it != carried_.end() && !it->second.over;
-  // Of an overlap by a rounding, as these lines begin, nothing may have been carried on.
+  // An overlap by a rounding, as these lines begin, may not have been carried on.
   const bool resting = in_progress ? it->second.shallow
                                    : it == carried_.end() && gap.overlap_at(lines.from) &&
                                          gap.shallow_at_start(lines.rounding) &&

@@ -37,7 +37,7 @@ class RootlessBatch {
   // Whether provably it has at most one, and the four are separated throughout [a, b]: no disk
   // touches the inside of another, or leaves the container. False says nothing.
   bool one_root(std::size_t k) const { return found_[k] == Found::one_root; }
-  // Of such an edge: the sign of the flip polynomial at b.
+  // The sign of such an edge's flip polynomial at b.
   Sign end_sign(std::size_t k) const { return end_signs_[k]; }
 
  private:

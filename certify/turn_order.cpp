@@ -63,8 +63,8 @@ void TurnOrder::require_no_contact_at_start(GenId g) {
 
 // The order takes the smallest of the pairs that are due, all of them before a maneuver. A pair
 // that has not turned since was due already when a greater one was claimed, and comes before it. It
-// shares no disk with what it passes; but a blow in its right place may make another pair due, that
-// of one of its disks and a disk which turns later. Then the claims do not commute.
+// shares no disk with what it passes. But in its right place its collision may make another pair
+// due: one of its disks and a disk which turns later. Then the claims do not commute.
 void TurnOrder::place(const Turn& turn) {
   const auto maneuvers_end =
       std::find_if(turns_.rbegin(), turns_.rend(), is_maneuver).base();  // begin() where none is

@@ -15,7 +15,7 @@ namespace voroproof::internal {
 
 using BallVec2 = std::array<DoubleBall, 2>;
 
-// Of the two of a collision, i < j, at [0] and [1]. What [0] holds for the container is unused.
+// One vector each of two that collide, i < j, at [0] and [1]. For the container [0] is unused.
 using ExactPair = std::array<ExactVec2, 2>;
 using BallPair = std::array<BallVec2, 2>;
 

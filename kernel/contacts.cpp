@@ -66,7 +66,7 @@ class Contacts {
   static std::string name(Two two) {
     return "generators " + std::to_string(two.first) + " and " + std::to_string(two.second);
   }
-  // Of two generators the sign of the gap where they overlap.
+  // The sign of the gap of two generators where they overlap.
   static int out(Two two) { return two.first == container ? 1 : -1; }
   Rat reach(Two two) const { return p_.reach(two.first, two.second); }
   Gap gap(Two two) const { return {walk_.leg(two.first), walk_.leg(two.second)}; }

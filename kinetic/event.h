@@ -29,13 +29,13 @@ struct Event {
   Quad quad{};           // of a flip
   GenId i = 0, j = 0;    // of a contact, i < j
   IsolatingInterval at;  // of a flip or contact
-  // Of a flip that neighbouring doubles do not isolate, else null.
+  // The root of a flip that neighbouring doubles do not isolate, else null.
   std::shared_ptr<const RootInterval> fine;
   const Rational* exactly = nullptr;  // of a maneuver or the horizon; valid during the instant
 
   bool is_flip() const { return kind == Kind::flip; }
   bool is_contact() const { return kind == Kind::contact; }
-  // Of a flip: the isolating interval that holds whatever its width.
+  // The isolating interval of a flip, whatever its width.
   RootInterval root() const {
     return fine ? *fine : RootInterval{to_rational(at.lo), to_rational(at.hi)};
   }

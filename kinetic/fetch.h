@@ -16,8 +16,8 @@ class Fetch {
   using HalfEdge = Diagram::HalfEdge;
   Fetch(const Diagram& diagram, const Motion& motion) : diagram_(diagram), motion_(motion) {}
 
-  // Of the flip or contact after the present event, its generators and the edges around it; of
-  // those of which one comes after that, the edges. Items before `items` are two for each edge.
+  // The generators of the flip or contact after the present event, and the edges around it; the
+  // edges of those of which one comes after that. Items before `items` are two for each edge.
   [[gnu::always_inline]] void ahead(const EventQueue& queue, const IsolatingInterval* isolating,
                                     int items) const {
     for (const std::size_t place : {1, 2, 3, 4}) {

@@ -30,7 +30,7 @@ class InstantRecord {
   double right_before(double frontier) const {
     return std::max(told_t_, t_ > told_t_ ? next_below(t_) : frontier);
   }
-  // Of the last instant that was told.
+  // The time of the last instant that was told.
   double told_time() const { return told_t_; }
 
   void add_flip(const Quad& canonical_edge) { events_.emplace_back(canonical_edge); }

@@ -202,7 +202,7 @@ class EngineOver {
     change(j);
   }
 
-  // Of one instant.
+  // All of one instant.
   void process_maneuvers(const std::vector<ManeuverInput>& together) {
     arithmetic_.is_at(together.front().t);
     for (const ManeuverInput& m : together) {
@@ -249,7 +249,7 @@ class EngineOver {
     schedule_.forget_flip_of(edge);
     if (begun_) schedule_.search_flip_from_now(edge);
   }
-  // Of the disk's cell, counterclockwise; half-edge 0 for a lone disk.
+  // The half-edges of the disk's cell, counterclockwise; half-edge 0 for a lone disk.
   template <class Visit>
   void for_each_half_edge_of(GenId g, Visit&& visit) const {
     const HalfEdge first = diagram_.anchor(g);

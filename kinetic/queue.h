@@ -82,7 +82,7 @@ class EventQueue {
     }
   }
 
-  // Of the finite keys, after `least`.
+  // The mean of the finite keys, counted from `least`.
   double mean_delay(double least) const {
     double sum = 0;
     int count = 0;

@@ -165,7 +165,7 @@ class Schedule {
     if (due_contacts_.empty()) return std::nullopt;
     return due_contacts_.extract(due_contacts_.begin()).value();
   }
-  // Of one instant, in the order of their disks. Empty if none is due.
+  // Those of one instant, in the order of their disks. Empty if none is due.
   std::vector<ManeuverInput> take_due_maneuvers() {
     if (!due_maneuvers_) return {};
     due_maneuvers_ = false;
