@@ -67,10 +67,20 @@ class InitialProof {
     return tangent_triple(a, at(a), b, at(b), c, at(c));
   }
 
+  // `predicate` as InstantPredicates takes it; gives a sign.
+  template <class F>
+  Sign decide(F&& predicate) {
+    try {
+      return predicates_.decide_sign(predicate);
+    } catch (const std::domain_error&) {
+      // Recorded truth: one of the generators lies inside another, and there is no such circle.
+      throw Undecided("a generator lies inside another where a diagram is to be proved");
+    }
+  }
+
   // Two generators, neither of which lies in the other nor is a point of its boundary.
   void require_tangency(GenId a, GenId b) {
-    const Sign s =
-        predicates_.decide_sign([&](auto at, auto) { return sign(tangency(at(a), at(b))); });
+    const Sign s = decide([&](auto at, auto) { return sign(tangency(at(a), at(b))); });
     const bool wall = a == container_id || b == container_id;
     if (s == (wall ? Sign::negative : Sign::positive)) return;
     throw Undecided(s == Sign::zero ? "a point touches another generator: its cell has no area"
@@ -80,8 +90,7 @@ class InitialProof {
 
   std::optional<InitialFault> vertex_fault(HalfEdge h) {
     const GenId a = diagram_.org(h), b = diagram_.dest(h), c = diagram_.apex(h);
-    const Sign s = predicates_.decide_sign(
-        [&](auto at, auto) { return circle_exists(triple_at(at, a, b, c)); });
+    const Sign s = decide([&](auto at, auto) { return circle_exists(triple_at(at, a, b, c)); });
     if (s == Sign::positive) return std::nullopt;
     const Triple v = canonical(Triple{a, b, c});
     return InitialFault{"no circle touches the generators of vertex " + text_of(v) +
@@ -116,7 +125,7 @@ class InitialProof {
     if (q.s == q.e) return std::nullopt;
     if (certainly_legal(q)) return std::nullopt;
     const auto side = [&](bool at_start) {
-      return predicates_.decide_sign([&](auto at, auto) {
+      return decide([&](auto at, auto) {
         const auto l = at(q.l), r = at(q.r), s = at(q.s), e = at(q.e);
         const EdgeSigns signs = edge_signs(q, l, r, s, e, sign(cotangency(l, r, s, e)));
         return at_start ? signs.end_in_start : signs.start_in_end;
@@ -202,7 +211,7 @@ class InitialProof {
     do {
       const HalfEdge next = diagram_.rotate(h);
       const GenId a = diagram_.dest(h), b = diagram_.apex(h), c = diagram_.apex(next);
-      const Sign step = predicates_.decide_sign([&](auto at, auto root) {
+      const Sign step = decide([&](auto at, auto root) {
         const auto d = direction(at, root, g, a, b), e = direction(at, root, g, b, c);
         // Around the container the vertices run clockwise.
         return g == container_id ? angle_order(e, d) : angle_order(d, e);

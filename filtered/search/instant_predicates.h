@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,7 +58,8 @@ class InstantPredicates {
   // Runs a predicate, given as a template over (sites, square root), through the tiers until it
   // gives a value. It must give one over exact numbers. `proof` gives the value where something
   // else than arithmetic proves it, and is asked before exact numbers are. Throws Undecided where
-  // those need more than the budget, or one generator lies inside another.
+  // those need more than the budget, and std::domain_error where one generator lies inside another,
+  // so that no circle touches both.
   template <class F, class Proof>
   auto decide(F&& predicate, Proof&& proof) {
     if (motion_.options().filters) {
@@ -88,9 +88,6 @@ class InstantPredicates {
       return r.value();
     } catch (const BudgetExceeded& e) {
       throw Undecided(std::string("a predicate at an instant: ") + e.what());
-    } catch (const std::domain_error&) {
-      // Motion that is given and not computed: there is no circle around both.
-      throw Undecided("a generator lies inside another where a predicate is asked for");
     }
   }
 
