@@ -1,7 +1,3 @@
-// First: it says that the templates below may be used with lanes on any processor.
-#include "filtered/numbers/lanes.h"
-#include "filtered/numbers/sign_variations.h"
-
 #include "certify/edge_proof.h"
 
 #include <algorithm>
@@ -11,6 +7,8 @@
 #include "certify/edge_signs.h"
 #include "certify/rootless.h"
 #include "filtered/numbers/de_casteljau.h"
+#include "filtered/numbers/lanes.h"
+#include "filtered/numbers/sign_variations.h"
 #include "filtered/search/bernstein.h"
 #include "filtered/search/edge_predicates.h"
 #include "filtered/search/flip_polynomial.h"

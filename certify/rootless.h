@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "filtered/motion/motion.h"
+#include "filtered/numbers/form.h"
+#include "filtered/numbers/lanes.h"
 
 namespace voroproof::internal {
 
@@ -51,7 +53,7 @@ class RootlessBatch {
   std::array<MotionLanes, 4> gather(const std::array<const Span*, kLanes>& of) const;
   void judge(const std::array<MotionLanes, 4>& generators, const std::array<double, kLanes>& from,
              const std::array<double, kLanes>& to, std::size_t first, std::size_t count);
-  void count_roots(const Lanes (&f)[9], const Lanes& total, std::size_t lane, std::size_t k);
+  void count_roots(const Form<Lanes, 8>& f, const Lanes& total, std::size_t lane, std::size_t k);
   void judge_at(const std::array<MotionLanes, 4>& generators, double a, double b, std::size_t first,
                 std::size_t count);
 

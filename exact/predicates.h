@@ -46,6 +46,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include "exact/rational.h"
 
@@ -63,12 +64,52 @@ struct MovingSite {
   T x, y, vx, vy, r;
 };
 
+// x^2. Types that know a shorter way have an overload.
+template <class X>
+X squared(const X& x) {
+  return x * x;
+}
+// Of a polynomial a square is of another type, of twice the degree.
+template <class X>
+using Squared = decltype(squared(std::declval<const X&>()));
+
+// The tangency p of two sites whose centres differ by (dx, dy) and whose radii by dr.
+template <class X, class R>
+Squared<X> tangency_of(const X& dx, const X& dy, const R& dr) {
+  return squared(dx) + squared(dy) - squared(dr);
+}
+
+// The cotangency of four sites 0 to 3, 4 f of the paper's Eq. (1), from the products of their
+// tangencies: a = p_01 p_23, b = p_02 p_13, c = p_03 p_12. (Casey's theorem: (a - b - c)^2 - 4 b c
+// is symmetric in a, b and c, and in the sites.)
+//
+// This is the flip polynomial. It stands here alone; for the A of values, of values with their
+// slopes, of polynomials in the Bernstein basis, of four numbers side by side and of bounds of all
+// these.
+template <class A>
+Squared<A> cotangency_of(const A& a, const A& b, const A& c) {
+  const A g = a - b - c;
+  const A twice = b + b;
+  const A four_times = twice + twice;
+  return squared(g) - four_times * c;
+}
+
+// x1 y2 - y1 x2.
+template <class X>
+Squared<X> determinant(const X& x1, const X& y1, const X& x2, const X& y2) {
+  return x1 * y2 - y1 * x2;
+}
+
+// One of the three summands of the cocircularity: p is the tangency of a site with the base, (x1,
+// y1) and (x2, y2) are the offsets of the two sites that follow it in cyclic order from the base.
+template <class P, class X>
+Squared<P> cocircularity_term(const P& p, const X& x1, const X& y1, const X& x2, const X& y2) {
+  return p * determinant(x1, y1, x2, y2);
+}
+
 template <class T>
 T tangency(const Site<T>& a, const Site<T>& b) {
-  const T dx = a.x - b.x;
-  const T dy = a.y - b.y;
-  const T dr = a.r - b.r;
-  return dx * dx + dy * dy - dr * dr;
+  return tangency_of(T(a.x - b.x), T(a.y - b.y), T(a.r - b.r));
 }
 
 // Whether no tangency of a pair vanishes, sites given over an interval. Where one does
@@ -85,28 +126,25 @@ bool keeps_tangencies(const std::array<Site<T>, 4>& at) {
   return true;
 }
 
-// 4 f of the paper's Eq. (1), f = A^2 + B^2 - C^2, through Casey's theorem:
-// zero iff the four sites touch one common circle (inner or outer, or a line).
-// Symmetric in the four sites; the container may be any of them.
+// 4 f of the paper's Eq. (1), f = A^2 + B^2 - C^2: zero iff the four sites touch one common circle
+// (inner or outer, or a line). Symmetric in the four sites; the container may be any of them.
 template <class T>
 T cotangency(const Site<T>& s0, const Site<T>& s1, const Site<T>& s2, const Site<T>& s3) {
-  const T a = tangency(s0, s1) * tangency(s2, s3);
-  const T b = tangency(s0, s2) * tangency(s1, s3);
-  const T c = tangency(s0, s3) * tangency(s1, s2);
-  const T g = a - b - c;
-  const T bc = b * c;
-  const T bc2 = bc + bc;
-  return g * g - (bc2 + bc2);
+  return cotangency_of(T(tangency(s0, s1) * tangency(s2, s3)),
+                       T(tangency(s0, s2) * tangency(s1, s3)),
+                       T(tangency(s0, s3) * tangency(s1, s2)));
 }
 
 // The determinant C of the paper's Eq. (3), rows x, y, p of s1, s2, s3 to the base
 // s0. For four equal radii f = -C^2, so that C is the polynomial to isolate.
 template <class T>
 T cocircularity(const Site<T>& s0, const Site<T>& s1, const Site<T>& s2, const Site<T>& s3) {
-  const T x1 = s1.x - s0.x, y1 = s1.y - s0.y, p1 = tangency(s1, s0);
-  const T x2 = s2.x - s0.x, y2 = s2.y - s0.y, p2 = tangency(s2, s0);
-  const T x3 = s3.x - s0.x, y3 = s3.y - s0.y, p3 = tangency(s3, s0);
-  return p1 * (x2 * y3 - y2 * x3) - p2 * (x1 * y3 - y1 * x3) + p3 * (x1 * y2 - y1 * x2);
+  const T x1 = s1.x - s0.x, y1 = s1.y - s0.y;
+  const T x2 = s2.x - s0.x, y2 = s2.y - s0.y;
+  const T x3 = s3.x - s0.x, y3 = s3.y - s0.y;
+  return cocircularity_term(tangency(s1, s0), x2, y2, x3, y3) +
+         cocircularity_term(tangency(s2, s0), x3, y3, x1, y1) +
+         cocircularity_term(tangency(s3, s0), x1, y1, x2, y2);
 }
 
 // What a triple (base, j, k) contributes to every predicate about its tangent

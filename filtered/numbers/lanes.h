@@ -16,6 +16,8 @@ inline Lanes abs(const Lanes& a) {
   return Lanes(Bits(a) & 0x7fffffffffffffffLL);
 }
 
+inline Lanes larger(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
+
 inline Lanes square_root(const Lanes& a) {
 #ifdef __AVX__
   return Lanes(_mm256_sqrt_pd(a));

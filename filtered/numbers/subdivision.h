@@ -2,14 +2,15 @@
 // double-doubles and balls: the scheme of filtered/numbers/double_roots.h, value by value.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "exact/ball.h"
 #include "exact/predicates.h"
 #include "filtered/numbers/dd_ball.h"
+#include "filtered/numbers/form.h"
 #include "filtered/numbers/sign_variations.h"
 
 namespace voroproof::internal {
@@ -50,27 +51,13 @@ struct MakeBall {
 template <class T>
 using Coefficients = std::vector<T>;
 
-// Product of two polynomials in the scaled Bernstein basis.
-template <class T>
-Coefficients<T> multiply(const Coefficients<T>& p, const Coefficients<T>& q) {
-  std::vector<std::optional<T>> r(p.size() + q.size() - 1);
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    for (std::size_t j = 0; j < q.size(); ++j) {
-      T term = p[i] * q[j];
-      auto& slot = r[i + j];
-      slot = slot ? *slot + term : term;
-    }
-  }
-  Coefficients<T> out;
-  out.reserve(r.size());
-  for (auto& slot : r) out.push_back(std::move(*slot));
-  return out;
-}
-
-template <class T>
-Coefficients<T> subtract(Coefficients<T> p, const Coefficients<T>& q) {
-  for (std::size_t k = 0; k < p.size(); ++k) p[k] = p[k] - q[k];
-  return p;
+// A form's coefficients without the binomials; `make` makes numbers.
+template <class T, int degree, class Make>
+Coefficients<T> unscaled(const Form<T, degree>& f, const Make& make) {
+  constexpr std::array<int, degree + 1> scale = binomials<degree>();
+  Coefficients<T> c(f.c.begin(), f.c.end());
+  for (int k = 1; k < degree; ++k) c[k] = c[k] * make(Rational(1, scale[k]));
+  return c;
 }
 
 template <class T>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -187,8 +188,15 @@ std::optional<Collapse> isolate_on_branch(const Motion& motion, const Quad& q, d
 }
 
 DdBall refine_branch(const Motion& motion, const Quad& q, double lo, double hi) {
-  const DdBall root = Branch(motion, q).newton(lo, hi);
-  return std::isfinite(root.rad) ? root : Branch(motion, reversed(q)).newton(lo, hi);
+  for (const Quad& edge : {q, reversed(q)}) {
+    const DdBall root = Branch(motion, edge).newton(lo, hi);
+    double left = 0, right = 0;
+    enclose(root, left, right);
+    // Inside [lo, hi] the step proves that there is a zero. (Of an edge that the flips of others
+    // have ended one of its functions may have none where f has its root.)
+    if (lo <= left && right <= hi) return root;
+  }
+  return DdBall(lo, 0, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace voroproof::internal

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "exact/ball.h"
-#include "exact/dual.h"
 #include "filtered/motion/motion.h"
 #include "filtered/search/collapse.h"
 #include "filtered/search/edge_predicates.h"
@@ -25,21 +24,9 @@ Collapse search_branches(const Motion& motion, const Quad& q, double start, doub
 std::optional<Collapse> isolate_on_branch(const Motion& motion, const Quad& q, double lo,
                                           double hi);
 
-// The collapse of q that an interval [lo, hi] is known to hold, by the interval Newton method
-// for an in-circle function; the radius is infinite where that cannot say.
+// The one root of f in [lo, hi] where an in-circle function of q vanishes there, by the interval
+// Newton method for that function; the radius is infinite where that cannot say.
 DdBall refine_branch(const Motion& motion, const Quad& q, double lo, double hi);
-
-// The generators of q at t, with their velocities as slopes.
-template <class T>
-std::array<Site<Dual<T>>, 4> moving_sites(const Motion& motion, const Quad& q, const T& t) {
-  std::array<Site<Dual<T>>, 4> out;
-  const GenId ids[4] = {q.l, q.r, q.s, q.e};
-  for (int k = 0; k < 4; ++k) {
-    const MovingSite<T> m = motion.moving_site(ids[k], t);
-    out[k] = {{m.x, m.vx}, {m.y, m.vy}, {m.r, T()}};
-  }
-  return out;
-}
 
 // The in-circle function of e in the start circle of q, up to a positive factor that depends on
 // time.

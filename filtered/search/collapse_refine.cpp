@@ -18,8 +18,7 @@ DdBall CollapseSearch::newton(const Quad& q, double lo, double hi) const {
   const double c = 0.5 * (lo + hi);
   const DdBall root = newton_step(motion_, q, lo, hi, cocircular);
   if (std::isfinite(root.rad)) return root;
-  const DoubleBall slope =
-      flip_value_and_slope(motion_, q, DoubleBall::hull(lo, hi), cocircular).slope;
+  const DoubleBall slope = flip_slope(motion_, q, DoubleBall::hull(lo, hi), cocircular);
   const DdBall f = flip_value(motion_, q, DdBall(c), cocircular);
   return DdBall(c) - f / DdBall(slope.mid, 0, slope.rad);
 }
@@ -93,9 +92,8 @@ Ball CollapseSearch::refine(const Quad& q, const Rational& lo, const Rational& h
           return start_incircle(edge, moving_sites(motion_, edge, t)).slope;
         }};
   };
-  const Falling polynomial{
-      [&](const Ball& t) { return flip_value(motion_, q, t, cocircular); },
-      [&](const Ball& t) { return flip_value_and_slope(motion_, q, t, cocircular).slope; }};
+  const Falling polynomial{[&](const Ball& t) { return flip_value(motion_, q, t, cocircular); },
+                           [&](const Ball& t) { return flip_slope(motion_, q, t, cocircular); }};
   // Of a root of even order the polynomial tells nothing; next to one of high order the precision
   // may not tell an end of the interval from it.
   for (const Falling& f : {polynomial, branch(q), branch(reversed(q))}) {

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "exact/dual.h"
 #include "exact/generators.h"
 #include "exact/predicates.h"
 #include "filtered/motion/motion.h"
@@ -13,6 +14,18 @@ namespace voroproof::internal {
 template <class T>
 std::array<Site<T>, 4> sites(const Motion& m, const Quad& q, const T& t) {
   return {m.site(q.l, t), m.site(q.r, t), m.site(q.s, t), m.site(q.e, t)};
+}
+
+// The same, with their velocities as slopes.
+template <class T>
+std::array<Site<Dual<T>>, 4> moving_sites(const Motion& motion, const Quad& q, const T& t) {
+  std::array<Site<Dual<T>>, 4> out;
+  const GenId ids[4] = {q.l, q.r, q.s, q.e};
+  for (int k = 0; k < 4; ++k) {
+    const MovingSite<T> m = motion.moving_site(ids[k], t);
+    out[k] = {{m.x, m.vx}, {m.y, m.vy}, {m.r, T()}};
+  }
+  return out;
 }
 
 // The tangent triple of three generators given counterclockwise, a disk taken as its base.

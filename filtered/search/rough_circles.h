@@ -35,15 +35,13 @@
 // kept where no power of it comes near the ends of the range of doubles.
 #pragma once
 
-// Before the templates that are used with lanes: it says that they may be.
-#include "exact/rounding.h"
-#include "filtered/numbers/lanes.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "exact/rounding.h"
 #include "filtered/motion/rough_site.h"
+#include "filtered/numbers/lanes.h"
 #include "filtered/search/edge_predicates.h"
 
 namespace voroproof::internal {

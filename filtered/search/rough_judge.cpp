@@ -1,12 +1,9 @@
-// First: it says that the templates below may be used with lanes on any processor.
-#include "filtered/numbers/lanes.h"
-
-#include "exact/rounding.h"
 #include "filtered/search/rough_judge.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "exact/rounding.h"
 #include "filtered/motion/rough_site.h"
 #include "filtered/search/rough_circles.h"
 

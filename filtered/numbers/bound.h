@@ -1,0 +1,84 @@
+// Error bounds that are derived beforehand: how large quantities are and how far computed ones are
+// from the true ones, carried through the same formulas as the quantities themselves.
+#pragma once
+
+#include "exact/rounding.h"
+
+namespace voroproof::internal {
+
+// Of numbers, or of all coefficients of forms (filtered/numbers/form.h) before they are multiplied
+// by binomials: |computed| <= size and |computed - true| <= err.
+//
+// Rules, u = 2^-53. A coefficient of a product is a mean of products, with weights that add up to
+// 1, so that what holds of numbers holds of it.
+//   a +- b   err_a + err_b, and one rounding, u (size_a + size_b).
+//   a b      size_a err_b + size_b err_a + err_a err_b for the factors. A coefficient of degree 8
+//   at
+//            most is a sum of at most five products: five roundings on the longest way, below 8 u
+//            size_a size_b. What underflow adds is below `bound_tiny`.
+// Sizes and errors are rounded themselves, each a few times. Who uses a bound multiplies it by
+// `bound_up`, which is enough for 2^12 roundings one after the other.
+//
+// Nothing of this holds where a coefficient overflows, which may be 70 times the size: that is the
+// largest binomial of degree 8. Who uses a bound adds u (80 size) or more, computed in this order,
+// which is infinite then.
+template <class T>
+struct Bound {
+  T size, err;
+};
+
+inline constexpr double bound_up = 1 + 0x1p-40, bound_tiny = 0x1p-1000;
+
+template <class T>
+[[gnu::always_inline]] inline Bound<T> operator+(const Bound<T>& a, const Bound<T>& b) {
+  const T size = a.size + b.size;
+  return {size, a.err + b.err + unit_roundoff * size};
+}
+template <class T>
+[[gnu::always_inline]] inline Bound<T> operator-(const Bound<T>& a, const Bound<T>& b) {
+  return a + b;
+}
+template <class T>
+[[gnu::always_inline]] inline Bound<T> operator*(const Bound<T>& a, const Bound<T>& b) {
+  const T size = a.size * b.size;
+  return {size,
+          a.size * b.err + a.err * (b.size + b.err) + (8 * unit_roundoff * size + bound_tiny)};
+}
+
+// Of the tangency x^2 + y^2 - r^2 (tangency_of()) of offsets and a difference of radii that are
+// each computed from two numbers which together are within `err`. `far` is at least |x| + |y|, at
+// both ends of a window, `dr` at least |r|.
+// The differences err by eta = err + u (far + dr), at most. Products of two coordinates, one at
+// each end or both at one, err by eta (|x| + |x'|) + eta^2, so that the sum for x and y errs by 2
+// eta (|x| + |y|) + 2 eta^2 at most, and r^2 by 2 eta |r| + eta^2: together (2 reach + 3 eta) eta.
+// Two products and sums on every way: below 4 u reach^2.
+template <class T>
+[[gnu::always_inline]] inline Bound<T> tangency_bound_of(const T& reach, const T& size,
+                                                         const T& err) {
+  const T eta = err + unit_roundoff * reach;
+  return {size, (2 * reach + 3 * eta) * eta + (4 * unit_roundoff * size + bound_tiny)};
+}
+template <class T>
+[[gnu::always_inline]] inline Bound<T> tangency_bound(const T& far, const T& dr, const T& err) {
+  return tangency_bound_of<T>(far + dr, far * far + dr * dr, err);
+}
+// Where r is zero.
+template <class T>
+[[gnu::always_inline]] inline Bound<T> tangency_bound(const T& far, const T& err) {
+  return tangency_bound_of<T>(far, far * far, err);
+}
+
+// Of the determinant x1 y2 - y1 x2 of two offsets with |x| + |y| at most far1 and far2, whose
+// coordinates err by at most eta1 and eta2: it errs by |x1| eta2 + |y2| eta1 + |y1| eta2 + |x2|
+// eta1
+// + 2 eta1 eta2, at most. Over a window every coefficient is a mean of such determinants. Three
+// roundings on every way.
+template <class T>
+[[gnu::always_inline]] inline Bound<T> determinant_bound(const T& far1, const T& eta1,
+                                                         const T& far2, const T& eta2) {
+  const T size = far1 * far2;
+  return {size,
+          far1 * eta2 + far2 * eta1 + 2 * eta1 * eta2 + (4 * unit_roundoff * size + bound_tiny)};
+}
+
+}  // namespace voroproof::internal
