@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+
+#include "filtered/search/ladder.h"
 
 namespace voroproof::internal {
 
@@ -140,30 +143,35 @@ std::optional<int> Chronology::known_order(const Moment& a, const Moment& b, std
   }
   const bool states = a.kind == Moment::Kind::state && b.kind == Moment::Kind::state;
   if (states && a.state == b.state) return 0;
-  const Sign s = sign(narrow(a) - narrow(b));
-  if (s == Sign::negative || s == Sign::positive) return static_cast<int>(s);
+  if (const auto s = told(sign(narrow(a) - narrow(b)))) return s;
   ++beyond_filter_;
-  const Sign t = sign(ball(a) - ball(b));
-  if (t == Sign::negative || t == Sign::positive) return static_cast<int>(t);
-  if (same_by_symmetry(a, b)) return 0;
-  try {
-    ExactMotion exact(motion_);
-    const auto c = voroproof::internal::compare(exact_time(a, exact), exact_time(b, exact));
-    return c < 0 ? -1 : c > 0 ? 1 : 0;
-  } catch (const BudgetExceeded& e) {
-    if (why_not != nullptr) *why_not = e.what();
-    return std::nullopt;
-  }
+  Ladder<int> ladder(counts_, Predicate::compare);
+  const Rung symmetry{Tier::symmetry, [&] {
+                        return same_by_symmetry(a, b) ? std::optional<int>(0) : std::nullopt;
+                      }};
+  const Rung exactly{Tier::exact, [&]() -> std::optional<int> {
+                       ExactMotion exact(motion_);
+                       const auto c =
+                           voroproof::internal::compare(exact_time(a, exact), exact_time(b, exact));
+                       return c < 0 ? -1 : c > 0 ? 1 : 0;
+                     }};
+  const auto order =
+      ladder.climb(Rung{Tier::ball, [&] { return by_balls(a, b); }}, symmetry, exactly);
+  if (!order && why_not != nullptr) *why_not = ladder.budget();
+  return order;
 }
 
 int Chronology::compare(const Moment& a, const Moment& b) {
   std::string budget;
   if (const auto order = known_order(a, b, &budget)) return *order;
-  while (motion_.raise_precision()) {
-    const Sign t = sign(ball(a) - ball(b));
-    if (t == Sign::negative || t == Sign::positive) return static_cast<int>(t);
-  }
+  Ladder<int> ladder(counts_, Predicate::compare);
+  const Rung balls{Tier::ball, [&] { return by_balls(a, b); }};
+  if (const auto order = ladder.with_more_bits(motion_, balls)) return *order;
   throw Undecided("two events may be simultaneous: " + budget);
+}
+
+std::optional<int> Chronology::by_balls(const Moment& a, const Moment& b) const {
+  return told(sign(ball(a) - ball(b)));
 }
 
 bool Chronology::within(const Rational& tolerance, const Moment& m, const Rational& t) {

@@ -43,13 +43,15 @@ std::pair<Rational, Rational> interval_of(const Collapse& c);
 // moment is of use until one of these changes its motion.
 class Chronology {
  public:
-  // `beyond_filter` counts the comparisons that doubles and double-doubles do not decide.
+  // `beyond_filter` counts the comparisons that doubles and double-doubles do not decide, `counts`
+  // what decides them.
   Chronology(Motion& motion, const CollapseSearch& collapses, const ContactSearch& contacts,
-             std::int64_t& beyond_filter)
+             std::int64_t& beyond_filter, TierCounts& counts)
       : motion_(motion),
         collapses_(collapses),
         contacts_(contacts),
-        beyond_filter_(beyond_filter) {}
+        beyond_filter_(beyond_filter),
+        counts_(counts) {}
 
   // Negative, zero or positive. Throws Undecided.
   int compare(const Moment& a, const Moment& b);
@@ -79,11 +81,13 @@ class Chronology {
  private:
   static ExactTime exact_time(const Moment& m, ExactMotion& exact);
   bool same_by_symmetry(const Moment& a, const Moment& b) const;
+  std::optional<int> by_balls(const Moment& a, const Moment& b) const;
 
   Motion& motion_;
   const CollapseSearch& collapses_;
   const ContactSearch& contacts_;
   std::int64_t& beyond_filter_;
+  TierCounts& counts_;
   Coincidence present_;
 };
 

@@ -33,7 +33,7 @@ struct Setting {
         collapses(motion, certificate.tiers),
         contacts(motion, certificate.tiers),
         points(motion, contacts),
-        chronology(motion, collapses, contacts, certificate.beyond_filter),
+        chronology(motion, collapses, contacts, certificate.beyond_filter, certificate.tiers),
         law(scene, options.law_tolerance) {}
   Setting(const Setting&) = delete;
   Setting& operator=(const Setting&) = delete;

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "filtered/search/ladder.h"
 #include "kinetic/static_diagram.h"
 
 namespace voroproof::internal {
@@ -16,8 +17,6 @@ namespace {
 constexpr double fine_width = 1e-20;
 
 bool is_fine(const DdBall& t) { return t.rad <= fine_width * (1 + t.hi) || rounds_to_leading(t); }
-
-bool is_told(Sign s) { return s == Sign::negative || s == Sign::positive; }
 
 double middle(const IsolatingInterval& at) { return 0.5 * (at.lo + at.hi); }
 
@@ -109,59 +108,47 @@ bool EventTimes::same_by_symmetry(const Event& a, const Event& b) const {
 int EventTimes::order(const TimedEvent& x, const TimedEvent& y) {
   const Event &a = x.event, &b = y.event;
   if (a.is_contact() && b.is_contact() && std::pair(a.i, a.j) == std::pair(b.i, b.j)) return 0;
-  const auto decided = [this](Tier tier, int order) {
-    stats_.tiers.count(Predicate::compare, tier);
-    return order;
-  };
-  const auto by_balls = [&] { return sign(ball(a, bits()) - ball(b, bits())); };
-  if (motion_.options().filters) {
-    if (const Sign s = sign(x.dd - y.dd); is_told(s)) return decided(Tier::dd, static_cast<int>(s));
+  Ladder<int> ladder(stats_.tiers, Predicate::compare);
+  const Rung dd{Tier::dd, [&]() -> std::optional<int> {
+                  return motion_.options().filters ? told(sign(x.dd - y.dd)) : std::nullopt;
+                }};
+  const Rung balls{Tier::ball, [&] { return told(sign(ball(a, bits()) - ball(b, bits()))); }};
+  const Rung symmetry{Tier::symmetry, [&] {
+                        return same_by_symmetry(a, b) ? std::optional<int>(0) : std::nullopt;
+                      }};
+  const Rung exactly{Tier::exact, [&]() -> std::optional<int> {
+                       ExactMotion algebra(motion_);
+                       const auto c = compare(exact(a, algebra), exact(b, algebra));
+                       return c < 0 ? -1 : c > 0 ? 1 : 0;
+                     }};
+  if (const auto order = ladder.climb(dd, balls, symmetry, exactly)) {
+    if (*order == 0) ++stats_.ties;
+    return *order;
   }
-  if (const Sign s = by_balls(); is_told(s)) return decided(Tier::ball, static_cast<int>(s));
-  if (same_by_symmetry(a, b)) {
-    ++stats_.ties;
-    return decided(Tier::symmetry, 0);
-  }
-  std::string budget;
-  try {
-    ExactMotion algebra(motion_);
-    const auto c = compare(exact(a, algebra), exact(b, algebra));
-    if (c == 0) ++stats_.ties;
-    return decided(Tier::exact, c < 0 ? -1 : c > 0 ? 1 : 0);
-  } catch (const BudgetExceeded& e) {
-    budget = e.what();
-  }
-  for (;;) {
-    if (const Sign s = by_balls(); is_told(s)) return decided(Tier::ball, static_cast<int>(s));
-    if (!motion_.raise_precision()) give_up("two events may be simultaneous: " + budget, a);
-  }
+  if (const auto order = ladder.with_more_bits(motion_, balls)) return *order;
+  give_up("two events may be simultaneous: " + ladder.budget(), a);
 }
 
 double EventTimes::rounded(const TimedEvent& timed) {
-  const auto decided = [this](Tier tier, double t) {
-    stats_.tiers.count(Predicate::round_time, tier);
-    return t;
-  };
-  if (motion_.options().filters && rounds_to_leading(timed.dd)) {
-    return decided(Tier::dd, timed.dd.hi);
-  }
   const Event& event = timed.event;
-  double t = 0;
-  if (ball(event, bits()).round_to_double(t)) return decided(Tier::ball, t);
-  std::string budget;
-  try {
-    ExactMotion algebra(motion_);
-    t = round_nearest(exact(event, algebra));
-    return decided(Tier::exact, t);
-  } catch (const BudgetExceeded& e) {
-    budget = e.what();
-  }
-  while (!ball(event, bits()).round_to_double(t)) {
-    if (!motion_.raise_precision()) {
-      give_up("an event time may lie on a rounding boundary: " + budget, event);
-    }
-  }
-  return t;
+  Ladder<double> ladder(stats_.tiers, Predicate::round_time);
+  const Rung dd{Tier::dd, [&] {
+                  return motion_.options().filters && rounds_to_leading(timed.dd)
+                             ? std::optional<double>(timed.dd.hi)
+                             : std::nullopt;
+                }};
+  const Rung balls{Tier::ball, [&] {
+                     double t = 0;
+                     return ball(event, bits()).round_to_double(t) ? std::optional<double>(t)
+                                                                   : std::nullopt;
+                   }};
+  const Rung exactly{Tier::exact, [&]() -> std::optional<double> {
+                       ExactMotion algebra(motion_);
+                       return round_nearest(exact(event, algebra));
+                     }};
+  if (const auto t = ladder.climb(dd, balls, exactly)) return *t;
+  if (const auto t = ladder.with_more_bits(motion_, balls)) return *t;
+  give_up("an event time may lie on a rounding boundary: " + ladder.budget(), event);
 }
 
 }  // namespace voroproof::internal

@@ -12,6 +12,7 @@
 #include "filtered/search/collapse.h"
 #include "filtered/search/edge_predicates.h"
 #include "filtered/search/flip_polynomial.h"
+#include "filtered/search/ladder.h"
 
 namespace voroproof::internal {
 
@@ -125,55 +126,51 @@ std::optional<Collapse> CollapseSearch::while_cotangent(const Quad& q, const std
 Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instant* now,
                               double end) {
   const Rational finish = std::max<Rational>(to_rational(end), start + kLeastWindow);
-  Attempt attempt;
   // Generators that look cotangent at the instant mostly are. Nothing but the exact tier can say
   // so, and while their motion is rational it is quick.
   const bool exact_first = motion_.options().filters && now != nullptr && has_rational_motion(q) &&
                            sign(flip_value(motion_, q, now->dd, false)) == Sign::unknown;
-  if (motion_.options().filters && !exact_first) {
-    attempt = search_in<DdBall>(motion_, q, start, finish, now, kHalvingsInDd, MakeDd{});
-    if (!attempt.decided) {
-      // What is hard later in the window can wait: an event may come first.
-      const double from = now != nullptr ? now->hi : voroproof::internal::round_up(start);
-      const double reached = voroproof::internal::round_down(attempt.reached);
-      attempt.decided = reached - from > kPartWorthAnAnswerInDd * (end - from);
-      attempt.answer = Collapse::none_until(reached);
-    }
-    if (attempt.decided) {
-      counts_.count(Predicate::flip_search, Tier::dd);
-      return attempt.answer;
-    }
+  Ladder<Collapse> ladder(counts_, Predicate::flip_search);
+  const Rung dd{Tier::dd, [&]() -> std::optional<Collapse> {
+                  if (!motion_.options().filters) return std::nullopt;
+                  const Attempt attempt =
+                      search_in<DdBall>(motion_, q, start, finish, now, kHalvingsInDd, MakeDd{});
+                  if (attempt.decided) return attempt.answer;
+                  // What is hard later in the window can wait: an event may come first.
+                  const double from =
+                      now != nullptr ? now->hi : voroproof::internal::round_up(start);
+                  const double reached = voroproof::internal::round_down(attempt.reached);
+                  if (!(reached - from > kPartWorthAnAnswerInDd * (end - from))) {
+                    return std::nullopt;
+                  }
+                  return Collapse::none_until(reached);
+                }};
+  const Rung symmetry{Tier::symmetry, [&] { return by_symmetry(q, start, now, end); }};
+  const Rung balls{Tier::ball, [&]() -> std::optional<Collapse> {
+                     const int bits = motion_.goal_bits() + 32;
+                     const Attempt attempt =
+                         search_in<Ball>(motion_, q, start, finish, now,
+                                         std::min(bits / 2, kHalvingsInBalls), MakeBall{bits});
+                     return attempt.decided ? std::optional(attempt.answer) : std::nullopt;
+                   }};
+  std::string blurred;
+  const Rung exact{Tier::exact, [&]() -> std::optional<Collapse> {
+                     try {
+                       return exactly(q, start, now, end);
+                     } catch (const RootTooBlurred& e) {
+                       blurred = e.what();
+                       return std::nullopt;
+                     }
+                   }};
+  if (const auto found =
+          exact_first ? ladder.climb(symmetry, exact) : ladder.climb(dd, symmetry, balls, exact)) {
+    return *found;
   }
-  if (const auto answer = by_symmetry(q, start, now, end)) return *answer;
-  std::string budget;
-  for (bool tried_exact = false;;) {
-    if (tried_exact || !exact_first) {
-      const int bits = motion_.goal_bits() + 32;
-      attempt = search_in<Ball>(motion_, q, start, finish, now,
-                                std::min(bits / 2, kHalvingsInBalls), MakeBall{bits});
-      if (attempt.decided) {
-        counts_.count(Predicate::flip_search, Tier::ball);
-        return attempt.answer;
-      }
-    }
-    if (!tried_exact) {
-      tried_exact = true;
-      try {
-        const Collapse c = exactly(q, start, now, end);
-        counts_.count(Predicate::flip_search, Tier::exact);
-        return c;
-      } catch (const BudgetExceeded& e) {
-        budget = e.what();
-      } catch (const RootTooBlurred& e) {
-        budget = e.what();
-      }
-    }
-    if (!motion_.raise_precision()) {
-      throw Undecided("the next flip of an edge is not decided with " +
-                          std::to_string(motion_.options().max_bits) + " bits; exactly: " + budget,
-                      q);
-    }
-  }
+  if (const auto found = ladder.with_more_bits(motion_, balls)) return *found;
+  throw Undecided("the next flip of an edge is not decided with " +
+                      std::to_string(motion_.options().max_bits) +
+                      " bits; exactly: " + (blurred.empty() ? ladder.budget() : blurred),
+                  q);
 }
 
 namespace {
@@ -196,12 +193,7 @@ Judgement departs(const Motion& motion, const Quad& q, const Ball& hull, bool ev
     if (a == Sign::positive || b == Sign::positive) return Judgement::stays;
     if (a != Sign::zero || b != Sign::zero) return Judgement::unknown;
   }
-  std::array<Site<Dual<Ball>>, 4> moving;
-  const GenId ids[4] = {q.l, q.r, q.s, q.e};
-  for (int k = 0; k < 4; ++k) {
-    const MovingSite<Ball> m = motion.moving_site(ids[k], hull);
-    moving[k] = {{m.x, m.vx}, {m.y, m.vy}, {m.r, Ball()}};
-  }
+  const std::array<Site<Dual<Ball>>, 4> moving = moving_sites(motion, q, hull);
   const EdgeTriples<Dual<Ball>> triples = EdgeTriples<Dual<Ball>>::of(q, moving);
   const Sign a = sign(incircle_value(triples.start, moving[3], q.e == container_id).slope);
   const Sign b = sign(incircle_value(triples.end, moving[2], q.s == container_id).slope);
@@ -224,10 +216,7 @@ std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rationa
   const DoubleBall about =
       DoubleBall::hull(voroproof::internal::round_down(t), voroproof::internal::round_up(t));
   if (symmetry.always_cotangent(symmetry.states(q), about)) {
-    const auto answer =
-        while_cotangent(q, {Sign::zero, Sign::zero}, Ball(t, motion_.goal_bits() + 32));
-    if (answer) counts_.count(Predicate::flip_search, Tier::symmetry);
-    return answer;
+    return while_cotangent(q, {Sign::zero, Sign::zero}, Ball(t, motion_.goal_bits() + 32));
   }
   if (now == nullptr || !now->known) return std::nullopt;
   const auto proved = symmetry.cotangency(symmetry.states(q), now->known(), now->lo, now->hi);
@@ -242,7 +231,6 @@ std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rationa
     const Judgement verdict =
         departs(motion_, q, make.hull(to_rational(now->lo), beyond), every_circle);
     if (verdict == Judgement::unknown) continue;
-    counts_.count(Predicate::flip_search, Tier::symmetry);
     if (verdict == Judgement::stays) return slow(q, beyond, nullptr, end);
     Collapse answer;
     answer.kind = Collapse::Kind::now;

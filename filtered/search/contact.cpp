@@ -1,11 +1,13 @@
 #include "filtered/search/contact.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include "exact/rounding.h"
 
+#include "exact/rounding.h"
 #include "filtered/motion/rough_site.h"
+#include "filtered/search/ladder.h"
 
 namespace voroproof::internal {
 
@@ -109,6 +111,12 @@ struct RoughPair {
 double down(double x) { return x * (1 - 0x1p-51); }
 double up(double x) { return x * (1 + 0x1p-51); }
 
+// Whether [lo, hi] will do as the enclosure of a contact: a wide one does, one that reaches the
+// present does not.
+bool is_answer(const Instant& now, double lo, double hi) {
+  return lo > now.hi && hi - lo < 1e-6 * (1 + std::fabs(lo));
+}
+
 Ball hull_of(double lo, double hi, int bits) {
   Ball t(Rational((to_rational(lo) + to_rational(hi)) / 2), bits);
   if (lo < hi) t.widen(Magnitude::of(hi - lo));
@@ -122,103 +130,82 @@ NextContact ContactSearch::from(GenId i, GenId j, const Instant& now, double end
   const bool wall = i == container_id;
   if (!wall && motion_.state_id(i) > 0 && motion_.state_id(i) == motion_.state_id(j)) return {};
   if (motion_.same_velocity(i, j)) return {};
-  if (!motion_.options().filters) return slow(i, j, now, end);
-  // A wide enclosure is still an answer; one that reaches the present is not.
-  const auto is_answer = [&](double lo, double hi) {
-    return lo > now.hi && hi - lo < 1e-6 * (1 + std::fabs(lo));
-  };
-  if (!wall) {
+  if (!wall && motion_.options().filters) {
     using Kind = RoughPair::Meeting::Kind;
     const DoubleMotion &mi = motion_.doubles(i), &mj = motion_.doubles(j);
     const auto [kind, least, most] = RoughPair(mi, mj, now.lo, 0).meeting(mi, mj);
     const double lo = down(now.lo + least), hi = up(now.lo + most);
-    if (kind == Kind::none || (kind == Kind::after && (lo > end || is_answer(lo, hi)))) {
+    if (kind == Kind::none || (kind == Kind::after && (lo > end || is_answer(now, lo, hi)))) {
       counts_.count(Predicate::contact_search, Tier::filter);
       if (kind == Kind::none || lo > end) return {};
-      return {NextContact::Kind::at, lo, hi};
-    }
-  }
-  const DoubleBall t(now.lo);
-  const Contact<DoubleBall> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
-  const auto d = delay(k, wall, are_points(motion_, i, j), DoubleBall());
-  if (d) {
-    if (d->none) {
-      counts_.count(Predicate::contact_search, Tier::filter);
-      return {};
-    }
-    const DoubleBall at = t + d->s;
-    const double lo = down(at.mid - at.rad), hi = up(at.mid + at.rad);
-    if (lo > end) return {};
-    if (is_answer(lo, hi)) {
-      counts_.count(Predicate::contact_search, Tier::filter);
       return {NextContact::Kind::at, lo, hi};
     }
   }
   return slow(i, j, now, end);
 }
 
+namespace {
+
+// The enclosure of a time in doubles.
+std::array<double, 2> enclosure(const DoubleBall& t) {
+  return {down(t.mid - t.rad), up(t.mid + t.rad)};
+}
+std::array<double, 2> enclosure(const DdBall& t) {
+  return {std::nextafter(t.hi + t.lo - t.rad, -kInfinity),
+          std::nextafter(t.hi + t.lo + t.rad, kInfinity)};
+}
+std::array<double, 2> enclosure(const Ball& t) {
+  double lo = 0, hi = 0;
+  t.to_interval(lo, hi);
+  return {lo, hi};
+}
+
+}  // namespace
+
+// The contact by numbers of one kind; `t`: now.lo. Nothing where they do not tell it from the
+// present, or tell it badly.
+template <class T>
+std::optional<NextContact> ContactSearch::in(GenId i, GenId j, const Instant& now, double end,
+                                             const T& t, const T& zero) const {
+  const Contact<T> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
+  const auto d = delay(k, i == container_id, are_points(motion_, i, j), zero);
+  if (!d) return std::nullopt;
+  if (d->none) return NextContact{};
+  const auto [lo, hi] = enclosure(t + d->s);
+  if (lo > end) return NextContact{};
+  if (!is_answer(now, lo, hi)) return std::nullopt;
+  return NextContact{NextContact::Kind::at, lo, hi};
+}
+
 NextContact ContactSearch::slow(GenId i, GenId j, const Instant& now, double end) {
-  const bool wall = i == container_id;
-  const auto usable = [&](double lo, double hi) {
-    return lo > now.hi && hi - lo < 1e-6 * (1 + std::fabs(lo));
-  };
+  Ladder<NextContact> ladder(counts_, Predicate::contact_search);
   if (motion_.options().filters) {
-    const DdBall t(now.lo);
-    const Contact<DdBall> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
-    const auto d = delay(k, wall, are_points(motion_, i, j), DdBall());
-    if (d) {
-      const DdBall at = t + d->s;
-      const double lo = std::nextafter(at.hi + at.lo - at.rad, -kInfinity);
-      const double hi = std::nextafter(at.hi + at.lo + at.rad, kInfinity);
-      if (d->none || usable(lo, hi)) {
-        counts_.count(Predicate::contact_search, Tier::dd);
-        if (d->none || lo > end) return {};
-        return {NextContact::Kind::at, lo, hi};
-      }
-    }
+    const Rung doubles{Tier::filter,
+                       [&] { return in(i, j, now, end, DoubleBall(now.lo), DoubleBall()); }};
+    const Rung dds{Tier::dd, [&] { return in(i, j, now, end, DdBall(now.lo), DdBall()); }};
+    if (const auto found = ladder.climb(doubles, dds)) return *found;
   }
-  std::string budget;
-  for (bool tried_exact = false;;) {
-    const int bits = motion_.goal_bits() + 32;
-    const Ball t(now.lo, bits);
-    const Contact<Ball> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
-    const auto d = delay(k, wall, are_points(motion_, i, j), Ball(bits));
-    if (d) {
-      double lo = 0, hi = 0;
-      if (!d->none) (t + d->s).to_interval(lo, hi);
-      if (d->none || usable(lo, hi)) {
-        counts_.count(Predicate::contact_search, Tier::ball);
-        if (d->none || lo > end) return {};
-        return {NextContact::Kind::at, lo, hi};
-      }
-    }
-    if (!tried_exact) {
-      tried_exact = true;
-      if (const auto c = by_symmetry(i, j, now)) return *c;
-      try {
-        const NextContact c = exactly(i, j, now, end);
-        counts_.count(Predicate::contact_search, Tier::exact);
-        return c;
-      } catch (const BudgetExceeded& e) {
-        budget = e.what();
-      }
-    }
-    if (!motion_.raise_precision()) {
-      throw Undecided("the next contact of a pair is not decided with " +
-                          std::to_string(motion_.options().max_bits) + " bits; exactly: " + budget,
-                      i, j);
-    }
-  }
+  const Rung balls{Tier::ball, [&] {
+                     const int bits = motion_.goal_bits() + 32;
+                     return in(i, j, now, end, Ball(now.lo, bits), Ball(bits));
+                   }};
+  const Rung symmetry{Tier::symmetry, [&] { return by_symmetry(i, j, now); }};
+  const Rung exact{Tier::exact, [&] { return std::optional(exactly(i, j, now, end)); }};
+  if (const auto found = ladder.climb(balls, symmetry, exact)) return *found;
+  if (const auto found = ladder.with_more_bits(motion_, balls)) return *found;
+  throw Undecided("the next contact of a pair is not decided with " +
+                      std::to_string(motion_.options().max_bits) +
+                      " bits; exactly: " + ladder.budget(),
+                  i, j);
 }
 
 // Where symmetry proves that neither moves; or that the pair touches now, and the signs say that it
 // approaches, or that two disks part.
-std::optional<NextContact> ContactSearch::by_symmetry(GenId i, GenId j, const Instant& now) {
+std::optional<NextContact> ContactSearch::by_symmetry(GenId i, GenId j, const Instant& now) const {
   const bool wall = i == container_id;
   if (motion_.is_rational(i) && motion_.is_rational(j)) return std::nullopt;
   const Symmetry symmetry(motion_);
   if (at_rest(motion_, symmetry.state(i)) && at_rest(motion_, symmetry.state(j))) {
-    counts_.count(Predicate::contact_search, Tier::symmetry);
     return NextContact{};
   }
   if (!now.known) return std::nullopt;
@@ -227,7 +214,6 @@ std::optional<NextContact> ContactSearch::by_symmetry(GenId i, GenId j, const In
   const Sign b = sign(Contact<Ball>(motion_.moving_site(i, t), motion_.moving_site(j, t)).b);
   const Sign approach = wall ? Sign::positive : Sign::negative;
   if (b != approach && (wall || b != -approach)) return std::nullopt;
-  counts_.count(Predicate::contact_search, Tier::symmetry);
   if (b != approach) return NextContact{};
   return NextContact{NextContact::Kind::now, now.lo, now.hi};
 }

@@ -42,8 +42,12 @@ class ContactSearch {
   static ExactTime exact_time(GenId i, GenId j, const Rational& near, ExactMotion& exact);
 
  private:
+  // The ladder beneath the first filter.
   NextContact slow(GenId i, GenId j, const Instant& now, double end);
-  std::optional<NextContact> by_symmetry(GenId i, GenId j, const Instant& now);
+  template <class T>
+  std::optional<NextContact> in(GenId i, GenId j, const Instant& now, double end, const T& t,
+                                const T& zero) const;
+  std::optional<NextContact> by_symmetry(GenId i, GenId j, const Instant& now) const;
   NextContact exactly(GenId i, GenId j, const Instant& now, double end);
 
   Motion& motion_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "filtered/motion/motion.h"
 #include "filtered/numbers/stats.h"
 #include "filtered/search/collapse.h"
+#include "filtered/search/ladder.h"
 
 namespace voroproof::internal {
 
@@ -62,33 +64,24 @@ class InstantPredicates {
   // so that no circle touches both.
   template <class F, class Proof>
   auto decide(F&& predicate, Proof&& proof) {
+    using Answer = typename std::decay_t<decltype(proof())>::value_type;
+    Ladder<Answer> ladder(counts_, Predicate::incircle);
     if (motion_.options().filters) {
-      if (const auto r = predicate(SitesAt<DoubleBall>(doubles_, double_constants_), OwnRoot{})) {
-        counts_.count(Predicate::incircle, Tier::filter);
-        return *r;
-      }
-      if (const auto r = predicate(SitesAt<DdBall>(dds_, dd_constants_), OwnRoot{})) {
-        counts_.count(Predicate::incircle, Tier::dd);
-        return *r;
-      }
+      const Rung doubles{
+          Tier::filter,
+          [&] { return predicate(SitesAt<DoubleBall>(doubles_, double_constants_), OwnRoot{}); }};
+      const Rung dds{Tier::dd,
+                     [&] { return predicate(SitesAt<DdBall>(dds_, dd_constants_), OwnRoot{}); }};
+      if (const auto r = ladder.climb(doubles, dds)) return *r;
     }
-    if (const auto r = predicate(BallSites(*this), OwnRoot{})) {
-      counts_.count(Predicate::incircle, Tier::ball);
-      return *r;
-    }
-    if (const auto r = proof()) {
-      counts_.count(Predicate::incircle, Tier::symmetry);
-      return *r;
-    }
-    ExactMotion exact(motion_);
-    try {
-      const auto r = predicate(ExactSites(*this, exact),
-                               [&](const Tower& x) { return exact.field().sqrt(x); });
-      counts_.count(Predicate::incircle, Tier::exact);
-      return r.value();
-    } catch (const BudgetExceeded& e) {
-      throw Undecided(std::string("a predicate at an instant: ") + e.what());
-    }
+    const Rung balls{Tier::ball, [&] { return predicate(BallSites(*this), OwnRoot{}); }};
+    const Rung exactly{Tier::exact, [&] {
+                         ExactMotion exact(motion_);
+                         return predicate(ExactSites(*this, exact),
+                                          [&](const Tower& x) { return exact.field().sqrt(x); });
+                       }};
+    if (const auto r = ladder.climb(balls, Rung{Tier::symmetry, proof}, exactly)) return *r;
+    throw Undecided("a predicate at an instant: " + ladder.budget());
   }
 
   template <class F>

@@ -33,7 +33,7 @@ TEST(Moment, AnInstantIsNarrowHoweverWideItsFlipIsIsolated) {
   CollapseSearch collapses(motion, tiers);
   ContactSearch contacts(motion, tiers);
   std::int64_t beyond = 0;
-  Chronology chronology(motion, collapses, contacts, beyond);
+  Chronology chronology(motion, collapses, contacts, beyond, tiers);
   Collapse wide;
   wide.kind = Collapse::Kind::root;
   wide.lo = 1 - 1e-6;
@@ -59,7 +59,7 @@ TEST(Moment, AnOrderThatTakesMoreBitsIsNotKnownYet) {
     CollapseSearch collapses(motion, tiers);
     ContactSearch contacts(motion, tiers);
     std::int64_t beyond = 0;
-    Chronology chronology(motion, collapses, contacts, beyond);
+    Chronology chronology(motion, collapses, contacts, beyond, tiers);
     const Instant start = chronology.instant(Moment::at(0.0));
     const auto contact = [&](GenId i, GenId j) {
       return Moment::of(i, j, contacts.from(i, j, start, 2));
