@@ -251,6 +251,37 @@ TEST(KernelFaults, EnergyAndMomentumOfTinyDisks) {
             Verdict::refuted);
 }
 
+// Disks so small that their centres tell no normal, one hardly faster than the other: what some
+// normal explains within the tolerance is right, what is off by ten tolerances is not, however slow
+// the approach.
+TEST(KernelFaults, SomeNormalOfASlowApproach) {
+  struct Case {
+    std::string before;  // of the faster, "1" plus the approach; the other has 1
+    std::string from, t;
+    std::vector<std::string> right, off;  // velocities after
+  };
+  for (const Case& c :
+       {Case{"2",
+             "-1",
+             "0.999999999999998",
+             {"[0.9999999981,0],[2.0000000019,0]"},
+             {"[0.99999997,0],[2.00000003,0]"}},
+        Case{"1.001",
+             "-0.001",
+             "0.999999999998",
+             {"[0.9999999981,0],[1.0010000019,0]", "[1.0005,-0.0005],[1.0005,0.0005]"},
+             {"[0.99999998,0],[1.00100002,0]", "[0.99999,0],[1.00101,0]"}}}) {
+    const std::string scene = scene_of(disk(c.from, "0", "1e-15", c.before, "0") + "," +
+                                       disk("0", "0", "1e-15", "1", "0"));
+    const auto hit = [&](const std::string& v) {
+      return verdict(scene, {"{\"t\":" + c.t + ",\"collide\":[0,1],\"v\":[" + v + "]}"},
+                     Truth::recorded);
+    };
+    for (const std::string& v : c.right) EXPECT_EQ(hit(v), Verdict::certified) << v;
+    for (const std::string& v : c.off) EXPECT_EQ(hit(v), Verdict::refuted) << v;
+  }
+}
+
 // Two come between two others, and all four touch one circle at t = 2, exactly.
 TEST(KernelFaults, WhenAFlipMayBeClaimed) {
   const auto scene = [](const std::string& horizon, const std::string& y = "5") {
