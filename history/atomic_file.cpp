@@ -142,6 +142,12 @@ void AtomicFile::commit() {
   if (!kept) fail("cannot write");
 }
 
+std::string AtomicFile::commit_beside(const std::string& suffix) {
+  target_ += suffix;
+  commit();
+  return target_;
+}
+
 void AtomicFile::flush() {
   write_through(buffer_.get(), used_);
   used_ = 0;

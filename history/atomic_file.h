@@ -39,6 +39,9 @@ class AtomicFile {
 
   // Gives the file its name. Nothing may be written afterwards.
   void commit();
+  // Gives it that name with `suffix` at its end instead, and returns it; beside the file itself
+  // where the name was a link.
+  std::string commit_beside(const std::string& suffix);
 
  private:
   static constexpr std::size_t buffer_size = std::size_t{1} << 18;

@@ -70,6 +70,9 @@ class HistoryWriter {
   void stopped(double t, const std::string& reason, const std::vector<Event>& events);
 
   void close();
+  // The same, but a history that stopped does not replace one that is complete: it gets the name
+  // with ".partial" at its end. The path of what was written.
+  std::string close_beside_complete();
 
   const HistoryCounts& counts() const { return counts_; }
 
@@ -80,12 +83,18 @@ class HistoryWriter {
   void require(State state) const;
   void advance_to(double t);
 
+  std::string path_;
   AtomicFile file_;
   State state_ = State::fresh;
+  bool complete_ = false;
   std::string horizon_;
   double last_t_ = 0;
   HistoryCounts counts_;
 };
+
+// Whether there is a file of that name whose last line says that it is the history of a whole run.
+// Nothing else of the file is looked at.
+bool is_complete_history(const std::string& path);
 
 // Limits on the lines of a history; see docs/formats.md.
 inline constexpr std::size_t max_header_line = std::size_t{1} << 28;

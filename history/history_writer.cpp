@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #include "history/history_file.h"
@@ -81,7 +83,7 @@ bool well_formed(const CollideEvent& event, const std::array<std::optional<Vec2>
 
 }  // namespace
 
-HistoryWriter::HistoryWriter(const std::string& path) : file_(path) {}
+HistoryWriter::HistoryWriter(const std::string& path) : path_(path), file_(path) {}
 
 void HistoryWriter::header(const HistoryHeader& header) {
   put(header, header.initial ? &*header.initial : nullptr);
@@ -158,6 +160,7 @@ void HistoryWriter::write(const Event& event) {
 void HistoryWriter::end() {
   require(State::open);
   state_ = State::ended;
+  complete_ = true;
   file_.write("{\"end\":{\"t\":" + horizon_ + ",\"flips\":" + std::to_string(counts_.flips) +
               ",\"collisions\":" + std::to_string(counts_.collisions) +
               ",\"maneuvers\":" + std::to_string(counts_.maneuvers) + "}}\n");
@@ -184,6 +187,33 @@ void HistoryWriter::close() {
   require(State::ended);
   state_ = State::closed;
   file_.commit();
+}
+
+std::string HistoryWriter::close_beside_complete() {
+  if (complete_ || !is_complete_history(path_)) {
+    close();
+    return path_;
+  }
+  require(State::ended);
+  state_ = State::closed;
+  return file_.commit_beside(".partial");
+}
+
+bool is_complete_history(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::ifstream file(path, std::ios::binary);
+  // No last line that says so is longer, however its fields are set apart.
+  constexpr std::streamoff most = 1024;
+  file.seekg(0, std::ios::end);
+  const std::streamoff size = file.tellg();
+  file.seekg(std::max<std::streamoff>(0, size - most));
+  std::string line, last;
+  while (std::getline(file, line)) {
+    if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
+  }
+  std::erase_if(last, [](char c) { return c == ' ' || c == '\t'; });
+  return last.starts_with("{\"end\":");
 }
 
 void HistoryWriter::require(State state) const {

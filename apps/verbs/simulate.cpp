@@ -27,6 +27,7 @@ struct Request {
   std::uint64_t max_events = 0;
   std::string filters = "on";
   bool self_check = false;
+  bool replace = false;
   bool quiet = false;
 };
 
@@ -196,7 +197,14 @@ ExitCode simulate(const Request& request) {
   sink->finish();
 
   finish(writer, check, outcome);
-  writer.close();
+  if (request.replace) {
+    writer.close();
+  } else if (const std::string written = writer.close_beside_complete();
+             written != request.history) {
+    std::cerr << "voroproof: " << printable(request.history, 4096)
+              << ": is complete and stays; the history that stopped is in "
+              << printable(written, 4096) << '\n';
+  }
   if (stats_file) {
     RunDescription run = description(request, scene, disks);
     run.total_seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -236,6 +244,9 @@ void add_simulate(CLI::App& app, Action& action) {
   add_choice(*verb, "--filters", {"on", "off"}, request->filters,
              "whether decisions are tried in doubles and double-doubles first; a history\n"
              "that reaches its horizon does not depend on it, where a run stops may");
+  verb->add_flag("--replace", request->replace,
+                 "a history that stops replaces a complete one of its name, too, instead of\n"
+                 "going to that name with .partial at its end");
   verb->add_flag("--self-check", request->self_check,
                  "a second thread certifies every event (certify --strict); a history that is not\n"
                  "proved right is not written (exit code 4)");

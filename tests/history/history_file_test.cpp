@@ -200,6 +200,39 @@ TEST(HistoryWriter, FollowsALink) {
   EXPECT_TRUE(directory.read("target").starts_with("{\"format\""));
 }
 
+// What stopped never takes the place of what is complete, whoever wrote that.
+TEST(HistoryWriter, LeavesACompleteHistoryAlone) {
+  TemporaryDirectory directory;
+  const std::string stop = R"({"stopped":{"t":1,"reason":"interrupted","events":[]}})";
+  struct Case {
+    std::string before;
+    bool stays;
+  };
+  for (const Case& c :
+       {Case{joined(good_lines), true}, Case{"x\n{ \"end\" : {\"t\":1}}\n \n", true},
+        Case{"x\n" + stop + "\n", false}, Case{"{\"end\":{}}\nx\n", false}, Case{"", false}}) {
+    const std::string path = directory.write("h", c.before);
+    HistoryWriter writer(path);
+    writer.header(example_header());
+    writer.stopped(1, "interrupted", {});
+    const std::string written = writer.close_beside_complete();
+    EXPECT_EQ(written, c.stays ? path + ".partial" : path);
+    EXPECT_EQ(directory.read("h") == c.before, c.stays);
+    EXPECT_TRUE(directory.read(c.stays ? "h.partial" : "h").ends_with(stop + "\n"));
+  }
+}
+
+TEST(HistoryWriter, ACompleteHistoryReplacesAnother) {
+  TemporaryDirectory directory;
+  const std::string path = directory.write("h", joined(good_lines));
+  HistoryWriter writer(path);
+  writer.header(example_header());
+  writer.end();
+  EXPECT_EQ(writer.close_beside_complete(), path);
+  EXPECT_NE(directory.read("h"), joined(good_lines));
+  EXPECT_EQ(directory.number_of_files(), 1u);
+}
+
 TEST(HistoryReader, ReadsTheExample) {
   TemporaryDirectory directory;
   const Told told = read(directory.write("h", joined(good_lines)));

@@ -247,7 +247,7 @@ TEST_F(CertifyCli, CentresThatCoincideGiveNoNormal) {
   // Two points that meet.
   const std::string points =
       this->scene("3", disk("-2,0", "0", "1,0") + ',' + disk("2,0", "0", "-1,0"));
-  run({"simulate", points, "-o", path});  // stops, as the truth does
+  run({"simulate", points, "-o", path, "--replace"});  // stops, as the truth does
   const std::string meeting = edited(path, [&](auto& lines) {
     lines.resize(1);
     lines.push_back(R"({"t":2,"collide":[0,1]})");

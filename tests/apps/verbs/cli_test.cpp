@@ -517,6 +517,28 @@ TEST_F(Cli, AnInterruptedRunLeavesAHistoryUpToThere) {
   }
 }
 
+// A complete history is worth more than the beginning of the same one.
+TEST_F(Cli, ARunThatStopsLeavesACompleteHistoryAlone) {
+  const std::string scene = reference(30, "50"), history = file("a.history.jsonl");
+  must({"simulate", scene, "-o", history});
+  const std::string complete = directory_.read("a.history.jsonl");
+  const Result result = run({"simulate", scene, "-o", history, "--max-events", "5"});
+  EXPECT_EQ(result.code, 3);
+  EXPECT_NE(result.err.find("a.history.jsonl: is complete and stays"), std::string::npos)
+      << result.err;
+  EXPECT_EQ(directory_.read("a.history.jsonl"), complete);
+  const std::string begun = directory_.read("a.history.jsonl.partial");
+  EXPECT_NE(lines_of(begun).back().find("stopped"), std::string::npos);
+  // Again: what stopped is replaced by what stopped. And where it is asked for, the complete one.
+  EXPECT_EQ(run({"simulate", scene, "-o", history, "--max-events", "3"}).code, 3);
+  EXPECT_NE(directory_.read("a.history.jsonl.partial"), begun);
+  EXPECT_EQ(run({"simulate", scene, "-o", history, "--max-events", "5", "--replace"}).code, 3);
+  EXPECT_EQ(directory_.read("a.history.jsonl"), begun);
+  // A complete run replaces whatever there is.
+  must({"simulate", scene, "-o", history});
+  EXPECT_EQ(directory_.read("a.history.jsonl"), complete);
+}
+
 TEST_F(Cli, OutOfMemory) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers need more address space than the test leaves";
