@@ -47,7 +47,7 @@ LaneMask separated(const Lanes (&radius)[4], const Form<Lanes, 2> (&p)[6],
   for (int k = 0; k < 6; ++k) {
     const LaneMask wall = (radius[I[k]] < 0) ^ (radius[J[k]] < 0);
     for (int i = 0; i < 3; ++i) {
-      const Lanes limit = i == 1 ? 2 * bound[k].err : bound[k].err;
+      const Lanes limit = (i == 1 ? 2 : 1) * bound[k].err * bound_up;
       all &= (wall & (p[k].c[i] < -limit)) | (~wall & (p[k].c[i] > limit));
     }
   }

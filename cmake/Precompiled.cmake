@@ -1,6 +1,6 @@
 # Headers that most files include, compiled once for the libraries, once for the tests and once for
-# the program: half of the time of a build was reading them. Every file still includes what it uses;
-# the builds with clang++ (.ci/run) are made without this and see to it.
+# the program: a third of the time of a build was reading them. Every file still includes what it
+# uses; the builds with clang++ (.ci/run) are made without this and see to it.
 #
 # Files can share what was compiled for them only with the same options. Libraries are
 # position-independent code, programs are position-independent executables.

@@ -83,9 +83,8 @@ Squared<X> tangency_of(const X& dx, const X& dy, const R& dr) {
 // tangencies: a = p_01 p_23, b = p_02 p_13, c = p_03 p_12. (Casey's theorem: (a - b - c)^2 - 4 b c
 // is symmetric in a, b and c, and in the sites.)
 //
-// This is the flip polynomial. It stands here alone; for the A of values, of values with their
-// slopes, of polynomials in the Bernstein basis, of four numbers side by side and of bounds of all
-// these.
+// This is the flip polynomial, and its only definition. A may be a value, a value with its slope, a
+// polynomial, four numbers side by side, or a bound of one of these.
 template <class A>
 Squared<A> cotangency_of(const A& a, const A& b, const A& c) {
   const A g = a - b - c;

@@ -12,10 +12,9 @@ namespace voroproof::internal {
 // Rules, u = 2^-53. A coefficient of a product is a mean of products, with weights that add up to
 // 1, so that what holds of numbers holds of it.
 //   a +- b   err_a + err_b, and one rounding, u (size_a + size_b).
-//   a b      size_a err_b + size_b err_a + err_a err_b for the factors. A coefficient of degree 8
-//   at
-//            most is a sum of at most five products: five roundings on the longest way, below 8 u
-//            size_a size_b. What underflow adds is below `bound_tiny`.
+//   a b      size_a err_b + size_b err_a + err_a err_b for the factors. Up to degree 8 it is a sum
+//            of at most five products: five roundings on the longest way, below 8 u size_a size_b.
+//            Underflow adds less than `bound_tiny`.
 // Sizes and errors are rounded themselves, each a few times. Who uses a bound multiplies it by
 // `bound_up`, which is enough for 2^12 roundings one after the other.
 //
@@ -45,19 +44,20 @@ template <class T>
           a.size * b.err + a.err * (b.size + b.err) + (8 * unit_roundoff * size + bound_tiny)};
 }
 
-// Of the tangency x^2 + y^2 - r^2 (tangency_of()) of offsets and a difference of radii that are
-// each computed from two numbers which together are within `err`. `far` is at least |x| + |y|, at
-// both ends of a window, `dr` at least |r|.
-// The differences err by eta = err + u (far + dr), at most. Products of two coordinates, one at
-// each end or both at one, err by eta (|x| + |x'|) + eta^2, so that the sum for x and y errs by 2
-// eta (|x| + |y|) + 2 eta^2 at most, and r^2 by 2 eta |r| + eta^2: together (2 reach + 3 eta) eta.
-// Two products and sums on every way: below 4 u reach^2.
+// Of the tangency x^2 + y^2 - r^2 (tangency_of()), whose size is at most `size` and where |x| + |y|
+// + |r| is at most `reach`, both at each end of a window. Each of x, y and r is a difference of two
+// numbers that together err by at most `err`.
+// The differences err by eta = err + u reach. A product of two coordinates x x' errs by eta (|x| +
+// |x'|) + eta^2. So the sum of those for x and y errs by 2 eta (|x| + |y|) + 2 eta^2, and r^2 by 2
+// eta |r| + eta^2: together (2 reach + 3 eta) eta. A product and two sums on every way: below 4 u
+// size.
 template <class T>
 [[gnu::always_inline]] inline Bound<T> tangency_bound_of(const T& reach, const T& size,
                                                          const T& err) {
   const T eta = err + unit_roundoff * reach;
   return {size, (2 * reach + 3 * eta) * eta + (4 * unit_roundoff * size + bound_tiny)};
 }
+// The same for |x| + |y| at most `far` and |r| at most `dr`.
 template <class T>
 [[gnu::always_inline]] inline Bound<T> tangency_bound(const T& far, const T& dr, const T& err) {
   return tangency_bound_of<T>(far + dr, far * far + dr * dr, err);
@@ -69,9 +69,8 @@ template <class T>
 }
 
 // Of the determinant x1 y2 - y1 x2 of two offsets with |x| + |y| at most far1 and far2, whose
-// coordinates err by at most eta1 and eta2: it errs by |x1| eta2 + |y2| eta1 + |y1| eta2 + |x2|
-// eta1
-// + 2 eta1 eta2, at most. Over a window every coefficient is a mean of such determinants. Three
+// coordinates err by at most eta1 and eta2. Its error is at most (|x1| + |y1|) eta2 + (|x2| + |y2|)
+// eta1 + 2 eta1 eta2. Over a window every coefficient is a mean of such determinants. Three
 // roundings on every way.
 template <class T>
 [[gnu::always_inline]] inline Bound<T> determinant_bound(const T& far1, const T& eta1,

@@ -14,8 +14,7 @@ inline constexpr double jet_w = unit_roundoff * unit_roundoff, jet_tiny = 0x1p-9
 //          and e, |e| <= u M. Rounding a.lo + b.lo costs u (u M); adding that to e, 2 u M in all,
 //          costs 2 u (u M). The last sum is exact. Together 3 w M.
 //   a * b  errs by at most 9 w |a.hi b.hi| =: 9 w M. The leading product is split exactly into p
-//   and
-//          e, |e| <= u M. Left out: |a.lo b.lo| <= w M. Roundings: the two mixed products, w M
+//          and e, |e| <= u M. Left out: |a.lo b.lo| <= w M. Roundings: the two mixed products, w M
 //          each; their sum, of 2 u M, 2 w M; its sum with e, of 3 u M, 3 w M. The last sum is
 //          exact, as |p| is the larger. Together 8 w M.
 template <class T>

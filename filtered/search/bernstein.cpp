@@ -85,7 +85,8 @@ Bound<double> lane(const Bound<Lanes>& b, int k) { return {b.size[k], b.err[k]};
 
 // What is made of a form later is paid for by its bound: at most 24 subdivisions, which round once
 // on each level of the scheme, and one evaluation, which rounds three times there; the weight 1 - x
-// errs by u on each level as well, the value by as much again. 29 u of the size for each degree.
+// errs by u on each level as well, the value by as much again. That is 29 u of the size for each
+// degree; the binomials, which are divided by before, cost 2 u.
 template <int degree, class T>
 [[gnu::always_inline]] inline T with_later_use(const Bound<T>& b) {
   return (b.err + unit_roundoff * (30.0 * degree * b.size)) * bound_up + 1e-290;

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "exact/tower.h"
 #include "filtered/motion/motion.h"
@@ -66,7 +65,7 @@ class Ladder {
   std::string budget_;
 };
 
-// A sign as an answer: nothing where it is unknown, or where balls do not tell it from zero.
+// A sign as an answer: nothing where it is zero or unknown.
 inline std::optional<int> told(Sign s) {
   return s == Sign::positive || s == Sign::negative ? std::optional<int>(static_cast<int>(s))
                                                     : std::nullopt;
