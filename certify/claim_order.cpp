@@ -48,16 +48,21 @@ std::size_t ClaimOrder::earliest() {
   std::vector<Claims::Claim>& near = claims_.near();
   std::size_t best = 0;
   std::optional<Moment> first = probe(near[0].event);
-  if (!first) return s_.options.strict ? 0 : turn_before(near[0].event);
+  if (!first) {
+    if (!s_.options.strict) best = turn_before(near[0].event);
+    if (best == 0) return 0;
+    first = probe(near[best].event);
+  }
   // Nothing precedes the present instant, at which more may turn.
   if (edges_.any_pending() && first->lo <= front_.moment.hi &&
       s_.chronology.compare(*first, front_.moment) <= 0) {
-    return 0;
+    return best;
   }
   const auto tie = [this](Claims::Claim& claim, const Moment& m, std::int64_t number) {
     claim.tie = {number, m.lo, m.hi, s_.replay.changes()};
   };
   for (std::size_t k = 1; k < near.size(); ++k) {
+    if (k == best) continue;
     // No truth within the tolerance of this claim comes first.
     if (time(near[k].event) - s_.tolerance_up > first->hi) continue;
     Claims::Claim &earlier = near[best], &claim = near[k];
