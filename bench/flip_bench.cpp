@@ -126,10 +126,8 @@ void register_flip_benchmarks() {
       };
       add("flip/certified/" + where,
           [=](benchmark::State& state) { certified(state, name, horizon); });
-#ifdef VOROPROOF_BENCH_ARB
       add("flip/arb/" + where,
           [=](benchmark::State& state) { isolator(state, name, horizon, arb_isolator); });
-#endif
 #ifdef VOROPROOF_BENCH_CGAL_KERNEL
       add("flip/cgal/" + where,
           [=](benchmark::State& state) { isolator(state, name, horizon, cgal_isolator); });

@@ -9,9 +9,6 @@ int main(int argc, char** argv) {
   voroproof::internal::bench::register_incircle_benchmarks();
   voroproof::internal::bench::register_contact_benchmarks();
   voroproof::internal::bench::register_collide_benchmarks();
-#ifdef VOROPROOF_BENCH_ARB
-  voroproof::internal::bench::register_ball_benchmarks();
-#endif
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

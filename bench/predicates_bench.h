@@ -9,8 +9,6 @@ void register_flip_benchmarks();
 void register_incircle_benchmarks();
 // The next contact of two generators.
 void register_contact_benchmarks();
-// Balls of many bits against Arb's: the cotangency of four sites. Only where Arb is there.
-void register_ball_benchmarks();
 // The change of motion at a collision.
 void register_collide_benchmarks();
 

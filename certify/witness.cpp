@@ -33,16 +33,10 @@ EvidenceNumber number(const Ball& b) {
   mpfr_t lo, hi;
   mpfr_init2(lo, 160);
   mpfr_init2(hi, 160);
-  mpfr_t radius;
-  mpfr_init2(radius, 64);
-  // The radius is below 2^exponent.
-  mpfr_set_ui_2exp(radius, b.is_exact() ? 0 : 1, b.is_exact() ? 0 : b.radius().exponent() + 1,
-                   MPFR_RNDU);
-  mpfr_sub(lo, b.midpoint(), radius, MPFR_RNDD);
-  mpfr_add(hi, b.midpoint(), radius, MPFR_RNDU);
+  b.to_interval(lo, hi);
   n.lower = decimal(lo, MPFR_RNDD);
   n.upper = decimal(hi, MPFR_RNDU);
-  mpfr_clears(lo, hi, radius, nullptr);
+  mpfr_clears(lo, hi, nullptr);
   return n;
 }
 

@@ -7,13 +7,13 @@
 set(voroproof_common_headers
   <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <filesystem> <fstream> <functional> <iostream> <map>
   <memory> <mutex> <optional> <random> <set> <sstream> <stdexcept> <string> <string_view> <thread> <unordered_map>
-  <utility> <variant> <vector> <gmpxx.h> <mpfr.h>)
+  <utility> <variant> <vector> <gmpxx.h> <arb.h>)
 
 # voroproof_precompiled(KIND flags headers...)
 function(voroproof_precompiled kind flags)
   file(WRITE ${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp "")
   add_library(voroproof_precompiled_${kind} OBJECT ${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp)
-  target_link_libraries(voroproof_precompiled_${kind} PRIVATE voroproof_options PkgConfig::GMPXX PkgConfig::MPFR)
+  target_link_libraries(voroproof_precompiled_${kind} PRIVATE voroproof_options PkgConfig::GMPXX arb)
   target_precompile_headers(voroproof_precompiled_${kind} PRIVATE ${voroproof_common_headers} ${ARGN})
   if(flags)
     set_target_properties(voroproof_precompiled_${kind} PROPERTIES POSITION_INDEPENDENT_CODE OFF)

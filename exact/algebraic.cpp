@@ -12,17 +12,6 @@ namespace {
 // and a greatest common divisor over a tower is expensive.
 constexpr unsigned long bisections_before_gcd = 256;
 
-// The number halfway between neighbours a < b, where the nearest binary64 changes;
-// an infinity stands for the power of two that would follow the largest finite one.
-Rational rounding_breakpoint(double a, double b) {
-  auto value = [](double x) {
-    if (std::isfinite(x)) return to_rational(x);
-    const Rational limit = 2 * to_rational(std::ldexp(1.0, 1023));
-    return x > 0 ? limit : Rational(-limit);
-  };
-  return (value(a) + value(b)) / 2;
-}
-
 }  // namespace
 
 // ---- Construction ------------------------------------------------------------------

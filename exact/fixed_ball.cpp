@@ -126,8 +126,8 @@ Sign FixedArithmetic::sign(const FixedBall& a) const {
     return zero ? Sign::zero : is_negative(a) ? Sign::negative : Sign::positive;
   }
   if (zero || std::isinf(a.radius_)) return Sign::unknown;
-  const Magnitude radius = Magnitude::of(a.radius_).scaled(radius_exponent_);
-  if (!(radius < Magnitude::of(lower(a)))) return Sign::unknown;
+  // No radius is as small as what underflows here.
+  if (!(a.radius_ < scaled(lower(a), -radius_exponent_))) return Sign::unknown;
   return is_negative(a) ? Sign::negative : Sign::positive;
 }
 

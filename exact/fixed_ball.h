@@ -30,12 +30,13 @@ class FixedBall {
 // A number with its format, to be read while it is there and nobody writes it.
 class FixedView {
  public:
-  // An enclosure of the number times 2^unit whose midpoint has `bits` of precision, a multiple of
-  // 64.
-  void get(Ball& out, std::int64_t unit, Ball::Precision bits) const;
+  // An enclosure of the number times 2^unit, with a midpoint of `bits` of precision.
+  Ball ball(std::int64_t unit, Ball::Precision bits) const;
   // The number times 2^unit as hi + lo within err, which is 0 only where that is exact.
   void to_double_double(std::int64_t unit, double& hi, double& lo, double& err) const;
-  Magnitude radius() const;
+  bool is_exact() const { return radius_ == 0; }
+  // floor(log2) of the radius of a number that is not exact; 2^62 where nothing is known.
+  std::int64_t exponent_of_radius() const;
 
  private:
   friend class FixedArithmetic;

@@ -53,14 +53,13 @@ void FixedArithmetic::set(FixedBall& out, const Ball& x, std::int64_t unit) {
     const double r = x.radius().scaled(-unit - radius_exponent_).to_double();
     out.radius_ = std::max(r, least_radius);
   }
-  mpfr_srcptr mid = x.midpoint();
-  if (!mpfr_regular_p(mid)) {
+  const Ball::Digits d = x.is_finite() ? x.digits() : Ball::Digits{};
+  if (d.size > 0) {
+    place(out, d.limbs, d.size, d.exponent - unit, d.negative);
+  } else {
     std::fill_n(room(out), size_, 0);
-    if (!mpfr_zero_p(mid)) out.radius_ = infinity;
-    return;
+    if (!x.is_finite()) out.radius_ = infinity;
   }
-  place(out, static_cast<const mp_limb_t*>(mpfr_custom_get_significand(mid)),
-        (mpfr_get_prec(mid) + 63) / 64, mpfr_get_exp(mid) - unit, mpfr_signbit(mid) != 0);
 }
 
 // Limbs after the point that the format does not have are cut off, which rounds down.
@@ -99,35 +98,20 @@ void FixedArithmetic::store(FixedRow& row, const std::array<const FixedBall*, 4>
   }
 }
 
-Magnitude FixedView::radius() const {
-  if (std::isinf(radius_)) return Magnitude::infinite();
-  return Magnitude::of(radius_).scaled(radius_exponent_);
+std::int64_t FixedView::exponent_of_radius() const {
+  if (std::isinf(radius_)) return std::int64_t{1} << 62;
+  return std::ilogb(radius_) + radius_exponent_;
 }
 
-void FixedView::get(Ball& out, std::int64_t unit, Ball::Precision bits) const {
-  out.set_precision(bits);
-  out.radius_ = radius().scaled(unit);
-  std::vector<mp_limb_t> from(limbs_, limbs_ + size_);
-  if (is_negative()) mpn_neg(from.data(), limbs_, size_);
-  while (!from.empty() && from.back() == 0) from.pop_back();
-  if (from.empty()) {
-    mpfr_set_zero(out.mid_, 1);
-    return;
-  }
-  const auto size = static_cast<mp_size_t>(from.size());
-  auto* to = static_cast<mp_limb_t*>(mpfr_custom_get_significand(out.mid_));
-  const mp_size_t wanted = bits / 64;
-  const auto shift = static_cast<unsigned>(std::countl_zero(from.back()));
-  if (shift > 0) mpn_lshift(from.data(), from.data(), size, shift);
-  const std::int64_t e = 64 * (size - fraction_) - shift + unit;
-  const mp_size_t kept = std::min(size, wanted), dropped = size - kept;
-  std::fill(to, to + (wanted - kept), 0);
-  std::copy(from.begin() + dropped, from.end(), to + (wanted - kept));
-  if (dropped > 0 && mpn_zero_p(from.data(), dropped) == 0) {
-    out.widen(Magnitude::power_of_two(e - bits));
-  }
-  mpfr_custom_init_set(out.mid_, is_negative() ? -MPFR_REGULAR_KIND : MPFR_REGULAR_KIND, e, bits,
-                       mpfr_custom_get_significand(out.mid_));
+Ball FixedView::ball(std::int64_t unit, Ball::Precision bits) const {
+  const auto of = [&](const mp_limb_t* magnitude) {
+    return Ball(magnitude, size_, 64 * (size_ - fraction_) + unit, is_negative(),
+                Magnitude::of(radius_).scaled(radius_exponent_ + unit), bits);
+  };
+  if (!is_negative()) return of(limbs_);
+  std::vector<mp_limb_t> magnitude(static_cast<std::size_t>(size_));
+  mpn_neg(magnitude.data(), limbs_, size_);
+  return of(magnitude.data());
 }
 
 // Of a negative number the inverted limbs are its magnitude less one in the last place.
@@ -142,15 +126,14 @@ void FixedView::to_double_double(std::int64_t unit, double& hi, double& lo, doub
       const int shift = std::countl_zero(a);
       const std::uint64_t top = shift == 0 ? a : a << shift | b >> (64 - shift);
       const std::uint64_t next = shift == 0 ? b : b << shift | c >> (64 - shift);
+      // A radius that underflows is less than what the bound is rounded up by.
       if (leading_double_double(top, next, 64 * (k + 1 - fraction_) - shift + unit, flip != 0,
-                                radius().scaled(unit).to_double(), hi, lo, err)) {
+                                scaled(radius_, radius_exponent_ + unit), hi, lo, err)) {
         return;
       }
     }
   }
-  Ball b;
-  get(b, unit, 64 * std::max<mp_size_t>(size_, 3));
-  b.to_double_double(hi, lo, err);
+  ball(unit, 64 * size_).to_double_double(hi, lo, err);
 }
 
 }  // namespace voroproof::internal

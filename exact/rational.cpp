@@ -219,6 +219,15 @@ double round_up(const Rational& q) {
   return round_with(q, Magnitude::away, Magnitude::towards_zero);
 }
 
+Rational rounding_breakpoint(double a, double b) {
+  const auto value = [](double x) {
+    if (std::isfinite(x)) return to_rational(x);
+    const Rational limit = 2 * to_rational(std::ldexp(1.0, 1023));
+    return x > 0 ? limit : Rational(-limit);
+  };
+  return (value(a) + value(b)) / 2;
+}
+
 std::size_t bit_size(const Rational& q) {
   return std::max(mpz_sizeinbase(q.get_num_mpz_t(), 2), mpz_sizeinbase(q.get_den_mpz_t(), 2));
 }

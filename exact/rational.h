@@ -41,6 +41,10 @@ double round_nearest(const Rational& q);
 double round_down(const Rational& q);
 double round_up(const Rational& q);
 
+// The number halfway between neighbours a < b, where the nearest binary64 changes; an infinity
+// stands for the power of two that would follow the largest finite one.
+Rational rounding_breakpoint(double a, double b);
+
 // The larger of the bit lengths of numerator and denominator.
 std::size_t bit_size(const Rational& q);
 

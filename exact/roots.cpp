@@ -31,7 +31,7 @@ Approximation approximate(const Polynomial<Tower>& f, long precision) {
   std::vector<std::pair<Rational, Rational>> bounds;
   Integer scale = 1;
   for (const Tower& c : f.coefficients()) {
-    bounds.push_back(rational_interval(c, precision));
+    bounds.push_back(ball(c, precision).rational_interval());
     scale = lcm(scale, lcm(bounds.back().first.get_den(), bounds.back().second.get_den()));
   }
   Approximation result;

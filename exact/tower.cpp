@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "exact/patience.h"
@@ -18,116 +19,40 @@ struct Tower::Node {
 
 namespace {
 
-constexpr mpfr_prec_t first_precision = 64;
-constexpr mpfr_prec_t last_precision = 1024;
-
-// An interval with MPFR ends; every operation rounds outward.
-class Enclosure {
- public:
-  explicit Enclosure(mpfr_prec_t precision) {
-    mpfr_init2(lo_, precision);
-    mpfr_init2(hi_, precision);
-  }
-  Enclosure(Enclosure&& other) noexcept : Enclosure(mpfr_get_prec(other.lo_)) {
-    mpfr_swap(lo_, other.lo_);
-    mpfr_swap(hi_, other.hi_);
-  }
-  Enclosure& operator=(Enclosure&&) = delete;
-  ~Enclosure() {
-    mpfr_clear(lo_);
-    mpfr_clear(hi_);
-  }
-
-  void set(const Rational& q) {
-    mpfr_set_q(lo_, q.get_mpq_t(), MPFR_RNDD);
-    mpfr_set_q(hi_, q.get_mpq_t(), MPFR_RNDU);
-  }
-  void add(const Enclosure& other) {
-    mpfr_add(lo_, lo_, other.lo_, MPFR_RNDD);
-    mpfr_add(hi_, hi_, other.hi_, MPFR_RNDU);
-  }
-  // By an interval of nonnegative numbers.
-  void multiply_nonnegative(const Enclosure& other) {
-    mpfr_mul(lo_, lo_, mpfr_signbit(lo_) ? other.hi_ : other.lo_, MPFR_RNDD);
-    mpfr_mul(hi_, hi_, mpfr_signbit(hi_) ? other.lo_ : other.hi_, MPFR_RNDU);
-  }
-  // Of a number known to be nonnegative.
-  void take_sqrt() {
-    if (mpfr_sgn(lo_) < 0) mpfr_set_zero(lo_, 1);
-    mpfr_sqrt(lo_, lo_, MPFR_RNDD);
-    mpfr_sqrt(hi_, hi_, MPFR_RNDU);
-  }
-
-  Sign sign() const {
-    if (mpfr_sgn(lo_) > 0) return Sign::positive;
-    if (mpfr_sgn(hi_) < 0) return Sign::negative;
-    return mpfr_zero_p(lo_) && mpfr_zero_p(hi_) ? Sign::zero : Sign::unknown;
-  }
-  mpfr_srcptr lo() const { return lo_; }
-  mpfr_srcptr hi() const { return hi_; }
-
- private:
-  mpfr_t lo_, hi_;
-};
+constexpr Ball::Precision first_precision = 64, last_precision = 1024;
 
 }  // namespace
 
 // Evaluates elements with one precision; each radical's root is computed once.
 class Tower::Evaluation {
  public:
-  explicit Evaluation(mpfr_prec_t precision) : precision_(precision) {}
+  explicit Evaluation(Ball::Precision precision) : precision_(precision) {}
 
-  Enclosure operator()(const Tower& x) {
-    if (x.is_rational()) {
-      Enclosure result(precision_);
-      result.set(x.rational());
-      return result;
-    }
+  Ball operator()(const Tower& x) {
+    if (x.is_rational()) return Ball(x.rational(), precision_);
     const Node& node = x.node();
-    Enclosure result = (*this)(node.b);
-    result.multiply_nonnegative(root(*node.radical));
-    result.add((*this)(node.a));
-    return result;
+    const Ball a = (*this)(node.a), b = (*this)(node.b);
+    return a + b * root(*node.radical);
   }
 
  private:
-  const Enclosure& root(const Radical& radical) {
+  const Ball& root(const Radical& radical) {
     if (roots_.size() <= radical.rank) roots_.resize(radical.rank + 1);
-    if (!roots_[radical.rank]) {
-      Enclosure root = (*this)(radical.radicand);
-      root.take_sqrt();
-      roots_[radical.rank] = std::make_unique<Enclosure>(std::move(root));
-    }
+    if (!roots_[radical.rank]) roots_[radical.rank] = sqrt((*this)(radical.radicand));
     return *roots_[radical.rank];
   }
 
-  mpfr_prec_t precision_;
-  std::vector<std::unique_ptr<Enclosure>> roots_;
+  Ball::Precision precision_;
+  std::vector<std::optional<Ball>> roots_;
 };
 
-void enclose(const Tower& x, mpfr_ptr lo, mpfr_ptr hi) {
-  const Enclosure enclosure = Tower::Evaluation(mpfr_get_prec(lo))(x);
-  mpfr_set(lo, enclosure.lo(), MPFR_RNDD);
-  mpfr_set(hi, enclosure.hi(), MPFR_RNDU);
-}
-
-std::pair<Rational, Rational> rational_interval(const Tower& x, mpfr_prec_t precision) {
-  const Enclosure enclosure = Tower::Evaluation(precision)(x);
-  std::pair<Rational, Rational> bounds;
-  mpfr_get_q(bounds.first.get_mpq_t(), enclosure.lo());
-  mpfr_get_q(bounds.second.get_mpq_t(), enclosure.hi());
-  return bounds;
-}
+Ball ball(const Tower& x, Ball::Precision precision) { return Tower::Evaluation(precision)(x); }
 
 std::pair<double, double> double_interval(const Tower& x) {
   if (x.is_rational()) return {round_down(x.rational()), round_up(x.rational())};
   std::pair<double, double> bounds;
-  for (mpfr_prec_t precision = first_precision; precision <= last_precision; precision *= 2) {
-    mpfr_t lo, hi;
-    mpfr_inits2(precision, lo, hi, static_cast<mpfr_ptr>(nullptr));
-    enclose(x, lo, hi);
-    bounds = {mpfr_get_d(lo, MPFR_RNDD), mpfr_get_d(hi, MPFR_RNDU)};
-    mpfr_clears(lo, hi, static_cast<mpfr_ptr>(nullptr));
+  for (Ball::Precision precision = first_precision; precision <= last_precision; precision *= 2) {
+    ball(x, precision).to_interval(bounds.first, bounds.second);
     if (bounds.second <= std::nextafter(bounds.first, std::numeric_limits<double>::infinity())) {
       break;
     }
@@ -281,8 +206,8 @@ Tower operator/(const Tower& x, const Tower& y) {
 
 Sign sign(const Tower& x) {
   if (x.is_rational()) return sign(x.rational());
-  for (mpfr_prec_t precision = first_precision; precision <= last_precision; precision *= 2) {
-    const Sign enclosed = Tower::Evaluation(precision)(x).sign();
+  for (Ball::Precision precision = first_precision; precision <= last_precision; precision *= 2) {
+    const Sign enclosed = ball(x, precision).sign();
     if (enclosed != Sign::unknown) return enclosed;
   }
   const Sign of_a = sign(x.node().a);
@@ -290,6 +215,22 @@ Sign sign(const Tower& x) {
   if (of_b == Sign::zero) return of_a;
   if (of_a == Sign::zero || of_a == of_b) return of_b;
   return of_a * sign(x.norm());
+}
+
+double round_nearest(const Tower& x) {
+  if (x.is_rational()) return round_nearest(x.rational());
+  if (sign(x) == Sign::zero) return 0;
+  for (Ball::Precision precision = first_precision;; precision *= 2) {
+    const auto [lo, hi] = ball(x, precision).rational_interval();
+    const double below = round_nearest(lo), above = round_nearest(hi);
+    if (below == above) return below;
+    if (std::nextafter(below, std::numeric_limits<double>::infinity()) != above) continue;
+    // One breakpoint at most is left, and the exact comparison with it decides.
+    const Rational breakpoint = rounding_breakpoint(below, above);
+    const Sign side = sign(x - Tower(breakpoint));
+    if (side == Sign::zero) return round_nearest(breakpoint);
+    return side == Sign::negative ? below : above;
+  }
 }
 
 bool operator==(const Tower& x, const Tower& y) { return sign(x - y) == Sign::zero; }

@@ -20,8 +20,6 @@
 // threads is safe. Taking new square roots changes the field and is not.
 #pragma once
 
-#include <mpfr.h>
-
 #include <compare>
 #include <cstddef>
 #include <memory>
@@ -31,6 +29,7 @@
 #include <variant>
 #include <vector>
 
+#include "exact/ball.h"
 #include "exact/rational.h"
 
 namespace voroproof::internal {
@@ -75,11 +74,8 @@ class Tower {
   // The sign of the value: never unknown. May throw BudgetExceeded.
   friend Sign sign(const Tower& x);
 
-  // Bounds lo <= x <= hi, computed with the precision of lo and rounded outward.
-  friend void enclose(const Tower& x, mpfr_ptr lo, mpfr_ptr hi);
-
-  // The same bounds, of numbers with `precision` bits, as (dyadic) rationals.
-  friend std::pair<Rational, Rational> rational_interval(const Tower& x, mpfr_prec_t precision);
+  // The value, computed with that precision.
+  friend Ball ball(const Tower& x, Ball::Precision precision);
 
   // The largest bit_size among the rational coefficients.
   friend std::size_t bit_size(const Tower& x);
@@ -105,11 +101,14 @@ class Tower {
   std::variant<Rational, std::shared_ptr<const Node>> value_;
 };
 
-std::pair<Rational, Rational> rational_interval(const Tower& x, mpfr_prec_t precision);
+Ball ball(const Tower& x, Ball::Precision precision);
 
 // Binary64 bounds lo <= x <= hi; neighbours or equal unless x is so close to a
 // binary64 that 1024 bits do not tell them apart.
 std::pair<double, double> double_interval(const Tower& x);
+
+// The binary64 nearest to x, ties to even, with the conventions of round_nearest(const Rational&).
+double round_nearest(const Tower& x);
 
 // A decision needed more than the stated budget.
 class BudgetExceeded : public std::runtime_error {

@@ -79,11 +79,11 @@ Diagram first_diagram(const Scene& scene, const EngineOptions& options) {
 double rounded(const Ball& ball) {
   double x = 0;
   if (ball.round_to_double(x)) return x;
-  if (mpfr_number_p(ball.midpoint()) == 0 || !std::isfinite(ball.radius().to_double())) {
+  if (!ball.is_finite()) {
     throw Undecided("a coordinate of the diagram is not known to " + std::to_string(bits) +
                     " bits");
   }
-  return ball.sign() == Sign::unknown ? 0 : mpfr_get_d(ball.midpoint(), MPFR_RNDN);
+  return ball.sign() == Sign::unknown ? 0 : ball.midpoint_as_double();
 }
 
 Vec2 rounded(const Ball& x, const Ball& y) { return {rounded(x), rounded(y)}; }

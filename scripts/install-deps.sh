@@ -14,7 +14,8 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build pkg-config
-  libgmp-dev libmpfr-dev             # exact numbers, balls
+  libgmp-dev libmpfr-dev             # exact numbers
+  libflint-dev                       # balls
   libboost-dev libcgal-dev           # ring buffers; spatial sorting; evidence; oracles of the tests
   nlohmann-json3-dev libsimdjson-dev # files
   libcli11-dev                       # command line
@@ -25,7 +26,7 @@ packages=(
 for group in "$@"; do
   case "$group" in
     test) packages+=(libgtest-dev librapidcheck-dev python3) ;;
-    bench) packages+=(libbenchmark-dev libmpfi-dev libflint-dev libflint-arb-dev) ;;
+    bench) packages+=(libbenchmark-dev libmpfi-dev) ;;
     plots) packages+=(python3-matplotlib) ;;
     ci) packages+=(clang clang-format valgrind doxygen) ;;
     browser) packages+=(chromium) ;;
@@ -41,26 +42,39 @@ if ! command -v dpkg-query >/dev/null; then
   exit 0
 fi
 
-missing=()
-for package in "${packages[@]}"; do
-  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
-  [ "$status" = installed ] || missing+=("$package")
-done
-if [ ${#missing[@]} -eq 0 ]; then
-  echo "install-deps: all ${#packages[@]} packages are installed"
-  exit 0
-fi
+is_installed() {
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]
+}
 
-as_root=()
-if [ "$(id -u)" -ne 0 ]; then
-  if ! command -v sudo >/dev/null; then
-    echo "install-deps: neither root nor sudo; as root, run: apt-get install ${missing[*]}" >&2
-    exit 1
+# Installs those of its arguments that are not there.
+updated=false
+ensure() {
+  local missing=() package as_root=()
+  for package in "$@"; do is_installed "$package" || missing+=("$package"); done
+  if [ ${#missing[@]} -eq 0 ]; then return; fi
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "install-deps: neither root nor sudo; as root, run: apt-get install ${missing[*]}" >&2
+      exit 1
+    fi
+    as_root=(sudo)
   fi
-  as_root=(sudo)
-fi
-echo "install-deps: installing ${missing[*]}"
-# The lists on hand may do where fetching new ones fails.
-"${as_root[@]}" apt-get update -qq || echo "install-deps: apt-get update failed" >&2
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install -y -qq --no-install-recommends "${missing[@]}"
+  echo "install-deps: installing ${missing[*]}"
+  # The lists on hand may do where fetching new ones fails.
+  if ! $updated; then
+    "${as_root[@]}" apt-get update -qq || echo "install-deps: apt-get update failed" >&2
+    updated=true
+  fi
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}"
+}
+
+ensure "${packages[@]}"
+# Arb is a part of FLINT from version 3 (Debian 13) on, and a package of its own before.
+case "$(dpkg-query -W -f '${Version}' libflint-dev)" in
+  2.*)
+    ensure libflint-arb-dev
+    packages+=(libflint-arb-dev)
+    ;;
+esac
+echo "install-deps: all ${#packages[@]} packages are installed"

@@ -1,5 +1,6 @@
 #include "apps/cli/memory.h"
 
+#include <flint/flint.h>
 #include <gmp.h>
 #include <unistd.h>
 
@@ -15,19 +16,22 @@
 namespace voroproof::internal {
 namespace {
 
-// The exceptions pass through frames of GMP and MPFR, which hold nothing but memory, and that is
-// no longer of interest: the program reports the error and ends.
+// The exceptions pass through frames of GMP, MPFR and FLINT, which hold nothing but memory, and
+// that is no longer of interest: the program reports the error and ends.
 void* allocate(std::size_t size) {
   if (void* block = std::malloc(size)) return block;
   throw std::bad_alloc();
 }
 
-void* reallocate(void* block, std::size_t, std::size_t size) {
-  if (void* moved = std::realloc(block, size)) return moved;
+void* allocate_zeros(std::size_t count, std::size_t size) {
+  if (void* block = std::calloc(count, size)) return block;
   throw std::bad_alloc();
 }
 
-void release(void* block, std::size_t) { std::free(block); }
+void* reallocate(void* block, std::size_t size) {
+  if (void* moved = std::realloc(block, size)) return moved;
+  throw std::bad_alloc();
+}
 
 [[noreturn]] void end_with(ExitCode code, std::string_view message) {
   AtomicFile::remove_unfinished();
@@ -52,7 +56,10 @@ void release(void* block, std::size_t) { std::free(block); }
 }  // namespace
 
 void install_memory_handlers() {
-  mp_set_memory_functions(allocate, reallocate, release);
+  mp_set_memory_functions(
+      allocate, [](void* block, std::size_t, std::size_t size) { return reallocate(block, size); },
+      [](void* block, std::size_t) { std::free(block); });
+  __flint_set_memory_functions(allocate, allocate_zeros, reallocate, std::free);
   std::set_terminate(on_terminate);
 }
 

@@ -136,15 +136,4 @@ Tower contact_delay(const Contact<Tower>& contact, bool with_container, RadicalF
   return contact.c / (root - contact.b);
 }
 
-double round_nearest(const Tower& x) {
-  if (x.is_rational()) return round_nearest(x.rational());
-  const auto [lo, hi] = double_interval(x);
-  if (lo == hi) return lo;
-  const Rational middle = (to_rational(lo) + to_rational(hi)) / 2;
-  const Sign side = sign(x - Tower(middle));
-  if (side == Sign::negative) return lo;
-  if (side == Sign::positive) return hi;
-  return round_nearest(middle);
-}
-
 }  // namespace voroproof::internal

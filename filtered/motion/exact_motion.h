@@ -51,7 +51,4 @@ class ExactMotion {
 // a disk from the container. Precondition: that root exists.
 Tower contact_delay(const Contact<Tower>& contact, bool with_container, RadicalField& field);
 
-// The binary64 nearest to an element, ties to even.
-double round_nearest(const Tower& x);
-
 }  // namespace voroproof::internal

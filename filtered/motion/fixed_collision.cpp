@@ -39,17 +39,20 @@ void FixedCollision::compute(const std::array<Side, 2>& sides, double t_ref, con
 // That of the widest number, or the last place.
 void FixedCollision::choose_unit_of_radii(const std::array<Side, 2>& sides) {
   std::int64_t exponent = -format_.bits;
-  const auto look = [&](const Magnitude& radius, std::int64_t scale) {
-    if (!radius.is_zero()) exponent = std::max(exponent, radius.exponent() - scale);
+  const auto look = [&](const Ball& ball, std::int64_t scale) {
+    if (!ball.is_exact()) exponent = std::max(exponent, ball.radius().exponent() - scale);
   };
   for (const Side& side : sides) {
     if (side.fixed != nullptr) {
-      for (std::size_t k = 0; k < 4; ++k) look(side.fixed->numbers.view(k).radius(), 0);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const FixedView view = side.fixed->numbers.view(k);
+        if (!view.is_exact()) exponent = std::max(exponent, view.exponent_of_radius());
+      }
     } else if (side.balls != nullptr) {
-      look(side.balls->x.radius(), format_.x_scale);
-      look(side.balls->y.radius(), format_.x_scale);
-      look(side.balls->vx.radius(), format_.v_scale);
-      look(side.balls->vy.radius(), format_.v_scale);
+      look(side.balls->x, format_.x_scale);
+      look(side.balls->y, format_.x_scale);
+      look(side.balls->vx, format_.v_scale);
+      look(side.balls->vy, format_.v_scale);
     }
   }
   with_.set_format(format_.bits, format_.integer_limbs, exponent);
@@ -188,9 +191,7 @@ DdBall FixedCollision::time() const { return dd_of(with_.view(now_), time_scale(
 DdBall FixedCollision::delay() const { return dd_of(with_.view(s_), time_scale()); }
 
 Ball FixedCollision::ball_of(const FixedBall& time, Ball::Precision bits) const {
-  Ball b;
-  with_.view(time).get(b, time_scale(), bits);
-  return b;
+  return with_.view(time).ball(time_scale(), bits);
 }
 
 }  // namespace voroproof::internal

@@ -197,8 +197,8 @@ bool MotionStates::is_accurate_enough(const Record& r) const {
     if (g == container_id) continue;
     const FixedState& s = *fixed_[g + 1];
     for (std::size_t k = 0; k < 4; ++k) {
-      const Magnitude radius = s.numbers.view(k).radius();
-      if (!radius.is_zero() && -radius.exponent() < goal_bits_) return false;
+      const FixedView view = s.numbers.view(k);
+      if (!view.is_exact() && -view.exponent_of_radius() < goal_bits_) return false;
     }
   }
   return true;
@@ -294,12 +294,10 @@ const MotionStates::State<Ball>& MotionStates::balls(GenId g, double t_ref) cons
   if (balls) return *balls;
   const Ball::Precision bits = bits_at(t_ref);
   if (const FixedState* fixed = fixed_[g + 1].get()) {
-    balls = std::make_unique<State<Ball>>();
-    std::size_t k = 0;
-    for (Ball* b : {&balls->x, &balls->y, &balls->vx, &balls->vy}) {
-      fixed->numbers.view(k).get(*b, fixed->scale(k, x_scale_), bits);
-      ++k;
-    }
+    const auto at = [&](std::size_t k) {
+      return fixed->numbers.view(k).ball(fixed->scale(k, x_scale_), bits);
+    };
+    balls = std::make_unique<State<Ball>>(State<Ball>{at(0), at(1), at(2), at(3)});
   } else {
     balls = std::make_unique<State<Ball>>(initial_balls(g, bits));
   }

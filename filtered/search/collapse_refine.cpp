@@ -54,16 +54,9 @@ Ball narrow(const Falling& f, Sign at_a, Rational a, Rational b, const MakeBall&
     if (is_certain(sign(slope)) && next.radius().scaled(2) < root.radius()) {
       // The interval Newton method gains at least two bits.
       root = next;
-      Rational mid, rad = 1;
-      mpfr_get_q(mid.get_mpq_t(), root.midpoint());
-      const long e = static_cast<long>(root.radius().exponent()) + 1;
-      if (e >= 0) {
-        rad <<= static_cast<unsigned long>(e);
-      } else {
-        rad >>= static_cast<unsigned long>(-e);
-      }
-      a = std::max<Rational>(a, mid - rad);
-      b = std::min<Rational>(b, mid + rad);
+      const auto [low, high] = root.rational_interval();
+      a = std::max(a, low);
+      b = std::min(b, high);
       if (!(a < b)) return root;
     } else {
       // Not monotone enough yet, or at the limit of the precision: bisect.

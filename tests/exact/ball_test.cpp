@@ -1,4 +1,5 @@
-// Balls as double-doubles: for all precisions, exponents and patterns of bits.
+// Balls: what they must not lose between the forms they are held in, as double-doubles (for all
+// precisions, exponents and patterns of bits) and as binary64, and where they know nothing.
 #include "exact/ball.h"
 
 #include <gtest/gtest.h>
@@ -98,6 +99,87 @@ TEST(BallAsDoubleDouble, TheRadiusIsInTheBound) {
   ball.widen(Magnitude::power_of_two(-50));
   EXPECT_GE(Parts(ball).err, before + 0x1p-50);
   EXPECT_LE(Parts(ball).err, 1.01 * 0x1p-50);
+}
+
+// A ball and a number inside it.
+struct Sample {
+  Ball ball;
+  Rational value;
+};
+
+Sample sample(std::mt19937_64& random) {
+  const int bits = 2 + static_cast<int>(random() % 300);
+  Sample s;
+  s.value = Rational(in_runs(1 + static_cast<int>(random() % bits), random)) *
+            power_of_two(static_cast<long>(random() % 40) - 20 - bits);
+  if (random() % 2) s.value = -s.value;
+  s.ball = Ball(s.value, 64 + bits);
+  if (random() % 3) {
+    const std::int64_t e = -static_cast<std::int64_t>(random() % 200);
+    s.ball.widen(Magnitude::power_of_two(e));
+    s.value += power_of_two(e) * Rational(static_cast<long>(random() % 2001) - 1000, 1000);
+  }
+  return s;
+}
+
+bool contains(const Ball& b, const Rational& x) {
+  if (!b.is_finite()) return true;
+  const auto [lo, hi] = b.rational_interval();
+  return lo <= x && x <= hi;
+}
+
+TEST(Ball, OperationsContainTheirValues) {
+  std::mt19937_64 random(2);
+  int unknown = 0, divided = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Sample a = sample(random), b = sample(random);
+    ASSERT_TRUE(contains(a.ball + b.ball, a.value + b.value));
+    ASSERT_TRUE(contains(a.ball - b.ball, a.value - b.value));
+    ASSERT_TRUE(contains(a.ball * b.ball, a.value * b.value));
+    ASSERT_TRUE(contains(-a.ball, -a.value));
+    ASSERT_TRUE(contains(sqrt(a.ball * a.ball), abs(a.value)));
+    ASSERT_TRUE(contains(a.ball.at_precision(20), a.value));
+    if (sgn(b.value) != 0) {
+      ASSERT_TRUE(contains(a.ball / b.ball, a.value / b.value));
+    }
+    const Sign sign = a.ball.sign();
+    ASSERT_TRUE(sign == Sign::unknown || sign == sign_of(sgn(a.value)));
+    unknown += sign == Sign::unknown;
+    divided += (a.ball / b.ball).is_finite();
+    double low = 0, high = 0, nearest = 0;
+    a.ball.to_interval(low, high);
+    ASSERT_LE(to_rational(low), a.value);
+    ASSERT_GE(to_rational(high), a.value);
+    if (a.ball.round_to_double(nearest)) {
+      ASSERT_EQ(nearest, round_nearest(a.value));
+    }
+  }
+  EXPECT_GT(unknown, 1000);
+  EXPECT_GT(divided, 10000);
+}
+
+// A predicate is not to be decided from a quotient or a root that need not exist.
+TEST(Ball, KnowsNothingOfWhatDoesNotExist) {
+  Ball near_zero(Rational(1, 1000), 100);
+  near_zero.widen(Magnitude::power_of_two(-9));
+  Ball negative(Rational(-1, 3), 100);
+  for (const Ball& none : {Ball(1.0, 64) / near_zero, Ball(1.0, 64) / Ball(64),
+                           sqrt(Ball(-1.0, 64)), sqrt(negative)}) {
+    EXPECT_FALSE(none.is_finite());
+    EXPECT_EQ(none.sign(), Sign::unknown);
+    EXPECT_EQ((none - none).sign(), Sign::unknown);
+    EXPECT_EQ((none * Ball(64)).sign(), Sign::unknown);
+    double lo = 0, hi = 0, nearest = 0, rest = 0, err = 0;
+    none.to_interval(lo, hi);
+    EXPECT_EQ(lo, -INFINITY);
+    EXPECT_EQ(hi, INFINITY);
+    EXPECT_FALSE(none.round_to_double(nearest));
+    none.to_double_double(nearest, rest, err);
+    EXPECT_EQ(err, INFINITY);
+  }
+  negative.widen(Magnitude::power_of_two(-1));
+  EXPECT_TRUE(contains(sqrt(negative), Rational(2, 5)));  // of 0.16, and -1/3 + 1/2 > 0.16
+  EXPECT_TRUE(sqrt(negative).is_finite());
 }
 
 }  // namespace

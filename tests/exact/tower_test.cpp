@@ -1,11 +1,14 @@
 #include "exact/tower.h"
 
 #include <gtest/gtest.h>
+#include <mpfr.h>
 
 #include <cmath>
 #include <random>
 #include <string>
 #include <vector>
+
+#include "tests/exact/powers.h"
 
 namespace voroproof::internal {
 namespace {
@@ -277,19 +280,36 @@ TEST(Tower, FieldAxioms) {
 TEST(Tower, EnclosuresContainTheValueAndShrink) {
   RadicalField field;
   const Tower x = field.sqrt(Tower(2) + field.sqrt(3)) - field.sqrt(fraction(7, 2));
-  for (const mpfr_prec_t precision : {30, 64, 200, 1000}) {
-    mpfr_t lo, hi, width;
-    mpfr_inits2(precision, lo, hi, width, static_cast<mpfr_ptr>(nullptr));
-    enclose(x, lo, hi);
-    Rational lower, upper;
-    mpfr_get_q(lower.get_mpq_t(), lo);
-    mpfr_get_q(upper.get_mpq_t(), hi);
+  for (const int precision : {30, 64, 200, 1000}) {
+    const auto [lower, upper] = ball(x, precision).rational_interval();
     EXPECT_LE(Tower(lower), x);
     EXPECT_GE(Tower(upper), x);
-    mpfr_sub(width, hi, lo, MPFR_RNDU);
-    EXPECT_LT(mpfr_get_exp(width), 6 - precision);
-    mpfr_clears(lo, hi, width, static_cast<mpfr_ptr>(nullptr));
+    EXPECT_LT(upper - lower, testing::power_of_two(6 - precision));
   }
+}
+
+// Radicals may depend on each other, so that no enclosure tells a number from a binary64 or from a
+// point at which the nearest one changes: around zero and the powers of two, where neighbours are
+// not equally far, and at ties.
+TEST(Tower, RoundsWhatNoEnclosureTellsFromABinary64) {
+  RadicalField field;
+  const Tower zero = field.sqrt(2) * field.sqrt(3) - field.sqrt(6);
+  ASSERT_FALSE(zero.is_rational());
+  for (const double x :
+       {0.0, 1.0, 0.5, -2.0, 0.1, 0x1p-1074, -0x1p-1022, 0x1.fffffffffffffp+1023}) {
+    EXPECT_EQ(round_nearest(Tower(to_rational(x)) + zero), x);
+  }
+  const Tower one(1), half_place(testing::power_of_two(-53)), nothing(testing::power_of_two(-1074));
+  EXPECT_EQ(round_nearest(one + half_place + zero), 1);
+  EXPECT_EQ(round_nearest(one + half_place + zero + nothing), 1 + 0x1p-52);
+  EXPECT_EQ(round_nearest(one - half_place * testing::power_of_two(-1) + zero), 1);
+  EXPECT_EQ(round_nearest(nothing * fraction(1, 2) + zero), 0);
+  EXPECT_EQ(round_nearest(nothing * fraction(2, 3) + zero), 0x1p-1074);
+  // Small, and known to few of the bits that are looked at first.
+  const Tower small = (field.sqrt(2) - field.sqrt(Rational(2) + testing::power_of_two(-700)));
+  EXPECT_EQ(round_nearest(small),
+            round_nearest(Tower(-testing::power_of_two(-701)) / field.sqrt(2)));
+  EXPECT_EQ(round_nearest(small * small), round_nearest(Rational(testing::power_of_two(-1403))));
 }
 
 TEST(Tower, DifferentFieldsDoNotMix) {

@@ -31,8 +31,7 @@ void expect_bounds(const RandomScene& family, const char* horizon, Tally& tally)
       if (c.kind != Collapse::Kind::root || c.fine) continue;
       const Ball root = search.refine(q, to_rational(c.lo), to_rational(c.hi), 400);
       ASSERT_LT(root.radius().to_double(), 1e-40);
-      Rational truth;
-      mpfr_get_q(truth.get_mpq_t(), root.midpoint());
+      const Rational truth = root.midpoint();
       // The narrowest, where the errors of the states and of double-doubles are all there is.
       const double nearest = round_nearest(truth);
       const bool cocircular = flip_polynomial_is_cocircularity(engine.motion(), q);
