@@ -24,7 +24,7 @@ struct Point {
   double certified, certified_loop, plain, plain_loop;
   double ratio;          // median of the pairwise ratios of whole runs
   std::uint64_t memory;  // bytes, the peak of a certified run
-  EngineStats stats;     // of it
+  EngineStats stats;     // of a certified run
 };
 
 Point measure(const SceneChoice& choice, std::uint64_t memory, int repeats) {
@@ -84,7 +84,7 @@ void bench(const std::vector<int>& sizes, SceneChoice choice, int repeats,
       choice.horizon, choice.density, repeats);
   std::printf("%8s %10s %10s %10s %10s %10s %8s %12s %9s %8s %6s\n", "n", "events", "certified",
               "loop", "plain", "loop", "ratio", "loop/log2 n", "peak MB", "B/disk", "bits");
-  // Before anything large is made here.
+  // The memory is measured before anything large is made here.
   std::vector<std::uint64_t> memory;
   for (const int n : sizes) {
     choice.n = n;

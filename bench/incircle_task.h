@@ -29,8 +29,8 @@ Sign incircle_at(const Quad& q, SiteOf&& site) {
   return incircle(TangentTriple(at_base, at_j, at_k, container), at_e, q.e == container_id, f);
 }
 
-// In CGAL's intervals, from the initial motion of a scene of binary64 numbers. Returns how
-// many tasks they leave undecided; `seconds` is the time taken.
+// Does the tasks in CGAL's intervals, from the initial motion of a scene of binary64 numbers.
+// Returns how many tasks they leave undecided; `seconds` is the time taken.
 long incircles_in_intervals(const Motion& motion, const std::vector<IncircleTask>& tasks,
                             double& seconds);
 

@@ -7,7 +7,7 @@ namespace voroproof::internal::bench {
 
 namespace {
 
-// With the members of Certified (kinetic/certified.h).
+// Arithmetic in plain doubles, with the members of Certified (kinetic/certified.h).
 class PlainDoubles {
  public:
   PlainDoubles(Motion& motion, EngineStats&) : plain_(motion) {}

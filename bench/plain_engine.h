@@ -11,7 +11,7 @@ namespace voroproof::internal::bench {
 
 class PlainEngine {
  public:
-  // As those of Engine.
+  // The members are as those of Engine.
   PlainEngine(MotionInput input, std::vector<ManeuverInput> maneuvers, EngineOptions options);
   ~PlainEngine();
   Outcome run(EventSink& sink);

@@ -19,13 +19,15 @@ Site<double> site(const Motion& motion, GenId g, double t) {
   return {m.x + m.vx * dt, m.y + m.vy * dt, m.r};
 }
 
-// At a time just after a root of f, which has the sign `after` there.
+// What becomes of the edge q at a root of f, judged by the sites at a time just after it, where f
+// has the sign `after`.
 Judgement judge_edge(const std::array<Site<double>, 4>& at, const Quad& q, Sign after) {
   return judge(
       q, at, [&] { return at; }, after);
 }
 
-// The same of C, for equal radii.
+// What becomes of an edge between equal radii at a root of C, judged by the sites at a time just
+// after it, where C has the sign `after`.
 Judgement judge_cocircular(const std::array<Site<double>, 4>& at, Sign after) {
   const auto& [l, r, s, e] = at;
   const auto left = [](const Site<double>& a, const Site<double>& b, const Site<double>& c) {

@@ -27,8 +27,8 @@ class PlainMotion {
  private:
   Motion& motion_;
   double restitution_, container_restitution_;
-  // By the last change of motion of each generator g, at g + 1: a pair that has just collided is
-  // at distance 0 and does not collide again.
+  // The number of the last change of motion of each generator g, at g + 1: a pair that has just
+  // collided is at distance 0 and does not collide again.
   std::vector<int> last_change_;
   int changes_ = 0;
 };

@@ -1,5 +1,5 @@
-// From a history to the diagram at an instant in the paper's six ways (section 6): one table for a
-// history file that exists, and the diagrams compared.
+// Measures the paper's six ways (section 6) from a history to the diagram at an instant: one table
+// for a history file that exists, and the diagrams compared.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>

@@ -18,7 +18,7 @@ std::optional<std::array<Rational, 2>> other_horizon(const Scene& scene,
   return std::array{header.horizon, scene.horizon};
 }
 
-// With --strict that is a fault.
+// With --strict a horizon other than the scene's is a fault.
 Certificate refuted_for(const std::array<Rational, 2>& horizons) {
   Certificate c;
   c.verdict = Verdict::refuted;

@@ -41,9 +41,9 @@ void ClaimOrder::take_before_others(std::size_t k) {
   claims_.take(k);
 }
 
-// Which of the near claims is the first in truth. Only a claim that is certainly earlier than
-// those before it, and whose own edge or pair is there already, goes before them. Of simultaneous
-// ones the file's order stands; it is expensive to prove that they are, and done once.
+// Which of the near claims is the first in truth. Only a claim that is certainly earlier than those
+// before it, and whose own edge or pair is there already, goes before them. Among simultaneous
+// claims the file's order stands; to prove claims simultaneous is expensive, and done once.
 std::size_t ClaimOrder::earliest() {
   std::vector<Claims::Claim>& near = claims_.near();
   std::size_t best = 0;

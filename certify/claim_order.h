@@ -32,8 +32,9 @@ class ClaimOrder {
   // Makes the next claim the one being checked. Precondition: there are near claims. Throws Refuted
   // where the order in the file is wrong and may not be.
   void take_next();
-  // The same of the next claim of a change of the motion at t = 0, in truth, wherever within the
-  // tolerance the file has it. False if there is none.
+  // Makes the next claim of a change of the motion at t = 0, in truth, the one being checked,
+  // wherever within the tolerance the file has it. Throws Refuted like take_next(). False if there
+  // is none.
   bool take_next_at_start();
 
  private:

@@ -13,8 +13,8 @@
 
 namespace voroproof::internal {
 
-// What claims have in common that were proved simultaneous: a number, 0 for none. With the moment
-// of each as it was isolated then, by the motion after so many changes.
+// What claims have in common that were proved simultaneous: a number, 0 for none. Each claim has
+// with it its moment as it was isolated then, by the motion after so many changes.
 struct Tie {
   std::int64_t number = 0;
   double lo = 0, hi = 0;
@@ -53,7 +53,7 @@ class Claims {
     while (wants_more() && read()) on_read();
     return !near_.empty();
   }
-  // Those read and not yet checked: one, nearly always.
+  // The claims that are read and not yet checked: one, nearly always.
   std::vector<Claim>& near() { return near_; }
   // Whether no other of them is so near the first that it may come before it.
   bool first_is_alone() const {
@@ -72,7 +72,7 @@ class Claims {
 
   // ---- The claim being checked; none before the first and after the last. ----
   const std::optional<Event>& current() const { return current_; }
-  // Its line, or where the history has come to.
+  // The line of that claim, or the line that the history has come to.
   std::int64_t line() const { return line_; }
   HalfEdge place() const { return place_; }
   const Tie& tie() const { return tie_; }

@@ -29,7 +29,7 @@ class CollisionLaw {
   bool obeyed(const CollideEvent& claim, const ExactPair& p, const ExactPair& v,
               const Rational& t) const;
 
-  // The same in doubles, from enclosures: false says nothing.
+  // Whether obeyed() certainly holds, by doubles, from enclosures: false says nothing.
   bool certainly_obeyed(const CollideEvent& claim, const BallPair& p, const BallPair& v);
 
   // What obeyed() would have accepted, in words.

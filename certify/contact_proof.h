@@ -11,7 +11,8 @@ namespace voroproof::internal {
 // present motion. Says nothing when false.
 bool proved_apart(const Motion& motion, GenId i, GenId j, double a, double b);
 
-// The same of several pairs at once. The motion of the generators is that at the time of prove().
+// Asks what proved_apart() asks, of several pairs at once. The motion of the generators is that at
+// the time of prove().
 class ApartBatch {
  public:
   explicit ApartBatch(const Motion& motion) : motion_(motion) {}
@@ -19,7 +20,7 @@ class ApartBatch {
   void clear() { pairs_.clear(); }
   // Adds the pair i < j from a on; the first is numbered 0.
   void add(GenId i, GenId j, double a) { pairs_.push_back({i, j, a}); }
-  // Up to b.
+  // Looks at all pairs, each from its own a up to b.
   void prove(double b);
   bool apart(std::size_t k) const { return apart_[k] != 0; }
 

@@ -18,7 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // within the tolerance: wide beside the errors of doubles, narrow beside the gaps between events.
 constexpr double bracket_width = 0x1p-20;
 
-// The same where double-doubles look: what is proved free of roots then begins further away.
+// The half width where double-doubles look: what is proved free of roots then begins further away.
 constexpr double wide_bracket = 0x1p-21;
 
 }  // namespace

@@ -67,15 +67,15 @@ class EdgeLives {
   // The lives end at m without a flip of these edges; `closed`: a collapse at m itself is missed,
   // too.
   void end(std::span<const int> edges, const Moment& m, bool closed = false);
-  // The same of the edges beside one that is about to flip at m.
+  // Ends the lives of the edges beside one that is about to flip at m.
   void end_beside(const EdgeRing& ring, const Moment& m);
   // The edge has flipped at m, the diagram is that after it: its life and those beside it begin.
   // `own`: m is a root of the edge's own polynomial, isolated so.
   void begin_after_flip(int edge, const EdgeRing& ring, const Moment& m, const IsolatedRoot* own);
 
-  // More may turn at the present instant: what an edge would do between two of these does not
-  // matter, and may be a tie beyond proof where all of them together are none. The lives begin when
-  // all has turned.
+  // Puts off the lives of these edges until all has turned that turns at the present instant. What
+  // an edge would do between two of these turns does not matter, and may be a tie beyond proof
+  // where all of them together are none.
   void postpone(std::span<const int> edges, const Moment& m);
   bool any_pending() const { return !pending_.empty(); }
   // The pending edges, which are to begin now.

@@ -192,7 +192,7 @@ bool free_in(const Motion& m, const Quad& q, double a, double b, int depth, int&
   if (piece_free(m, q, {a, b, form.degree, form.c, form.err}, 0, looks)) return true;
   const double middle = 0.5 * (a + b);
   if (depth == kMaxDepth || looks <= 0 || !(a < middle && middle < b)) return false;
-  // From both halves' own ends, so that the error bound shrinks with the part.
+  // Each half has a form of its own, so that the error bound shrinks with the part.
   return free_in(m, q, a, middle, depth + 1, looks) && free_in(m, q, middle, b, depth + 1, looks);
 }
 

@@ -28,22 +28,23 @@ namespace voroproof::internal {
 // its generators.
 bool proved_free(const Motion& motion, const Quad& q, double a, double b);
 
-// The same, given that the flip polynomial has at most one root in [a, b] and that the four are
-// separated throughout (RootlessBatch::one_root). `f`: the sign of their cotangency at b, or
-// unknown.
+// Whether proved_free() holds, given that the flip polynomial has at most one root in [a, b] and
+// that the four are separated throughout (RootlessBatch::one_root). `f`: the sign of their
+// cotangency at b, or unknown.
 bool proved_free_of_one(const Motion& motion, const Quad& q, double b, Sign f);
 
 // Whether q provably has exactly one root of its flip polynomial in [a, b], not at an end, and
 // collapses there.
 bool proved_collapse(const Motion& motion, const Quad& q, double a, double b);
 
-// The same, and that q, legal just after `from`, does not collapse in (from, a].
+// Whether proved_collapse() holds and q, legal just after `from`, provably does not collapse in
+// (from, a].
 bool proved_first_collapse(const Motion& motion, const Quad& q, double from, double a, double b);
 
-// The same as proved_collapse() by one step of the interval Newton method in double-doubles, where
-// the error bound of doubles is too wide: a step that maps [a, b] into its inside proves one simple
-// root there (R. Krawczyk, Computing 4, 1969; R. Moore, Methods and Applications of Interval
-// Analysis, 1979). Gives the root's enclosure.
+// Proves what proved_collapse() proves, by one step of the interval Newton method in
+// double-doubles, where the error bound of doubles is too wide: a step that maps [a, b] into its
+// inside proves one simple root there (R. Krawczyk, Computing 4, 1969; R. Moore, Methods and
+// Applications of Interval Analysis, 1979). Gives the root's enclosure.
 std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch& search,
                                       const Quad& q, double a, double b);
 

@@ -99,8 +99,8 @@ void FirstDivergence::look_for_flips(Earliest& first, double margin) {
   }
 }
 
-// What was refuted may be the consequence of something missed before, an event or a maneuver. Of
-// claims within the tolerance of a maneuver it is not known on which side of it they are meant.
+// What was refuted may be the consequence of something missed before, an event or a maneuver.
+// Claims within the tolerance of a maneuver may be meant on either side of it.
 Divergence FirstDivergence::before(const Divergence& found) {
   const Divergence first = front_.begun ? first_event_missing(found) : found;
   const bool by_truth = first.fault == Fault::missing_event || first.fault == Fault::overlap;

@@ -40,7 +40,7 @@ Flips::Meant Flips::meant_by(const FlipEvent& claim) {
   try {
     return {h, collapse_for(claim, h)};
   } catch (const Refuted&) {
-    // Both edges of Configuration I may be there, and the other one be meant.
+    // Both edges of Configuration I may be there, and the claim may mean the other one.
     if (!s_.options.unoriented) throw;
     h = s_.replay.find_mirrored(claim.quad);
     if (h < 0 || !edges_.bracket(s_.diagram.quad(h), edges_.life(h / 2).from, claim.t)) throw;
@@ -109,7 +109,7 @@ Flips::Found Flips::collapse_for(const FlipEvent& claim, HalfEdge h) {
   return {{m, m.lo, m.hi}};
 }
 
-// The same of an edge that is illegal since the present instant.
+// When an edge that is illegal since the present instant flips for this claim, or a refutation.
 Flips::Found Flips::present_collapse(const Quad& q, const EdgeLives::Life& life,
                                      const Rational& claimed) {
   if (life.born != front_.instant) {

@@ -50,7 +50,7 @@ class Gap {
     bool shallow;   // they overlap by no more than the depth asked for
     bool hidden;    // the tangency has the wrong sign, or vanishes, at some time of it
   };
-  // In order of time: none, one, or with the container two. `depth` >= 0.
+  // The overlaps up to `end`, in order of time: none, one, or with the container two. `depth` >= 0.
   std::vector<Overlap> overlaps(const Rational& end, const Rational& depth) const;
 
   // When the gap goes from zero or more to less than zero, at `from` or later.
@@ -70,8 +70,9 @@ class Gap {
   bool approach_at(const Rational& t) const;
   // Whether the tangency of the two has the wrong sign at t, or vanishes.
   bool hidden_at(const Rational& t) const;
-  // Where it has at t: a rational time, less than `margin` after which it has the right one again,
-  // and at which it has. Nothing where it does not have it again within `margin` of t.
+  // A time at which the tangency has the right sign: t itself or, where it is hidden at t, a
+  // rational time less than `margin` after it has the right sign again. Nothing where it is still
+  // hidden at t + `margin`.
   std::optional<Rational> revealed(const Rational& t, const Rational& margin) const;
 
  private:

@@ -106,7 +106,7 @@ class InitialProof {
     for (int k = 0; k < signs; ++k) counts_.count(Predicate::incircle, Tier::filter);
   }
 
-  // In doubles, both in-circle functions at once: false says nothing.
+  // Whether q is certainly legal: both in-circle functions at once, in doubles. False says nothing.
   bool certainly_legal(const Quad& q) {
     if (!may_be_rough()) return false;
     const auto at = [this](GenId g) { return predicates_.rough(g); };
@@ -162,7 +162,7 @@ class InitialProof {
                         {}};
   }
 
-  // From g to its vertex with i and j.
+  // The direction from g to its vertex with i and j.
   template <class Sites, class Root>
   static auto direction(Sites& at, Root& root, GenId g, GenId i, GenId j) {
     const auto base = at(g);

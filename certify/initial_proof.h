@@ -27,8 +27,8 @@ struct InitialFault {
 };
 
 // Checks 0 and 2 to 4 for the sites at time t of a diagram of motion.size() >= 2 disks, whose
-// incidences (point 1) are valid. Nothing found is a proof. `motion` is that just after t. Throws
-// Undecided, also where point 0 fails: there is no diagram then.
+// incidences (point 1) are valid. Where no fault is found, there provably is none. `motion` is the
+// motion just after t. Throws Undecided, also where point 0 fails: there is no diagram then.
 std::optional<InitialFault> initial_fault(const Diagram& diagram, Motion& motion, const Rational& t,
                                           TierCounts& counts);
 

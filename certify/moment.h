@@ -55,8 +55,8 @@ class Chronology {
 
   // Negative, zero or positive. Throws Undecided.
   int compare(const Moment& a, const Moment& b);
-  // The same with the motion as precise as it is: nothing where it would have to be more so, and
-  // why the exact comparison failed.
+  // The order that compare() would give, with the motion as precise as it is: nothing where the
+  // motion would have to be more precise. `why_not` says then why the exact comparison failed.
   std::optional<int> known_order(const Moment& a, const Moment& b, std::string* why_not = nullptr);
 
   // Whether a moment is no further than the tolerance from the time. Throws Undecided.
@@ -65,14 +65,15 @@ class Chronology {
   // The moment as the searches of filtered/ take it; valid as long as this object.
   Instant instant(const Moment& m) const;
 
-  // From now on events happen at another instant than those before; then: a flip or contact that
-  // is proved to happen at it, before the motion changes.
+  // begin_present(): from now on events happen at another instant than those before. note_present()
+  // and note_flip() then note a flip or contact that is proved to happen at that instant, before
+  // the motion changes.
   void begin_present();
   void note_present(const Moment& m);
   void note_flip(const Quad& q);
-  // After its collisions: what they have to do with each other.
+  // Notes what the collisions of the instant have to do with each other, after they have happened.
   void note_collisions(const Moment& m);
-  // The same of a moment at the present instant, with what is known to happen at it.
+  // A moment at the present instant as the searches take it, with what is known to happen at it.
   Instant present(const Moment& m) const;
 
   DdBall narrow(const Moment& m) const;  // as double-doubles tell

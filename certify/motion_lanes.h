@@ -18,7 +18,7 @@ using LaneMask [[gnu::vector_size(32)]] = long long;
 inline Lanes splat(double x) { return Lanes{x, x, x, x}; }
 inline bool any(const LaneMask& m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
 
-// As DoubleBall, on each lane.
+// A DoubleBall on each lane.
 struct BallLanes {
   Lanes mid, rad;
 };
@@ -53,7 +53,7 @@ struct MotionLanes {
     transpose(&a.t, &b.t, &c.t, &d.t, t, x, y, vx);
     transpose(&a.vy, &b.vy, &c.vy, &d.vy, vy, r, ex, ev);
   }
-  // The same one four times.
+  // The same motion on all four lanes.
   explicit MotionLanes(const DoubleMotion& m)
       : t(splat(m.t)),
         x(splat(m.x)),
@@ -64,7 +64,7 @@ struct MotionLanes {
         ex(splat(m.ex)),
         ev(splat(m.ev)) {}
 
-  // As Motion::moving_site and Motion::site.
+  // Motion::moving_site and Motion::site, on each lane.
   MovingSite<BallLanes> moving_site(const BallLanes& time) const {
     const BallLanes dt = time - BallLanes{t, Lanes{}};
     const BallLanes v{vx, ev}, w{vy, ev};
@@ -76,7 +76,8 @@ struct MotionLanes {
   }
 
  private:
-  // From four doubles that follow each other, of four motions, to the lanes of each.
+  // Takes four doubles that follow each other, of each of four motions, to the lanes: the first
+  // double of each motion to `first`, and so on.
   static void transpose(const double* a, const double* b, const double* c, const double* d,
                         Lanes& first, Lanes& second, Lanes& third, Lanes& fourth) {
     Lanes r[4];

@@ -39,7 +39,7 @@ class PairLives {
   // The pair's adjacency, or its motion, ends at m without a collision of the two; `apart`: the two
   // are proved to be apart from their birth until m.hi.
   void end(int edge, const Moment& m, PairEnd why, bool apart = false);
-  // The same of all of these but the pair that collides.
+  // Ends the lives of the pairs of all these edges but the pair that collides.
   void end(std::span<const int> edges, const Moment& m, PairEnd why);
   // Recorded truth: the claimed collision of the pair of this edge, enclosed by `at` at the claimed
   // time, is one, or is refuted.

@@ -143,7 +143,7 @@ void PartReader::take_initial_diagram() {
 
 // How many claims the present part has to have before it may end at the time t. The first part and
 // the last ones are small: at the beginning other threads wait for it, at the end for each other.
-// Those that have come tell how many are to come.
+// The claims read so far tell how many are to come.
 std::size_t PartReader::least_size(double t) const {
   if (number_ == 0) return size_ / kSmall;
   if (!(t > 0)) return size_;
@@ -152,7 +152,7 @@ std::size_t PartReader::least_size(double t) const {
       std::clamp(0.5 * to_come, static_cast<double>(size_) / kSmall, static_cast<double>(size_)));
 }
 
-// Before the next claim, which is there.
+// Whether the part may end before the next claim, which is there.
 bool PartReader::may_end() const {
   return claims_.size() >= least_size(last_) && time(ahead_.front().event) - last_ > gap_;
 }

@@ -65,7 +65,7 @@ class PartwiseCertifier {
   Certificate run() {
     namespace tbb = oneapi::tbb;
     const auto threads = static_cast<std::size_t>(options_.threads);
-    // As many as are asked for, also beyond the machine's.
+    // As many threads are allowed as are asked for, also more than the machine has.
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena arena(options_.threads);
     arena.execute([&] {

@@ -10,7 +10,8 @@
 
 namespace voroproof::internal {
 
-// As certify(), for options.truth == Truth::recorded, but for what the whole file says.
+// Certifies as certify() does for options.truth == Truth::recorded, but for what the whole file
+// says.
 Certificate certify_in_parts(const Scene& scene, const MotionInput& input, HistorySource& history,
                              const CertifyOptions& options);
 

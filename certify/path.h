@@ -53,7 +53,7 @@ struct Velocity {
 
 class Path {
  public:
-  // From the point (x, y) at time 0.
+  // The path from the point (x, y) at time 0.
   Path(const CompactRational& x, const CompactRational& y, const Velocity& v);
 
   // From the time t on, no earlier than the last, the disk goes on with velocity v.

@@ -9,9 +9,9 @@
 
 namespace voroproof::internal {
 
-// For claims that are soon to be checked. What a claim is about is found step by step, each from
-// what the one before has asked for: the half-edge h, those of its two triangles, their twins'
-// triangles, and the generators on the way.
+// Asks for the memory of claims that are soon to be checked. What a claim is about is found step by
+// step, each from what the one before has asked for: the half-edge h, those of its two triangles,
+// their twins' triangles, and the generators on the way.
 [[gnu::always_inline]] inline void read_ahead(const Setting& s, const Claims& claims,
                                               const EdgeLives& edges, const PairLives& pairs) {
   using HalfEdge = Diagram::HalfEdge;

@@ -92,9 +92,9 @@ RecordedContacts::Lines RecordedPairs::lines(GenId i, GenId j, double adjacent_s
               from == s_.replay.path(j).since()};
 }
 
-// In doubles, whether the two, whose paths are at `at` at the claimed time, come into contact
-// within the tolerance of it, on the lines that they have been on for longer, and overlap at that
-// time by no more than a rounding. False says nothing.
+// Whether the two, whose paths are at `at` at the claimed time, certainly come into contact within
+// the tolerance of it, on the lines that they have been on for longer, and overlap at that time by
+// no more than a rounding. In doubles: false says nothing.
 bool RecordedPairs::certainly_in_contact(const CollideEvent& claim, double from,
                                          const BallPair& at) const {
   const GenId i = claim.i, j = claim.j;

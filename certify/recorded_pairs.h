@@ -19,7 +19,7 @@ class RecordedPairs {
   RecordedContacts& contacts() { return contacts_; }
   const RecordedContacts& contacts() const { return contacts_; }
 
-  // After their own collision at `from`: whether the two certainly part, and overlap no more than
+  // Whether the two, after their own collision at `from`, certainly part and overlap no more than
   // by a rounding. In doubles: false says nothing.
   bool certainly_part(GenId i, GenId j, double from) const;
   // Whether the two certainly do not overlap in the life from `from` to m: in doubles, false says

@@ -29,7 +29,8 @@ class Replay : public GivenMotion {
     GenId turns = kNone;  // kNone: none turns
   };
 
-  // At t = 0, before the diagram is known. `scene` and `options` outlive it and its copies.
+  // The replay at t = 0, before the diagram is known. `scene` and `options` outlive it and its
+  // copies.
   Replay(const Scene& scene, const CertifyOptions& options);
 
   int disks() const { return static_cast<int>(scene_->disks.size()); }
@@ -39,7 +40,7 @@ class Replay : public GivenMotion {
   const Diagram& diagram() const { return diagram_; }
   // The half-edge with this quadruplet, or -1.
   HalfEdge find(const Quad& q) const;
-  // The same of a quadruplet whose two third generators are exchanged.
+  // The half-edge with this quadruplet, its two third generators exchanged, or -1.
   HalfEdge find_mirrored(const Quad& q) const;
   // A V-edge between the two, or -1. With one disk there is one edge, 0, without incidences.
   int adjacency(GenId i, GenId j) const;
@@ -56,7 +57,7 @@ class Replay : public GivenMotion {
   const Path& path(GenId g) const { return paths_[g]; }
   // Recorded truth: where the two are at that time; zero for the container.
   ExactPair positions(GenId i, GenId j, const Rational& t) const;
-  // The same at the time of the claim, enclosed.
+  // Where the two are at the time of the claim, enclosed; zero for the container.
   BallPair near_positions(const CollideEvent& claim) const;
   // Whether the motion of the disk has ever changed.
   bool moved(GenId g) const { return last_change_[g + 1] != 0; }
@@ -126,7 +127,7 @@ class Replay : public GivenMotion {
   };
   std::vector<Turns> turns_;  // of each disk
   std::size_t next_maneuver_ = 0;
-  std::set<std::size_t> done_maneuvers_;  // those past next_maneuver_
+  std::set<std::size_t> done_maneuvers_;  // done, though past next_maneuver_
 };
 
 }  // namespace voroproof::internal

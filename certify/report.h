@@ -26,7 +26,7 @@ std::string_view verdict_line(Verdict verdict);
 std::string reason_line(const Certificate& certificate);
 
 // What was accepted by leniency (docs/claim.md, section 5): the name of its count in the report,
-// and in words for a person. Those that are zero too.
+// and in words for a person. Counts of zero are listed, too.
 struct Leniency {
   std::string_view name;
   std::int64_t count;

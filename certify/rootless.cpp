@@ -178,7 +178,8 @@ void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
   }
 }
 
-// At most one root, by Descartes' rule for the coefficients of one lane, each within `total`.
+// Counts the roots by Descartes' rule for the coefficients of one lane, each within `total`: notes
+// where there is at most one.
 void RootlessBatch::count_roots(const Form<Lanes, 8>& f, const Lanes& total, std::size_t lane,
                                 std::size_t k) {
   unsigned above = 0, below = 0;  // what is not a number may be both
@@ -193,8 +194,8 @@ void RootlessBatch::count_roots(const Form<Lanes, 8>& f, const Lanes& total, std
   end_signs_[k] = up && down ? Sign::unknown : up ? Sign::positive : Sign::negative;
 }
 
-// As above, at one time with an uncertainty: the polynomials are constants. A coordinate moves by
-// at most |v| + ev times half the interval from where it is at the middle.
+// Judges at one time with an uncertainty: the polynomials are constants. A coordinate moves by at
+// most |v| + ev times half the interval from where it is at the middle.
 void RootlessBatch::judge_at(const std::array<MotionLanes, 4>& generators, double a, double b,
                              std::size_t first, std::size_t count) {
   const DoubleBall hull = DoubleBall::hull(a, b);

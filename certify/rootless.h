@@ -21,10 +21,10 @@ class RootlessBatch {
   void clear() { spans_.clear(); }
   // Adds the edge q over [a, b]; the first is numbered 0.
   void add(const Quad& q, double a, double b) { spans_.push_back({q, a, b}); }
-  // What is asked for below, of all edges.
+  // Proves what is asked for below, of all edges.
   void prove();
-  // The same, of edges that were all added over one interval that is short: more rarely successful
-  // and sooner done. Nothing is found out but whether they are rootless.
+  // Proves less, of edges that were all added over one interval that is short: more rarely
+  // successful and sooner done. It finds out only whether they are rootless.
   void prove_instant();
   // prove() of the four edges around the V-edge q, no two of which are the same, numbered in the
   // order (r,e), (e,l), (l,s), (s,r): outer[k] is the third generator of the k-th on the side where

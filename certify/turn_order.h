@@ -34,9 +34,9 @@ class TurnOrder {
   // No flip at this instant has been claimed of a generator that turns at it, now. Throws Refuted.
   void require_no_flip_yet(GenId i, GenId j) const;
 
-  // At t = 0 no pair has a life yet that a turn would end: no smaller pair touches and approaches
-  // that has a generator of the pair i, j which collides; and none that has the disk of a maneuver.
-  // Throw Refuted.
+  // At t = 0 no pair has a life yet that a turn would end. The first function requires that no
+  // smaller pair touches and approaches that has a generator of the pair i, j which collides; the
+  // second, that no pair does that has the disk g of a maneuver. Both throw Refuted.
   void require_first_at_start(GenId i, GenId j);
   void require_no_contact_at_start(GenId g);
 

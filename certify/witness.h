@@ -19,7 +19,7 @@ Witness contact_witness(const Motion& motion, GenId i, GenId j, const Rational& 
 Witness motion_witness(const Motion& motion, const std::vector<GenId>& generators,
                        const Rational& t);
 
-// At time t the circle of the vertex contains a point of the generator.
+// The witness that at time t the circle of the vertex contains a point of the generator.
 Witness conflict_witness(const Motion& motion, const Triple& vertex, GenId conflict,
                          const Rational& t);
 

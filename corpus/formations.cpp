@@ -43,7 +43,8 @@ Places frame(int n) {
   const int side = (n + 3) / 4;
   Places places;
   for (int i = 0; i < n; ++i) {
-    // Along the lower side, then the others, each the one before turned by a right angle.
+    // The places lie along the lower side, then the others, each the one before turned by a right
+    // angle.
     Point2 place{ratio(2 * (i % side) - (side - 1), 2), ratio(-(side + 1), 2)};
     for (int turn = 0; turn < i / side; ++turn) place = {-place.y, place.x};
     places.push_back(place);

@@ -116,9 +116,9 @@ inline std::optional<Kernel::Point_2> free_point(const TangentCircle& z,
   return std::nullopt;
 }
 
-// The same question to the predicate of the Apollonius graph, which knows disks only. An inversion
-// turns the outside of the container into one; it reverses orientations. Nothing where no centre
-// for it is at hand. Precondition: z is the circle of the vertex of the first three.
+// side_of() by the predicate of the Apollonius graph, which knows disks only. An inversion turns
+// the outside of the container into one; it reverses orientations. Returns nothing where no centre
+// for the inversion is at hand. Precondition: z is the circle of the vertex of the first three.
 inline std::optional<CGAL::Bounded_side> apollonius_side(const TangentCircle& z,
                                                          const std::array<Circle, 4>& g) {
   using Site = ApolloniusTraits::Site_2;

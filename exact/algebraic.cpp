@@ -78,11 +78,10 @@ std::strong_ordering compare(const AlgebraicNumber<T>& x, const Rational& q) {
   return at_q == x.at_lo_ ? std::strong_ordering::greater : std::strong_ordering::less;
 }
 
-// For overlapping intervals, neither of them a point. A common root of both
-// polynomials in both intervals is x and is y. The ends of the common interval are
-// ends of an isolating interval, so no roots of the divisor; it has at most one
-// root in between, whose multiplicity is the smaller one of two odd numbers. So it
-// has one iff its sign changes.
+// The intervals overlap, and neither of them is a point. A common root of both polynomials in both
+// intervals is x and is y. The ends of the common interval are ends of an isolating interval, so no
+// roots of the divisor; it has at most one root in between, whose multiplicity is the smaller one
+// of two odd numbers. So it has one iff its sign changes.
 template <class T>
 bool AlgebraicNumber<T>::equal(const AlgebraicNumber& x, const AlgebraicNumber& y) {
   const bool same_equation = x.equation_ == y.equation_;

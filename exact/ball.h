@@ -51,7 +51,7 @@ class Ball {
   ~Ball() { arb_clear(value_); }
 
   Precision precision() const { return bits_; }
-  // The same value held at `bits`, so that operators with it round no coarser.
+  // This value held at `bits`, so that operators with it round no coarser.
   Ball at_precision(Precision bits) const {
     Ball r(bits);
     arb_set_round(r.value_, value_, bits);
@@ -100,8 +100,8 @@ class Ball {
     arb_neg(r.value_, a.value_);
     return r;
   }
-  // The roots of what is not negative in the ball. Where all of it is, nothing is known: a
-  // predicate must not be decided from a root that does not exist.
+  // The square roots of what is not negative in the ball. Where all of it is negative, nothing is
+  // known: a predicate must not be decided from a root that does not exist.
   friend Ball sqrt(const Ball& a) {
     Ball r(a.bits_);
     if (arb_is_negative(a.value_)) {

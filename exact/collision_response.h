@@ -21,13 +21,14 @@ class CollisionResponse {
     q_ = (contact.b + contact.a * delay) / (reach * reach);
   }
 
-  // With the velocity changed by `factor` (w.n) n / reach^2: -(1 + e) m_j / (m_i + m_j) for the
-  // disk j of two, with the sign and the masses exchanged for i, -(1 + e) at the container.
+  // The site with its velocity changed by `factor` (w.n) n / reach^2. The factor is -(1 + e) m_j /
+  // (m_i + m_j) for the disk j of two, with the sign and the masses exchanged for i, -(1 + e) at
+  // the container.
   MovingSite<T> pushed(const MovingSite<T>& m, const T& factor) const {
     const T k = q_ * factor;
     return turned(m, m.vx + k * nx_, m.vy + k * ny_);
   }
-  // With the whole reflected velocity scaled.
+  // The site with its whole reflected velocity scaled.
   MovingSite<T> reflected(const MovingSite<T>& m, const T& scale) const {
     const T k = q_ + q_;
     return turned(m, scale * (m.vx - k * nx_), scale * (m.vy - k * ny_));

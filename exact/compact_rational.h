@@ -6,8 +6,8 @@
 namespace voroproof::internal {
 
 // A rational number of which a scene has many. Nearly all of them are a binary64 or, as the square
-// of one, the sum of two: these are held as such, in two words, and nothing is allocated. Of others
-// it holds a Rational.
+// of one, the sum of two: these are held as such, in two words, and nothing is allocated. Any other
+// number it holds as a Rational.
 class CompactRational {
  public:
   CompactRational() = default;

@@ -13,7 +13,7 @@ struct Enclosure {
 inline Enclosure enclosure(const Ball& ball) {
   Enclosure e;
   ball.to_interval(e.lo, e.hi);
-  // Not -0.
+  // The sums make 0 of -0.
   return {e.lo + 0.0, e.hi + 0.0};
 }
 

@@ -59,7 +59,7 @@ mp_size_t FixedArithmetic::magnitude(mp_limb_t* to, const FixedBall& a) const {
   return size;
 }
 
-// A bound of |a| from above, never zero. Of a negative number the limbs are inverted, which gives
+// A bound of |a| from above, never zero. The limbs of a negative number are inverted, which gives
 // its magnitude less one in the last place. Two limbs are read, the second of them the first after
 // the point or one before it.
 double FixedArithmetic::upper(const FixedBall& a) const {
@@ -261,7 +261,7 @@ void FixedArithmetic::div(FixedBall& out, const FixedBall& a, const FixedBall& b
   std::fill(numerator, numerator + fraction_, 0);
   mp_size_t size = magnitude(numerator + fraction_, a) + fraction_;
   mp_size_t size_b = magnitude(denominator, b);
-  // Both without as many zeros: divisors are short, mostly.
+  // Both lose the zeros that the denominator ends in: divisors are short, mostly.
   const mp_size_t zeros = trailing_zeros(denominator, std::min(size_b - 1, fraction_));
   numerator += zeros;
   size -= zeros;

@@ -114,7 +114,7 @@ Ball FixedView::ball(std::int64_t unit, Ball::Precision bits) const {
   return of(magnitude.data());
 }
 
-// Of a negative number the inverted limbs are its magnitude less one in the last place.
+// The inverted limbs of a negative number are its magnitude less one in the last place.
 void FixedView::to_double_double(std::int64_t unit, double& hi, double& lo, double& err) const {
   if (radius_ != 0 && !std::isinf(radius_)) {
     const mp_limb_t flip = is_negative() ? ~mp_limb_t{0} : 0;

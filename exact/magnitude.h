@@ -21,7 +21,7 @@ class Magnitude {
   ~Magnitude() { mag_clear(value_); }
 
   explicit Magnitude(const mag_t value) { mag_init_set(value_, value); }
-  // Of |x|; infinite for what is not a number.
+  // A bound of |x| from above; infinite for what is not a number.
   static Magnitude of(double x) {
     Magnitude m;
     mag_set_d(m.value_, x);

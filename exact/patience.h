@@ -30,7 +30,8 @@ class Patience {
   Patience& operator=(const Patience&) = delete;
   ~Patience();
 
-  // In a step of a long decision: once in many steps asks whether to go on. Throws GivenUp.
+  // To be called in each step of a long decision: once in many steps asks whether to go on. Throws
+  // GivenUp.
   static void ask();
 
  private:

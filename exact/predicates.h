@@ -69,7 +69,7 @@ template <class X>
 X squared(const X& x) {
   return x * x;
 }
-// Of a polynomial a square is of another type, of twice the degree.
+// The type of a square: that of a polynomial is another one, of twice the degree.
 template <class X>
 using Squared = decltype(squared(std::declval<const X&>()));
 
@@ -244,7 +244,7 @@ Sign incircle(const TangentTriple<T>& t, const Site<T>& e, bool e_is_container, 
   return e_is_container ? -q : q;
 }
 
-// The same quantity itself, up to a positive factor; takes one root.
+// The quantity whose sign incircle() gives, up to a positive factor; takes one root.
 template <class T>
 T incircle_value(const TangentTriple<T>& t, const Site<T>& e, bool e_is_container) {
   const InCircleParts<T> parts(t, e);
@@ -310,7 +310,7 @@ class ContactDirections {
     const T kappa = t.with_container ? T(u - root * t.xy) : T(u + root * t.xy);
     k2_ = kappa + kappa;
   }
-  // Of a site that the circle touches.
+  // The contact with a site that the circle touches.
   std::array<T, 2> of(const Site<T>& s) const {
     const T reach = n2_ + (s.r - base_.r) * k2_;
     return {((s.x - base_.x) * k2_ - n_[0]) / reach, ((s.y - base_.y) * k2_ - n_[1]) / reach};

@@ -45,9 +45,9 @@ Approximation approximate(const Polynomial<Tower>& f, long precision) {
 
 // ---- Descartes' rule in the Bernstein basis ----------------------------------------
 
-// Coefficients b_0 ... b_n of a positive multiple of a polynomial of degree n in
-// the Bernstein basis of some interval [lo, hi], each known up to +-error. Those of
-// the two halves are averages of them, so an error bound for all stays one.
+// Coefficients b_0 ... b_n of a positive multiple of a polynomial of degree n in the Bernstein
+// basis of some interval [lo, hi], each known up to +-error. The coefficients over the two halves
+// are averages of them, so an error bound for all stays one.
 struct Bernstein {
   std::vector<Integer> b;
   Integer error;

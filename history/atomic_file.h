@@ -24,7 +24,7 @@ class AtomicFile {
 
   void write(std::string_view bytes);
 
-  // For fast writers: room for at least `size` bytes (size <= max_room) in the buffer; the caller
+  // Gives fast writers room for at least `size` bytes (size <= max_room) in the buffer; the caller
   // fills it and tells by advance() where it stopped.
   static constexpr std::size_t max_room = 4096;
   char* room(std::size_t size) {

@@ -207,9 +207,8 @@ class DiagramReader {
     }
   }
 
-  // Of the three edges that end in a vertex, each faces another of its generators, `third`. As
-  // there are 3(n+1) - 6 edges for 2(n+1) - 4 vertices, all vertices have theirs if none has one
-  // twice.
+  // Three edges end in a vertex, and each faces another of its generators, `third`. There are
+  // 3(n+1) - 6 edges for 2(n+1) - 4 vertices, so all vertices have theirs if none has one twice.
   void check_end(std::size_t edge, const Triple& end, GenId third) {
     const std::string field = "edges[" + std::to_string(edge) + "]";
     const auto vertex = edges_at_.find(end);

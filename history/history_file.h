@@ -55,7 +55,7 @@ class HistoryWriter {
   explicit HistoryWriter(const std::string& path);
 
   void header(const HistoryHeader& header);
-  // With this initial diagram in place of the header's.
+  // Writes this initial diagram in place of the header's.
   void header(const HistoryHeader& header, const std::vector<Quad>& initial);
   void flip(double t, const Quad& quad);
   void collide(const CollideEvent& event);    // its doubles; `exact` is not looked at
@@ -65,13 +65,13 @@ class HistoryWriter {
   // The run covered the whole horizon. The counts are those of the events written.
   void end();
 
-  // The run stopped early at t. Of `events`, those in question, only the kind and the ids are
+  // The run stopped early at t. `events` are those in question; only their kinds and ids are
   // written.
   void stopped(double t, const std::string& reason, const std::vector<Event>& events);
 
   void close();
-  // The same, but a history that stopped does not replace one that is complete: it gets the name
-  // with ".partial" at its end. The path of what was written.
+  // Closes, too, but a history that stopped does not replace one that is complete: it gets the name
+  // with ".partial" at its end. Returns the path of what was written.
   std::string close_beside_complete();
 
   const HistoryCounts& counts() const { return counts_; }

@@ -284,7 +284,7 @@ void HistoryReader::read_header(const std::string& wanted_sha256) {
           if (c >= 'A' && c <= 'F') c = static_cast<char>(c - 'A' + 'a');
         if (hash.size() != 64 || hash.find_first_not_of("0123456789abcdef") != std::string::npos)
           json.fail("not 64 hexadecimal digits");
-        // Before the ids, which would be those of another scene.
+        // The hash is checked before the ids, which would be those of another scene.
         if (!wanted_sha256.empty() && hash != wanted_sha256)
           json.fail("the history is one of another scene");
         break;

@@ -39,7 +39,7 @@ void JsonReader::expect(char c, const char* what) {
   if (!accept(c)) fail_expected(what);
 }
 
-// After a member or an element: whether another follows.
+// Whether another member or element follows the one just read.
 bool JsonReader::more(char closing) {
   if (accept(',')) return true;
   if (accept(closing)) return false;
@@ -202,7 +202,7 @@ Number JsonReader::number() {
   }
   const std::string_view token = number_token();
   const auto result = std::from_chars(token.data(), token.data() + token.size(), number.nearest);
-  // Also where the value is not zero, but nearest to zero.
+  // This refuses, too, a value that is not zero, but nearest to zero.
   if (result.ec != std::errc()) fail("beyond the range of binary64");
   if (number.nearest == 0) number.nearest = 0;  // not -0
   return number;

@@ -139,7 +139,7 @@ class JsonReader {
   // Throws the InputError that blames the value just read or about to be read.
   [[noreturn]] void fail(const std::string& reason) const;
 
-  // The same for a member of the object just read.
+  // Throws the InputError that blames a member of the object just read.
   [[noreturn]] void fail_in(const std::string& member, const std::string& reason) const;
 
  private:

@@ -22,7 +22,7 @@ class LineSource {
   // `limit` bytes, or the file cannot be read.
   std::optional<std::string_view> next(std::size_t limit);
 
-  // Of the line that next() gave last; 0 before the first.
+  // The number of the line that next() gave last; 0 before the first.
   std::int64_t number() const { return number_; }
 
  private:

@@ -56,7 +56,7 @@ bool is_vector(Value value, std::optional<Vec2>& v) {
   return is_array(value, 2, [&](Value x, int k) { return is_number(x, out[k]); });
 }
 
-// Of a collision: null for the container, and only for it.
+// Whether the value is a collision's two vectors: null for the container, and only for it.
 bool are_vectors(Value value, GenId i, std::array<std::optional<Vec2>, 2>& v) {
   return is_array(value, 2, [&](Value element, int k) {
     bool null = false;
@@ -113,7 +113,8 @@ class PlainLineReader::Implementation {
   }
 
  private:
-  // In the order of the writer: the time, what happened, then perhaps v, then perhaps p.
+  // Takes the members in the order of the writer: the time, what happened, then perhaps v, then
+  // perhaps p.
   static bool take(json::raw_json_string key, Value value, int last_id, int& seen, double& t,
                    std::optional<Event>& event) {
     enum { nothing, time, what, velocities, centres };

@@ -29,7 +29,7 @@ struct PlanTask {
 // Numbers have the limits of a scene. Throws InputError.
 PlanTask read_plan(const std::string& path);
 
-// The same of a file's bytes; `file_name` is for messages.
+// Reads and checks a plan file's bytes as read_plan() does; `file_name` is for messages.
 PlanTask parse_plan(std::string_view bytes, const std::string& file_name);
 
 }  // namespace voroproof::internal

@@ -52,7 +52,7 @@ inline constexpr double min_scene_value = 1e-100;  // of a magnitude that is not
 // Throws InputError.
 Scene read_scene(const std::string& path);
 
-// The same of a file's bytes; `file_name` is for messages.
+// Reads and checks a scene file's bytes as read_scene() does; `file_name` is for messages.
 Scene parse_scene(std::string_view bytes, const std::string& file_name);
 
 // Writes the scene so that reading it gives the same values, one disk a line. Values that are

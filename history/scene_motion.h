@@ -1,4 +1,4 @@
-// From a scene to its motion.
+// Makes the motion of a scene.
 #pragma once
 
 #include "exact/motion_input.h"

@@ -20,7 +20,7 @@ CompactRational scene_value(JsonReader& json) {
   }
   const Rational& q = *number.exact;
   check(q == 0 || (abs(q) <= largest && abs(q) >= smallest));
-  // So that writers can always write what was read, as "p/q".
+  // A fraction is limited so that writers can always write what was read, as "p/q".
   const auto digits = [](mpz_srcptr z) { return mpz_sizeinbase(z, 10); };
   if (digits(q.get_num_mpz_t()) + digits(q.get_den_mpz_t()) + 2 > max_number_text)
     json.fail("a fraction of more than " + std::to_string(max_number_text) + " characters");

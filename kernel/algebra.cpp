@@ -101,7 +101,7 @@ Form operator*(const Form& p, const Form& q) {
   }
   return r;
 }
-// Over the right half z = 1 + 2 w; the left half is the mirror image.
+// The form over both halves: the right half is z = 1 + 2 w, the left half its mirror image.
 std::array<Form, 2> halves(const Form& p) {
   std::array<Form, 2> both{p, p};
   std::reverse(both[0].begin(), both[0].end());
@@ -130,7 +130,7 @@ int variations(const Form& p) {
 
 namespace {
 
-// Without zero coefficients at the ends (roots at the ends of the interval) and common factors.
+// Removes zero coefficients at the ends (roots at the ends of the interval) and common factors.
 void make_primitive(Form& p) {
   while (!p.empty() && p.back() == 0) p.pop_back();
   p.erase(p.begin(), std::find_if(p.begin(), p.end(), [](const Int& c) { return c != 0; }));

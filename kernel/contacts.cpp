@@ -175,7 +175,7 @@ class Contacts {
   void end_pairs(int disk, const Rat& t, const Claim* claim) {
     for (const Two& two : pairs(disk)) {
       const bool own = claim != nullptr && Two(claim->id[0], claim->id[1]) == two;
-      // Each pair once: its larger disk does it.
+      // Each pair is looked at once: its larger disk does it.
       if ((own || at_end_) && disk == two.first) continue;
       end_lines(two, t, own ? claim : nullptr);
     }

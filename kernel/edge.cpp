@@ -32,7 +32,7 @@ class Now {
   Now(const Quad& quad, Sites sites) : quad_(quad), site_(std::move(sites)) {}
   Now(const Four& four, const Rat& t) : Now(four.quad, sites(four.legs, {t})[0]) {}
 
-  // Of q; `f` is the sign of f there, if it is not 2.
+  // The sign of the in-circle function q; `f` is the sign of f there, if it is not 2.
   int incircle(bool start, int f = 2) const {
     const Circle<Int> circle = voroproof_kernel::circle(site_, quad_, start);
     const Site<Int>& e = site_[start ? 3 : 2];
@@ -83,7 +83,7 @@ class Span {
     }
   }
 
-  // At a + (b - a) k / 2^depth.
+  // The four at a + (b - a) k / 2^depth.
   Now at(const Int& k, unsigned depth) const {
     const Int rest = (Int(1) << depth) - k;
     const auto between = [&](const Int& u, const Int& v) { return rest * u + k * v; };
@@ -162,7 +162,7 @@ class Search {
   }
 
  private:
-  // In [k, k + 1] / 2^depth of the view's interval, where the tangencies have their right signs.
+  // The collapse in [k, k + 1] / 2^depth of the span, where the tangencies have their right signs.
   std::optional<Collapse> in_piece(const Span& span, const Vec& interval, Form f, const Int& k,
                                    unsigned depth) {
     const bool deep = depth >= 30, always = span.always();
@@ -194,8 +194,8 @@ class Search {
     return in_piece(span, interval, half[1], 2 * k + 1, depth + 1);
   }
 
-  // After tangencies of the wrong sign: both circles exist and are empty somewhere before a
-  // collapse, or there is one at a.
+  // Proves anew, after tangencies of the wrong sign, that both circles exist and are empty
+  // somewhere before a collapse. Where they are not, there is a collapse at a.
   void prove_anew(const Rat& a, const Rat& b, std::optional<Collapse>& found) {
     fresh_ = false;
     ++notes_.fresh_proofs;

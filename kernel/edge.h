@@ -58,7 +58,7 @@ struct Four {
   Quad quad{};
   std::array<const Leg*, 4> legs{};
 
-  // Over [a, b]: whose roots are the instants at which the four may touch one circle.
+  // The polynomial over [a, b] whose roots are the instants at which the four may touch one circle.
   Form polynomial(const Rat& a, const Rat& b) const;
   // Signs at t, for the vertex [l,s,r] or [l,r,e]: of its in-circle function, and of what is
   // positive iff its circle exists (0 where two of the three touch).
@@ -98,7 +98,7 @@ std::optional<Collapse> first_collapse(const Four&, const Rat& a, const Rat& b, 
 // The collapse if the polynomial has one root between a and shortly after t, and that close to t.
 std::optional<Collapse> collapse_near(const Four&, const Rat& a, const Rat& t);
 
-// At an instant at which both vertices' circles touch all four: whether they are one circle. (Two
+// Whether both vertices' circles, which touch all four at the instant t, are one circle. (Two
 // circles may touch the same four; then the edge leads from the one to the other and stays.)
 bool one_circle(const Four&, Instant& t);
 

@@ -55,7 +55,7 @@ Json parse(const char* begin, const char* end) {
 
 using Names = std::initializer_list<const char*>;
 
-// That an object has all fields of the first list, and of others only those of the second.
+// Requires that an object has all fields of the first list, and of others only those of the second.
 void expect_fields(const Json& object, Names required, Names optional = {}) {
   std::size_t known = required.size();
   for (const char* name : required) {

@@ -34,7 +34,7 @@ int turn(const Direction& a, const Direction& b) {
                             2 * (x.u * x.v - c * y.u * y.v), g);
 }
 
-// From generator g to its vertex [g,j,k]: n N, or for the container 2 h (c - O) + n N.
+// The direction from generator g to its vertex [g,j,k]: n N; for the container 2 h (c - O) + n N.
 Direction direction(const Site<Int>& g, const Site<Int>& j, const Site<Int>& k, bool of_wall,
                     bool with_wall) {
   const Circle c = of_wall ? Circle(j, k, g) : Circle(g, j, k);

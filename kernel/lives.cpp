@@ -8,7 +8,7 @@ namespace {
 
 using Shared = std::shared_ptr<Instant>;
 
-// Since when an edge has its quadruplet and its four generators their motion.
+// The time since which an edge has its quadruplet and its four generators their motion.
 struct Birth {
   Shared at;
   bool own = false;            // by its own flip
@@ -240,8 +240,8 @@ class Lives {
     for (const int k : all) births_[k] = {now};
   }
 
-  // After generators were so near that circles between them ceased to exist: their cells anew,
-  // where there is time before the next claim.
+  // Checks anew the cells of generators that were so near that circles between them ceased to
+  // exist, where there is time before the next claim.
   void check_cells(const Rat& next) {
     if (notes_.touched.empty() || next <= latest_->hi) return;
     const Rat t = (latest_->hi + next) / 2;

@@ -45,7 +45,7 @@ struct Outcome {
   std::vector<std::variant<Quad, std::pair<GenId, GenId>>> events;
 };
 
-// As files and tables call it.
+// The name that files and tables call it by.
 constexpr const char* name_of(Outcome::Kind kind) {
   switch (kind) {
     case Outcome::Kind::complete:
@@ -68,7 +68,7 @@ class Engine {
   Outcome run(EventSink& sink);
 
   const EngineStats& stats() const;
-  // At the end of the run.
+  // The diagram and the motion at the end of the run.
   const Diagram& diagram() const;
   const Motion& motion() const;
   Motion& motion();

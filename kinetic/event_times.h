@@ -18,7 +18,7 @@ class EventTimes {
 
   // What the search has found, and no more, where that may do: of a contact.
   TimedEvent rough(const Event& event) const;
-  // As narrow as double-doubles say, or more bits where these leave much open.
+  // The time as narrow as double-doubles say; more bits are taken where these leave much open.
   TimedEvent tight(const Event& event) const;
 
   // The order of two events: negative, zero (simultaneous: proved) or positive. Throws Undecided
@@ -28,7 +28,7 @@ class EventTimes {
   // The time rounded to nearest. Throws Undecided where the bits do not suffice.
   double rounded(const TimedEvent& event);
 
-  // As an algebraic number. Throws BudgetExceeded.
+  // The time as an algebraic number. Throws BudgetExceeded.
   static ExactTime exact(const Event& event, ExactMotion& exact);
 
  private:

@@ -29,7 +29,7 @@ inline constexpr std::array<std::string_view, static_cast<int>(FlipKind::count)>
 class Degrees {
  public:
   Degrees() = default;
-  // Those of the cells of a diagram of this many disks.
+  // The degrees of the cells of a diagram of this many disks.
   Degrees(const Diagram& diagram, int disks);
   // Precondition: the diagram has the edge q and is the one that these are the degrees of.
   FlipKind kind_of_flip(const Diagram& diagram, const Quad& q) const;

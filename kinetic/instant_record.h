@@ -24,9 +24,9 @@ class InstantRecord {
   double time() const { return t_; }
   // Events so far that have been told.
   std::uint64_t told() const { return told_; }
-  // Before this time the history told is right, if `frontier` is such a time, too. Of an instant
-  // that was begun the time is known, and is the same in whatever way it was found: the history is
-  // right up to just before.
+  // Before this time the history told is right, if `frontier` is such a time, too. The time of an
+  // instant that was begun is known, and is the same in whatever way it was found: the history is
+  // right up to just before it.
   double right_before(double frontier) const {
     return std::max(told_t_, t_ > told_t_ ? next_below(t_) : frontier);
   }

@@ -16,7 +16,7 @@ struct ManeuverInput {
   Rational vx, vy;
 };
 
-// Those that are still to come.
+// The maneuvers that are still to come.
 class Maneuvers {
  public:
   // Sorted by time; those after the horizon are left out.

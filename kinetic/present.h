@@ -23,8 +23,8 @@ class Present {
 
   // The instant of these simultaneous events, at least one, none of which has been processed.
   void begin(const std::vector<TimedEvent>& events);
-  // The same instant, or the start of the run, by its exact time: that of a flip is no root of its
-  // generators any more once their motion changes.
+  // Gives the present instant, or the start of the run, by its exact time: the time of a flip is no
+  // root of its generators any more once their motion changes.
   void is_at(const Rational& t);
 
   // An edge that collapses at this instant and whose flip no search has isolated.

@@ -37,7 +37,7 @@ class EngineOver {
   EngineOver(const EngineOver&) = delete;
   EngineOver& operator=(const EngineOver&) = delete;
 
-  // As Engine::run().
+  // Does what Engine::run() says.
   Outcome run(EventSink& sink) {
     sink_ = &sink;
     Outcome outcome;
@@ -80,7 +80,7 @@ class EngineOver {
 
   bool goes_on() const { return options_.monitor(arithmetic_.now().lo, instant_.told()); }
 
-  // For the statistics of a run that has stopped, possibly for want of bits.
+  // Completes the states for the statistics of a run that has stopped, possibly for want of bits.
   void settle_quietly() {
     try {
       motion_.settle();
@@ -180,8 +180,8 @@ class EngineOver {
     if (arithmetic_.has_points()) {
       for (const GenId g : changed_) require_areas(g);
     }
-    // Only now: with some of the instant's velocities most searches would be for nothing, and
-    // harder than those that count.
+    // The searches are made only now: with some of the instant's velocities most would be for
+    // nothing, and harder than those that count.
     ++stamp_now_;
     for (const GenId g : changed_) search_around(g);
     changed_.clear();

@@ -60,7 +60,7 @@ class EventQueue {
   struct Entry {
     double key;
     int item;
-    // Without a branch: of two keys either may be the smaller.
+    // The comparison has no branch: of two keys either may be the smaller.
     bool operator<(const Entry& other) const {
       return bool(int(key < other.key) | (int(key == other.key) & int(item < other.item)));
     }
@@ -68,7 +68,7 @@ class EventQueue {
 
   void refill() {
     if (!(bound_ + step_ > bound_) || !gather(bound_ + step_)) {
-      // At the start, and where the next keys are far off.
+      // This is reached at the start, and where the next keys are far off.
       const double least = *std::min_element(key_.begin(), key_.end());
       if (!std::isfinite(least)) return;
       if (step_ == 0) step_ = mean_delay(least) / kPart;
@@ -103,7 +103,7 @@ class EventQueue {
     for (std::size_t first = 0; first < items; first += kBlock) {
       const std::size_t last = std::min(first + kBlock, items);
       if (last - first == kBlock) {
-        // In most blocks there is none: all at once, without a branch for each.
+        // Most blocks have none: all keys are compared at once, without a branch for each.
         int any = 0;
         for (std::size_t k = 0; k < kBlock; ++k) any |= int(key_[first + k] < bound);
         if (any == 0) continue;

@@ -79,7 +79,7 @@ class Schedule {
     count_search();
     record(edge, arithmetic_.collapse_from_now(quad_of(edge), window_end(now())));
   }
-  // As CollapseSearch::after().
+  // Searches as CollapseSearch::after() does.
   void search_flip_after(int edge, double start, const RootInterval* fine) {
     const Stopwatch watch(profile_, stats_.flip_seconds);
     count_search();
@@ -165,7 +165,8 @@ class Schedule {
     if (due_contacts_.empty()) return std::nullopt;
     return due_contacts_.extract(due_contacts_.begin()).value();
   }
-  // Those of one instant, in the order of their disks. Empty if none is due.
+  // The maneuvers that are due, all of one instant, in the order of their disks. Empty if none is
+  // due.
   std::vector<ManeuverInput> take_due_maneuvers() {
     if (!due_maneuvers_) return {};
     due_maneuvers_ = false;
@@ -321,7 +322,7 @@ class Schedule {
 
   // Looks further ahead for an item of which only a bound is known.
   void extend(int item) { search_flip_after(item / 2, queue_.key(item), nullptr); }
-  // Until the head of the queue is an event; false if there is none.
+  // Works on until the head of the queue is an event; false if there is none.
   bool advance_to_event() {
     for (;;) {
       Patience::ask();

@@ -22,7 +22,8 @@ bool is_finite(const std::optional<Vec2>& v) {
   return !v || (std::isfinite((*v)[0]) && std::isfinite((*v)[1]));
 }
 
-// Of a collision: for both disks or for neither, and not for the container.
+// Whether a collision's values are finite, and there for both disks or for neither, and not for the
+// container.
 bool well_formed(const CollideEvent& c, const std::array<std::optional<Vec2>, 2>& values) {
   if (!is_finite(values[0]) || !is_finite(values[1])) return false;
   return c.i == container_id ? !values[0] : values[0].has_value() == values[1].has_value();

@@ -1,4 +1,4 @@
-// From a scene file's contents to what the engine takes.
+// Makes of a scene file's contents what the engine takes.
 #pragma once
 
 #include "history/scene.h"

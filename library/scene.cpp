@@ -26,7 +26,7 @@ DiskInput disk_of(const voroproof::Disk& disk) {
           compact(disk.vx), compact(disk.vy), disk.mass ? compact(*disk.mass) : square(radius)};
 }
 
-// Not checked: what write_scene() takes.
+// The scene that write_scene() takes; it is not checked.
 Scene unchecked(const voroproof::Scene& scene) {
   Scene out;
   out.cx = rational(scene.container_x);

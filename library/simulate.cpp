@@ -18,7 +18,7 @@ EventSink::~EventSink() = default;
 namespace internal {
 namespace {
 
-// From the engine's calls to those of the library.
+// Hands the engine's calls on to those of the library.
 class Forwarding final : public EventSink {
  public:
   explicit Forwarding(voroproof::EventSink& sink) : sink_(sink) {}

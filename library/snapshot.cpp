@@ -20,8 +20,9 @@ constexpr int bits = 160;
 // Every generator at the instant, the container first.
 using Moment = std::vector<MovingSite<Ball>>;
 
-// From scratch, by the true motion, but with the flips next to t on the side on which the history
-// has them. In their order, then backwards, each that is there to be made or taken back is.
+// The diagram from scratch, by the true motion, but with the flips next to t on the side on which
+// the history has them. In their order, each flip that happened is made if its edge is there; then
+// backwards, each that did not is taken back if its edge is there.
 Diagram diagram_at(const Scene& scene, const std::string& history_path, const Rational& t,
                    const EngineOptions& options) {
   ReplayedMotion replayed = replayed_motion(scene, history_path, t, options.motion);
@@ -63,7 +64,7 @@ Moment moment_of(const Scene& scene, const std::vector<RecordedState>& states, c
   return moment;
 }
 
-// Where the history puts the disks or, where it does not say, the engine.
+// Every generator where the history puts it or, where that does not say, where the engine does.
 Moment moment_of(const Scene& scene, const RecordedMoment& recorded, const Rational& t,
                  const EngineOptions& options) {
   return recorded.states ? moment_of(scene, *recorded.states, t)

@@ -42,7 +42,7 @@ struct SnapshotWay {
 // Throws InputError besides: see recorded_moment().
 DiagramFile snapshot(const Scene& scene, const std::string& history_path, const Rational& t,
                      const EngineOptions& options = {}, const SnapshotWay& way = {});
-// The same, by its flips, of a history that need be no file; `name` is for messages.
+// The snapshot by the flips of a history that need be no file; `name` is for messages.
 DiagramFile snapshot(const Scene& scene, HistorySource& history, const std::string& name,
                      const Rational& t, const EngineOptions& options = {});
 

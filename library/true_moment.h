@@ -23,8 +23,8 @@ struct TrueMoment {
   Diagram diagram;
 };
 
-// By the engine; with a history, whose path is not empty, by its collisions: see replayed_motion(),
-// also for the errors.
+// The moment by the engine or, with a history, whose path is not empty, by its collisions: see
+// replayed_motion(), also for the errors.
 TrueMoment true_moment(const Scene& scene, const std::string& history_path, const Rational& t,
                        const EngineOptions& options);
 

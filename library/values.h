@@ -1,4 +1,5 @@
-// Between the values of the library's headers (include/voroproof/) and those of the program.
+// Converts between the values of the library's headers (include/voroproof/) and those of the
+// program.
 #pragma once
 
 #include <memory>
@@ -41,7 +42,7 @@ DiagramFile diagram_file(const voroproof::Diagram& diagram);
 // source. Checks what a reader of files checks. Throws InputError for "history".
 std::unique_ptr<HistorySource> memory_history(const voroproof::History& history, int disks);
 
-// With this budget. Throw std::invalid_argument where it is less than 64 bits.
+// The options with this budget. Throw std::invalid_argument where it is less than 64 bits.
 MotionOptions motion_options(int max_bits);
 EngineOptions engine_options(int max_bits);
 // Throws std::invalid_argument for negative times.

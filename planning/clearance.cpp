@@ -49,7 +49,7 @@ class BallPlan {
       a = b;
     });
     const DoubleBall gap = DoubleBall(least) - (radii_[i] + radii_[j]);
-    // Also where an overflow made it NaN there is no bound.
+    // There is no bound where an overflow made it NaN, either.
     const double low = gap.mid - gap.rad * (1 + 0x1p-50) - std::fabs(gap.mid) * 0x1p-50;
     return low == low ? low : -std::numeric_limits<double>::infinity();
   }

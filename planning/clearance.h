@@ -22,7 +22,7 @@ struct Approach {
 
 Approach nearest_approach(const Plan& plan, int i, int j);
 
-// The same with timetables that are not, or not yet, those of a plan.
+// The nearest approach by timetables that are not, or not yet, those of a plan.
 Approach nearest_approach(const PlanTask& task, int i, const Timetable& of_i, int j,
                           const Timetable& of_j);
 
@@ -34,7 +34,7 @@ std::optional<Approach> minimum_gap(const Plan& plan);
 // Whether the gap is what `clearance` >= 0 asks for: at least that, and positive.
 bool keeps_clear(const Approach& approach, const Rational& clearance);
 
-// By their gaps.
+// Compares the approaches by their gaps.
 std::strong_ordering compare_gaps(const Approach& a, const Approach& b);
 
 // The gap to about 2^-80 of the distance, rounded outwards.

@@ -50,7 +50,7 @@ class Clearance {
   Clearance(const Motion& motion, const Rational& t, const Diagram& diagram, const Rational& probe,
             TierCounts& counts);
 
-  // Among the constants of predicates(): the probe's radius.
+  // The place of the probe's radius among the constants of predicates().
   static constexpr std::size_t probe_constant = 0;
 
   const Diagram& diagram() const { return diagram_; }
@@ -61,13 +61,13 @@ class Clearance {
   std::vector<ClearanceNode> profile(Diagram::HalfEdge h) {
     return edge_profile(predicates_, diagram_.quad(h));
   }
-  // The same of the closed edge around a lone disk: gate, far point, gate; or the gate alone where
-  // the disk lies in the centre and the clearance is the same everywhere.
+  // The profile of the closed edge around a lone disk: gate, far point, gate; or the gate alone
+  // where the disk lies in the centre and the clearance is the same everywhere.
   std::vector<ClearanceNode> ring_profile();
 
-  // Of the clearance at a minus that at b.
+  // The sign of the clearance at a minus that at b.
   Sign compare(const ClearanceNode& a, const ClearanceNode& b);
-  // Of the clearance minus the probe's radius.
+  // The sign of the clearance at the node minus the probe's radius.
   Sign to_probe(const ClearanceNode& node) {
     return clearance_to_probe(predicates_, node, probe_constant);
   }

@@ -24,7 +24,7 @@ struct HistoryFollower {
 // stopped at, where events may be missing.
 void follow_history(HistorySource& history, const std::string& name, const Rational& t,
                     const HistoryFollower& follower);
-// The same of a file, which must be a history of this scene.
+// Reads and shows a history file, which must be a history of this scene.
 void follow_history(const Scene& scene, const std::string& path, const Rational& t,
                     const HistoryFollower& follower);
 

@@ -38,22 +38,23 @@ struct OffsetArc {
 struct Void {
   std::vector<Triple> vertices;  // sorted
   std::vector<Quad> tunnels;     // canonical, sorted
-  // Where its clearance is greatest (the smallest such node): it vanishes for probes beyond that.
-  // Nothing where there are no disks: then that is the container's centre.
+  // Where the void's clearance is greatest (the smallest such node): the void vanishes for probes
+  // beyond that. Nothing where there are no disks: then that place is the container's centre.
   std::optional<ClearanceNode> widest;
 };
 
 class FreeSpace {
  public:
-  // For the probe of `clearance`, which must outlive this object. Decides everything; O(n)
-  // predicates.
+  // The free space of the probe of `clearance`, which must outlive this object. Decides everything;
+  // O(n) predicates.
   explicit FreeSpace(Clearance& clearance);
 
-  // Of every even half-edge, or of the one closed edge.
+  // The pieces of every even half-edge, or of the one closed edge.
   const std::vector<FreePiece>& pieces() const { return pieces_; }
-  // By generator, the container first; along a generator's circle from one edge to the next.
+  // The arcs by generator, the container first; along a generator's circle from one edge to the
+  // next.
   std::vector<OffsetArc> offset() const;
-  // In the order of their smallest vertices; those without a vertex last.
+  // The voids in the order of their smallest vertices; those without a vertex last.
   std::vector<Void> voids();
 
   std::array<Enclosure, 2> position(const OffsetPoint& point) const;
@@ -71,8 +72,8 @@ class FreeSpace {
 // The V-edge as a tunnel: the node of its least clearance, beyond which no probe passes.
 ClearanceNode narrowest(Clearance& clearance, Diagram::HalfEdge h);
 
-// The nodes of locally greatest clearance, sorted: there a void vanishes as the probe grows. Of
-// nodes at one place, or joined by an edge of constant clearance, the smallest stands for all.
+// The nodes of locally greatest clearance, sorted: there a void vanishes as the probe grows. The
+// smallest node stands for all that are at one place, or joined by an edge of constant clearance.
 std::vector<ClearanceNode> widest_places(Clearance& clearance);
 
 }  // namespace voroproof::internal

@@ -41,10 +41,10 @@ class HistoryCursor {
   // One step; false at the end, and at the beginning.
   bool next();
   bool previous();
-  // To where `position` events have happened (position <= size()).
+  // Moves to where `position` events have happened (position <= size()).
   void seek(std::size_t position);
-  // To just after all events that are recorded at the time t or before it; at the horizon, after
-  // all events, for times may have been rounded up with it. Precondition: t >= 0.
+  // Moves to just after all events that are recorded at the time t or before it; at the horizon,
+  // after all events, for times may have been rounded up with it. Precondition: t >= 0.
   void seek(const Rational& t);
   // Where seek(t) leads.
   std::size_t position_at(const Rational& t) const;
@@ -56,7 +56,7 @@ class HistoryCursor {
   HistoryHeader header_;
   std::vector<RecordedState> initial_;
   std::vector<Event> events_;
-  // Per event, the last events before it of its two disks, and per disk its last event so far: -1
+  // The last events before each event of its two disks, and the last event so far of each disk: -1
   // for none.
   std::vector<std::array<std::ptrdiff_t, 2>> before_;
   std::vector<std::ptrdiff_t> last_;

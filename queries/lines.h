@@ -26,8 +26,8 @@ class Lines {
   Polynomial<Rational> vertex(const Triple& v, const Rational& probe) const;
 
   // The nodes along an edge of the diagram at a time t >= start (see edge_profile()), each with
-  // whether the probe fits there. Of the closed edge around a lone disk, given as [0,-1,0,0], its
-  // gate and its far point.
+  // whether the probe fits there. For the closed edge around a lone disk, given as [0,-1,0,0],
+  // these are its gate and its far point.
   struct Fit {
     ClearanceNode node;
     bool fits;

@@ -9,7 +9,7 @@
 
 namespace voroproof::internal {
 
-// Between the boundaries of two generators.
+// The gap between the boundaries of two generators.
 Enclosure gap(const Clearance& clearance, GenId i, GenId j);
 
 struct NearDisk {

@@ -35,7 +35,7 @@ class Openings {
   bool open_ = false;
 };
 
-// From one time to another: candidates are the polynomials at whose roots it may turn.
+// Follows what may be open from one time to another; it may turn at the roots of the candidates.
 void follow(Openings& openings, const Rational& from, const Rational& to,
             const std::vector<P>& candidates, const std::function<bool(const Rational&)>& open) {
   between_roots(from, to, candidates, [&](const AlgebraicTime& since, const Rational& inside) {

@@ -83,12 +83,13 @@ Rational squared_distance(const ExactVec2& a, const ExactVec2& b) {
   return x * x + y * y;
 }
 
-// The sum of the signed radii: the gap is sqrt(distance2) - it, for the container its negative.
+// The sum of the signed radii. The gap of two disks is sqrt(distance2) minus the sum; that of a
+// disk and the container is minus the sum, minus sqrt(distance2).
 Rational reach(const Paths& paths, const LeastGap& g) {
   return paths.signed_radius(g.i) + paths.signed_radius(g.j);
 }
 
-// Of the gap of `a` minus that of `b`, both of disks.
+// The sign of the gap of `a` minus that of `b`, both of disks.
 Sign compare_gaps(const Paths& paths, const LeastGap& a, const LeastGap& b) {
   const Enclosure x = gap_of(paths, a), y = gap_of(paths, b);
   if (x.hi < y.lo) return Sign::negative;
@@ -104,7 +105,7 @@ bool earlier(const LeastGap& a, const LeastGap& b) {
   return a.t != b.t ? a.t < b.t : Pair(a.i, a.j) < Pair(b.i, b.j);
 }
 
-// Without regard to collisions.
+// The least gap of the two along their paths, without regard to collisions.
 LeastGap least_along_paths(const Paths& paths, GenId i, GenId j, const Window& window) {
   const bool wall = i == container_id;
   std::vector<Rational> ends{window.from};

@@ -11,7 +11,7 @@
 
 namespace voroproof::internal {
 
-// From t >= 0 to t, within what the history covers.
+// A window of time, from a time >= 0 to one within what the history covers.
 struct Window {
   Rational from, to;
 };

@@ -26,7 +26,7 @@ class Paths {
   // The instants in (from, to) at which a piece of one of the generators starts, in order.
   std::vector<Rational> turns(const std::vector<GenId>& generators, const Rational& from,
                               const Rational& to) const;
-  // Of the container -R.
+  // The radius of a disk; -R for the container.
   const Rational& signed_radius(GenId g) const { return radii_[g + 1]; }
 
  private:

@@ -42,7 +42,7 @@ struct RecordedMoment {
 RecordedMoment recorded_moment(const Scene& scene, const std::string& history_path,
                                const Rational& t, Move move, bool replay_flips,
                                const std::function<Diagram()>& initial);
-// The same of a history of this scene that need be no file; `name` is for messages.
+// The recorded moment of a history of this scene that need be no file; `name` is for messages.
 RecordedMoment recorded_moment(const Scene& scene, HistorySource& history, const std::string& name,
                                const Rational& t, Move move, bool replay_flips,
                                const std::function<Diagram()>& initial);

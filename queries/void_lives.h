@@ -26,17 +26,18 @@ struct VoidLife {
   // The voids, as indices, out of which it came about: two or more have joined, or one has parted;
   // none where it is there from the start of the window, or where a place has opened for the probe.
   std::vector<std::size_t> before;
-  // Into which it goes; none at the end of the window, or where it has vanished.
+  // The voids into which it goes; none at the end of the window, or where it has vanished.
   std::vector<std::size_t> after;
   // A node in it at the beginning, the smallest; none without disks.
   std::optional<ClearanceNode> at;
 };
 
-// In the order in which they come about, at one time by their smallest nodes. Instants at which a
-// probe just fits and no longer are left out. The window is not empty. Moves the cursor. Throws
-// Undecided where a decision needs more than the budget. For k events and d changes of the graph:
-// O(k) isolations of roots and O(d log d) comparisons of them; and at each change steps as many as
-// the smaller part has nodes, or the way around the place of the change (changing_components.h).
+// The lives of the voids in the order in which they come about, at one time by their smallest
+// nodes. Instants at which a probe just fits and no longer are left out. The window is not empty.
+// Moves the cursor. Throws Undecided where a decision needs more than the budget. For k events and
+// d changes of the graph: O(k) isolations of roots and O(d log d) comparisons of them; and at each
+// change steps as many as the smaller part has nodes, or the way around the place of the change
+// (changing_components.h).
 std::vector<VoidLife> void_lives(const Paths& paths, HistoryCursor& history, const Rational& probe,
                                  const Window& window);
 

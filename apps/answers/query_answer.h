@@ -29,7 +29,7 @@ Json json_of(const Quad& q);
 Json json_of(const Triple& v);
 Json json_of(const ClearanceNode& node);  // {"vertex": [i,j,k]}, {"gate": [i,j]} or {"far": i}
 
-// About the middle of it, short.
+// A short text; an enclosure is given by about its middle.
 std::string short_text(const Enclosure& e);
 std::string short_text(double x);
 std::string short_text(const ClearanceNode& node);

@@ -155,7 +155,7 @@ Answer answer_critical(const InstantQuery& query) {
   Clearance clearance = clearance_of(query, 0, counts);
   Answer answer{head("critical", query), {}};
   Json& tunnels = answer.json["tunnels"] = Json::array();
-  // In the table by radius.
+  // The rows of the table, each with its radius, by which they are ordered.
   std::vector<std::pair<double, std::vector<std::string>>> rows;
   for (const auto& [quad, h] : edges_by_name(query.moment.diagram)) {
     const ClearanceNode node = narrowest(clearance, h);

@@ -39,7 +39,7 @@ std::string producer();
 CLI::Option* add_text(CLI::App& verb, const std::string& name, std::string& value,
                       const std::string& type, const std::string& description);
 
-// The same for the name of a file.
+// An option or a positional argument that names a file; its text is not empty.
 CLI::Option* add_file(CLI::App& verb, const std::string& name, std::string& path,
                       const std::string& description);
 
@@ -55,7 +55,7 @@ CLI::Option* add_choice(CLI::App& verb, const std::string& name,
                         const std::vector<std::string>& choices, std::string& value,
                         const std::string& description);
 
-// Of an option that is a precision.
+// The least and the greatest value of an option that is a precision, in bits.
 inline constexpr int least_bits = 64, most_bits = 1 << 24;
 
 // Lets an integer option take nothing but a whole number in its usual decimal form.

@@ -25,7 +25,7 @@ class CooperativeInterruption {
   CooperativeInterruption& operator=(const CooperativeInterruption&) = delete;
   ~CooperativeInterruption();
 
-  // By a signal, or because the time is over.
+  // Whether an interruption was requested, by a signal or because the time is over.
   bool requested() const;
   // Whether it was the time.
   bool late() const;

@@ -15,7 +15,7 @@ namespace {
 constexpr double longest_time = 1e9;  // seconds
 constexpr std::uint64_t bytes_per_megabyte = std::uint64_t{1} << 20;
 
-// Of the process: they are set once, from its command line.
+// The limits of this process, which are set once, from its command line.
 double seconds = 0;
 std::uint64_t megabytes = 0;
 rlim_t memory_before = RLIM_INFINITY;

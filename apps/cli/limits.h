@@ -11,7 +11,7 @@ namespace voroproof::internal {
 
 // --time-limit and --max-memory, for every verb that `app` has.
 void add_process_limits(CLI::App& app);
-// Sets those that the command line names. To be called once it is parsed.
+// Sets the limits that the command line names. To be called once it is parsed.
 void start_process_limits();
 
 // --max-bits: of the numbers from which decisions are taken.
@@ -27,8 +27,8 @@ std::string event_limit_reason(std::uint64_t events);
 
 // Whether memory that is not to be had is the user's own limit.
 bool has_memory_limit();
-// For writing the result when that limit has been reached: lets the process have what the system
-// gives.
+// Lets the process have the memory that the system gives: for writing the result when the user's
+// limit has been reached.
 void lift_memory_limit();
 
 }  // namespace voroproof::internal

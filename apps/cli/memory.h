@@ -1,4 +1,4 @@
-// Out of memory as one kind of error, whoever asked for it.
+// Makes one kind of error of any want of memory, whoever asked for the memory.
 #pragma once
 
 namespace voroproof::internal {

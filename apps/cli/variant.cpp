@@ -16,7 +16,7 @@ void become_faster_variant([[maybe_unused]] char** argv) {
       !__builtin_cpu_supports("bmi") || !__builtin_cpu_supports("bmi2")) {
     return;
   }
-  // Beside the program, wherever it was installed to.
+  // The other program lies beside this one, wherever it was installed to.
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return;

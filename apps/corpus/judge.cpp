@@ -35,7 +35,7 @@ int certify_into(const std::string& scene, const std::string& history, Truth tru
                                    certificate));
     return reported;
   } catch (const InputError& error) {
-    // Without the name of the file, which is a scratch file's.
+    // The name of the file is left out: it is a scratch file's.
     const std::string line =
         error.line() > 0 ? "line " + std::to_string(error.line()) + ": " : std::string();
     const std::string field = error.field().empty() ? std::string() : error.field() + ": ";

@@ -15,7 +15,7 @@ struct CaseJudgement {
   enum class Verdict { certified, refuted, undecided, invalid };
   Verdict verdict = Verdict::undecided;
   std::string reason;  // one line; empty where certified
-  // Of a refutation: the first divergence.
+  // The first divergence, where the history is refuted: its kind, its line and its time.
   std::string kind;
   std::int64_t line = 0;
   double t = 0;

@@ -63,7 +63,8 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-// Of a history's two judgements the better decides: whoever holds against one truth is right.
+// The rank of a verdict, the least for the best. The better of a history's two judgements decides:
+// whoever holds against one truth is right.
 int rank(CaseJudgement::Verdict verdict) {
   switch (verdict) {
     case CaseJudgement::Verdict::certified:
@@ -146,7 +147,8 @@ ProcessStep comparing(const CorpusCase& c, std::size_t k, const ProcessLimits& l
     try {
       const DiagramFile expected = read_diagram(c.diagram(k));
       if (expected.t != round_nearest(c.instants[k])) return other_instant;
-      // Between two events of one binary64 a history does not tell; then the motion does.
+      // A history does not tell what lies between two of its events of one binary64; then the
+      // motion does.
       const Rational& t = c.instants[k];
       const DiagramFile found = to_rational(round_nearest(t)) == t
                                     ? snapshot(read_scene(c.scene()), c.history(), t)

@@ -16,7 +16,7 @@ class DigitPen {
  public:
   explicit DigitPen(cairo_t* cairo) : cairo_(cairo) {}
 
-  // Around the given place, `height` pixels high.
+  // Writes the digits around the given place, `height` pixels high.
   void write(const std::string& digits, const Vec2& place, double height) const;
 
  private:

@@ -10,7 +10,7 @@ struct Colour {
   double red, green, blue;
 };
 
-// Of disks and, paler, of their cells.
+// The colours of disks and, paler, of their cells.
 inline constexpr std::array<Colour, 8> palette{{{0.36, 0.58, 0.82},
                                                 {0.93, 0.60, 0.32},
                                                 {0.44, 0.70, 0.47},

@@ -10,7 +10,7 @@
 
 namespace voroproof::internal {
 
-// In doubles, for the eye.
+// What is drawn of a plan, in doubles, for the eye.
 struct PlanDrawing {
   struct Knot {
     double t;
@@ -36,7 +36,7 @@ struct PlanDrawing {
 
 PlanDrawing drawing_of(const PlanResult& result);
 
-// Of a report of `voroproof plan`. Throws InputError where the file is none.
+// Reads the drawing from a report of `voroproof plan`. Throws InputError where the file is none.
 PlanDrawing read_plan_report(const std::string& path);
 
 }  // namespace voroproof::internal

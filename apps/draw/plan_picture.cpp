@@ -121,7 +121,7 @@ class PlanPainter {
       pen.write(digits, pixel(goal), inside);
       return;
     }
-    // Beside the ends, where no way leads.
+    // The digits stand beside the ends, where no way leads.
     const Vec2 from = pixel(start), way = pixel(goal) - from;
     const double length = std::hypot(way[0], way[1]);
     const Vec2 along = length > 0 ? (1 / length) * way : Vec2{0, 1};

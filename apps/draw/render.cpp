@@ -247,7 +247,7 @@ class Painter {
     }
   }
 
-  // From the rims of the disks outwards, to one scale: the fastest disk's arrow has
+  // The arrows lead from the rims of the disks outwards, to one scale: the fastest disk's arrow has
   // about half the typical distance of disks.
   void paint_velocities() {
     double fastest = 0;

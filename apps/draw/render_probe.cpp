@@ -83,8 +83,8 @@ void FreeSpacePicture::add_edge(GenId l, GenId r, const std::vector<Vec2>& point
   tunnels_.push_back(passes);
 }
 
-// In polar coordinates about a disk of the edge, with the least and the greatest clearance among
-// the points (render.cpp says more of this form of the bisector).
+// The points are computed in polar coordinates about a disk of the edge (render.cpp says more of
+// this form of the bisector). Those of the least and the greatest clearance are among them.
 std::vector<Vec2> FreeSpacePicture::points_along(GenId l, GenId r, const Vec2& start,
                                                  const Vec2& end, bool closed) const {
   const bool left = l != container_id;
@@ -172,7 +172,7 @@ void FreeSpacePicture::paint(cairo_t* cairo, const std::function<Vec2(const Vec2
   cairo_restore(cairo);
 }
 
-// Between the piece and the centre of a disk, or outwards from the piece to the container.
+// Paints between the piece and the centre of a disk, or outwards from the piece to the container.
 void FreeSpacePicture::paint_wedge(cairo_t* cairo, const std::function<Vec2(const Vec2&)>& pixel,
                                    const Region& region, GenId g) const {
   cairo_new_path(cairo);
@@ -184,7 +184,7 @@ void FreeSpacePicture::paint_wedge(cairo_t* cairo, const std::function<Vec2(cons
     const Vec2 o = diagram_.container_center;
     for (auto p = region.piece.rbegin(); p != region.piece.rend(); ++p) {
       const Vec2 out = *p - o;
-      // Beyond the rim, so that chords do not cut it.
+      // The point lies beyond the rim, so that the chords do not cut the rim.
       const Vec2 at = pixel(o + (1.1 * diagram_.container_radius / length(out)) * out);
       cairo_line_to(cairo, at[0], at[1]);
     }

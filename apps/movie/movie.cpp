@@ -85,8 +85,8 @@ std::vector<double> disk_values(const Scene& scene) {
   return values;
 }
 
-// As the page's typed arrays read it. The page's machine has the least significant byte first, as
-// all have on which browsers run.
+// The element of the page that holds an array, in bytes as the page's typed arrays read them. The
+// page's machine has the least significant byte first, as all have on which browsers run.
 template <class T>
 std::string array_element(const char* name, const std::vector<T>& values) {
   static_assert(std::endian::native == std::endian::little && std::is_trivially_copyable_v<T>);

@@ -60,7 +60,8 @@ class Collector {
     add_velocity(maneuver.disk, maneuver.v);
   }
 
-  // As recorded, else as the replay has it; where that makes nothing of the claim, as before it.
+  // Adds the velocity as it is recorded, else as the replay has it. Where the replay makes nothing
+  // of the claim, that is the velocity before it.
   void add_velocity(GenId g, const std::optional<Vec2>& recorded) {
     const Velocity& v = replay_.velocity(g);
     const Vec2 nearest = recorded ? *recorded

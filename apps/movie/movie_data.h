@@ -19,7 +19,8 @@ enum class MovieEvent : std::uint8_t { flip, collision, maneuver };
 struct MovieData {
   std::vector<double> times;
   std::vector<MovieEvent> kinds;
-  // Of a flip l, r, s, e; of a collision i, j; of a maneuver the disk. The container is 65535.
+  // The ids that the events name: l, r, s, e of a flip; i, j of a collision; the disk of a
+  // maneuver. The container is 65535.
   std::vector<std::uint16_t> ids;
   // vx, vy just after the event of each disk that a collision or a maneuver names, the container
   // passed over. Between events a disk moves on a line: that is all of its motion.

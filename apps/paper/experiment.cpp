@@ -32,7 +32,8 @@ class Recorder final : public EventSink {
   }
   void maneuver(double, GenId, const RoundedState&) override {}
 
-  // After the run, so that its time is the engine's own. Not to the end where the monitor says so.
+  // Counts after the run, so that the run's time is the engine's own. Stops before the end where
+  // the monitor says so.
   void count_predictions(const MotionInput& input, const ExperimentMonitor& monitor) {
     PredictionCounter counter(input);
     counter.begin(initial_);
@@ -109,7 +110,7 @@ Distribution distribution_of(std::vector<double> values) {
   double squares = 0;
   for (const double x : values) squares += (x - d.mean) * (x - d.mean);
   d.deviation = std::sqrt(squares / n);
-  // Between the two values nearest to the place, linearly.
+  // A quantile lies between the two values nearest to its place, linearly.
   const auto quantile = [&](double q) {
     const double place = q * (n - 1);
     const auto below = static_cast<std::size_t>(place);

@@ -13,7 +13,7 @@
 
 namespace voroproof::internal {
 
-// Of a set of numbers; zeros where it is empty.
+// What is told of a set of numbers; zeros where the set is empty.
 struct Distribution {
   std::size_t count = 0;
   double mean = 0, deviation = 0;  // the standard deviation
@@ -29,7 +29,7 @@ struct ExperimentRun {
   Outcome outcome;
   EngineStats stats;
   double seconds = 0;  // of the engine, without what is counted besides
-  // By the rule of predictions.h.
+  // The predictions, counted by the rule of predictions.h.
   std::uint64_t predicted_flips = 0, predicted_flips_before_contact = 0, predicted_roots = 0,
                 predicted_collisions = 0;
   // Events in [10 k, 10 (k + 1)); what happens exactly at the horizon counts in the last interval.
@@ -39,7 +39,7 @@ struct ExperimentRun {
   Distribution neighbor_distance, speed;
 };
 
-// As for the engine; false stops, and what is counted then is of no use.
+// A monitor like the engine's: false stops the run, and what is counted then is of no use.
 using ExperimentMonitor = std::function<bool(double t, std::uint64_t events)>;
 
 // `predictions` also counts predictions, which takes longer than the run; the monitor is called

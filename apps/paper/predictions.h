@@ -26,14 +26,14 @@ class PredictionCounter {
   void begin(const std::vector<Quad>& initial);
   void flip(double t, const Quad& edge);
   void collide(double t, GenId i, GenId j);
-  // After the last event.
+  // To be called after the last event.
   void finish() { predict(); }
 
   std::uint64_t flips() const { return flips_; }
-  // Those that no contact among the four generators precedes: after it they would have to pass
-  // through each other.
+  // The predicted flips that no contact among the four generators precedes: after a contact they
+  // would have to pass through each other.
   std::uint64_t flips_before_contact() const { return flips_before_contact_; }
-  // As flips(), but any root of the flip polynomial counts: the rule of Algorithm 2 as it is
+  // The predicted flips if any root of the flip polynomial counts: the rule of Algorithm 2 as it is
   // printed (line 9), by which roots that are no collapses are found only when their time comes.
   std::uint64_t roots() const { return roots_; }
   std::uint64_t collisions() const { return collisions_; }
@@ -52,7 +52,8 @@ class PredictionCounter {
   ContactSearch contacts_;
   NamedDiagram diagram_;
   double now_ = 0;
-  // Since the last instant: half-edges of changed edges, of new adjacencies, disks that collided.
+  // What has changed since the last instant: half-edges of changed edges and of new adjacencies,
+  // and disks that have collided.
   std::set<Diagram::HalfEdge> changed_, adjacent_;
   std::set<GenId> moved_;
   std::uint64_t flips_ = 0, flips_before_contact_ = 0, roots_ = 0, collisions_ = 0;

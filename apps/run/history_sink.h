@@ -1,4 +1,4 @@
-// From the engine's events to a history file.
+// Writes the engine's events to a history file.
 #pragma once
 
 #include <condition_variable>
@@ -39,7 +39,7 @@ class HistorySink : public EventSink {
   bool has_begun() const { return begun_; }
   double last_time() const { return last_time_; }  // of the last event; 0 without any
 
-  // After it all events have reached the writer, which is the caller's again.
+  // Afterwards all events have reached the writer, which is the caller's again.
   virtual void finish() {}
 
  protected:
@@ -62,8 +62,9 @@ class HistorySink : public EventSink {
   std::function<void(const Event&)> event_observer_;
 };
 
-// The same with a thread of its own for formatting and writing: the engine's thread hands on
-// batches of events and waits when too many of them stand in the queue. The bytes are the same.
+// A sink with a thread of its own for formatting and writing: the engine's thread hands on batches
+// of events and waits when too many of them stand in the queue. The bytes are those that
+// HistorySink writes.
 class BackgroundHistorySink final : public HistorySink {
  public:
   using HistorySink::HistorySink;

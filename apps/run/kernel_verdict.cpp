@@ -17,7 +17,7 @@ namespace voroproof::internal {
 
 namespace {
 
-// Of a file: the kernel has it in memory as a whole.
+// The most bytes of a file: the kernel has it in memory as a whole.
 constexpr std::size_t kMost = std::size_t{1} << 32;
 
 // How the process ends in which the kernel works, if not with a verdict.
@@ -40,7 +40,7 @@ std::string word(voroproof_kernel::Verdict verdict) {
 
 using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-// As the judging process tells it: three lines.
+// Writes the result as the judging process tells it: in three lines.
 int tell(const voroproof_kernel::Result& result, std::FILE* out) {
   std::fprintf(out, "%d\n%lld\n%s\n", static_cast<int>(result.verdict),
                static_cast<long long>(result.line), result.reason.c_str());
@@ -64,8 +64,8 @@ voroproof_kernel::Result told(std::FILE* in) {
   return result;
 }
 
-// The kernel asks nobody whether to go on: it works in a process that can be killed. Nothing where
-// that was done.
+// The kernel asks nobody whether to go on: it works in a process that can be killed. Returns
+// nothing where the process was killed.
 std::optional<voroproof_kernel::Result> checked_apart(const std::string& scene,
                                                       const std::string& history,
                                                       const voroproof_kernel::Options& options,

@@ -13,7 +13,8 @@
 
 namespace voroproof::internal {
 
-// Like one that stopped after its first `events` (> 0), for `reason`, where it has more.
+// A history cut short: where the whole one has more than `events` (> 0) events, this one is like a
+// history that stopped after so many, for `reason`.
 class LimitedHistory final : public HistorySource {
  public:
   LimitedHistory(std::unique_ptr<HistorySource> whole, std::uint64_t events, std::string reason)

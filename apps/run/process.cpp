@@ -48,7 +48,7 @@ void limit(int resource, std::uint64_t value) {
   } catch (...) {
     std::terminate();
   }
-  // Without flushing what the parent's streams hold.
+  // _exit() does not flush what the parent's streams hold.
   _exit(code);
 }
 
@@ -113,7 +113,7 @@ struct Running {
   std::unique_ptr<Child> child;
 };
 
-// Until a process ends, or a deadline comes, or it is time to report.
+// Waits until a process ends, or a deadline comes, or it is time to report.
 void wait_for(const std::vector<Running>& running, std::vector<pollfd>& descriptors) {
   descriptors.clear();
   Clock::time_point until = Clock::now() + std::chrono::milliseconds(poll_milliseconds);

@@ -40,7 +40,7 @@ ExitCode exit_code(Verdict verdict) {
   return ExitCode::undecided;
 }
 
-// Of a history that a limit of the user's does not let be judged to its end.
+// The certificate of a history that a limit of the user's does not let be judged to its end.
 Certificate undecided(const std::string& reason, std::int64_t prefix_events, double prefix_t) {
   Certificate certificate;
   certificate.verdict = Verdict::undecided;
@@ -50,8 +50,8 @@ Certificate undecided(const std::string& reason, std::int64_t prefix_events, dou
   return certificate;
 }
 
-// On stdout what was found, the verdict last; the reason of another verdict than CERTIFIED on
-// stderr.
+// Writes what was found to stdout, the verdict last, and the reason of a verdict other than
+// CERTIFIED to stderr.
 void tell(const Request& request, const Certificate& certificate, const std::string& kernel,
           const std::string& evidence) {
   if (certificate.verdict != Verdict::certified) {

@@ -82,7 +82,7 @@ void require_scene(const Request& request) {
   }
 }
 
-// As the file has it: without an initial diagram and velocities.
+// Writes the history as the file has it: without an initial diagram and velocities.
 void sequence_to_history(const Request& request) {
   require_scene(request);
   if (is_disk_file(request.scene)) {

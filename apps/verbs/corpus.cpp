@@ -25,7 +25,7 @@ constexpr std::uint64_t bytes_per_megabyte = std::uint64_t{1} << 20;
 struct Request {
   std::string root;  // empty: the corpus beside the program
   CaseSelection selection;
-  // Of run.
+  // The options of `corpus run`.
   std::string command, truth = "both", json, html;
   double seconds = 60;
   std::uint64_t megabytes = 4096;

@@ -28,7 +28,7 @@ struct Request {
 };
 
 Scene scene_of(const ReferenceOptions& options) {
-  // By way of its text, like any scene.
+  // The scene is written and read again, so that it goes the way of any scene.
   std::ostringstream text;
   try {
     write_scene(text, generate_reference(options));

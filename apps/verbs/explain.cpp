@@ -16,7 +16,7 @@ struct Request {
   std::string report, picture;
 };
 
-// Beside the report, under its name.
+// The picture's path: beside the report, under its name.
 std::string default_picture(const std::string& report) {
   const std::string ending = ".json";
   return (report.ends_with(ending) ? report.substr(0, report.size() - ending.size()) : report) +

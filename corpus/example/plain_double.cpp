@@ -111,7 +111,8 @@ struct Edge {
   }
 };
 
-// Its generators counterclockwise; beyond its edge of g[k] and g[k+1] lies the vertex over[k].
+// A vertex: its generators counterclockwise; beyond its edge of g[k] and g[k+1] lies the vertex
+// over[k].
 struct Vertex {
   std::array<int, 3> g{}, over{};
   int place(int first, int second) const {
@@ -124,7 +125,7 @@ struct Vertex {
   int& across(int first, int second) { return over[place(first, second)]; }
 };
 
-// In this order where the times are the same.
+// Events at the same time come in this order.
 enum class Kind { collision, maneuver, flip };
 struct Event {
   double t = never;

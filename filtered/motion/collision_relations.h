@@ -34,7 +34,7 @@ class CollisionRelations {
     right_angles_[std::minmax(a, b)] = a < b ? turn : -turn;
   }
 
-  // The one that the collision with this id belongs to, or null; valid until another is noted.
+  // The cradle that the collision with this id belongs to, or null; valid until another is noted.
   const Cradle* cradle(int id) const {
     const auto it = cradle_.find(id);
     return it == cradle_.end() ? nullptr : &cradles_[it->second];

@@ -11,10 +11,10 @@
 
 namespace voroproof::internal {
 
-// By the double next to the number and what is left of it.
+// A number as a double-double: the double next to it and what is left of it.
 DdBall dd_of(const Rational& q);
 DdBall dd_of(const CompactRational& q);
-// Of a ball, and of a fixed-point number times 2^unit.
+// A ball, and a fixed-point number times 2^unit, as a double-double.
 DdBall dd_of(const Ball& b);
 DdBall dd_of(const FixedView& a, std::int64_t unit);
 

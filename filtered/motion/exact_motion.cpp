@@ -9,7 +9,7 @@ namespace voroproof::internal {
 
 namespace {
 
-// Of exact arithmetic, which is slow far sooner than balls are.
+// The limit of exact arithmetic, which is slow far sooner than balls are.
 constexpr std::size_t kMaxCoefficientBits = 1 << 16;
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace voroproof::internal {
 
 namespace {
 
-// Of a positive number: the exponent of a bound from above.
+// The exponent of an upper bound of a positive number.
 std::int64_t exponent_above(const CompactRational& x) {
   const Rational* exact = x.exact();
   if (exact == nullptr) return 2 + std::ilogb(x.leading());
@@ -36,7 +36,7 @@ void FixedCollision::compute(const std::array<Side, 2>& sides, double t_ref, con
   with_.add(now_, now_, s_);
 }
 
-// That of the widest number, or the last place.
+// The unit is that of the widest radius that comes in, or the last place where that is larger.
 void FixedCollision::choose_unit_of_radii(const std::array<Side, 2>& sides) {
   std::int64_t exponent = -format_.bits;
   const auto look = [&](const Ball& ball, std::int64_t scale) {
@@ -170,7 +170,7 @@ void FixedCollision::turn_disk() {
   with_.sub(y_[1], y_[1], sy_);
 }
 
-// The same of two disks: it is m_j K n for i, -m_i K n for j.
+// Turns two disks as turn_disk() turns one: the change is m_j K n for i, -m_i K n for j.
 void FixedCollision::turn_both() {
   with_.negate(mass_[0]);
   for (int side = 0; side < 2; ++side) {

@@ -17,7 +17,7 @@ struct MotionState {
   T x, y, vx, vy;
 };
 
-// The same as a computation left it: centres in units of 2^x_scale, velocities in 2^v_scale.
+// A state as a computation left it: centres in units of 2^x_scale, velocities in 2^v_scale.
 struct FixedState {
   FixedRow numbers;
   std::int64_t v_scale;

@@ -67,8 +67,8 @@ void Motion::refresh(GenId g) {
   set_state(g, s.x, s.y, s.vx, s.vy);
 }
 
-// The same, after collide_ahead(), where better states are there by now. Precondition: the second
-// thread has been waited for.
+// Refreshes the states that collide_ahead() left and of which better ones are there by now.
+// Precondition: the second thread has been waited for.
 void Motion::take_over() {
   const double x_error = std::ldexp(error_of_length(), -kSpareBits);
   const double v_error = std::ldexp(error_of_speed(), -kSpareBits);
@@ -256,7 +256,7 @@ Impact Motion::collide(GenId i, GenId j, double t_near) {
   return *impact;
 }
 
-// By the states beyond double-doubles, which are there then.
+// Collides by the states beyond double-doubles, once all of these are there.
 Impact Motion::collide_now(const Record& r) {
   append(r);
   settle();
@@ -291,9 +291,9 @@ Impact Motion::collide_now(const Record& r) {
   }
 }
 
-// By double-doubles; nothing where these do not tell enough. How many collisions the other states
-// stay behind does not depend on how fast the threads are, so all that follows is the same each
-// time.
+// Collides by double-doubles; returns nothing where these do not tell enough. How many collisions
+// the other states stay behind does not depend on how fast the threads are, so all that follows is
+// the same each time.
 std::optional<Impact> Motion::collide_ahead(const Record& r) {
   // Where bits run out a run stops at the collision that needs them, not some collisions later.
   if (!options_.late_states || !options_.filters || !states_->has_spare_bits()) return std::nullopt;

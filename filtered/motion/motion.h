@@ -41,7 +41,7 @@ struct alignas(64) SecondMotion {
   double ex = 0, ev = 0, er = 0;
 };
 
-// The same in double-doubles.
+// A disk's motion in double-doubles.
 struct DdMotion {
   DdBall x, y, vx, vy, r;
 };
@@ -63,8 +63,8 @@ class Motion {
   Motion(MotionInput input, MotionOptions options);
 
   int size() const { return states_->size(); }
-  // Of disks whose motion is given, centres and velocities may be those of another time: see
-  // initial_state().
+  // The input. Where the motion of a disk is given, its centre and velocity here may be those of
+  // another time: see initial_state().
   const MotionInput& input() const { return states_->input(); }
   // Disk g with the centre and the velocity of its initial state, or of its last restart().
   const DiskInput& initial_state(GenId g) const { return states_->initial_state(g); }
@@ -72,7 +72,7 @@ class Motion {
 
   const DoubleMotion& doubles(GenId g) const { return doubles_[g + 1]; }
   const SecondMotion& seconds(GenId g) const { return seconds_[g + 1]; }
-  // Both together, referred to the time of doubles(g).
+  // doubles(g) and seconds(g) together, referred to the time of doubles(g).
   DdMotion double_doubles(GenId g) const {
     const DoubleMotion& m = doubles(g);
     const SecondMotion& s = seconds(g);
@@ -104,13 +104,13 @@ class Motion {
   // is given and not computed. Precondition: no collide() or maneuver() of the disk so far.
   void restart(GenId g, const Rational& t, const Rational& x, const Rational& y, const Rational& vx,
                const Rational& vy);
-  // The same from enclosures of x and y. The exact state is asked of `given` if it is ever needed,
-  // and must be at hand until the disk is restarted.
+  // Restarts disk g from enclosures of x and y. The exact state is asked of `given` if it is ever
+  // needed; `given` must be at hand until the disk is restarted.
   void restart(GenId g, double t, const DdBall& x, const DdBall& y, double vx, double vy,
                const GivenMotion& given);
 
-  // Without any proof: doubles(g) is m from now on, and nothing else here tells the motion of g any
-  // more. For peers in plain doubles, to measure against.
+  // Sets doubles(g) to m without any proof; nothing else here tells the motion of g any more. For
+  // peers in plain doubles, to measure against.
   void overwrite(GenId g, const DoubleMotion& m) { doubles_[g + 1] = m; }
 
   // The changes of motion so far, in order of time.

@@ -22,7 +22,7 @@ constexpr int kInitialGoal = 112;
 // horizon may lose.
 constexpr int kHeadroom = 48;
 
-// Of zero.
+// The exponent of zero.
 constexpr std::int64_t kNoExponent = -1000;
 
 std::int64_t exponent_of(double d) {
@@ -123,9 +123,9 @@ int MotionStates::append(Maneuver m) {
   return static_cast<int>(maneuvers_.size()) - 1;
 }
 
-// For numbers in units of the scene: centres in 2^x_scale, velocities in 2^v_scale. Far away are
-// coordinates where the container is not about the origin, times where they are late, and speeds
-// divided by a short reach; disks may become faster than any is at first.
+// The limbs before the point of numbers in units of the scene: centres in 2^x_scale, velocities in
+// 2^v_scale. Coordinates are large where the container is not about the origin, times where they
+// are late, and speeds divided by a short reach; disks may become faster than any is at first.
 int MotionStates::integer_limbs() const {
   constexpr std::int64_t kFaster = 16;
   const std::int64_t last = horizon_ > 0 ? std::ilogb(horizon_) + 1 : kNoExponent;
@@ -204,7 +204,7 @@ bool MotionStates::is_accurate_enough(const Record& r) const {
   return true;
 }
 
-// Of the records applied so far.
+// Computes the states anew from all records applied so far.
 void MotionStates::replay() {
   ++replays_;
   begin();

@@ -30,15 +30,15 @@ class MotionStates {
   MotionStates& operator=(const MotionStates&) = delete;
   ~MotionStates();
 
-  // Of disks whose motion is given, centres and velocities may be those of another time: see
-  // initial_state().
+  // The input. Where the motion of a disk is given, its centre and velocity here may be those of
+  // another time: see initial_state().
   const MotionInput& input() const { return input_; }
   int size() const { return static_cast<int>(input_.disks.size()); }
   // Disk g with the centre and the velocity of its initial state, or of its last restart().
   const DiskInput& initial_state(GenId g) const;
   // When the initial state of a disk holds: 0 unless it was restarted.
   double initial_time(GenId g) const { return start_[g]; }
-  // As Motion's; the state is one at time t.
+  // Does what Motion::restart() does; the state is one at time t.
   void restart(GenId g, double t, const Rational& x, const Rational& y, const Rational& vx,
                const Rational& vy);
   void restart(GenId g, double t, const GivenMotion& given);
@@ -62,13 +62,13 @@ class MotionStates {
   const Maneuver& maneuver(int index) const { return maneuvers_[index]; }
 
   void append(const Record& r) { rest_.push_back(r); }
-  // Its index, for a record.
+  // Adds the maneuver; returns its index, for a record.
   int append(Maneuver m);
 
   // Applies all records. Raises the supply of bits where the states after a collision are not
   // accurate enough. Throws Undecided where that would exceed the budget.
   void apply_rest();
-  // The same in a thread of its own. Precondition: the rest are collisions.
+  // Does what apply_rest() does, in a thread of its own. Precondition: the rest are collisions.
   void apply_rest_late();
   // Waits for that thread, and throws what apply_rest() would have thrown.
   void wait();

@@ -14,10 +14,10 @@ struct RoughSite {
   double error;  // of both coordinates and of the radius, each
 };
 
-// Within h of the time c. Positions z = z0 + v (c - t) in each coordinate: the difference, the
-// product and the sum are rounded once each, the state errs by ex + ev |c - t|, and within the
-// interval the disk moves by at most (|v| + ev) h. Half of the 4 u pays for the rounding of the
-// bound.
+// The site of the motion within h of the time c. Positions are z = z0 + v (c - t) in each
+// coordinate: the difference, the product and the sum are rounded once each, the state errs by ex +
+// ev |c - t|, and within the interval the disk moves by at most (|v| + ev) h. Half of the 4 u pays
+// for the rounding of the bound.
 inline RoughSite rough_site(const DoubleMotion& m, double c, double h) {
   constexpr double u = unit_roundoff;
   const double dt = c - m.t;

@@ -13,7 +13,7 @@ namespace {
 // looks for the next one of its own accord, for a while.
 constexpr std::chrono::microseconds kNap(50);
 constexpr int kNaps = 200;
-// Between two looks at whether a job is still wanted.
+// The time between two looks at whether a job is still wanted.
 constexpr std::chrono::milliseconds kLook(5);
 
 }  // namespace

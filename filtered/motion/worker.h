@@ -21,9 +21,9 @@ class Worker {
   // Precondition: the last job was waited for.
   void start(std::function<void()> job);
   bool is_working() const { return working_; }
-  // Until the job is done; does it in the calling thread if the other one has not begun. Throws
-  // what the job threw, and, where the waiting thread is asked to give up, GivenUp; the job may go
-  // on then.
+  // Waits until the job is done; does it in the calling thread if the other one has not begun.
+  // Throws what the job threw, and, where the waiting thread is asked to give up, GivenUp; the job
+  // may go on then.
   void wait();
 
  private:

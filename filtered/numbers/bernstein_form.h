@@ -19,11 +19,11 @@ struct BernsteinForm {
   std::array<double, 9> c;
   int degree;
   double err;  // every true coefficient is within err of c[k]; 0 in the plain instance
-  // Of C for four radii that differ: a bound on their differences. f is negative wherever the value
-  // of this form is beyond err. Else 0.
+  // A bound on the differences of the four radii where the form is of C and they differ, else 0.
+  // With a bound, f is negative wherever the value of this form is beyond err.
   double spread;
-  // Of degree 8, made for collapses: other bounds, finer at the start where some of the four go
-  // farther than they are apart there.
+  // Other bounds, for a form of degree 8 that is made for collapses: finer at the start where some
+  // of the four go farther than they are apart there.
   GrowingBound bound;
 };
 

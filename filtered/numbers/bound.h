@@ -6,8 +6,8 @@
 
 namespace voroproof::internal {
 
-// Of numbers, or of all coefficients of forms (filtered/numbers/form.h) before they are multiplied
-// by binomials: |computed| <= size and |computed - true| <= err.
+// A bound of numbers, or of all coefficients of forms (filtered/numbers/form.h) before they are
+// multiplied by binomials: |computed| <= size and |computed - true| <= err.
 //
 // Rules, u = 2^-53. A coefficient of a product is a mean of products, with weights that add up to
 // 1, so that what holds of numbers holds of it.
@@ -44,33 +44,32 @@ template <class T>
           a.size * b.err + a.err * (b.size + b.err) + (8 * unit_roundoff * size + bound_tiny)};
 }
 
-// Of the tangency x^2 + y^2 - r^2 (tangency_of()), whose size is at most `size` and where |x| + |y|
-// + |r| is at most `reach`, both at each end of a window. Each of x, y and r is a difference of two
-// numbers that together err by at most `err`.
-// The differences err by eta = err + u reach. A product of two coordinates x x' errs by eta (|x| +
-// |x'|) + eta^2. So the sum of those for x and y errs by 2 eta (|x| + |y|) + 2 eta^2, and r^2 by 2
-// eta |r| + eta^2: together (2 reach + 3 eta) eta. A product and two sums on every way: below 4 u
-// size.
+// The bound of the tangency x^2 + y^2 - r^2 (tangency_of()), whose size is at most `size` and where
+// |x| + |y| + |r| is at most `reach`, both at each end of a window. Each of x, y and r is a
+// difference of two numbers that together err by at most `err`. The differences err by eta = err +
+// u reach. A product of two coordinates x x' errs by eta (|x| + |x'|) + eta^2. So the sum of those
+// for x and y errs by 2 eta (|x| + |y|) + 2 eta^2, and r^2 by 2 eta |r| + eta^2: together (2 reach
+// + 3 eta) eta. A product and two sums on every way: below 4 u size.
 template <class T>
 [[gnu::always_inline]] inline Bound<T> tangency_bound_of(const T& reach, const T& size,
                                                          const T& err) {
   const T eta = err + unit_roundoff * reach;
   return {size, (2 * reach + 3 * eta) * eta + (4 * unit_roundoff * size + bound_tiny)};
 }
-// The same for |x| + |y| at most `far` and |r| at most `dr`.
+// The tangency's bound for |x| + |y| at most `far` and |r| at most `dr`.
 template <class T>
 [[gnu::always_inline]] inline Bound<T> tangency_bound(const T& far, const T& dr, const T& err) {
   return tangency_bound_of<T>(far + dr, far * far + dr * dr, err);
 }
-// Where r is zero.
+// The tangency's bound where r is zero.
 template <class T>
 [[gnu::always_inline]] inline Bound<T> tangency_bound(const T& far, const T& err) {
   return tangency_bound_of<T>(far, far * far, err);
 }
 
-// Of the determinant x1 y2 - y1 x2 of two offsets with |x| + |y| at most far1 and far2, whose
-// coordinates err by at most eta1 and eta2. Its error is at most (|x1| + |y1|) eta2 + (|x2| + |y2|)
-// eta1 + 2 eta1 eta2. Over a window every coefficient is a mean of such determinants. Three
+// The bound of the determinant x1 y2 - y1 x2 of two offsets with |x| + |y| at most far1 and far2,
+// whose coordinates err by at most eta1 and eta2. Its error is at most (|x1| + |y1|) eta2 + (|x2| +
+// |y2|) eta1 + 2 eta1 eta2. Over a window every coefficient is a mean of such determinants. Three
 // roundings on every way.
 template <class T>
 [[gnu::always_inline]] inline Bound<T> determinant_bound(const T& far1, const T& eta1,

@@ -69,7 +69,7 @@ inline DdBall operator*(const DdBall& a, const DdBall& b) {
   const double am = std::fabs(a.hi) * (1 + 0x1p-50), bm = std::fabs(b.hi) * (1 + 0x1p-50);
   return {zh, zl, (am * b.rad + a.rad * (bm + b.rad) + std::fabs(zh) * kUnit + kTiny) * kUp};
 }
-// By a ball that does not contain zero; otherwise the radius is infinite.
+// b must not contain zero; otherwise the radius is infinite.
 inline DdBall operator/(const DdBall& a, const DdBall& b) {
   using namespace dd_detail;
   const double low = std::fabs(b.hi) * (1 - 0x1p-50) - b.rad;
@@ -85,7 +85,7 @@ inline DdBall operator/(const DdBall& a, const DdBall& b) {
   const double rest = (std::fabs(r2.hi) * (1 + 0x1p-50) + r2.rad) * kUp;
   return {qh, ql, (rest / (low * (1 - 0x1p-50)) + kTiny) * kUp};
 }
-// Of the nonnegative part of the ball.
+// The square root of the nonnegative part of the ball.
 inline DdBall sqrt(const DdBall& a) {
   using namespace dd_detail;
   if (!(a.hi * (1 - 0x1p-50) > a.rad)) {

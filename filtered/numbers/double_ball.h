@@ -57,7 +57,7 @@ inline DoubleBall operator*(const DoubleBall& a, const DoubleBall& b) {
               kTiny) *
                  kUp};
 }
-// By a ball that does not contain zero; otherwise the radius is infinite.
+// b must not contain zero; otherwise the radius is infinite.
 inline DoubleBall operator/(const DoubleBall& a, const DoubleBall& b) {
   using namespace double_ball_detail;
   const double low = (std::fabs(b.mid) - b.rad) * (1 - 0x1p-50);
@@ -69,7 +69,7 @@ inline DoubleBall operator/(const DoubleBall& a, const DoubleBall& b) {
           ((a.rad + std::fabs(m) * (1 + 4 * u) * b.rad + kTiny) / low + std::fabs(m) * u + kTiny) *
               kUp};
 }
-// Of the nonnegative part of the ball.
+// The square root of the nonnegative part of the ball.
 inline DoubleBall sqrt(const DoubleBall& a) {
   using namespace double_ball_detail;
   if (!(a.mid > a.rad)) {

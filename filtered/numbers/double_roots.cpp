@@ -93,7 +93,7 @@ Errors errors_of(const Piece& p, const GrowingBound& bound, double err) {
   const double growth4 = growth2 * growth2;
   const Lanes low = first * Lanes{1, growth, growth2, growth2 * growth}, high = growth4 * low;
   const Lanes all{err, err, err, err};
-  // In this order: what is no number is no bound.
+  // The order of the comparisons matters: what is no number is no bound.
   return {low < all ? low : all, high < all ? high : all, std::min(err, growth4 * high[0])};
 }
 

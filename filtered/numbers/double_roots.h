@@ -53,7 +53,8 @@ void halve(int degree, const double* c, double* left, double* right);
 // Narrows the root of a piece. False where the ends of the piece are too near.
 bool narrow(const Piece& p, int degree, double err, const TimeMap& time, DoubleRoot& root);
 
-// As below; `errors(piece)`: of its coefficients.
+// Does what each_root() below does; `errors(piece)` gives the error bounds of the piece's
+// coefficients.
 template <class ErrorsOf, class OnRoot>
 double each_root(const BernsteinForm& form, const ErrorsOf& errors, double start, double end,
                  OnRoot&& on_root) {
@@ -103,7 +104,7 @@ double each_root(const BernsteinForm& form, double start, double end, OnRoot&& o
   return double_roots_detail::each_root(
       form, [&](const double_roots_detail::Piece&) { return form.err; }, start, end, on_root);
 }
-// The same by both bounds of a form of degree 8.
+// Finds the roots like each_root() above, by both bounds of a form of degree 8.
 template <class OnRoot>
 double each_root(const BernsteinForm& form, const GrowingBound& bound, double start, double end,
                  OnRoot&& on_root) {

@@ -74,7 +74,7 @@ void halve_in(const Coefficients<T>& c, const T& half, Coefficients<T>& left,
   }
 }
 
-// As roots_by_signs().
+// The number of roots that roots_by_signs() gives for the signs of these coefficients.
 template <class T>
 int count_roots_in(const Coefficients<T>& c) {
   unsigned positive = 0, negative = 0;

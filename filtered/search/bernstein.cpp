@@ -163,7 +163,7 @@ template <bool certified>
     return {{turned(x.c[0]), turned(x.c[1])}};
   };
   const Offsets<PairsWithBase> d(e);
-  // Without the radii, which may differ by `spread`.
+  // The tangency is taken without the radii, which may differ by `spread`.
   const Form<Lanes, 2> p = tangency_of(d.x, d.y, Form<Lanes, 0>{});
   const Form<Lanes, 4> terms =
       cocircularity_term(p, each(next, d.x), each(next, d.y), each(last, d.x), each(last, d.y));
@@ -240,7 +240,7 @@ bool has_one_sign(const Form<double, degree>& f, double err) {
           exceeding(side * load(c + 4), err * Lanes{70, 56, 28, 8})) == 0xf;
 }
 
-// Its coefficients without the binomials.
+// Sets `out` to the coefficients of f without the binomials.
 template <int degree>
 void unscale(const Form<double, degree>& f, BernsteinForm& out) {
   constexpr std::array<int, degree + 1> scale = binomials<degree>();

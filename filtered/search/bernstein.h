@@ -19,8 +19,9 @@ template <bool certified>
 bool form_flip_polynomial(const Motion& motion, const Quad& q, double a, double b,
                           BernsteinForm& out);
 
-// The same, but for four nearly equal radii C again, with a spread: the roots of f lie in pairs
-// close together then, where C has a simple one. True: f has no root in [a, b].
+// Forms the polynomial as form_flip_polynomial() does, but takes C, with a spread, for four nearly
+// equal radii, too: the roots of f lie in pairs close together then, where C has a simple one.
+// True: f has no root in [a, b].
 bool form_for_collapse(const Motion& motion, const Quad& q, double a, double b, BernsteinForm& out);
 
 }  // namespace voroproof::internal

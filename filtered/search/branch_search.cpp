@@ -44,7 +44,7 @@ class Branch {
     const DdBall slope(over_all.mid, 0, over_all.rad);
     const auto step = [&](const DdBall& c) { return c - value(c) / slope; };
     const DdBall near = step(DdBall(0.5 * (a + b)));
-    // Of a time beyond the ends the slope is not known.
+    // The slope is not known at a time beyond the ends.
     const bool inside = a < near.hi && near.hi < b;
     return inside && std::isfinite(near.rad) ? step(DdBall(near.hi, near.lo)) : near;
   }

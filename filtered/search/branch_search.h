@@ -1,6 +1,7 @@
-// Where the flip polynomial f has roots close together or double ones, the in-circle functions
-// tell them apart: f is q times its conjugate up to a positive factor (exact/predicates.h), and a
-// pair of roots is mostly one of each. Of nearly equal radii all roots of f come in such pairs.
+// Where the flip polynomial f has roots close together or double ones, the in-circle functions tell
+// them apart: f is q times its conjugate up to a positive factor (exact/predicates.h), and a pair
+// of roots is mostly one of each. Where the radii are nearly equal, all roots of f come in such
+// pairs.
 #pragma once
 
 #include <optional>

@@ -56,8 +56,8 @@ struct Past {
   std::vector<Blow> blows;  // of two the second's normal, seen from the disk, is to the left
 };
 
-// As many blows as there are before a collision that is not at right angles to them. nullopt: that
-// happens within a cradle.
+// The past with as many blows as there are, going back, before a maneuver or a collision that is
+// not at right angles to them. nullopt: that happens within a cradle.
 std::optional<Past> past_by_blows(const Motion& motion, const DiskState& s) {
   Past past;
   DiskState& now = past.before;
@@ -210,7 +210,7 @@ int quarter_turn(const Motion& motion, const DiskState& g, const DiskState& a, c
 }
 
 // Whether the directions from disk g to a and b may be at right angles, as far as doubles tell.
-// That of a maneuver of g or of a collision with the container is not looked at.
+// False where a is g itself, as for a maneuver of g, or the container: these are not looked at.
 bool may_be_right_angle(const Motion& motion, GenId g, GenId a, GenId b, const DoubleBall& now) {
   if (a == container_id || a == g || a == b) return false;
   const Site<DoubleBall> at = motion.site(g, now), at_a = motion.site(a, now),

@@ -32,9 +32,10 @@ bool at_rest(const Motion& motion, DiskState s);
 // The state in which generator g was just before the log's records beyond the first `records`.
 DiskState state_before(const Motion& motion, DiskState s, int records);
 
-// Of the collisions beyond the log's first `records`, all of one instant between lo and hi: finds
-// those that share a disk and whose outcome certainly does not depend on their order, and notes
-// them in the motion; from then on the outcome is carried in whichever order they were processed.
+// Looks at the collisions beyond the log's first `records`, all of one instant between lo and hi.
+// Finds those that share a disk and whose outcome certainly does not depend on their order, and
+// notes them in the motion; from then on the outcome is carried in whichever order they were
+// processed.
 //   - Their normals are at right angles, because a quarter turn carries the one pair onto the
 //   other.
 //   - They make a cradle (Cradle, filtered/motion/collision_relations.h), as a half turn about the

@@ -108,8 +108,8 @@ Collapse Collapse::none_until(double t) {
   return c;
 }
 
-// By the roots of a form whose coefficients are not all of one sign: a collapse, or none up to the
-// time to which the form tells, the start if it tells nothing.
+// The collapse by the roots of a form whose coefficients are not all of one sign; or none up to the
+// time to which the form tells, which is the start if it tells nothing.
 Collapse CollapseSearch::in_doubles(const Quad& q, const BernsteinForm& form, double start,
                                     double end) const {
   std::optional<Collapse> collapse;
@@ -130,9 +130,10 @@ Collapse CollapseSearch::in_doubles(const Quad& q, const BernsteinForm& form, do
   return collapse ? *collapse : Collapse::none_until(reached);
 }
 
-// The same piece by piece: the error bound of a form grows with a high power of the way that the
-// generators go in it, so that long windows hide what short ones show. Pieces are as long as forms
-// are of use. Where nobody goes far they would tell no more than the whole.
+// Searches as in_doubles() does, but piece by piece: the error bound of a form grows with a high
+// power of the way that the generators go in it, so that long windows hide what short ones show.
+// Pieces are as long as forms are of use. Where no generator goes far, pieces would tell no more
+// than the whole.
 Collapse CollapseSearch::in_pieces(const Quad& q, double start, double end) const {
   if (!go_far(motion_, q, start, end)) return Collapse::none_until(start);
   constexpr int kMaxPieces = 40;
@@ -159,8 +160,8 @@ Collapse CollapseSearch::in_pieces(const Quad& q, double start, double end) cons
   return Collapse::none_until(from);
 }
 
-// Of nearly equal radii C tells nothing next to a root of f, a flip at the start say: past that by
-// the in-circle functions, then by C again.
+// For nearly equal radii C tells nothing next to a root of f, a flip at the start say. So the
+// beginning is searched by the in-circle functions, the rest by C again.
 Collapse CollapseSearch::past_hidden(const Quad& q, double start, double end) const {
   const double past = start + 0x1p-6 * (end - start);
   const Collapse near = search_branches(motion_, q, start, past);

@@ -87,8 +87,8 @@ class CollapseSearch {
   // The collapse in [lo, hi] as a double-double; the radius is infinite where the filter cannot
   // say. [lo, hi] has been isolated before.
   DdBall refine(const Quad& q, double lo, double hi) const;
-  // The same step by step, each from what the one before has left, until `enough(enclosure)` or
-  // double-doubles tell no more.
+  // The collapse that refine() gives, step by step, each from what the one before has left, until
+  // `enough(enclosure)` or double-doubles tell no more.
   template <class Enough>
   DdBall refine_until(const Quad& q, double lo, double hi, Enough&& enough) const {
     DdBall best = refine(q, lo, hi);
@@ -98,17 +98,17 @@ class CollapseSearch {
       below = std::max(lo, below);
       above = std::min(hi, above);
       DdBall next = refine(q, below, above);
-      // Of roots close together f tells less than an in-circle function.
+      // Where roots are close together, f tells less than an in-circle function.
       if (!(next.rad < 0.5 * best.rad)) next = refine_on_branch(q, below, above);
       if (!(next.rad < 0.5 * best.rad)) break;
       best = next;
     }
     return best;
   }
-  // The same in balls of the given precision, from an enclosure [lo, hi] (an ExactTime
-  // is the last resort).
+  // The collapse in balls of the given precision, from an enclosure [lo, hi] (an ExactTime is the
+  // last resort).
   Ball refine(const Quad& q, const Rational& lo, const Rational& hi, int bits) const;
-  // The same root exactly.
+  // The root in [lo, hi] exactly.
   static ExactTime exact_root(const Quad& q, const Rational& lo, const Rational& hi,
                               ExactMotion& exact);
 
@@ -116,7 +116,7 @@ class CollapseSearch {
   bool has_rational_motion(const Quad& q) const;
 
  private:
-  // By an in-circle function instead of the flip polynomial.
+  // Does what refine() does, by an in-circle function instead of the flip polynomial.
   DdBall refine_on_branch(const Quad& q, double lo, double hi) const;
   Collapse in_doubles(const Quad& q, const BernsteinForm& form, double start, double end) const;
   Collapse past_hidden(const Quad& q, double start, double end) const;
@@ -126,8 +126,8 @@ class CollapseSearch {
   Collapse beyond(const Quad& q, const RootInterval& root, double end);
   bool at_relative_rest(const Quad& q) const;
   Collapse at_rest(const Quad& q, const Instant& now);
-  // Of four generators that stay cotangent, perhaps only with the circle of the other kind: both
-  // in-circle signs `s` tell, at a time t of the interval. nullopt: not decided.
+  // What becomes of q while its four generators stay cotangent, perhaps only with the circle of the
+  // other kind: both in-circle signs `s` tell, at a time t of the interval. nullopt: not decided.
   std::optional<Collapse> while_cotangent(const Quad& q, const std::array<Sign, 2>& s,
                                           const Ball& t) const;
   std::optional<Collapse> by_symmetry(const Quad& q, const Rational& start, const Instant* now,

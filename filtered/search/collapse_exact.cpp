@@ -111,14 +111,14 @@ class EdgeRoots {
   bool starts_at_instant() const { return instant_.has_value(); }
   void narrow(std::size_t k) { roots_[k].refine(hair()); }
 
-  // After this root and before the next.
+  // A time after root k and before the next.
   Rational after(std::size_t k) const {
     if (!roots_[k].is_point()) return roots_[k].interval().hi;
     const Rational& at = roots_[k].interval().lo;
     const Rational next = k + 1 < roots_.size() ? roots_[k + 1].interval().lo : end_;
     return std::min<Rational>((at + next) / 2, at + hair());
   }
-  // Before it, after the root before and after the start and the instant.
+  // A time before root k, but after the root before it, the start and the instant.
   Rational before(std::size_t k) {
     const Rational at = roots_[k].interval().lo;
     if (!roots_[k].is_point()) return at;
@@ -159,7 +159,8 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
                                  double end) {
   ExactMotion exact(motion_);
   const Polynomial<Tower> phi = flip_polynomial(q, exact);
-  // To which a root is narrowed so that its circles show whether they exist and which they touch.
+  // A root is narrowed to so many bits, so that its circles show whether they exist and which they
+  // touch.
   const int least = motion_.goal_bits() + 32;
   const int most = std::max(least, motion_.options().max_bits / 8);
   if (phi.is_zero()) {

@@ -87,8 +87,8 @@ Ball CollapseSearch::refine(const Quad& q, const Rational& lo, const Rational& h
   };
   const Falling polynomial{[&](const Ball& t) { return flip_value(motion_, q, t, cocircular); },
                            [&](const Ball& t) { return flip_slope(motion_, q, t, cocircular); }};
-  // Of a root of even order the polynomial tells nothing; next to one of high order the precision
-  // may not tell an end of the interval from it.
+  // The polynomial tells nothing of a root of even order; next to a root of high order the
+  // precision may not tell an end of the interval from it.
   for (const Falling& f : {polynomial, branch(q), branch(reversed(q))}) {
     const Sign at_lo = sign(f.value(make(lo))), at_hi = sign(f.value(make(hi)));
     if (is_certain(at_lo) && at_hi == -at_lo) {

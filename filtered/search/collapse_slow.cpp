@@ -207,7 +207,7 @@ Judgement departs(const Motion& motion, const Quad& q, const Ball& hull, bool ev
 
 }  // namespace
 
-// Where the four are cotangent for good, or at the present instant, and symmetry proves it.
+// The answer where symmetry proves that the four are cotangent for good, or at the present instant.
 std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rational& start,
                                                     const Instant* now, double end) {
   if (has_rational_motion(q)) return std::nullopt;
@@ -224,7 +224,8 @@ std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rationa
   const bool every_circle =
       proved == Symmetry::Cotangency::every_circle || flip_polynomial_is_cocircularity(motion_, q);
   const MakeBall make{motion_.goal_bits() + 32};
-  // As far beyond the instant as the signs are certain: a search is expensive next to a root.
+  // The answer goes as far beyond the instant as the signs are certain: a search is expensive next
+  // to a root.
   const Rational last = std::max<Rational>(to_rational(end) - to_rational(now->hi), kLeastWindow);
   for (int k = kFirstShortening; k <= kLastShortening; k += 4) {
     const Rational beyond = to_rational(now->hi) + last / (Integer(1) << k);

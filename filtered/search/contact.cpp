@@ -88,7 +88,8 @@ struct RoughPair {
     using Kind = Meeting::Kind;
     const double wx = mj.vx - mi.vx, wy = mj.vy - mi.vy, W = std::fabs(wx) + std::fabs(wy);
     const double omega = mi.ev + mj.ev + u * W;
-    // From the inputs R omega + W eta + 2 eta omega; two products and a sum, 3 u R W.
+    // The error of b: R omega + W eta + 2 eta omega comes from the inputs, 3 u R W from two
+    // products and a sum.
     const double b = dx * wx + dy * wy;
     const double e_b = (R * omega + W * eta + 2 * eta * omega + 3 * u * R * W) * up + tiny;
     if (b > e_b) return {Kind::none};
@@ -107,7 +108,7 @@ struct RoughPair {
   }
 };
 
-// Beyond what rounding a time x that is not negative has changed.
+// These go further than rounding may have changed a time x that is not negative.
 double down(double x) { return x * (1 - 0x1p-51); }
 double up(double x) { return x * (1 + 0x1p-51); }
 
@@ -162,8 +163,8 @@ std::array<double, 2> enclosure(const Ball& t) {
 
 }  // namespace
 
-// The contact by numbers of one kind; `t`: now.lo. Nothing where they do not tell it from the
-// present, or tell it badly.
+// The contact by numbers of one kind; `t`: now.lo. Returns nothing where they do not tell it from
+// the present, or tell it badly.
 template <class T>
 std::optional<NextContact> ContactSearch::in(GenId i, GenId j, const Instant& now, double end,
                                              const T& t, const T& zero) const {
@@ -199,8 +200,8 @@ NextContact ContactSearch::slow(GenId i, GenId j, const Instant& now, double end
                   i, j);
 }
 
-// Where symmetry proves that neither moves; or that the pair touches now, and the signs say that it
-// approaches, or that two disks part.
+// The answer where symmetry proves that neither moves; or that the pair touches now, and the signs
+// say that it approaches, or that two disks part.
 std::optional<NextContact> ContactSearch::by_symmetry(GenId i, GenId j, const Instant& now) const {
   const bool wall = i == container_id;
   if (motion_.is_rational(i) && motion_.is_rational(j)) return std::nullopt;
@@ -237,7 +238,7 @@ NextContact ContactSearch::exactly(GenId i, GenId j, const Instant& now, double 
   if (wall && s == Sign::zero) {
     throw Undecided("a disk slides along the container: it has no motion in this model", i, j);
   }
-  // Of a motion that is given: a disk outside the container that never comes in.
+  // A motion that is given may have this: a disk outside the container that never comes in.
   if (s == Sign::negative) return {};
   const Tower root = exact.field().sqrt(disc);
   const Tower delay = wall ? (root - k.b) / k.a : (-root - k.b) / k.a;

@@ -16,7 +16,7 @@ std::array<Site<T>, 4> sites(const Motion& m, const Quad& q, const T& t) {
   return {m.site(q.l, t), m.site(q.r, t), m.site(q.s, t), m.site(q.e, t)};
 }
 
-// The same, with their velocities as slopes.
+// The sites of q's generators, with their velocities as slopes.
 template <class T>
 std::array<Site<Dual<T>>, 4> moving_sites(const Motion& motion, const Quad& q, const T& t) {
   std::array<Site<Dual<T>>, 4> out;
@@ -46,10 +46,10 @@ struct EdgeTriples {
   }
 };
 
-// Of an edge whose start circle touches e too: whether the contact points of r, e, l follow each
-// other counterclockwise (positive) or not (negative). Only in that order are both circles of the
-// edge one, and the edge a point. Two circles may touch all four and the edge lead from one to the
-// other: mirror images in pairs are always such. Sites given perhaps over an interval.
+// Whether the contact points of r, e, l follow each other counterclockwise (positive) or not
+// (negative), for an edge whose start circle touches e too. Only in that order are both circles of
+// the edge one, and the edge a point. Two circles may touch all four and the edge lead from one to
+// the other: mirror images in pairs are always such. The sites may be given over an interval.
 template <class T>
 Sign contact_order(const Quad& q, const std::array<Site<T>, 4>& at) {
   const ContactDirections<T> contacts(EdgeTriples<T>::of(q, at).start);

@@ -28,7 +28,7 @@ T flip_value(const Motion& m, const Quad& q, const T& t, bool cocircular) {
   return flip_value(sites(m, q, t), cocircular);
 }
 
-// Its derivative in time at t, or over the interval t.
+// The flip polynomial's derivative in time at t, or over the interval t.
 template <class T>
 T flip_slope(const Motion& m, const Quad& q, const T& t, bool cocircular) {
   return flip_value(moving_sites(m, q, t), cocircular).slope;

@@ -89,7 +89,7 @@ class InstantPredicates {
     return decide(predicate, [&] { return decltype(predicate(BallSites(*this), OwnRoot{}))(); });
   }
 
-  // The same of a predicate that gives a sign, unknown where it cannot tell.
+  // Does what decide() does, for a predicate that gives a sign, unknown where it cannot tell.
   template <class F>
   Sign decide_sign(F&& predicate) {
     return decide([&](auto at, auto root) -> std::optional<Sign> {

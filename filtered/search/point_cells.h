@@ -13,16 +13,16 @@ namespace voroproof::internal {
 
 class PointCells {
  public:
-  // Both must outlive it.
+  // `motion` and `contacts` must outlive this object.
   PointCells(const Motion& motion, const ContactSearch& contacts);
 
   // Whether some disk is a point, and whether this one is; the container is none.
   bool any() const { return any_; }
   bool is_point(GenId g) const;
 
-  // Of a point whose motion, or that of a neighbour, has changed at `now`, with these neighbours:
-  // throws Undecided where it may touch two of them at `now`, or may go on touching one. Tried in
-  // doubles, double-doubles and balls: what these do not exclude may be.
+  // To be called for a point whose motion, or that of a neighbour, has changed at `now`, with its
+  // neighbours. Throws Undecided where the point may touch two of them at `now`, or may go on
+  // touching one. Tried in doubles, double-doubles and balls: what these do not exclude may be.
   void require_area(GenId point, const std::vector<GenId>& neighbours, const Instant& now) const;
 
  private:

@@ -35,7 +35,7 @@ Lanes sum(const Lanes& x) {
   return Pairs::first(x) + Pairs::second(x);
 }
 
-// Of the first three lanes, which are those that say something.
+// The sum of the first three lanes, which are those that say something.
 inline double total(const Lanes& x) { return x[0] + x[1] + x[2]; }
 
 }  // namespace voroproof::internal

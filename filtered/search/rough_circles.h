@@ -46,15 +46,15 @@
 
 namespace voroproof::internal {
 
-// Of the edge q = [l,r,s,e] over an interval of time: the signs of circle_exists() and incircle()
-// for its circles, the start (l,s,r) and the end (r,e,l), side by side. unknown where the bound is
-// too coarse.
+// The signs of circle_exists() and incircle() for the circles of the edge q = [l,r,s,e] over an
+// interval of time, the start (l,s,r) and the end (r,e,l) side by side. A sign is unknown where the
+// bound is too coarse.
 class RoughCircles {
  public:
   RoughCircles(const Motion& motion, const Quad& q, double lo, double hi)
       : RoughCircles(q, sites(motion, q, lo, hi)) {}
 
-  // Nothing may be asked unless the bounds hold.
+  // Whether the bounds hold. Nothing else may be asked unless they do.
   bool usable() const { return r_ > 0x1p-100 && r_ < 0x1p100 && theta_ <= 0x1p-20; }
 
   struct Signs {
@@ -87,8 +87,8 @@ class RoughCircles {
     return {coarse.start != Sign::unknown ? coarse.start : finely(0),
             coarse.end != Sign::unknown ? coarse.end : finely(1)};
   }
-  // Where e lies to the first and s to the second, given that they exist. `f`: the sign of the
-  // cotangency, not zero.
+  // Where e lies to the start circle and s to the end circle, given that they exist. `f`: the sign
+  // of the cotangency, not zero.
   Signs in_circle(Sign f) const {
     const InCircleParts<Lanes> parts(t_, opposite_);
     const Lanes part = f == Sign::positive ? parts.g() : parts.c();

@@ -41,10 +41,10 @@ Sign counterclockwise(const RoughSite& a, const RoughSite& b, const RoughSite& c
 
 }  // namespace
 
-// For radii that differ: f = 0 for no radii between the given ones and one common radius, at lo and
-// at hi, so that C keeps its sign, which is that of both in-circle functions where f is negative.
-// A zero of one of them is one of the other, because a circle that touches all four touches each
-// three of them counterclockwise: no other exists.
+// The proof for radii that differ: at lo and at hi, f = 0 holds for no radii between the given ones
+// and one common radius, so that C keeps its sign, which is that of both in-circle functions where
+// f is negative. A zero of one of these functions is one of the other, because a circle that
+// touches all four touches each three of them counterclockwise: no other exists.
 Judgement judge_cocircular(const Motion& motion, const Quad& q, double lo, double hi, double spread,
                            Sign after) {
   if (spread == 0 && after == Sign::positive) return Judgement::stays;

@@ -12,9 +12,10 @@ namespace voroproof::internal {
 // too coarse.
 Judgement judge_roughly(const Motion& motion, const Quad& q, double lo, double hi, Sign f);
 
-// The same at a root of C, whose sign beyond it is `after`, for four disks of equal radii: C is the
-// in-circle function of both circles, and an orientation tells whether one exists. For radii that
-// differ, by at most `spread`, where f is negative at lo and at hi, C has different signs there:
+// What becomes of q at a root of C in [lo, hi], whose sign beyond it is `after`, for four disks of
+// equal radii: C is the in-circle function of both circles, and an orientation tells whether one
+// exists. For radii that differ, by at most `spread`, where f is negative at lo and at hi, C has
+// different signs there:
 // - stays: no collapse in [lo, hi];
 // - collapses: both in-circle functions are positive at lo and negative at hi, their zeros between
 //   are the same ones, and the edge collapses where they fall.

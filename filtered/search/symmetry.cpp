@@ -189,7 +189,7 @@ bool Symmetry::is_image(const DiskState& x, const std::vector<DiskState>& circle
   const std::size_t n = circle.size();
   for (std::size_t m = 0; m < n; ++m) {
     if (!may_vanish(at[m].r - at_x.r)) continue;
-    // Where another can go if this goes to x, by radius and distance: mostly nowhere.
+    // The places that another may go to if this one goes to x, by radius and distance: mostly none.
     std::vector<std::pair<std::size_t, std::size_t>> moves;
     for (std::size_t k = 0; k < n; ++k) {
       for (std::size_t image = 0; image < n; ++image) {
@@ -233,7 +233,7 @@ bool on_one_circle(const QuadStates& a, const QuadStates& b) {
     if (it != b.end()) place.push_back(static_cast<int>(it - b.begin()));
   }
   if (place.size() < 3) return false;
-  // In the same order, but for where it begins.
+  // The order must be the same, but for where it begins.
   int descents = 0;
   for (std::size_t k = 0; k < place.size(); ++k) {
     descents += place[k] > place[(k + 1) % place.size()];

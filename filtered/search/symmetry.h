@@ -46,7 +46,7 @@ class Symmetry {
   }
   PairStates states(GenId i, GenId j) const { return {state(i), state(j)}; }
 
-  // As carry() of filtered/search/carry.h.
+  // Calls carry() of filtered/search/carry.h.
   std::vector<Isometry> carry(std::span<const DiskState> from,
                               std::span<const DiskState> to) const {
     return voroproof::internal::carry(motion_, from, to);

@@ -68,7 +68,7 @@ struct Report {
 // contradicts the witness of a refutation.
 VOROPROOF_API Report certify(const Scene& scene, const History& history,
                              const CertifyOptions& options = {});
-// Of files, in any format that the program reads; large ones are read as they are judged.
+// Certifies files, in any format that the program reads; large ones are read as they are judged.
 VOROPROOF_API Report certify_files(const std::string& scene_path, const std::string& history_path,
                                    const CertifyOptions& options = {});
 

@@ -41,9 +41,9 @@ struct Diagram {
 // Throws InputError, and Undecided where the engine stops before t.
 VOROPROOF_API Diagram diagram_at(const Scene& scene, const Number& t, int max_bits = 32768);
 
-// The same according to a history of the scene: its initial diagram after its flips up to t, the
-// disks where its last recorded centres and velocities put them. Nothing of it is checked; certify
-// the history first. Throws InputError, also where the history does not cover t.
+// The diagram at t according to a history of the scene: its initial diagram after its flips up to
+// t, the disks where its last recorded centres and velocities put them. Nothing of it is checked;
+// certify the history first. Throws InputError, also where the history does not cover t.
 VOROPROOF_API Diagram diagram_at(const Scene& scene, const History& history, const Number& t,
                                  int max_bits = 32768);
 

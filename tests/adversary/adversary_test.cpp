@@ -32,7 +32,7 @@ TEST(Adversary, NoFindInMixedWorlds) {
   EXPECT_GT(campaign.histories(), 1500);
 }
 
-// Of each fault so many are made and refuted that a generator that makes nothing is seen.
+// So many histories of each fault are made and refuted that a generator that makes nothing is seen.
 TEST(Adversary, EachFaultIsMadeAndRefuted) {
   Campaign campaign(false);
   for (int kind = 1; kind < static_cast<int>(FaultKind::count); ++kind) {

@@ -35,7 +35,7 @@ inline Finding either(Finding a, Finding b) {
   return a == Finding::unclear || b == Finding::unclear ? Finding::unclear : Finding::wrong;
 }
 
-// The same where a bound may be taken larger than it need be.
+// Whether the value is within a bound that may be taken larger than it need be: up to `most`.
 inline Finding within(Wide value, Wide least, Wide most) {
   return either(within(value, least),
                 within(value, most) == Finding::wrong ? Finding::wrong : Finding::unclear);

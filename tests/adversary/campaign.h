@@ -43,10 +43,10 @@ Recipe recipe_of(std::uint64_t seed, std::optional<Family> family, std::optional
 // Nothing where no scene comes about, or the fault finds no place in it.
 std::optional<Made> make(const Recipe& recipe);
 
-// The same with another scene.
+// Makes the recipe with another scene.
 std::optional<Made> make(const Recipe& recipe, SceneData scene);
 
-// Of which kind a history is counted: its fault, or "rewritten", "fuzzed".
+// The kind that a history is counted as: its fault, or "rewritten", "fuzzed".
 std::string kind_of(const Recipe& recipe);
 
 struct Count {
@@ -67,7 +67,7 @@ class Campaign {
   void run(std::uint64_t seed, std::optional<Family> family, std::optional<FaultKind> fault,
            const std::function<void(const Made&, Truth, const Judgement&)>& judged);
 
-  // By kind and truth; by family and truth.
+  // The counts by kind and truth, and by family and truth.
   const std::map<std::pair<std::string, int>, Count>& by_kind() const { return by_kind_; }
   const std::map<std::pair<std::string, int>, Count>& by_family() const { return by_family_; }
   const std::map<std::string, std::int64_t>& undecided() const { return undecided_; }

@@ -31,8 +31,8 @@ struct SceneData {
   int size() const { return static_cast<int>(disks.size()); }
 };
 
-// One line of a history. Of a collision i < j and [1] of v and p is of j, [0] of i (not used of
-// the container); of a maneuver i = j and [1] is of the disk.
+// One line of a history. A collision has i < j; [1] of v and p is of j, [0] of i (not used of the
+// container). A maneuver has i = j, and [1] is of the disk.
 struct Line {
   enum class Kind { flip, collide, maneuver };
   Kind kind = Kind::flip;

@@ -80,7 +80,7 @@ bool is_clear(const oracle::CotangentClass& c, const std::vector<oracle::Circle>
   return true;
 }
 
-// By the oracle of 200 digits.
+// The opinion of the oracle of 200 digits.
 Opinion confirm(const Motion& motion, const Claimed& claimed, Wide t) {
   const auto real = [](Wide x) {
     const Wide a = static_cast<double>(x), b = static_cast<double>(x - a);
@@ -115,8 +115,8 @@ Opinion confirm(const Motion& motion, const Claimed& claimed, Wide t) {
   }
 }
 
-// By empty circles, by more digits where they say no or are near. The claimed edges need not be
-// compared: they were at the start, and flips keep what they say together with the corners.
+// Judges by empty circles, and by more digits where they say no or are near. The claimed edges need
+// not be compared: they were at the start, and flips keep what they say together with the corners.
 Opinion look(const Motion& motion, const Claimed& claimed, Wide t, bool edges_too) {
   const Sites sites = motion.sites_at(t);
   const int n = static_cast<int>(sites.size()) - 1;

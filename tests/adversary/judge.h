@@ -67,7 +67,7 @@ std::optional<ReadScene> read(const SceneData& scene);
 Judgement judge(const ReadScene& scene, const History& history, Truth truth, bool long_decimals,
                 bool with_kernel);
 
-// The same of files.
+// Asks the certifier and the kernel about files.
 Judgement judge_files(const std::string& scene_path, const std::string& history_path, Truth truth);
 
 // Asks the oracle, too.

@@ -36,7 +36,7 @@ bool take_smaller(Made& made, const SceneData& scene, Truth truth, Find find) {
   return false;
 }
 
-// Nothing after line k; the horizon between it and the next.
+// Leaves nothing after line k, and puts the horizon between it and the next.
 bool cut_after(Made& made, std::size_t k, Truth truth, Find find) {
   Made cut = made;
   const auto& lines = made.history.lines;

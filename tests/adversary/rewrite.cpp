@@ -44,7 +44,7 @@ void rewrite(History& h, Rewriting how, Random& random) {
       for (std::size_t k = 0; k + 1 < h.lines.size(); ++k) {
         Line &a = h.lines[k], &b = h.lines[k + 1];
         if (b.t - a.t > 0.9 * tolerance || random.chance(0.5)) continue;
-        // Those that share a disk need not commute.
+        // Events that share a disk need not commute.
         bool apart = a.kind == Line::Kind::flip || b.kind == Line::Kind::flip;
         for (const Line* flip : {&a, &b}) {
           if (flip->kind != Line::Kind::flip) continue;

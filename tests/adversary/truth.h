@@ -27,11 +27,11 @@ struct Opinion {
 inline constexpr double tolerance = 1e-6;      // of times
 inline constexpr double law_tolerance = 1e-9;  // of velocities
 
-// Under the motion that the history records. `hints`: instants at which to look, besides.
+// Judges under the motion that the history records. `hints`: instants at which to look, besides.
 Opinion judge_recorded(const SceneData& scene, const History& history,
                        const std::vector<double>& hints);
 
-// Under the true motion.
+// Judges under the true motion.
 Opinion judge_exact(const SceneData& scene, const History& history,
                     const std::vector<double>& hints);
 

@@ -101,7 +101,7 @@ class TrueMotion {
     return std::nullopt;
   }
 
-  // Of several turns at one instant the oracle gives the last one's velocity.
+  // Where several turns are at one instant, the oracle gives the last one's velocity.
   WideVec velocity_after(std::size_t k, int id) const {
     const auto& t = exact_->times()[k];
     const bool last = k + 1 == lines_.size() || exact_->times()[k + 1] - t > 1e-60;
@@ -123,7 +123,7 @@ class TrueMotion {
       note(clearly ? Finding::wrong : Finding::unclear, "after the horizon", line);
     }
     if (k > 0 && exact_->times()[k] - exact_->times()[k - 1] < 1e-60) {
-      // Of the order at one instant only this is known here: the smallest pair that is due comes
+      // Only this is known here about the order at one instant: the smallest pair that is due comes
       // first.
       const Line& other = *lines_[k - 1];
       if (std::pair(line.i, line.j) < std::pair(other.i, other.j)) {
@@ -155,7 +155,7 @@ class TrueMotion {
   // Approach and response of a collision.
   void judge_contact(const Line& line, Wide t, Wide speed) {
     if (line.i >= 0) {
-      // Of a pair that hardly approaches no digits say whether it does.
+      // No digits say whether a pair approaches that hardly does.
       const WideVec w = minus(velocity(line.j), velocity(line.i));
       const WideVec n = minus(Path::at(path(line.j).last(), t), Path::at(path(line.i).last(), t));
       if (-dot(w, n) < static_cast<Wide>(1e-9) * speed * motion_.reach(line.i, line.j)) {

@@ -219,7 +219,7 @@ void World::flip(const Next& event) {
   if (strikes(FaultKind::back_and_forth)) {
     struck(t);
     if (fault_.amount < tolerance) {
-      // There and back, and there.
+      // The edge flips there and back, and there.
       apply_flip(event.edge);
       apply_flip(event.edge);
     } else {

@@ -160,7 +160,7 @@ void World::predict_pair(int i, int j) {
   } else if (fault_.kind == FaultKind::false_collision && !result_.struck) {
     const Real least = std::sqrt(std::max<Real>(0, dot(d, d) - bb * bb / aa)) - reach;
     if (least < fault_.amount) {
-      // While they still approach.
+      // The collision is put where they still approach.
       p.next = now_ - bb / aa * (1 - 1e-9L);
       p.false_one = true;
     }

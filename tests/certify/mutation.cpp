@@ -137,7 +137,7 @@ std::optional<ClaimedHistory> mutate(const Scene& scene, const ClaimedHistory& r
       if (events.empty()) return std::nullopt;
       const std::size_t k = random() % events.size();
       double& t = time_of(events[k]);
-      // Beyond the rounding of this sum too.
+      // The time is moved beyond the rounding of this sum, too.
       const bool later = random() % 2 == 0;
       double moved = later ? t + (tolerance + slack) : t - (tolerance + slack);
       for (int u = 0; u < 2; ++u) moved = std::nextafter(moved, later ? kInfinity : -kInfinity);
@@ -290,7 +290,7 @@ std::optional<ClaimedHistory> mutate(const Scene& scene, const ClaimedHistory& r
     case Mutation::inserted_collision: {
       const auto place = gap(scene, events, random);
       if (!place || n < 2) return std::nullopt;
-      // With the velocities unchanged, so that nothing else becomes wrong.
+      // The velocities are left unchanged, so that nothing else becomes wrong.
       const auto q = some_edge(replayed(scene, h, place->first), random);
       if (!q) return std::nullopt;
       CollideEvent c{.t = place->second, .i = std::min(q->l, q->r), .j = std::max(q->l, q->r)};

@@ -33,7 +33,8 @@ std::vector<Scene> some_scenes(Random& random, int rounds) {
         random_scene({.n = 10, .rmin = 0.1, .rmax = 20, .horizon = 10, .density = 0.3}, random));
     scenes.push_back(random_scene({.n = 5, .rmin = 3, .rmax = 3 + 1e-9, .horizon = 15}, random));
     scenes.push_back(random_scene({.n = 2, .horizon = 30}, random));
-    // Where polynomials of degree eight in the lengths leave the range of doubles.
+    // Scenes so large or small that polynomials of degree eight in the lengths leave the range of
+    // doubles.
     constexpr std::array exponents{-320, -120, 118, 122, 126, 130, 320};
     scenes.push_back(scaled(random_scene({.n = 8, .horizon = 15}, random),
                             exponents.at(random() % exponents.size())));

@@ -7,7 +7,7 @@
 
 namespace voroproof::internal::testing {
 
-// Of all families, in so many rounds, small enough for thousands of certificates.
+// Scenes of all families, in so many rounds, small enough for thousands of certificates.
 std::vector<Scene> some_scenes(Random& random, int rounds);
 
 }  // namespace voroproof::internal::testing

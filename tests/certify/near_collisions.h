@@ -5,7 +5,8 @@
 
 namespace voroproof::internal::testing {
 
-// Of disks 0 and 1, then of 2 and 3, far from each other: at irrational times 1e-45 apart.
+// A scene with collisions of disks 0 and 1, then of 2 and 3, far from each other: at irrational
+// times 1e-45 apart.
 inline Scene near_collisions() {
   Integer big;
   mpz_ui_pow_ui(big.get_mpz_t(), 10, 45);

@@ -43,8 +43,8 @@ RoundedState state(const std::optional<Vec2>& p, const std::optional<Vec2>& v) {
   return {(*p)[0], (*p)[1], (*v)[0], (*v)[1]};
 }
 
-// The history as if the engine had just given it. Of one that stops, up to there: the horizon of
-// `scene` becomes the time of the stop.
+// The history as if the engine had just given it. A history that stops is taken up to there: the
+// horizon of `scene` becomes the time of the stop.
 RecordedRun read_run(const std::string& path, Scene& scene) {
   HistoryReader reader(path, static_cast<int>(scene.disks.size()));
   RecordedRun run;

@@ -97,7 +97,7 @@ std::vector<std::pair<std::string, Divergence>> true_witnesses() {
           {"conflict", conflict(1, -9)}};
 }
 
-// Those with a root.
+// The true witnesses that have a root.
 std::vector<std::pair<std::string, Divergence>> true_roots() {
   auto all = true_witnesses();
   all.pop_back();
@@ -178,7 +178,7 @@ TEST(Evidence, WrongGeneratorIsSeen) {
   }
 }
 
-// The same polynomial and root, of an edge in whose place another flips.
+// The witness has the same polynomial and root, but is of an edge in whose place another flips.
 TEST(Evidence, FlipOfAnotherEdgeIsSeen) {
   for (const Divergence& d : {missing_flip(Container::absent), missing_flip(Container::crossing),
                               missing_flip(Container::traversing), missing_flip_of_equal_radii()}) {

@@ -40,7 +40,7 @@ TEST(MutantEvidence, NoWitnessIsFalse) {
     }
   }
   tally.print();
-  // Of each four refutations one has something to check, on the whole.
+  // One of four refutations has something to check, on the whole.
   EXPECT_GE(4 * tally.count(Evidence::confirmed), wanted * 4 / 5);
 }
 

@@ -16,7 +16,7 @@ class SturmSequence {
 
   // The number of distinct roots of f in the half-open interval (lo, hi].
   int count(const Rational& lo, const Rational& hi) const;
-  // As isolate_roots, by this sequence alone.
+  // Isolates as isolate_roots does, by this sequence alone.
   std::vector<RootInterval> isolate(const Rational& lo, const Rational& hi) const;
 
  private:

@@ -67,7 +67,7 @@ class Reference {
   friend Reference operator/(const Reference& a, const Reference& b) {
     return hull(a, b, mpfr_div);
   }
-  // Of a number that is not negative.
+  // The square root of a number that is not negative.
   friend Reference sqrt(const Reference& a) {
     Reference r;
     if (mpfr_sgn(a.lo_) > 0) mpfr_sqrt(r.lo_, a.lo_, MPFR_RNDD);

@@ -18,7 +18,8 @@ std::string disks(const std::string& first, const std::string& second) {
   return first + "," + second;
 }
 
-// As large as the rounding: an overlap that lasts is none.
+// The overlap of the two is as small as the rounding: it is accepted where they part at once, and
+// refuted where it lasts.
 TEST(KernelContacts, TinyDisksThatStayInEachOther) {
   const std::string two = disks(disk("-1e-13", "0", "2.2e-14", "5e-11", "0"),
                                 disk("1e-13", "0", "2.2e-14", "-5e-11", "0"));
@@ -50,7 +51,7 @@ TEST(KernelContacts, DrivenOnAfterARest) {
   expect(Verdict::refuted, scene, {turn, "{\"t\":1.5000005" + v});
 }
 
-// The same at rest for longer: a claim half a second after the turn answers nothing.
+// The disks are at rest for longer: a claim half a second after the turn answers nothing.
 TEST(KernelContacts, ClaimedLongAfterAShallowEntry) {
   const std::string scene =
       scene_of(disks(disk("\"-0x1.000000000004p0\"", "0", "1", "\"0x1p-46\"", "0"),
@@ -119,7 +120,7 @@ TEST(KernelContacts, PassingThroughAndPartedByAFlip) {
         scene_of(disk("-10", "1.875", r, "1", "0") + "," + disk("0", "0", r, "0", "0") + "," +
                      disk("8", "6", r, "0", "0") + "," + disk("8", "-5", r, "0", "0"),
                  "25");
-    // Of equal radii the diagram depends on the sum of this one and theirs.
+    // Where the radii are equal the diagram depends on the sum of this one and theirs.
     if (!large) scene.replace(scene.find("\"radius\":50"), 11, "\"radius\":50.5");
     expect(large ? Verdict::refuted : Verdict::certified, scene, flips, "25", initial);
   }

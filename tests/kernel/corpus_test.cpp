@@ -99,8 +99,8 @@ TEST(KernelCorpus, ExactWrong) {
   EXPECT_EQ(undecided, 52);
 }
 
-// Of the recorded truth they are right where rounding, or the file's own order at one recorded
-// time, leaves no other motion.
+// Wrong histories are right under the recorded truth where rounding, or the file's own order at one
+// recorded time, leaves no other motion.
 TEST(KernelCorpus, RecordedWrong) {
   const std::set<std::string> right = {"collision-order", "graze-taken-for-hit", "maneuver-first"};
   const std::set<std::string> near = {"multiple-roots/simple-at-the-horizon",

@@ -57,7 +57,8 @@ TEST(KernelDiagram, OnlySpheresAreDiagrams) {
   const std::string wrong = "wrong initial diagram: ";
   EXPECT_EQ(refused(edges_of(tetrahedron(-1, 0, 1, 2)), 3), "");
   EXPECT_EQ(refused(edges_of(torus()), 6), wrong + "not 3 (n + 1) - 6 edges");
-  // Of the right number of edges: a torus beside a sphere, and two spheres that share two vertices.
+  // These have the right number of edges: a torus beside a sphere, and two spheres that share two
+  // vertices.
   EXPECT_EQ(refused(edges_of(both(torus(), tetrahedron(6, 7, 8, 9))), 10), wrong + "not connected");
   std::vector<Quad> pinched = edges_of(tetrahedron(-1, 0, 1, 2));
   for (const Quad& q : edges_of(tetrahedron(-1, 0, 3, 4))) pinched.push_back(q);

@@ -21,7 +21,7 @@ Scene scene_with_long_decisions() {
   return generate_grid(options);
 }
 
-// Until the call numbered `last`; notes how many events there were at each.
+// Runs until the call numbered `last`; notes how many events there were at each.
 RecordedRun run_until(const Scene& scene, std::size_t last, std::vector<std::uint64_t>& calls) {
   return run(scene, {}, [&](double, std::uint64_t events) {
     calls.push_back(events);
@@ -34,7 +34,8 @@ TEST(EngineInterruption, WithinALongDecision) {
   std::vector<std::uint64_t> calls;
   const RecordedRun whole = run_until(scene, 0, calls);
   ASSERT_TRUE(whole.complete());
-  // Where no event has come since the monitor was asked before, and none comes until it is again.
+  // The calls before which no event has come since the monitor was asked, and none comes until it
+  // is asked again.
   std::vector<std::size_t> within;
   for (std::size_t k = 1; k + 1 < calls.size(); ++k) {
     if (calls[k - 1] == calls[k] && calls[k] == calls[k + 1] && calls[k] > 0) within.push_back(k);
@@ -68,7 +69,7 @@ TEST(EngineInterruption, WithinArithmeticOfRationals) {
   EXPECT_EQ(calls.size(), 50u);
 }
 
-// Without one this takes longer than anyone waits for.
+// Without a budget this takes longer than anyone waits for.
 TEST(EngineInterruption, RationalsHaveABudget) {
   MotionOptions options;
   options.max_bits = 4096;

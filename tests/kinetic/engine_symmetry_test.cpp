@@ -26,7 +26,8 @@ std::vector<Scene> some_scenes() {
   return scenes;
 }
 
-// The same events in the same order, with times scaled by `factor` (but for their rounding).
+// Expects the same events in the same order, with times scaled by `factor` (but for their
+// rounding).
 void expect_corresponding(const RecordedRun& a, const RecordedRun& b, double factor,
                           const std::string& message) {
   ASSERT_TRUE(a.complete() && b.complete()) << message;

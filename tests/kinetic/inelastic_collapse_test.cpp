@@ -77,7 +77,8 @@ TEST(InelasticCollapse, IsNotProvedWhereAnotherDiskIsMetFirst) {
   const double end = proved_end(first);
   const Event& last = first.events.back();
   const double hit = 0.5 * (first.outcome.t + end);
-  // At rest ahead, near the wall, so that the disk arrives there between its bounces at time `hit`.
+  // Another disk is at rest ahead, near the wall, so that the disk arrives there between its
+  // bounces at time `hit`.
   const RoundedState& s = last.second;
   const double w = (s.px * s.vy - s.py * s.vx) / 9;
   const double d = 8.99;
@@ -104,7 +105,7 @@ TEST(InelasticCollapse, AfterACollisionOfTwoDisks) {
   EXPECT_EQ(std::get<1>(history.outcome.events.front()), pair);
 }
 
-// In turns between two neighbours that come together.
+// The disk collides in turns with two neighbours that come together.
 TEST(InelasticCollapse, OfADiskBetweenTwoOthersIsSeen) {
   for (const Rational& e : {Rational(0), Rational(1, 20)}) {
     Scene scene = scene_of(50, 100,

@@ -30,8 +30,8 @@ TEST(EventQueue, EqualKeysByItem) {
   }
 }
 
-// As a run does: keys only come later than what has been taken, but for some that come earlier than
-// what waits; few distinct keys in every third queue.
+// The queue is used as a run uses it: keys only come later than what has been taken, but for some
+// that come earlier than what waits. Every third queue has few distinct keys.
 TEST(EventQueue, TakesItemsInOrder) {
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 30; ++trial) {

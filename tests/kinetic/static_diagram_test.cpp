@@ -51,7 +51,7 @@ TEST(StaticDiagram, SmallestCases) {
   expect_diagram(scene_of(10, 0, {}));
   expect_diagram(scene_of(10, 0, {disk(1, 2, 3, 0, 0)}));
   expect_diagram(scene_of(10, 0, {disk(-4, 0, 1, 0, 0), disk(4, 1, 2, 0, 0)}));
-  // With the centre of the container inside a disk, and on the line of two.
+  // The centre of the container is inside a disk, and on the line of two.
   expect_diagram(scene_of(10, 0, {disk(0, 0, 4, 0, 0), disk(6, 0, 1, 0, 0)}));
   expect_diagram(scene_of(10, 0, {disk(0, 0, 4, 0, 0), disk(6, 0, 1, 0, 0), disk(-7, 0, 2, 0, 0)}));
 }

@@ -100,7 +100,7 @@ bool agrees_with_cgal(const std::vector<ExactCircle>& disks, const ExactCircle& 
   const Generators generators = generators_of(disks, container);
   const FramedDiagram cgal = framed_diagram(disks, generators);
 
-  // Both diagrams' vertices by circle: how many of each.
+  // The vertices of both diagrams by circle: how many of each.
   struct Place {
     TangentCircle circle;
     int of_cgal = 0, tested = 0;

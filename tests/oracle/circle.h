@@ -19,7 +19,7 @@ struct Circle {
   Real x, y, radius;
 };
 
-// The same with exact rational coordinates.
+// A circle with exact rational coordinates.
 struct ExactCircle {
   mpq_class x, y, radius;
 };

@@ -14,7 +14,7 @@ struct MovingPoint {
 };
 
 // Coefficients, from the constant one on, of the in-circle determinant of four moving points: the
-// rows (x, y, x^2 + y^2, 1). Of degree 4; leading zeros are cut off.
+// rows (x, y, x^2 + y^2, 1). The degree is 4; leading zeros are cut off.
 std::vector<mpq_class> incircle_polynomial(const std::array<MovingPoint, 4>& points);
 
 struct DelaunayFlip {

@@ -22,7 +22,7 @@ struct BruteMoment {
   }
 
   const oracle::Circle& circle(GenId g) const { return g == container_id ? container : disks[g]; }
-  // Of a point from generator g.
+  // The distance of a point from generator g.
   Real distance(GenId g, const Real& x, const Real& y) const {
     const oracle::Circle& c = circle(g);
     const Real dx = x - c.x, dy = y - c.y;

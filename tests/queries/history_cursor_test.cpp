@@ -48,7 +48,7 @@ TEST_F(CursorTest, EveryStepBackRestoresWhatWasBeforeIt) {
     kinds.insert(cursor.event(cursor.position() - 1).index());
     sights.push_back(sight(cursor, run.scene));
     EXPECT_TRUE(cursor.diagram().diagram().is_valid());
-    // There and back at once.
+    // The cursor goes there and back at once.
     EXPECT_TRUE(cursor.previous());
     EXPECT_EQ(sight(cursor, run.scene), sights[sights.size() - 2]);
     EXPECT_TRUE(cursor.next());

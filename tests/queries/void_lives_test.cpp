@@ -25,7 +25,8 @@ std::size_t living(const std::vector<VoidLife>& lives, double t) {
       lives.begin(), lives.end(), [&](const VoidLife& v) { return v.from.lo < t && t < v.to.hi; }));
 }
 
-// At many instants, and on both sides of every change; and the lives fit together.
+// Compares at many instants, and on both sides of every change, and expects that the lives fit
+// together.
 int expect_lives(Watched& w, const Rational& probe, const Window& window) {
   const std::vector<VoidLife> lives = void_lives(w.paths, w.cursor, probe, window);
   const double start = window.from.get_d(), end = window.to.get_d();

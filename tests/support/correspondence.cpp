@@ -99,7 +99,7 @@ std::set<double> instants_of(const RecordedRun& run) {
   return instants;
 }
 
-// In the order in which they take place.
+// The maneuvers in the order in which they take place.
 std::vector<Maneuver> sorted(std::vector<Maneuver> maneuvers) {
   std::sort(maneuvers.begin(), maneuvers.end(), [](const Maneuver& a, const Maneuver& b) {
     return a.t != b.t ? a.t < b.t : a.disk < b.disk;
@@ -265,7 +265,7 @@ std::optional<Scene> rest_of(const Scene& scene, const RecordedRun& run, const R
       d.vx = m.vx;
       d.vy = m.vy;
     } else if (e.kind == Event::Kind::collision) {
-      // From the later of both references on: |p + s w| = reach.
+      // Counted from the later of both references: |p + s w| = reach.
       const bool wall = e.i == container_id;
       const Rational base = wall ? since[static_cast<std::size_t>(e.j)]
                                  : std::max(since[static_cast<std::size_t>(e.i)],

@@ -22,8 +22,8 @@ struct HistoryCheck {
   int brute_force_instants = 4;
   // Instants between events at which every edge is examined for being legal.
   int legality_instants = 40;
-  // Whether flips of one recorded time are of one instant, so that the smallest comes first. Not
-  // where instants are nearer to each other than binary64 tells apart.
+  // Whether flips of one recorded time are of one instant, so that the smallest comes first. They
+  // are not where instants are nearer to each other than binary64 tells apart.
   bool one_time_is_one_instant = true;
 };
 

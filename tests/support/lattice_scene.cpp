@@ -59,7 +59,7 @@ Scene scene_of(const LatticeScene& lattice) {
 void showValue(const LatticeScene& lattice, std::ostream& out) { out << text(scene_of(lattice)); }
 
 rc::Gen<LatticeScene> lattice_scenes(const LatticeFamily& family) {
-  // Of any size of the test case, that only the lengths of the lists follow.
+  // The numbers do not depend on the size of the test case; only the lengths of the lists do.
   const auto number = [](int low, int high) {
     return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1));
   };

@@ -30,9 +30,9 @@ struct LatticeScene {
   bool whole_law = false;
 };
 
-// In a container of radius 12 around the origin, up to time 6. Disks that do not fit among
-// those before them, or would slide along the wall, are left out, and so is the second of two
-// maneuvers of a disk at one time: every description has a meaning, and what is left of it
+// The scene has a container of radius 12 around the origin and goes up to time 6. Disks that do not
+// fit among those before them, or would slide along the wall, are left out, and so is the second of
+// two maneuvers of a disk at one time: every description has a meaning, and what is left of it
 // after shrinking too.
 Scene scene_of(const LatticeScene& lattice);
 

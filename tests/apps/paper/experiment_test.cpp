@@ -193,8 +193,9 @@ TEST(Predictions, AreCountedByTheRule) {
   const testing::RecordedRun record = testing::run(scene);
   ASSERT_GE(record.count(testing::Event::Kind::collision), 1u);
   EXPECT_EQ(record.events[0].t, 8.5);
-  // By the rule, from the history: for each instant, the pairs of the disks that collided that ever
-  // meet under their new velocities. With two disks all pairs are adjacent.
+  // The predictions are counted by the rule, from the history: for each instant, the pairs of the
+  // disks that collided that ever meet under their new velocities. With two disks all pairs are
+  // adjacent.
   struct State {
     double x, v;
   };

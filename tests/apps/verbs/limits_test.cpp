@@ -31,7 +31,7 @@ class Limits : public Cli {
 {"center":[5,0],"radius":1,"velocity":[-1,0],"mass":1e-90}]})");
   }
 
-  // Until the running process has begun a file besides so many.
+  // Waits until the running process has begun a file besides so many.
   void await_file(pid_t child, std::size_t files) const {
     while (directory_.number_of_files() <= files) {
       ASSERT_EQ(waitpid(child, nullptr, WNOHANG), 0);
@@ -255,7 +255,7 @@ TEST_F(Limits, AFileLargerThanAllowedIsAnError) {
   EXPECT_EQ(directory_.number_of_files(), 0u);
 }
 
-// As where a user has as many processes as the system allows.
+// Refuses threads, as where a user has as many processes as the system allows.
 void refuse_threads() {
   constexpr unsigned error = SECCOMP_RET_ERRNO | EAGAIN;
   sock_filter filter[] = {

@@ -44,7 +44,7 @@ TEST_F(PlanCli, ReadsPlanFiles) {
   EXPECT_EQ(report["avoided"].size(), 1u);
   EXPECT_EQ(report["vehicles"][1]["way"].back(), Json::parse(R"([10, "1/3", 10])"));
   EXPECT_NE(directory_.read("a.svg").find("<svg"), std::string::npos);
-  // The same again, and other wishes.
+  // The plan is made again, and then with other wishes.
   const std::string bytes = directory_.read("a.scene.json");
   must({"plan", plan, "-o", scene});
   EXPECT_EQ(directory_.read("a.scene.json"), bytes);
@@ -54,7 +54,7 @@ TEST_F(PlanCli, ReadsPlanFiles) {
   EXPECT_EQ(json("a.scene.json")["horizon"], 20);
 }
 
-// From the report the picture of the plan.
+// `render` draws the picture of the plan from the report.
 TEST_F(PlanCli, ReportsAreDrawn) {
   const std::string scene = file("a.scene.json"), report = file("a.report.json");
   must({"plan", plan_file(crossing), "-o", scene, "--report", report, "--picture", file("a.svg")});

@@ -55,7 +55,7 @@ TEST_F(Plots, OfExperimentsHaveThePanelsOfThePapersFigures) {
     EXPECT_EQ(directory_.read(set + ".png").substr(1, 3), "PNG");
     EXPECT_EQ(count(directory_.read(set + ".svg"), "<g id=\"axes_"), panels) << set;
   }
-  // The same bytes from the same numbers.
+  // The same numbers give the same bytes.
   const std::string svg = directory_.read("restitution.svg");
   ASSERT_EQ(script("plot-experiments.py", file("restitution.json") + " -o " + file("")), 0);
   EXPECT_EQ(directory_.read("restitution.svg"), svg);

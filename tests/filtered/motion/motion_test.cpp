@@ -176,7 +176,8 @@ void expect_same(const std::vector<Impact>& a, const std::vector<Impact>& b, boo
   }
 }
 
-// Through more collisions than are handed over at once, and more bits than there are at first.
+// The runs go through more collisions than are handed over at once, and more bits than there are at
+// first.
 TEST(Motion, LateStatesAreTheSame) {
   Random random(5);
   for (int k = 0; k < 4; ++k) {

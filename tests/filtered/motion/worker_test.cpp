@@ -26,7 +26,7 @@ TEST(Worker, DoesOneJobAfterTheOther) {
   worker.wait();
 }
 
-// Also when it has been without one for so long that it has to be woken.
+// The worker does so, too, when it has been without a job for so long that it has to be woken.
 TEST(Worker, WorksInItsOwnThread) {
   Worker worker;
   for (const int pause : {0, 60}) {

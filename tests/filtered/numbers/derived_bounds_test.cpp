@@ -26,7 +26,7 @@ Rational power(const Rational& x, int n) {
   return y;
 }
 
-// At the part x of the window.
+// The value of the form at the part x of the window.
 template <int degree>
 Rational evaluate(const Form<Rational, degree>& f, const Rational& x) {
   Rational sum = 0;

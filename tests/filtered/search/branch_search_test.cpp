@@ -19,8 +19,8 @@ struct Tally {
   int roots = 0, refined = 0;
 };
 
-// Of every edge of the diagram at the start all roots of f, most of which lie beyond the end of the
-// edge, isolated in intervals of about that width.
+// Looks at all roots of f of every edge of the diagram at the start, most of which lie beyond the
+// end of the edge, isolated in intervals of about that width.
 void expect_the_root(const Scene& scene, const Rational& width, Tally& tally) {
   const Motion motion(motion_input(scene), {});
   TierCounts counts;

@@ -22,7 +22,7 @@ std::vector<DiskInput> ring(const Rational& spin) {
           disk(0, -4, 1, spin, 1)};
 }
 
-// When they do: (4 - t)^2 + (spin t)^2 = 2.
+// The time at which they meet: (4 - t)^2 + (spin t)^2 = 2.
 double meeting(double spin) {
   const double a = 1 + spin * spin;
   return (4 - std::sqrt(16 - 14 * a)) / a;
@@ -41,7 +41,7 @@ Motion after(const std::vector<DiskInput>& disks, const std::vector<Pair>& colli
   return motion;
 }
 
-// By the law for simultaneous collisions.
+// The order of the law for simultaneous collisions.
 const std::vector<Pair> kLawful{{0, 1}, {0, 3}, {1, 2}, {2, 3}};
 
 void note(Motion& motion, double t) { note_relations(motion, 0, t - 1e-9, t + 1e-9); }
@@ -70,7 +70,7 @@ TEST(Carry, ARingOfCollisionsWhereverItBegins) {
     EXPECT_TRUE(found[0]({1, 0}) == (Vector{0, 1}));
     EXPECT_TRUE(carried(motion, {0, 1, 2, 3}, {3, 2, 1, 0}).empty());
     EXPECT_TRUE(carried(motion, {0, 1}, {0, 3}).empty());
-    // As numbers tell: to all the bits there are.
+    // The numbers agree, to all the bits there are.
     for (GenId g = 0; g < 4; ++g) {
       const MovingSite<Ball> a = motion.moving_site(g, Ball(Rational(3), 150)),
                              b = motion.moving_site((g + 1) % 4, Ball(Rational(3), 150));
@@ -178,7 +178,7 @@ std::vector<DiskInput> row() {
   return {disk(0, 0, 1, 0, 0), disk(4, 0, 1, -1, kSpin), disk(-4, 0, 1, 1, -kSpin)};
 }
 
-// When: (4 - t)^2 + (t / 4)^2 = 4.
+// The time at which they meet: (4 - t)^2 + (t / 4)^2 = 4.
 double hit() { return (4 - std::sqrt(16 - 12 * (1 + kSpin * kSpin))) / (1 + kSpin * kSpin); }
 
 const std::vector<Pair> kCradle{{0, 1}, {0, 2}, {0, 1}};

@@ -97,7 +97,7 @@ void expect_right(const Scene& scene, const MotionOptions& options, bool at_star
   CollapseSearch search(motion, tally.tiers);
   std::vector<GenId> all(scene.disks.size() + 1);
   std::iota(all.begin(), all.end(), container_id);
-  // Before anything touches, and no double.
+  // A time before anything touches, which is no double.
   const Rational t = at_start ? Rational(0) : Rational(free_until(motion, all, end)) / 3;
   TierCounts unused;
   const Diagram diagram = static_diagram(motion, t, unused);
@@ -123,7 +123,7 @@ void expect_right(const Scene& scene, const MotionOptions& options, bool at_star
     const Collapse by_after = counted(search.after(q, now.hi, end), q);
     ASSERT_NO_FATAL_FAILURE(expect_collapse(by_after, truth, edge, search, motion, q));
     if (!truth) continue;
-    // Beyond the flip, for the edge that it leaves.
+    // The search goes on beyond the flip, for the edge that it leaves.
     const Quad next = flipped(q);
     const CollapseTruth next_edge(motion.input(), next);
     const auto next_truth = next_edge.after(*truth, free);
@@ -178,8 +178,8 @@ TEST(CollapseSearch, NearlyEqualRadii) {
   }
 }
 
-// Of the edges between the disks of a scene of four: answers that are the true ones, and how many
-// of them are double roots.
+// Counts, for the edges between the disks of a scene of four, the answers that are double roots;
+// all must be the true ones.
 int expect_double_roots(const Scene& scene, TierCounts& tiers) {
   Motion motion(motion_input(scene), {});
   CollapseSearch search(motion, tiers);

@@ -105,7 +105,7 @@ TEST(ContactSearch, RandomPairsAreDecidedInDoubles) {
   EXPECT_EQ(searches(tiers, Tier::exact), 0u);
 }
 
-// Of a motion that is known to an error: the contacts of any two against balls of 300 bits.
+// The contacts of any two disks whose motion is known to an error, against balls of 300 bits.
 TEST(ContactSearch, AfterCollisions) {
   int contacts = 0, none = 0;
   at_end_of_runs({.n = 12, .rmin = 0.5, .rmax = 6}, "20", 8, [&](Engine& engine) {
@@ -116,7 +116,7 @@ TEST(ContactSearch, AfterCollisions) {
     const Ball t(now, 300);
     for (GenId j = 0; j < motion.size(); ++j) {
       for (GenId i = container_id; i < j; ++i) {
-        // Of one collision: they part, and the contact lies behind.
+        // These two have just collided: they part, and the contact lies behind.
         if (i != container_id && motion.state_id(i) == motion.state_id(j)) continue;
         const Contact<Ball> k(motion.moving_site(i, t), motion.moving_site(j, t));
         const Ball discriminant = k.b * k.b - k.a * k.c;
@@ -160,8 +160,8 @@ TEST(ContactSearch, Grazing) {
   expect_contact(scene_of(100, 50, {disk(0, 0, 2, 0, 0), disk(-4 - 12, 3 - 16, 3, 3, 4)}), 0, 1, 0);
 }
 
-// In contact at the start: approaching is a contact now, parting and staying is none. Of a disk
-// that moves aside no double tells an approach by a hair.
+// In contact at the start: approaching is a contact now, parting and staying is none. No double
+// tells that a disk that moves aside approaches by a hair.
 TEST(ContactSearch, TouchingAtTheStart) {
   const Rational hair(Integer(1), Integer(1) << 60);
   for (const Rational& speed :

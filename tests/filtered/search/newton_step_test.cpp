@@ -73,7 +73,7 @@ TEST(NewtonStep, AfterCollisions) {
   EXPECT_LT(tally.unknown, tally.roots / 3);
 }
 
-// Of C.
+// For equal radii the step is one for C.
 TEST(NewtonStep, EqualRadii) {
   for (const char* horizon : {"0", "30"}) {
     Tally tally;

@@ -171,7 +171,7 @@ TEST(RoughJudge, CocircularNearlyEqualRadii) {
     expect_cocircular_verdicts({.rmin = 5, .rmax = 5 + difference}, tally);
     EXPECT_GT(tally.collapses, 100) << difference;
     EXPECT_GT(tally.stays, 50) << difference;
-    // Of a root where C rises only the circles tell.
+    // Only the circles tell at a root where C rises.
     EXPECT_LT(tally.unknown, tally.roots / 2) << difference;
   }
 }

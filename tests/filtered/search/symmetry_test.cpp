@@ -46,7 +46,7 @@ TEST(Symmetry, CarriesStatesAcrossCollisions) {
 }
 
 TEST(Symmetry, SeesAnyDifferenceInThePast) {
-  // Beyond what any binary64 filter could tell.
+  // The fault is below what any binary64 filter could tell.
   const Rational fault(1, Integer(1) << 200);
   const Motion motion = after_collisions(mirrored_pairs(fault));
   const Symmetry s(motion);
@@ -80,7 +80,7 @@ TEST(Symmetry, PairsOfMirrorImagesStayCotangent) {
   const Symmetry s(motion);
   EXPECT_TRUE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}, DoubleBall(0)));
   EXPECT_TRUE(s.always_cotangent({s.state(3), s.state(0), s.state(1), s.state(2)}, DoubleBall(0)));
-  // As numbers tell at any time.
+  // Numbers agree at any time.
   for (const int t : {2, 5, 9}) {
     const Ball now(Rational(t), 400);
     EXPECT_EQ(sign(cotangency(motion.site(0, now), motion.site(1, now), motion.site(2, now),
@@ -89,7 +89,7 @@ TEST(Symmetry, PairsOfMirrorImagesStayCotangent) {
   }
 }
 
-// From scratch, where no exact arithmetic is allowed.
+// The diagram from scratch, where no exact arithmetic is allowed.
 Diagram diagram_after_collisions(const Rational& fault, TierCounts& counts) {
   MotionOptions options;
   options.max_radicals = 0;
@@ -104,7 +104,7 @@ TEST(Symmetry, ADiagramFromScratchBehindCollisions) {
   EXPECT_EQ(diagram_after_collisions(0, counts).edges(), 9);
   EXPECT_GT(counts.decided[static_cast<int>(Predicate::incircle)][static_cast<int>(Tier::symmetry)],
             0u);
-  // Beyond what balls tell: it must not be taken for nothing.
+  // The fault is below what balls tell: it must not be taken for nothing.
   EXPECT_THROW(diagram_after_collisions(Rational(1, Integer(1) << 200), counts), Undecided);
 }
 
