@@ -7,7 +7,7 @@
 #   bench: what the benchmarks and the peers they measure take besides
 #   plots: what scripts/plot-experiments.py, plot-growth.py and plot-plan.py take
 #   ci:    the second compiler, the formatter, the counter of instructions and doxygen besides
-#   browser: what testing and photographing the page of `movie` takes besides (large)
+#   browser: what testing pages and photographing that of `movie` takes besides (large)
 #
 # Where nothing is missing it neither asks for root nor uses the network.
 set -euo pipefail

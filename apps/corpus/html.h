@@ -8,8 +8,8 @@
 
 namespace voroproof::internal {
 
-// The page: a table by family, then every case with its picture and what was found. The pictures
-// are those of the cases, where they have one.
+// The page of apps/corpus/page/ with its data, an element "report": what the JSON file holds and,
+// of each case, its `story`, its `sources` and, where it has one, its `picture`.
 std::string report_html(const CorpusRunInfo& info, const std::vector<ProgramResult>& results);
 std::string report_html(const CorpusRunInfo& info, const std::vector<OwnResult>& results);
 

@@ -193,7 +193,7 @@ std::string report_for_terminal(const CorpusRunInfo&, const std::vector<OwnResul
   return out;
 }
 
-std::string report_json(const CorpusRunInfo& info, const std::vector<ProgramResult>& results) {
+Json report_data(const CorpusRunInfo& info, const std::vector<ProgramResult>& results) {
   Json j = json(info);
   j["truths"] = Json::array();
   for (const Truth truth : info.truths) j["truths"].push_back(name_of(truth));
@@ -222,10 +222,10 @@ std::string report_json(const CorpusRunInfo& info, const std::vector<ProgramResu
     cases.push_back(std::move(c));
   }
   j["results"] = std::move(cases);
-  return text(j);
+  return j;
 }
 
-std::string report_json(const CorpusRunInfo& info, const std::vector<OwnResult>& results) {
+Json report_data(const CorpusRunInfo& info, const std::vector<OwnResult>& results) {
   Json j = json(info);
   Json cases = Json::array();
   for (const OwnResult& r : results) {
@@ -245,7 +245,15 @@ std::string report_json(const CorpusRunInfo& info, const std::vector<OwnResult>&
                      {"checks", std::move(checks)}});
   }
   j["results"] = std::move(cases);
-  return text(j);
+  return j;
+}
+
+std::string report_json(const CorpusRunInfo& info, const std::vector<ProgramResult>& results) {
+  return text(report_data(info, results));
+}
+
+std::string report_json(const CorpusRunInfo& info, const std::vector<OwnResult>& results) {
+  return text(report_data(info, results));
 }
 
 }  // namespace voroproof::internal

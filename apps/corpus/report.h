@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,11 @@ std::string report_for_terminal(const CorpusRunInfo& info,
                                 const std::vector<ProgramResult>& results);
 std::string report_for_terminal(const CorpusRunInfo& info, const std::vector<OwnResult>& results);
 
-// The text of the JSON file; corpus/README.md lists its fields.
+// What the JSON file holds, and its text; corpus/README.md lists its fields.
+nlohmann::ordered_json report_data(const CorpusRunInfo& info,
+                                   const std::vector<ProgramResult>& results);
+nlohmann::ordered_json report_data(const CorpusRunInfo& info,
+                                   const std::vector<OwnResult>& results);
 std::string report_json(const CorpusRunInfo& info, const std::vector<ProgramResult>& results);
 std::string report_json(const CorpusRunInfo& info, const std::vector<OwnResult>& results);
 

@@ -8,7 +8,7 @@
 
 #include "apps/draw/html.h"
 #include "apps/draw/palette.h"
-#include "apps/movie/movie_sources.h"
+#include "apps/movie/movie_page.h"
 #include "history/atomic_file.h"
 
 namespace voroproof::internal {
@@ -96,20 +96,6 @@ std::string array_element(const char* name, const std::vector<T>& values) {
          "</script>\n";
 }
 
-// No text in it can end the element.
-std::string facts_element(const Json& facts) {
-  std::string out = "<script type=\"application/json\" id=\"movie-facts\">";
-  // File names and messages need not be UTF-8.
-  for (const char c : facts.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      out += "\\u003c";
-    } else {
-      out += c;
-    }
-  }
-  return out + "</script>\n";
-}
-
 std::string title(const Scene& scene) {
   return scene.name.empty() ? std::to_string(scene.disks.size()) + " moving disks" : scene.name;
 }
@@ -119,26 +105,15 @@ std::string title(const Scene& scene) {
 void write_movie(const std::string& path, const Claim& claim, const MovieData& data,
                  const Explanation* report, const MovieOptions& options) {
   AtomicFile file(path);
-  file.write(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-      html_text(title(claim.scene)) + "</title>\n<style>\n");
-  file.write(movie_style);
-  file.write("</style>\n</head>\n<body>\n");
-  file.write(movie_body);
-  file.write(facts_element(facts_json(claim, data, report, options)));
+  file.write(page_begin(movie_page, title(claim.scene)));
+  file.write(json_element("movie-facts", facts_json(claim, data, report, options)));
   file.write(array_element("disks", disk_values(claim.scene)));
   file.write(array_element("initial", data.initial));
   file.write(array_element("times", data.times));
   file.write(array_element("kinds", data.kinds));
   file.write(array_element("ids", data.ids));
   file.write(array_element("velocities", data.velocities));
-  for (const std::string_view script : movie_scripts) {
-    file.write("<script>\n");
-    file.write(script);
-    file.write("</script>\n");
-  }
-  file.write("</body>\n</html>\n");
+  file.write(page_end(movie_page));
   file.commit();
 }
 

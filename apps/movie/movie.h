@@ -15,8 +15,8 @@ struct MovieOptions {
 };
 
 // Writes the page. `report`, if given, is the one of a certification of this history: its verdict
-// colours the time line and its evidence is drawn. The sources of the page are in apps/movie/; the
-// page computes positions and the diagram from the data alone. The file appears whole or not at
+// colours the time line and its evidence is drawn. The sources of the page are in apps/movie/page/;
+// the page computes positions and the diagram from the data alone. The file appears whole or not at
 // all. Throws OutputError.
 void write_movie(const std::string& path, const Claim& claim, const MovieData& data,
                  const Explanation* report, const MovieOptions& options);

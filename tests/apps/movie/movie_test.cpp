@@ -5,13 +5,15 @@
 #include <set>
 
 #include "history/diagram_file.h"
-#include "tests/apps/movie/browser.h"
+#include "tests/apps/verbs/browser.h"
 
 namespace voroproof::internal {
 namespace {
 
-class Movie : public Browser {
+class Movie : public Cli, protected Browser {
  protected:
+  void SetUp() override { require_browser(); }
+
   std::string simulated(const std::string& scene) const {
     const std::string path = file("a.history.jsonl");
     must({"simulate", scene, "-o", path, "--quiet"});

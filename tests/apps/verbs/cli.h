@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -87,6 +89,11 @@ class Cli : public ::testing::Test {
   TemporaryDirectory directory_;
   TemporaryDirectory streams_;
 };
+
+inline std::string read_bytes(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 inline std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream in(text);

@@ -2,25 +2,20 @@
 #pragma once
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "tests/apps/verbs/cli.h"
 
 namespace voroproof::internal {
 
-class Browser : public Cli {
+// A base of fixtures beside Cli.
+class Browser {
  protected:
-  void SetUp() override {
+  // Skips the test where there is no browser; for SetUp.
+  static void require_browser() {
     if (std::system("command -v chromium >/dev/null 2>&1") != 0) {
       GTEST_SKIP() << "chromium is not installed: scripts/install-deps.sh browser";
     }
-  }
-
-  static std::string read_bytes(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
   }
 
   // Opens the page at a place ("#t=1", or empty) in a window of so many pixels and returns what
@@ -41,15 +36,15 @@ class Browser : public Cli {
     html.insert(html.find("</body>"), probe);
     // Everything anew each time: a browser that is still about to end must not answer for the next.
     const std::string run = std::to_string(runs_++);
-    const std::string probed = streams_.write("probed" + run + ".html", html);
+    const std::string probed = scratch_.write("probed" + run + ".html", html);
     // Browsers refuse to run as root, as containers do, with their sandbox on.
     const std::string command =
         "timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage "
         "--user-data-dir=" +
-        streams_.file("profile" + run) + " --window-size=" + window + " --dump-dom 'file://" +
-        probed + place + "' >" + streams_.file("dom" + run) + " 2>/dev/null";
+        scratch_.file("profile" + run) + " --window-size=" + window + " --dump-dom 'file://" +
+        probed + place + "' >" + scratch_.file("dom" + run) + " 2>/dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
-    const std::string dom = streams_.read("dom" + run);
+    const std::string dom = scratch_.read("dom" + run);
     const auto begin = dom.find("BEGIN"), end = dom.find("END", begin);
     if (begin == std::string::npos || end == std::string::npos) {
       ADD_FAILURE() << "the page said nothing: " << dom.substr(0, 500);
@@ -59,6 +54,7 @@ class Browser : public Cli {
   }
 
  private:
+  TemporaryDirectory scratch_;
   int runs_ = 0;
 
   static std::string from_base64(const std::string& text) {
