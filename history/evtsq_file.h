@@ -36,12 +36,14 @@ EvtsqHeader read_evtsq_header(const std::string& path);
 std::vector<Maneuver> read_evtsq_maneuvers(const std::string& path,
                                            const std::vector<std::int64_t>& ids);
 
+// What an event sequence calls the disks 0, 1, ...: ascending. Nothing where the disks are not
+// known: then each id that comes up names a disk of its own, the next one.
+using EvtsqIds = std::optional<std::vector<std::int64_t>>;
+
 // Opens an event sequence. The "shadow flips" of such a file, roots that are said to be no flips,
-// are no events. `ids`: ascending, what the file calls the disks 0, 1, ... `horizon`:
-// that of the scene if it has one; where it rounds to the header's, that is what the header means.
-// Throws InputError, now or as the events are read.
-std::unique_ptr<HistorySource> open_evtsq(const std::string& path,
-                                          const std::vector<std::int64_t>& ids,
+// are no events. `horizon`: that of the scene if it has one; where it rounds to the header's, that
+// is what the header means. Throws InputError, now or as the events are read.
+std::unique_ptr<HistorySource> open_evtsq(const std::string& path, const EvtsqIds& ids,
                                           const std::optional<Rational>& horizon);
 
 struct EvtsqFormat {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <unordered_map>
 
 #include "history/error.h"
 #include "history/evtsq_file.h"
@@ -70,7 +71,7 @@ EvtsqHeader read_header(FieldLines& lines) {
 // One event line: its letter, its numbers, its generators.
 class EvtsqLines {
  public:
-  EvtsqLines(const std::string& path, const std::vector<std::int64_t>& ids)
+  EvtsqLines(const std::string& path, const EvtsqIds& ids)
       : lines_(path), header_(read_header(lines_)), ids_(ids) {}
 
   const EvtsqHeader& header() const { return header_; }
@@ -107,12 +108,17 @@ class EvtsqLines {
     return hexadecimal_ ? lines_.hexadecimal(k, name) : lines_.number(k, name);
   }
 
-  GenId generator(std::size_t k, const char* name) const {
+  GenId generator(std::size_t k, const char* name) {
     const std::int64_t id = lines_.integer(k, name, -1, kMaxId);
     if (id == -1) return container_id;
-    const auto it = std::lower_bound(ids_.begin(), ids_.end(), id);
-    if (it == ids_.end() || *it != id) lines_.fail(name, "no such disk");
-    return static_cast<GenId>(it - ids_.begin());
+    if (!ids_) {
+      const auto [it, is_new] = seen_.try_emplace(id, static_cast<GenId>(seen_.size()));
+      if (is_new && seen_.size() > max_disks) lines_.fail(name, "more disks than a scene may have");
+      return it->second;
+    }
+    const auto it = std::lower_bound(ids_->begin(), ids_->end(), id);
+    if (it == ids_->end() || *it != id) lines_.fail(name, "no such disk");
+    return static_cast<GenId>(it - ids_->begin());
   }
 
   void require_fields(std::initializer_list<std::size_t> counts) const {
@@ -125,16 +131,16 @@ class EvtsqLines {
  private:
   FieldLines lines_;
   EvtsqHeader header_;
-  const std::vector<std::int64_t>& ids_;
+  EvtsqIds ids_;
+  std::unordered_map<std::int64_t, GenId> seen_;  // where no ids are given
   bool hexadecimal_ = false;
   std::int64_t read_ = 0;
 };
 
 class EvtsqHistory : public HistorySource {
  public:
-  EvtsqHistory(const std::string& path, const std::vector<std::int64_t>& ids,
-               const std::optional<Rational>& horizon)
-      : ids_(ids), lines_(path, ids_) {
+  EvtsqHistory(const std::string& path, const EvtsqIds& ids, const std::optional<Rational>& horizon)
+      : lines_(path, ids) {
     const EvtsqHeader& h = lines_.header();
     header_.producer = h.generator;
     header_.horizon = h.horizon;
@@ -199,7 +205,7 @@ class EvtsqHistory : public HistorySource {
   };
 
   // l r h k: head h and tail k are the third generators of the end and of the start.
-  Quad quad() const {
+  Quad quad() {
     lines_.require_fields({6});
     const Quad q{lines_.generator(2, "l"), lines_.generator(3, "r"), lines_.generator(5, "k"),
                  lines_.generator(4, "h")};
@@ -210,7 +216,7 @@ class EvtsqHistory : public HistorySource {
     return canonical(q);
   }
 
-  CollideEvent collision(double t) const {
+  CollideEvent collision(double t) {
     CollideEvent c;
     c.t = t;
     lines_.require_fields({4, 8});
@@ -229,7 +235,7 @@ class EvtsqHistory : public HistorySource {
     return c;
   }
 
-  ManeuverEvent maneuver(double t) const {
+  ManeuverEvent maneuver(double t) {
     ManeuverEvent m;
     m.t = t;
     lines_.require_fields({5, 7});
@@ -240,7 +246,6 @@ class EvtsqHistory : public HistorySource {
     return m;
   }
 
-  std::vector<std::int64_t> ids_;
   EvtsqLines lines_;
   HistoryHeader header_;
   std::vector<std::string> remarks_;
@@ -280,8 +285,7 @@ std::vector<Maneuver> read_evtsq_maneuvers(const std::string& path,
   return maneuvers;
 }
 
-std::unique_ptr<HistorySource> open_evtsq(const std::string& path,
-                                          const std::vector<std::int64_t>& ids,
+std::unique_ptr<HistorySource> open_evtsq(const std::string& path, const EvtsqIds& ids,
                                           const std::optional<Rational>& horizon) {
   return std::make_unique<EvtsqHistory>(path, ids, horizon);
 }

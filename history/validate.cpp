@@ -42,14 +42,20 @@ std::string count(const List& list, const std::string& one, const std::string& s
   return count(static_cast<std::int64_t>(list.size()), one, several);
 }
 
-std::string validate_history(const std::string& path) {
-  HistoryReader history(path);
+// Reads the events to the last one, and says how many of each kind there are.
+template <class History>
+std::string events_of(History& history) {
   while (history.next()) {
   }
   const HistoryCounts& counts = history.counts();
-  const std::string events = count(counts.flips, "flip", "flips") + ", " +
-                             count(counts.collisions, "collision", "collisions") + ", " +
-                             count(counts.maneuvers, "maneuver", "maneuvers");
+  return count(counts.flips, "flip", "flips") + ", " +
+         count(counts.collisions, "collision", "collisions") + ", " +
+         count(counts.maneuvers, "maneuver", "maneuvers");
+}
+
+std::string validate_history(const std::string& path) {
+  HistoryReader history(path);
+  const std::string events = events_of(history);
   if (const auto* stop = std::get_if<HistoryStop>(&history.ending()))
     return "history: " + events + ", stopped at t = " + number_text(stop->t) + ": " +
            printable(stop->reason);
@@ -60,9 +66,15 @@ std::string validate_history(const std::string& path) {
 
 // Without its disks an event sequence cannot say which ids are right; with them, certify reads it.
 std::string validate_event_sequence(const std::string& path) {
-  const EvtsqHeader header = read_evtsq_header(path);
-  return "event sequence: " + count(header.lines, "line", "lines") + ", horizon " +
-         number_text(header.horizon) + " (header only)";
+  const auto history = open_evtsq(path, std::nullopt, std::nullopt);
+  const std::string events = events_of(*history);
+  if (!history->counts_match()) {
+    throw InputError(path, history->line(), "number of events",
+                     "wrong: the file has more lines of events");
+  }
+  return "event sequence: " + events +
+         ", complete to t = " + number_text(history->header().horizon) +
+         " (its disks are in another file)";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "history/error.h"
+#include "history/validate.h"
 #include "tests/history/temporary_directory.h"
 
 namespace voroproof::internal {
@@ -155,7 +156,8 @@ TEST_F(EvtsqTest, WhatIsWrittenReadsBack) {
   for (const bool hexadecimal : {true, false}) {
     for (const bool centers : {true, false}) {
       directory_.write("b.evtsq", sequence("3", lines));
-      const auto history = open_evtsq(directory_.file("b.evtsq"), {0, 1, 2, 30}, horizon_);
+      const auto history = open_evtsq(directory_.file("b.evtsq"),
+                                      EvtsqIds(std::vector<std::int64_t>{0, 1, 2, 30}), horizon_);
       {
         AtomicFile file(directory_.file("c.evtsq"));
         write_evtsq(file, *history, {1, 1, 1}, {"disks", "b.evtsq", Rational(4, 5), {0, 0}},
@@ -169,6 +171,29 @@ TEST_F(EvtsqTest, WhatIsWrittenReadsBack) {
       EXPECT_EQ(std::get<ManeuverEvent>(again[2]).v, std::get<ManeuverEvent>(events[2]).v);
       EXPECT_EQ(read_evtsq_header(directory_.file("c.evtsq")).restitution, Rational(4, 5));
     }
+  }
+}
+
+// Without its disks all of it is read but which ids there are.
+TEST_F(EvtsqTest, IsValidatedToItsEnd) {
+  const std::string good = "E 0.5 0 1 2 30\nC 1.5 1000 -1\nS 2 0 1 2 30\nV 3 7 1 2\n";
+  const auto validated = [&](const std::string& count, const std::string& lines) {
+    return validate_file(directory_.write("v.evtsq", sequence(count, lines)));
+  };
+  EXPECT_EQ(validated("4", good),
+            "event sequence: 1 flip, 1 collision, 1 maneuver, complete to t = 10 (its disks are in "
+            "another file)");
+  EXPECT_EQ(validated("0", ""),
+            "event sequence: 0 flips, 0 collisions, 0 maneuvers, complete to t = 10 (its disks are "
+            "in another file)");
+  for (const auto& [count, lines] : {std::pair<std::string, std::string>{"5", good},
+                                     {"3", good},
+                                     {"1", "E 0.5 0 1 2\n"},
+                                     {"1", "E 0.5 0 1 2 x\n"},
+                                     {"1", "E 0.5 0 0 2 3\n"},
+                                     {"1", "E 11 0 1 2 3\n"},
+                                     {"2", "C 2 0 1\nC 1 0 1\n"}}) {
+    EXPECT_THROW(validated(count, lines), InputError) << count << " " << lines;
   }
 }
 
