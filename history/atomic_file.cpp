@@ -67,7 +67,7 @@ AtomicFile::AtomicFile(const std::string& path)
   do {
     temporary_ =
         target_ + "." + std::to_string(getpid()) + "." + std::to_string(counter++) + ".tmp";
-    descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (descriptor_ < 0 && errno == EEXIST);
   if (descriptor_ < 0) fail("cannot write");
   unfinished_ = new Unfinished{temporary_};
@@ -124,6 +124,33 @@ void AtomicFile::write(std::string_view bytes) {
   used_ += bytes.size();
 }
 
+bool AtomicFile::end_early(
+    std::size_t room,
+    const std::function<std::optional<std::string>(std::string_view line)>& ending) {
+  if (!full_) return false;
+  used_ = 0;
+  const off_t size = lseek(descriptor_, 0, SEEK_END);
+  // More than the lines that are looked for are long.
+  std::string tail(
+      std::min(static_cast<std::size_t>(std::max<off_t>(size, 0)), room + (std::size_t{1} << 16)),
+      '\0');
+  const off_t from = size - static_cast<off_t>(tail.size());
+  if (pread(descriptor_, tail.data(), tail.size(), from) != static_cast<ssize_t>(tail.size())) {
+    return false;
+  }
+  if (tail.size() <= room) return false;
+  const std::size_t last = tail.rfind('\n', tail.size() - room - 1);
+  if (last == std::string::npos || last == 0) return false;
+  const std::size_t before = tail.rfind('\n', last - 1);
+  if (before == std::string::npos) return false;
+  const auto text = ending(std::string_view(tail).substr(before + 1, last - before - 1));
+  if (!text || text->size() > room) return false;
+  const off_t end = from + static_cast<off_t>(last) + 1;
+  const auto written = pwrite(descriptor_, text->data(), text->size(), end);
+  return written == static_cast<ssize_t>(text->size()) &&
+         ftruncate(descriptor_, end + static_cast<off_t>(text->size())) == 0;
+}
+
 void AtomicFile::commit() {
   flush();
   if (!synced(descriptor_)) fail("cannot write");
@@ -158,6 +185,7 @@ void AtomicFile::write_through(const char* data, std::size_t size) {
     const ssize_t written = ::write(descriptor_, data, size);
     if (written < 0) {
       if (errno == EINTR) continue;
+      full_ = errno == ENOSPC || errno == EDQUOT || errno == EFBIG;
       fail("cannot write");
     }
     data += written;

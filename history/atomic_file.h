@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -33,6 +35,13 @@ class AtomicFile {
   }
   void advance(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.get()); }
 
+  // For a text of lines to whose end there was no room (a full disk, a limit on files): ends it
+  // after the last line behind which `room` bytes are written, with what `ending` makes of that
+  // line, a text no longer than these. So no new room is taken. False, and nothing is done, where
+  // a write failed for another reason, and where there is no such line but the first.
+  bool end_early(std::size_t room,
+                 const std::function<std::optional<std::string>(std::string_view line)>& ending);
+
   // Removes what is not committed, of all files of the process, which is about to end. For handlers
   // of signals.
   static void remove_unfinished() noexcept;
@@ -60,6 +69,7 @@ class AtomicFile {
   std::string temporary_;
   Unfinished* unfinished_ = nullptr;  // temporary_, for remove_unfinished()
   int descriptor_ = -1;
+  bool full_ = false;  // no room was left for a write
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;
 };

@@ -48,8 +48,8 @@ InputError::InputError(std::string file, std::int64_t line, std::string field, s
       field_(std::move(field)),
       reason_(std::move(reason)) {}
 
-OutputError::OutputError(const std::string& file, const std::string& reason)
-    : std::runtime_error(message(file, 0, "", reason)) {}
+OutputError::OutputError(const std::string& file, std::string reason)
+    : std::runtime_error(message(file, 0, "", reason)), reason_(std::move(reason)) {}
 
 std::string printable(std::string_view text, std::size_t limit) {
   const bool cut = text.size() > limit;

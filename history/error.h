@@ -30,7 +30,12 @@ class InputError : public std::runtime_error {
 // An output file that cannot be written. what() is "FILE: REASON".
 class OutputError : public std::runtime_error {
  public:
-  OutputError(const std::string& file, const std::string& reason);
+  OutputError(const std::string& file, std::string reason);
+
+  const std::string& reason() const { return reason_; }
+
+ private:
+  std::string reason_;
 };
 
 // The text fit to stand in a message of one line: control characters written as \xNN, and at most

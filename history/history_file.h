@@ -74,6 +74,12 @@ class HistoryWriter {
   // with ".partial" at its end. Returns the path of what was written.
   std::string close_beside_complete();
 
+  // After an OutputError for which no room was left: closes the history as one that stopped, for
+  // that reason, at the last event that is on the disk. Gives its path as above; with `replace` it
+  // replaces a complete one, too. Nothing where not even one event is there, or the error was
+  // another one.
+  std::optional<std::string> close_short(const std::string& reason, bool replace);
+
   const HistoryCounts& counts() const { return counts_; }
 
  private:

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "history/error.h"
 #include "history/history_file.h"
 #include "history/json_text.h"
 
@@ -197,6 +198,25 @@ std::string HistoryWriter::close_beside_complete() {
   require(State::ended);
   state_ = State::closed;
   return file_.commit_beside(".partial");
+}
+
+std::optional<std::string> HistoryWriter::close_short(const std::string& reason, bool replace) {
+  constexpr std::size_t room = 1024;
+  const bool ended =
+      file_.end_early(room, [&](std::string_view line) -> std::optional<std::string> {
+        // The line is this writer's: it begins with the time, and ends it with a comma.
+        constexpr std::string_view before = "{\"t\":";
+        if (!line.starts_with(before)) return std::nullopt;
+        line.remove_prefix(before.size());
+        return "{\"stopped\":{\"t\":" + std::string(line.substr(0, line.find(','))) +
+               ",\"reason\":" + string_text(printable(reason, room / 4)) + ",\"events\":[]}}\n";
+      });
+  if (!ended) return std::nullopt;
+  complete_ = false;
+  state_ = State::ended;
+  if (!replace) return close_beside_complete();
+  close();
+  return path_;
 }
 
 bool is_complete_history(const std::string& path) {

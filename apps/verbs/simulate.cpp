@@ -132,6 +132,17 @@ RunDescription description(const Request& request, const Scene& scene, int disks
           .total_seconds = 0};
 }
 
+// The check sees all that goes into the sink.
+void begin(std::optional<SelfCheck>& check, const Scene& scene, const Request& request,
+           HistorySink& sink) {
+  CertifyOptions options;
+  options.strict = true;
+  options.motion.max_bits = request.motion.max_bits;
+  check.emplace(scene, options);
+  sink.observe([&check](const HistoryHeader& header) { check->begin(header); },
+               [&check](const Event& event) { check->event(event); });
+}
+
 // The history's last line, once the check, if any, has approved of the history.
 void finish(HistoryWriter& writer, std::optional<SelfCheck>& check, const Outcome& outcome) {
   const bool complete = outcome.kind == Outcome::Kind::complete;
@@ -146,6 +157,27 @@ void finish(HistoryWriter& writer, std::optional<SelfCheck>& check, const Outcom
     writer.end();
   } else {
     writer.stopped(outcome.t, outcome.reason, events_of(outcome));
+  }
+}
+
+// Gives the history its name.
+void close(HistoryWriter& writer, const Request& request) {
+  if (request.replace) {
+    writer.close();
+    return;
+  }
+  const std::string written = writer.close_beside_complete();
+  if (written == request.history) return;
+  std::cerr << "voroproof: " << printable(request.history, 4096)
+            << ": is complete and stays; the history that stopped is in "
+            << printable(written, 4096) << '\n';
+}
+
+// Where a disk is full the history so far is kept, as one that stopped.
+void close_short(HistoryWriter& writer, const Request& request, const OutputError& error) {
+  if (const auto written = writer.close_short(error.reason(), request.replace)) {
+    std::cerr << "voroproof: what there was room for, a history that stopped, is in "
+              << printable(*written, 4096) << '\n';
   }
 }
 
@@ -165,22 +197,15 @@ ExitCode simulate(const Request& request) {
   std::optional<AtomicFile> stats_file;
   if (!request.stats.empty()) stats_file.emplace(request.stats);
   HistoryWriter writer(request.history);
-  const auto sink = make_sink(request.threads, writer,
-                              {.scene_sha256 = scene.sha256,
-                               .horizon = scene.horizon,
-                               .producer = producer(),
-                               .initial = {}},
-                              disks);
+  std::unique_ptr<HistorySink> sink = make_sink(request.threads, writer,
+                                                {.scene_sha256 = scene.sha256,
+                                                 .horizon = scene.horizon,
+                                                 .producer = producer(),
+                                                 .initial = {}},
+                                                disks);
 
   std::optional<SelfCheck> check;
-  if (request.self_check) {
-    CertifyOptions certify_options;
-    certify_options.strict = true;
-    certify_options.motion.max_bits = request.motion.max_bits;
-    check.emplace(scene, certify_options);
-    sink->observe([&](const HistoryHeader& header) { check->begin(header); },
-                  [&](const Event& event) { check->event(event); });
-  }
+  if (request.self_check) begin(check, scene, request, *sink);
 
   EngineOptions options = engine_options(request);
   std::optional<Progress> progress;
@@ -191,19 +216,19 @@ ExitCode simulate(const Request& request) {
   };
   Engine engine(motion_input(scene), maneuver_input(scene), options);
   if (!check) scene.disks = std::vector<DiskInput>();  // the engine has its own
-  const Outcome outcome = run(engine, *sink, interruption);
-  progress.reset();
-  interruption.wind_up();
-  sink->finish();
-
-  finish(writer, check, outcome);
-  if (request.replace) {
-    writer.close();
-  } else if (const std::string written = writer.close_beside_complete();
-             written != request.history) {
-    std::cerr << "voroproof: " << printable(request.history, 4096)
-              << ": is complete and stays; the history that stopped is in "
-              << printable(written, 4096) << '\n';
+  Outcome outcome;
+  try {
+    outcome = run(engine, *sink, interruption);
+    progress.reset();
+    interruption.wind_up();
+    sink->finish();
+    finish(writer, check, outcome);
+    close(writer, request);
+  } catch (const OutputError& error) {
+    progress.reset();
+    sink.reset();
+    if (!check) close_short(writer, request, error);
+    throw;
   }
   if (stats_file) {
     RunDescription run = description(request, scene, disks);

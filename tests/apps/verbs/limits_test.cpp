@@ -9,10 +9,14 @@
 #include <sys/stat.h>
 #include <sys/syscall.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "tests/apps/verbs/cli.h"
 
@@ -253,6 +257,43 @@ TEST_F(Limits, AFileLargerThanAllowedIsAnError) {
   EXPECT_EQ(result.code, 2);
   EXPECT_NE(result.err.find("a.scene.json: cannot write: "), std::string::npos) << result.err;
   EXPECT_EQ(directory_.number_of_files(), 0u);
+}
+
+// What there was room for is a history that stopped, right as far as it goes; it takes the place of
+// nothing that is complete.
+TEST_F(Limits, AHistoryWithoutRoomIsKeptAsFarAsItGoes) {
+  const std::string scene = reference(40, "60"), history = file("a.history.jsonl");
+  must({"simulate", scene, "-o", history, "--quiet"});
+  const std::string complete = directory_.read("a.history.jsonl");
+  const std::vector<std::string> all = lines_of(complete);
+  ASSERT_GT(complete.size(), 1u << 14);
+  const auto simulate = [&](rlim_t bytes, const std::string& threads, const std::string& to) {
+    const auto small_files = [bytes] {
+      const rlimit limit{bytes, bytes};
+      setrlimit(RLIMIT_FSIZE, &limit);
+    };
+    return run_in(small_files, {"simulate", scene, "-o", to, "--threads", threads, "--quiet"});
+  };
+  for (const std::string threads : {"1", "2"}) {
+    for (const rlim_t bytes : {rlim_t{10'000}, rlim_t{12'345}, rlim_t{complete.size() - 1}}) {
+      const Result result = simulate(bytes, threads, history);
+      EXPECT_EQ(result.code, 2);
+      EXPECT_NE(result.err.find("a.history.jsonl: cannot write: "), std::string::npos);
+      EXPECT_NE(result.err.find("is in " + history + ".partial"), std::string::npos) << result.err;
+      EXPECT_EQ(directory_.read("a.history.jsonl"), complete);
+      std::vector<std::string> begun = lines_of(directory_.read("a.history.jsonl.partial"));
+      ASSERT_GT(begun.size(), 2u);
+      EXPECT_NE(begun.back().find("\"reason\":\"cannot write: "), std::string::npos);
+      begun.pop_back();
+      EXPECT_TRUE(std::equal(begun.begin(), begun.end(), all.begin()));
+      EXPECT_EQ(run({"certify", scene, history + ".partial"}).code, 3);
+      must({"validate", history + ".partial"});
+      std::filesystem::remove(history + ".partial");
+    }
+  }
+  // Not even one event has room: nothing is left.
+  EXPECT_EQ(simulate(1000, "1", file("b.history.jsonl")).code, 2);
+  EXPECT_EQ(directory_.number_of_files(), 2u);
 }
 
 // Refuses threads, as where a user has as many processes as the system allows.
