@@ -20,9 +20,9 @@
 // Casey's theorem for Eq. (1); the same elimination as Emiris & Karavelas, "The
 // predicates of the Apollonius diagram", Comput. Geom. 33, 2006.)
 //
-// Laws, each of them a property in tests/exact/predicates_test.cpp. q and h are the numbers whose
-// signs incircle (of a disk e) and circle_exists tell, q' and h' those of the triple (i, k, j),
-// with the other sign of the root. N = D_xp^2 + D_yp^2.
+// Laws, each of them a property in tests/exact/predicates_laws_test.cpp. q and h are the numbers
+// whose signs incircle (of a disk e) and circle_exists tell, q' and h' those of the triple
+// (i, k, j), with the other sign of the root. N = D_xp^2 + D_yp^2.
 //   L1   cotangency is one number for all 24 orders of its sites.
 //   L2   cocircularity changes its sign where two of s1, s2, s3 change places, and where s0 and a
 //        site of its radius do. So a cyclic rotation of s1, s2, s3 leaves it.

@@ -5,19 +5,17 @@
 
 #include <cmath>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "tests/exact/fraction.h"
 #include "tests/exact/powers.h"
 
 namespace voroproof::internal {
 namespace {
 
-Rational fraction(long n, long d) {
-  Rational q(n, d);
-  q.canonicalize();
-  return q;
-}
+using testing::fraction;
 
 // A random element over the given generators, built by field operations, together
 // with its value by plain MPFR arithmetic at a precision that drowns all rounding:

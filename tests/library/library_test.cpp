@@ -2,38 +2,25 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
-#include <cmath>
-#include <cstdio>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <stdexcept>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
+#include "tests/library/scenes.h"
 #include "voroproof/voroproof.h"
 
 namespace {
 
 using namespace voroproof;
-
-Disk disk(Number x, Number y, Number radius, Number vx, Number vy) {
-  return {x, y, radius, vx, vy, std::nullopt};
-}
-
-Scene two_disks() {
-  Scene scene;
-  scene.container_radius = 10;
-  scene.horizon = 8;
-  scene.disks = {disk(-3, 0, 1, 1, 0), disk(3, 0, 1, -1, 0)};
-  return scene;
-}
-
-Scene reference(int n, double horizon, std::uint64_t seed = 1) {
-  ReferenceOptions options;
-  options.n = n;
-  options.horizon = horizon;
-  options.seed = seed;
-  return reference_scene(options);
-}
+using namespace voroproof::internal::testing;
 
 class Folder : public testing::Test {
  protected:
@@ -189,111 +176,6 @@ TEST(LibrarySimulate, WhatASinkThrowsArrives) {
     void event(const Event&) override { throw Refusal(); }
   } sink;
   EXPECT_THROW(simulate(two_disks(), sink), Refusal);
-}
-
-TEST(LibraryCertify, RightUnderBothTruths) {
-  const Scene scene = reference(40, 60);
-  const History history = simulate(scene);
-  for (const Truth truth : {Truth::exact, Truth::recorded}) {
-    CertifyOptions options;
-    options.truth = truth;
-    options.strict = true;
-    const Report report = certify(scene, history, options);
-    EXPECT_EQ(report.verdict, Verdict::certified) << report.reason;
-    EXPECT_EQ(report.prefix_events, static_cast<std::int64_t>(history.events.size()));
-    EXPECT_NE(report.json.find("voroproof-report"), std::string::npos);
-  }
-}
-
-TEST(LibraryCertify, EachKindOfWrong) {
-  const Scene scene = reference(20, 60);
-  const History right = simulate(scene);
-  ASSERT_GT(right.events.size(), 40u);
-  {
-    History h = right;
-    h.events.erase(h.events.begin() + 20);
-    const Report report = certify(scene, h);
-    EXPECT_EQ(report.verdict, Verdict::refuted);
-    ASSERT_TRUE(report.divergence.has_value());
-    EXPECT_EQ(report.divergence->line, 22);  // the header is line 1
-    EXPECT_NE(report.evidence, "");
-  }
-  {
-    History h = right;
-    for (Event& event : h.events) {
-      if (auto* collision = std::get_if<CollisionEvent>(&event)) {
-        (*collision->velocity[1])[0] += 0.01;
-        break;
-      }
-    }
-    const Report report = certify(scene, h);
-    EXPECT_EQ(report.verdict, Verdict::refuted);
-    EXPECT_EQ(report.divergence->fault, "wrong response");
-  }
-  {
-    History h = right;
-    h.ending = {false, 30, "enough"};
-    while (time(h.events.back()) > 30) h.events.pop_back();
-    const Report report = certify(scene, h);
-    EXPECT_EQ(report.verdict, Verdict::undecided);
-    EXPECT_EQ(report.prefix_events, static_cast<std::int64_t>(h.events.size()));
-  }
-}
-
-TEST(LibraryCertify, RefusesWhatIsNoHistory) {
-  const Scene scene = two_disks();
-  const History right = simulate(scene);
-  const auto refused = [&](const char* field, const auto& spoil) {
-    History h = right;
-    spoil(h);
-    try {
-      certify(scene, h);
-      ADD_FAILURE() << field;
-    } catch (const InputError& error) {
-      EXPECT_EQ(error.file(), "history");
-      EXPECT_EQ(error.field(), field) << error.what();
-    }
-  };
-  refused("scene_sha256", [](History& h) { h.scene_sha256[0] ^= 1; });
-  refused("t", [](History& h) { h.events.push_back(FlipEvent{1, {0, 1, -1, -1}}); });
-  refused("t", [](History& h) { h.events.push_back(FlipEvent{9, {0, 1, -1, -1}}); });
-  refused("t", [](History& h) { h.events[0] = FlipEvent{std::nan(""), {0, 1, -1, -1}}; });
-  refused("t", [](History& h) { h.events[0] = FlipEvent{-1, {0, 1, -1, -1}}; });
-  refused("flip", [](History& h) { h.events[0] = FlipEvent{1, {0, 2, -1, -1}}; });
-  refused("flip", [](History& h) { h.events[0] = FlipEvent{1, {0, 0, -1, -1}}; });
-  refused("collide", [](History& h) { h.events[0] = CollisionEvent{1, 1, 0, {}, {}}; });
-  refused("collide", [](History& h) { h.events[0] = CollisionEvent{1, 0, 2, {}, {}}; });
-  refused("collide", [](History& h) { h.events[0] = CollisionEvent{1, -2, 0, {}, {}}; });
-  refused("v", [](History& h) {
-    h.events[0] = CollisionEvent{1, 0, 1, {Vector{1, 0}, std::nullopt}, {}};
-  });
-  refused("v", [](History& h) {
-    h.events[0] = CollisionEvent{1, -1, 1, {Vector{1, 0}, Vector{1, 0}}, {}};
-  });
-  refused("maneuver", [](History& h) { h.events[0] = ManeuverEvent{1, -1, {}, {}}; });
-  refused("initial", [](History& h) { h.initial->push_back(h.initial->front()); });
-  refused("initial", [](History& h) { h.initial->front().l = 7; });
-  refused("t", [](History& h) { h.ending = {false, 1, "too early"}; });
-}
-
-TEST(LibraryCertify, TolerancesMustMeanSomething) {
-  const Scene scene = two_disks();
-  const History history = simulate(scene);
-  CertifyOptions options;
-  options.tolerance = 9;
-  EXPECT_THROW(certify(scene, history, options), std::invalid_argument);
-  options.tolerance = -1;
-  EXPECT_THROW(certify(scene, history, options), std::invalid_argument);
-  options.tolerance = 0;
-  EXPECT_EQ(certify(scene, history, options).verdict, Verdict::certified);
-}
-
-TEST(LibraryCertify, AMonitorInterrupts) {
-  const Scene scene = reference(60, 400);
-  const History history = simulate(scene);
-  CertifyOptions options;
-  options.monitor = [](double, std::int64_t) { return false; };
-  EXPECT_THROW(certify(scene, history, options), Interrupted);
 }
 
 TEST_F(LibraryFiles, HistoriesAsFiles) {

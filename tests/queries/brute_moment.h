@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "library/true_moment.h"
@@ -62,6 +64,7 @@ struct BruteMoment {
 inline bool contains(const Enclosure& e, const Real& x) {
   return Real(e.lo) <= x && x <= Real(e.hi);
 }
+inline double middle(const Enclosure& e) { return 0.5 * e.lo + 0.5 * e.hi; }
 inline bool is_narrow(const Enclosure& e, double scale) { return e.hi - e.lo <= 1e-14 * scale; }
 
 }  // namespace voroproof::internal::testing

@@ -1,150 +1,24 @@
-// Offset, voids, tunnels and critical radii against points sampled everywhere.
+// Voids, tunnels and critical radii against points sampled everywhere.
 #include "queries/free_space.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <deque>
+#include <cstddef>
 #include <map>
-#include <numbers>
 #include <set>
+#include <vector>
 
 #include "apps/draw/render_probe.h"
 #include "library/snapshot.h"
 #include "tests/oracle/brute_force.h"
 #include "tests/queries/brute_moment.h"
-#include "tests/support/random_scenes.h"
+#include "tests/queries/free_space_cases.h"
 
 namespace voroproof::internal::testing {
 namespace {
-
-constexpr double pi = std::numbers::pi;
-
-struct Case {
-  BruteMoment moment;
-  std::vector<Rational> probes;
-};
-
-std::deque<Case> cases() {
-  Random random(9);
-  std::deque<Case> all;
-  for (const int n : {0, 1, 2, 3, 4, 9, 25}) {
-    for (const double density : {0.1, 0.35}) {
-      Case c{BruteMoment(random_scene(
-                 {.n = n, .rmin = 2, .rmax = 12, .density = n > 3 ? density : 0}, random)),
-             {}};
-      for (const int tenths : {1, 17, 40, 73, 150, 400}) c.probes.emplace_back(tenths, 10);
-      all.push_back(std::move(c));
-    }
-  }
-  // A disk beside the centre: the ends of its ellipse are the only extremes.
-  all.push_back({BruteMoment(scene_of(10, 1, {disk(3, 0, 2, 0, 0)})),
-                 {Rational(1, 2), Rational(5, 2), 3, Rational(11, 2), 6}});
-  return all;
-}
-
-double middle(const Enclosure& e) { return 0.5 * e.lo + 0.5 * e.hi; }
-
-double angle(const BruteMoment& m, GenId g, const std::array<Enclosure, 2>& p) {
-  return std::atan2(middle(p[1]) - m.circle(g).y.convert_to<double>(),
-                    middle(p[0]) - m.circle(g).x.convert_to<double>());
-}
-
-double turn(double angle) { return angle < 0 ? angle + 2 * pi : angle; }
-
-// Every point of every generator's circle at the probe's distance: on an arc iff it is free.
-TEST(Offset, CoversTheFreePointsOfAllCircles) {
-  int arcs_seen = 0, full = 0;
-  for (Case& c : cases()) {
-    BruteMoment& m = c.moment;
-    for (const Rational& probe : c.probes) {
-      Clearance clearance = m.clearance_for(probe);
-      const FreeSpace space(clearance);
-      std::map<GenId, std::vector<std::pair<double, double>>> arcs;  // from, extent
-      for (const OffsetArc& arc : space.offset()) {
-        ++arcs_seen;
-        EXPECT_EQ(arc.from.has_value(), arc.to.has_value());
-        if (!arc.from) {
-          ++full;
-          arcs[arc.generator].emplace_back(0, 7);
-          continue;
-        }
-        const double from = angle(m, arc.generator, space.position(*arc.from));
-        const double to = angle(m, arc.generator, space.position(*arc.to));
-        arcs[arc.generator].emplace_back(from, turn(to - from));
-      }
-      const double rho = probe.get_d();
-      for (GenId g = container_id; g < m.size(); ++g) {
-        const double r = m.circle(g).radius.convert_to<double>() + (g < 0 ? -rho : rho);
-        if (r <= 0) continue;
-        for (int k = 0; k < 500; ++k) {
-          const double a = 2 * pi * (k + 0.37) / 500 - pi;
-          const double x = m.circle(g).x.convert_to<double>() + r * std::cos(a);
-          const double y = m.circle(g).y.convert_to<double>() + r * std::sin(a);
-          double others = 1e9;
-          for (GenId h = container_id; h < m.size(); ++h) {
-            if (h != g) others = std::min(others, m.distance_in_doubles(h, x, y));
-          }
-          if (std::fabs(others - rho) < 1e-6) continue;
-          bool covered = false;
-          for (const auto& [from, extent] : arcs[g]) covered |= turn(a - from) <= extent;
-          EXPECT_EQ(covered, others > rho)
-              << text(m.scene) << "probe " << probe << " generator " << g << " angle " << a;
-        }
-      }
-    }
-  }
-  EXPECT_GT(arcs_seen, 200);
-  EXPECT_GT(full, 10);
-}
-
-// The point at distance rho from both generators, next to (x, y), by Newton's iteration; nothing
-// where it is double.
-std::optional<std::array<Real, 2>> polished(const BruteMoment& m, GenId i, GenId j, const Real& rho,
-                                            Real x, Real y) {
-  for (int k = 0; k < 8; ++k) {
-    Real residue[2], jacobian[2][2];
-    for (const int row : {0, 1}) {
-      const GenId g = row == 0 ? i : j;
-      const Real dx = x - m.circle(g).x, dy = y - m.circle(g).y, d = sqrt(dx * dx + dy * dy);
-      const int sign = g == container_id ? -1 : 1;
-      residue[row] = m.distance(g, x, y) - rho;
-      jacobian[row][0] = sign * dx / d;
-      jacobian[row][1] = sign * dy / d;
-    }
-    const Real det = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
-    if (abs(det) < 1e-9) return std::nullopt;
-    x -= (residue[0] * jacobian[1][1] - residue[1] * jacobian[0][1]) / det;
-    y -= (residue[1] * jacobian[0][0] - residue[0] * jacobian[1][0]) / det;
-  }
-  return std::array<Real, 2>{x, y};
-}
-
-TEST(Offset, EnclosuresContainTheEndPoints) {
-  int points = 0;
-  for (Case& c : cases()) {
-    BruteMoment& m = c.moment;
-    for (const Rational& probe : c.probes) {
-      Clearance clearance = m.clearance_for(probe);
-      const FreeSpace space(clearance);
-      for (const FreePiece& piece : space.pieces()) {
-        for (const auto& point : {piece.from, piece.to}) {
-          if (!point) continue;
-          const auto at = space.position(*point);
-          const auto truth = polished(m, point->i, point->j, oracle::rounded<Real>(probe),
-                                      middle(at[0]), middle(at[1]));
-          if (!truth) continue;
-          ++points;
-          for (const int axis : {0, 1}) {
-            EXPECT_TRUE(contains(at[axis], (*truth)[axis]));
-            EXPECT_TRUE(is_narrow(at[axis], 300));
-          }
-        }
-      }
-    }
-  }
-  EXPECT_GT(points, 200);
-}
 
 // A grid of points and which of them are connected, by paths of at least a clearance.
 class Grid {

@@ -1,74 +1,15 @@
-// certify and convert as their users meet them: verdicts, exit codes, reports, foreign files.
-#include <filesystem>
-#include <fstream>
+// certify as its users meet it: verdicts, exit codes, reports.
+#include <gtest/gtest.h>
 
-#include "tests/apps/verbs/cli.h"
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/apps/verbs/certify_cli.h"
 
 namespace voroproof::internal {
 namespace {
-
-class CertifyCli : public Cli {
- protected:
-  // The last line of the output, which is the verdict, and the exit code that belongs to it.
-  std::string verdict(const Arguments& arguments) const {
-    Arguments all{"certify"};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    const Result result = run(all);
-    const auto lines = lines_of(result.out);
-    const std::string last = lines.empty() ? "" : lines.back();
-    const std::vector<std::string> of_code{"s CERTIFIED", "s REFUTED", "s INVALID", "s UNDECIDED"};
-    EXPECT_GE(result.code, 0);
-    EXPECT_LE(result.code, 3) << result.err;
-    if (result.code >= 0 && result.code <= 3) {
-      EXPECT_EQ(last, of_code[result.code]) << result.err;
-    }
-    EXPECT_EQ(result.err.empty(), result.code == 0) << result.err;
-    return last;
-  }
-
-  std::string history(const std::string& scene) const {
-    const std::string path = file("a.history.jsonl");
-    must({"simulate", scene, "-o", path});
-    return path;
-  }
-
-  // The history with line `number` (from 0) put through `change`.
-  template <class Change>
-  std::string edited(const std::string& path, Change&& change) const {
-    std::vector<std::string> lines = lines_of(read_file(path));
-    change(lines);
-    std::string text;
-    for (const std::string& line : lines) text += line + '\n';
-    const std::string to = file("edited.history.jsonl");
-    std::ofstream(to, std::ios::binary) << text;
-    return to;
-  }
-
-  std::string written(const std::string& name, const std::string& text) const {
-    const std::string path = file(name);
-    std::ofstream(path, std::ios::binary) << text;
-    return path;
-  }
-
-  // A scene of disks of mass 1 in a container of radius 100.
-  std::string scene(const std::string& horizon, const std::string& disks,
-                    const std::string& maneuvers = "") const {
-    return written("small.scene.json",
-                   R"({"format":"voroproof-scene","version":1,"horizon":)" + horizon +
-                       R"(,"container":{"center":[0,0],"radius":100},"disks":[)" + disks +
-                       R"(],"maneuvers":[)" + maneuvers + "]}");
-  }
-  static std::string disk(const std::string& center, const std::string& radius,
-                          const std::string& velocity) {
-    return R"({"center":[)" + center + R"(],"radius":)" + radius + R"(,"velocity":[)" + velocity +
-           R"(],"mass":1})";
-  }
-
-  static std::string read_file(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-};
 
 TEST_F(CertifyCli, OwnHistoriesUnderBothTruths) {
   const std::string scene = reference(30, "40"), path = history(scene);
@@ -329,56 +270,6 @@ TEST_F(CertifyCli, AHistoryThatStopsIsUndecided) {
   });
   EXPECT_EQ(verdict({scene, stopped, "--report", file("r.json")}), "s UNDECIDED");
   EXPECT_EQ(json("r.json")["certified_prefix"]["events"], 19);
-}
-
-TEST_F(CertifyCli, ThereAndBackThroughAnEventSequence) {
-  const std::string scene = reference(30, "40"), path = history(scene);
-  const std::string disks = file("a.disks.txt"), events = file("a.evtsq");
-  must({"convert", scene, "-o", disks});
-  must({"convert", path, "--scene", scene, "-o", events});
-  EXPECT_EQ(verdict({disks, events, "--truth", "recorded"}), "s CERTIFIED");
-  EXPECT_EQ(verdict({scene, events, "--truth", "recorded"}), "s CERTIFIED");
-  EXPECT_EQ(verdict({scene, events}), "s CERTIFIED");
-  must({"convert", path, "--scene", scene, "-o", events, "--numbers", "decimal"});
-  EXPECT_EQ(verdict({scene, events, "--truth", "recorded"}), "s CERTIFIED");
-  must({"convert", disks, "--horizon", "40", "-o", file("b.scene.json")});
-  const std::string back = file("b.history.jsonl");
-  must({"convert", events, "--scene", file("b.scene.json"), "-o", back});
-  EXPECT_EQ(verdict({file("b.scene.json"), back, "--truth", "recorded"}), "s CERTIFIED");
-}
-
-TEST_F(CertifyCli, ConversionsThatCannotBe) {
-  const std::string scene = reference(5, "5"), path = history(scene);
-  refused({"convert", path, "-o", file("a.evtsq")}, "--scene");
-  refused({"convert", scene, "-o", file("a.svg")}, "--output");
-  must({"convert", scene, "-o", file("a.disks.txt")});
-  refused({"convert", file("a.disks.txt"), "-o", file("b.scene.json")}, "--horizon");
-  refused({"convert", path, "-o", file("b.scene.json"), "--horizon", "1"}, "no disk file");
-}
-
-TEST_F(CertifyCli, OptionsOfConvertThatTheOutputHasNoUseForAreRefused) {
-  const std::string scene = reference(5, "5"), path = history(scene);
-  must({"convert", scene, "-o", file("a.disks.txt")});
-  must({"convert", path, "--scene", scene, "-o", file("a.evtsq")});
-  const Arguments to_scene{"convert", file("a.disks.txt"), "-o", file("b.scene.json"), "--horizon",
-                           "5"};
-  const Arguments to_disks{"convert", scene, "-o", file("b.disks.txt")};
-  const Arguments to_history{"convert", file("a.evtsq"),        "--scene", scene,
-                             "-o",      file("b.history.jsonl")};
-  const Arguments to_sequence{"convert", path, "--scene", scene, "-o", file("b.evtsq")};
-  const Arguments of_a_scene[] = {{"--horizon", "1"}, {"--restitution", "1/2"}};
-  const Arguments of_a_sequence[] = {{"--numbers", "hexadecimal"}, {"--evtsq-version", "1.1"}};
-  const auto refuse = [&](Arguments words, const Arguments& option) {
-    words.insert(words.end(), option.begin(), option.end());
-    refused(words, option[0] + ": only where ");
-  };
-  for (const Arguments& option : of_a_scene) {
-    for (const Arguments& words : {to_disks, to_history, to_sequence}) refuse(words, option);
-  }
-  for (const Arguments& option : of_a_sequence) {
-    for (const Arguments& words : {to_scene, to_disks, to_history}) refuse(words, option);
-  }
-  for (const Arguments& words : {to_scene, to_disks}) refuse(words, {"--scene", scene});
 }
 
 // Real output of the engine of the paper's authors, where it is at hand.

@@ -1,12 +1,11 @@
 // The verb corpus as its users meet it: the corpus against itself, and programs of every kind
 // against the corpus.
-#include <signal.h>
+#include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <thread>
+#include <string>
 
 #include "tests/apps/verbs/corpus_cli.h"
 
@@ -168,75 +167,6 @@ TEST_F(CorpusCli, EventSequencesAreHistoriesToo) {
                               "{history}.evtsq {history}";
   const Json found = against(simulate() + " && " + convert, "eight");
   EXPECT_EQ(found["outcome"], "certified") << found;
-}
-
-bool alive(pid_t process) {
-  // A zombie whose parent is gone is as good as dead: nobody here may wait for it.
-  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
-  std::string number, name, state;
-  return (stat >> number >> name >> state) && state != "Z" && state != "X";
-}
-
-// The number of a process that a command wrote to the file, as soon as it did.
-pid_t process_in(const std::string& path) {
-  for (int k = 0; k < 1000; ++k) {
-    std::ifstream in(path);
-    pid_t process = 0;
-    std::string end;
-    if (in >> process >> end) return process;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  ADD_FAILURE() << path << ": nothing was written";
-  return 0;
-}
-
-bool dies(pid_t process) {
-  for (int k = 0; k < 1000 && alive(process); ++k) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return !alive(process);
-}
-
-TEST_F(CorpusCli, TheWholeGroupEndsWithItsTime) {
-  const std::string note = file("process");
-  const Json found = against("sleep 1000 & echo $! end > " + note + "; wait # {scene} {history}",
-                             "three", {"--timeout", "0.3"});
-  EXPECT_EQ(found["outcome"], "timed out");
-  EXPECT_TRUE(dies(process_in(note)));
-}
-
-TEST_F(CorpusCli, WhatAProgramLeavesBehindIsKilled) {
-  const std::string note = file("process");
-  const Json found = against("sleep 1000 & echo $! end > " + note + "; " + simulate(), "three");
-  EXPECT_EQ(found["outcome"], "certified");
-  EXPECT_TRUE(dies(process_in(note)));
-}
-
-TEST_F(CorpusCli, MemoryIsLimited) {
-  const Json found = against("dd if=/dev/zero of=/dev/null bs=400M count=1 # {scene} {history}",
-                             "three", {"--memory", "200"});
-  EXPECT_EQ(found["outcome"], "crashed");
-  EXPECT_NE(found["reason"].get<std::string>().find("memory"), std::string::npos) << found;
-}
-
-// Interrupted, it leaves no process, no report and no scratch files.
-TEST_F(CorpusCli, InterruptionLeavesNothing) {
-  const TemporaryDirectory scratch;
-  ASSERT_EQ(setenv("TMPDIR", scratch.file("").c_str(), 1), 0);
-  const std::string note = file("process");
-  const pid_t program = start(
-      run_words({"--against", "echo $$ end > " + note + "; sleep 1000; : {scene} {history}",
-                 "--html", file("r.html"), "--jobs", "2", "--case", "three", "--timeout", "1000"}));
-  const pid_t child = process_in(note);
-  EXPECT_TRUE(alive(child));
-  kill(program, SIGINT);
-  const Result result = finish(program);
-  unsetenv("TMPDIR");
-  EXPECT_EQ(result.code, 6) << result.err;
-  EXPECT_TRUE(dies(child));
-  EXPECT_FALSE(fs::exists(file("report.json")));
-  EXPECT_FALSE(fs::exists(file("r.html")));
-  EXPECT_EQ(scratch.number_of_files(), 0u);
 }
 
 TEST_F(CorpusCli, NamesAreQuotedForTheShell) {

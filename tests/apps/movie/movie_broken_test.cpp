@@ -1,0 +1,121 @@
+// Movies of histories that stop, are refuted or have no diagram at the beginning, and of few disks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/apps/movie/movie.h"
+
+namespace voroproof::internal {
+namespace {
+
+TEST_F(Movie, FewDisksAndStoppedHistoriesPlay) {
+  const std::string script = R"js(
+    for (let k = 0; k <= 20; ++k) { player.seek(player.data.end * k / 20); player.draw(); }
+    player.step(-1); player.draw(); player.step(1); player.draw();
+    return { end: player.data.end, irregular: player.painter.curves.irregular,
+      notes: element("notes").textContent };)js";
+  const std::string one = R"({"center":[4,2],"radius":1,"velocity":[1,0.5]})";
+  for (const std::string& disks :
+       {std::string(), one, one + R"(,{"center":[-3,2],"radius":2,"velocity":[1,1]})"}) {
+    const std::string scene = scene_file(disks);
+    const Json page = run_in_page(movie(scene, simulated(scene)), script);
+    EXPECT_EQ(page.at("errors"), Json::array()) << disks;
+    EXPECT_EQ(page.at("result").at("end"), 20);
+    EXPECT_EQ(page.at("result").at("irregular"), 0);
+  }
+  const std::string scene = scene_file(one);
+  std::vector<std::string> lines = lines_of(read_bytes(simulated(scene)));
+  directory_.write("s.history.jsonl",
+                   lines[0] + "\n{\"stopped\":{\"t\":2.5,\"reason\":\"too <hard>\"}}\n");
+  const Json page = run_in_page(movie(scene, file("s.history.jsonl")), script);
+  EXPECT_EQ(page.at("errors"), Json::array());
+  EXPECT_EQ(page.at("result").at("end"), 2.5);
+  EXPECT_NE(page.at("result").at("notes").get<std::string>().find("too <hard>"), std::string::npos);
+}
+
+TEST_F(Movie, ARefutedHistoryShowsItsFaultAndWhereTheReplayBreaks) {
+  const std::string scene = reference(30, "50");
+  std::vector<std::string> lines = lines_of(read_bytes(simulated(scene)));
+  // One flip is left out. Somewhere later another one is not possible.
+  const auto flip = std::find_if(lines.begin() + 40, lines.end(), [](const std::string& line) {
+    return line.find("flip") != std::string::npos;
+  });
+  const auto event = flip - lines.begin() - 1;
+  lines.erase(flip);
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  const std::string wrong = directory_.write("w.history.jsonl", text);
+  EXPECT_EQ(run({"certify", scene, wrong, "--report", file("w.report.json")}).code, 1);
+  const Json page = run_in_page(movie(scene, wrong, {"--report", file("w.report.json")}), R"js(
+    const { data, replay, painter, state, view } = player;
+    player.toFault();
+    Object.assign(state, { velocities: false, labels: false });
+    player.draw();
+    const count = () => {  // pixels in the colour of the refutation
+      const image = painter.context.getImageData(0, 0, view.canvas.width, view.canvas.height);
+      let red = 0;
+      for (let k = 0; k < image.data.length; k += 4) {
+        const [r, g, b] = image.data.subarray(k, k + 3);
+        red += Math.abs(r - 216) + Math.abs(g - 52) + Math.abs(b - 43) < 30;
+      }
+      return red;
+    };
+    const evidence = count(), faultT = state.t;
+    player.seek(0);
+    player.draw();
+    const before = count();
+    player.seek(data.end);
+    player.draw();
+    return { evidence, before, faultT, badge: element("verdict").textContent,
+      event: data.facts.report.fault.event, broken: replay.broken, events: data.events,
+      words: element("broken").textContent, whole: replay.whole };)js");
+  ASSERT_EQ(page.at("errors"), Json::array());
+  const Json& result = page.at("result");
+  const Json report = json("w.report.json");
+  EXPECT_EQ(result.at("badge"), "refuted");
+  EXPECT_EQ(result.at("event"), event);
+  EXPECT_NEAR(result.at("faultT"), report.at("divergence").at("t"), 1e-6);
+  EXPECT_GT(result.at("evidence"), 200);
+  EXPECT_EQ(result.at("before"), 0);
+  EXPECT_FALSE(result.at("whole"));
+  EXPECT_GT(result.at("broken"), event);
+  EXPECT_LE(result.at("broken"), result.at("events"));
+  EXPECT_NE(result.at("words").get<std::string>().find("has no edge"), std::string::npos);
+}
+
+// The disk slides along the wall at once: there is no diagram to construct.
+TEST_F(Movie, AHistoryWithoutAnInitialDiagramIsPlayedAsFarAsItGoes) {
+  const std::string scene = scene_file(R"({"center":[1,-7],"radius":1,"velocity":[0,-1]},)"
+                                       R"({"center":[3,2],"radius":1,"velocity":[0,0]})",
+                                       R"("maneuvers":[{"t":0,"disk":0,"velocity":[1,0]}],)");
+  const Result result = run({"simulate", scene, "-o", file("a.history.jsonl"), "--quiet"});
+  ASSERT_EQ(result.code, 3) << result.err;
+  const Json page = run_in_page(movie(scene, file("a.history.jsonl")), R"js(
+    player.draw();
+    return element("broken").textContent;)js");
+  ASSERT_EQ(page.at("errors"), Json::array());
+  EXPECT_NE(page.at("result").get<std::string>().find("slides along"), std::string::npos);
+}
+
+TEST_F(Movie, AWrongInitialDiagramIsNoDiagram) {
+  const std::string scene = reference(6, "10");
+  std::string text = read_bytes(simulated(scene));
+  const auto at = text.find("\"initial\":[") + 11;
+  text.erase(at, text.find(']', at) + 2 - at);
+  const std::string wrong = directory_.write("w.history.jsonl", text);
+  const Json page = run_in_page(movie(scene, wrong), R"js(
+    player.seek(5);
+    player.draw();
+    player.follow(2);
+    player.draw();
+    player.step(1);
+    player.draw();
+    return element("broken").textContent;)js");
+  ASSERT_EQ(page.at("errors"), Json::array());
+  EXPECT_NE(page.at("result").get<std::string>().find("initial diagram"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace voroproof::internal

@@ -1,0 +1,62 @@
+// convert as its users meet it: there and back, and what cannot be converted.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/apps/verbs/certify_cli.h"
+
+namespace voroproof::internal {
+namespace {
+
+TEST_F(CertifyCli, ThereAndBackThroughAnEventSequence) {
+  const std::string scene = reference(30, "40"), path = history(scene);
+  const std::string disks = file("a.disks.txt"), events = file("a.evtsq");
+  must({"convert", scene, "-o", disks});
+  must({"convert", path, "--scene", scene, "-o", events});
+  EXPECT_EQ(verdict({disks, events, "--truth", "recorded"}), "s CERTIFIED");
+  EXPECT_EQ(verdict({scene, events, "--truth", "recorded"}), "s CERTIFIED");
+  EXPECT_EQ(verdict({scene, events}), "s CERTIFIED");
+  must({"convert", path, "--scene", scene, "-o", events, "--numbers", "decimal"});
+  EXPECT_EQ(verdict({scene, events, "--truth", "recorded"}), "s CERTIFIED");
+  must({"convert", disks, "--horizon", "40", "-o", file("b.scene.json")});
+  const std::string back = file("b.history.jsonl");
+  must({"convert", events, "--scene", file("b.scene.json"), "-o", back});
+  EXPECT_EQ(verdict({file("b.scene.json"), back, "--truth", "recorded"}), "s CERTIFIED");
+}
+
+TEST_F(CertifyCli, ConversionsThatCannotBe) {
+  const std::string scene = reference(5, "5"), path = history(scene);
+  refused({"convert", path, "-o", file("a.evtsq")}, "--scene");
+  refused({"convert", scene, "-o", file("a.svg")}, "--output");
+  must({"convert", scene, "-o", file("a.disks.txt")});
+  refused({"convert", file("a.disks.txt"), "-o", file("b.scene.json")}, "--horizon");
+  refused({"convert", path, "-o", file("b.scene.json"), "--horizon", "1"}, "no disk file");
+}
+
+TEST_F(CertifyCli, OptionsOfConvertThatTheOutputHasNoUseForAreRefused) {
+  const std::string scene = reference(5, "5"), path = history(scene);
+  must({"convert", scene, "-o", file("a.disks.txt")});
+  must({"convert", path, "--scene", scene, "-o", file("a.evtsq")});
+  const Arguments to_scene{"convert", file("a.disks.txt"), "-o", file("b.scene.json"), "--horizon",
+                           "5"};
+  const Arguments to_disks{"convert", scene, "-o", file("b.disks.txt")};
+  const Arguments to_history{"convert", file("a.evtsq"),        "--scene", scene,
+                             "-o",      file("b.history.jsonl")};
+  const Arguments to_sequence{"convert", path, "--scene", scene, "-o", file("b.evtsq")};
+  const Arguments of_a_scene[] = {{"--horizon", "1"}, {"--restitution", "1/2"}};
+  const Arguments of_a_sequence[] = {{"--numbers", "hexadecimal"}, {"--evtsq-version", "1.1"}};
+  const auto refuse = [&](Arguments words, const Arguments& option) {
+    words.insert(words.end(), option.begin(), option.end());
+    refused(words, option[0] + ": only where ");
+  };
+  for (const Arguments& option : of_a_scene) {
+    for (const Arguments& words : {to_disks, to_history, to_sequence}) refuse(words, option);
+  }
+  for (const Arguments& option : of_a_sequence) {
+    for (const Arguments& words : {to_scene, to_disks, to_history}) refuse(words, option);
+  }
+  for (const Arguments& words : {to_scene, to_disks}) refuse(words, {"--scene", scene});
+}
+
+}  // namespace
+}  // namespace voroproof::internal
