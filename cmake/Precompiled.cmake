@@ -2,18 +2,20 @@
 # the program: a third of the time of a build was reading them. Every file still includes what it
 # uses; the builds with clang++ (.ci/run) are made without this and see to it.
 #
+# FLINT's headers are not among them: they define macros (MAX) that are names elsewhere.
+#
 # Files can share what was compiled for them only with the same options. Libraries are
 # position-independent code, programs are position-independent executables.
 set(voroproof_common_headers
   <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <filesystem> <fstream> <functional> <iostream> <map>
   <memory> <mutex> <optional> <random> <set> <sstream> <stdexcept> <string> <string_view> <thread> <unordered_map>
-  <utility> <variant> <vector> <gmpxx.h> <arb.h>)
+  <utility> <variant> <vector> <gmpxx.h> <mpfr.h>)
 
 # voroproof_precompiled(KIND flags headers...)
 function(voroproof_precompiled kind flags)
   file(WRITE ${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp "")
   add_library(voroproof_precompiled_${kind} OBJECT ${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp)
-  target_link_libraries(voroproof_precompiled_${kind} PRIVATE voroproof_options PkgConfig::GMPXX arb)
+  target_link_libraries(voroproof_precompiled_${kind} PRIVATE voroproof_options PkgConfig::GMPXX PkgConfig::MPFR)
   target_precompile_headers(voroproof_precompiled_${kind} PRIVATE ${voroproof_common_headers} ${ARGN})
   if(flags)
     set_target_properties(voroproof_precompiled_${kind} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
