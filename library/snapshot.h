@@ -28,6 +28,7 @@ enum class Construct {
 struct SnapshotWay {
   Move move = Move::colliding;
   Construct construct = Construct::by_flips;
+  bool checked = true;  // by flips: a diagram with an illegal edge (illegal_edge.h) is refused
 };
 
 // The diagram at t according to a history of the scene: its initial diagram after its flips up to
@@ -39,11 +40,12 @@ struct SnapshotWay {
 // the flips recorded within a unit in the last place of t on the side of t on which they are
 // recorded; it throws InputError where the collisions are not those of the true motion.
 //
-// Throws InputError besides: see recorded_moment().
+// Throws InputError besides: see recorded_moment(), and where the way says that the diagram is
+// checked.
 DiagramFile snapshot(const Scene& scene, const std::string& history_path, const Rational& t,
                      const EngineOptions& options = {}, const SnapshotWay& way = {});
 // The snapshot by the flips of a history that need be no file; `name` is for messages.
 DiagramFile snapshot(const Scene& scene, HistorySource& history, const std::string& name,
-                     const Rational& t, const EngineOptions& options = {});
+                     const Rational& t, const EngineOptions& options = {}, bool checked = true);
 
 }  // namespace voroproof::internal

@@ -14,16 +14,20 @@ namespace {
 struct Request {
   std::string scene, history, t, output;
   std::string move, construct;  // "1", "2", ...; empty where not given
+  bool unchecked = false;
   EngineOptions options;
 };
 
 ExitCode take_snapshot(const Request& request) {
   require_distinct({request.scene, request.history}, {request.output});
   const Rational t = time_argument("--at", request.t);
-  if (request.history.empty() && !(request.move.empty() && request.construct.empty())) {
-    throw UsageError("--move and --construct are ways to follow a history: none is given");
+  if (request.history.empty() &&
+      !(request.move.empty() && request.construct.empty() && !request.unchecked)) {
+    throw UsageError(
+        "--move, --construct and --unchecked say how to follow a history: none is given");
   }
   SnapshotWay way;
+  way.checked = !request.unchecked;
   if (!request.move.empty()) way.move = static_cast<Move>(std::stoi(request.move));
   if (!request.construct.empty()) {
     way.construct = static_cast<Construct>(std::stoi(request.construct));
@@ -60,6 +64,9 @@ void add_snapshot(CLI::App& app, Action& action) {
                    "collisions lead to, 2 by its flips (default); see docs/snapshots.md")
       ->check(CLI::IsMember({"1", "2"}))
       ->type_name("WAY");
+  verb->add_flag("--unchecked", request->unchecked,
+                 "write the diagram of the history's flips also where one of its edges is\n"
+                 "illegal beyond tolerances");
   add_output(*verb, request->output, "the diagram to write");
   add_max_bits(*verb, request->options.motion.max_bits);
   add_max_events(*verb, request->options.max_events);

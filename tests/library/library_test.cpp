@@ -1,12 +1,14 @@
 // The library as other programs see it: its headers alone.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cfenv>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -224,6 +226,19 @@ TEST_F(LibraryFiles, TheDiagramAtATime) {
   }
   EXPECT_THROW(diagram_at(scene, history, 41), InputError);
   EXPECT_THROW(diagram_at(scene, -1), std::invalid_argument);
+}
+
+// A history without its last flip leads to an illegal edge.
+TEST(LibraryDiagram, IllegalEdgesAreRefused) {
+  const Scene scene = reference(20, 40);
+  History history = simulate(scene);
+  const auto last =
+      std::find_if(history.events.rbegin(), history.events.rend(),
+                   [](const Event& e) { return std::holds_alternative<FlipEvent>(e); });
+  ASSERT_NE(last, history.events.rend());
+  history.events.erase(std::next(last).base());
+  EXPECT_THROW(diagram_at(scene, history, 40), InputError);
+  EXPECT_EQ(diagram_at(scene, history, 40, 32768, false).edges.size(), 57u);
 }
 
 TEST(LibraryDiagram, NeighboursOfFew) {

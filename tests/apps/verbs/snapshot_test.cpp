@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -147,6 +149,70 @@ TEST_F(Cli, SnapshotsRefuseHistoriesThatDoNotFit) {
   // A history that was cut off.
   const std::string cut = directory_.write("cut.history.jsonl", bytes.substr(0, bytes.size() / 2));
   refused({"snapshot", scene, cut, "--at", "0", "-o", out}, "cut.history.jsonl:");
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+// A history whose last flip is missing leads to an edge that is illegal from there on.
+TEST_F(Cli, SnapshotsRefuseWhatIsNoDiagramOfTheDisks) {
+  const std::string scene = reference(30, "20"), out = file("a.diagram.json");
+  must({"simulate", scene, "-o", file("a.history.jsonl")});
+  std::vector<std::string> lines = lines_of(directory_.read("a.history.jsonl"));
+  const auto is_flip = [](const std::string& line) {
+    return line.find("\"flip\":") != std::string::npos;
+  };
+  const auto last = std::find_if(lines.rbegin(), lines.rend(), is_flip);
+  ASSERT_NE(last, lines.rend());
+  const Json flip = Json::parse(*last);
+  lines.erase(std::next(last).base());
+  Json end = Json::parse(lines.back());
+  end["end"]["flips"] = end["end"]["flips"].get<int>() - 1;
+  lines.back() = end.dump();
+  const std::string wrong = directory_.write("wrong.history.jsonl", joined(lines));
+
+  const std::string before = Json(flip["t"].get<double>() - 1e-3).dump();
+  must({"snapshot", scene, wrong, "--at", before, "-o", out});
+  const Result result = run({"snapshot", scene, wrong, "--at", "20", "-o", file("b.json")});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_NE(
+      result.err.find("wrong.history.jsonl: its diagram at t = 20 is not that of the disks: "),
+      std::string::npos)
+      << result.err;
+  EXPECT_NE(result.err.find(" deep inside the circle of ["), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(file("b.json")));
+  must({"snapshot", scene, wrong, "--at", "20", "--unchecked", "-o", out});
+  must({"snapshot", scene, wrong, "--at", "20", "--construct", "1", "-o", out});
+  refused({"snapshot", scene, "--at", "20", "--unchecked", "-o", out}, "none is given");
+}
+
+// Times that are off by less than the tolerance of certificates are no reason to refuse a history.
+TEST_F(Cli, SnapshotsTakeTimesWithinTheTolerance) {
+  const std::string scene = reference(30, "20"), history = file("a.history.jsonl");
+  must({"simulate", scene, "-o", history});
+  std::vector<std::string> lines = lines_of(directory_.read("a.history.jsonl"));
+  std::vector<double> times;
+  for (std::string& line : lines) {
+    Json json = Json::parse(line);
+    if (!json.contains("flip")) continue;
+    const double t = json["t"];
+    const double off = times.size() % 2 == 0 ? 4e-7 : -4e-7;
+    json["t"] = t + off;
+    times.push_back(t + 0.5 * off);
+    line = json.dump();
+  }
+  std::stable_sort(lines.begin() + 1, lines.end() - 1, [](const auto& a, const auto& b) {
+    return Json::parse(a)["t"].template get<double>() < Json::parse(b)["t"].template get<double>();
+  });
+  const std::string moved = directory_.write("moved.history.jsonl", joined(lines));
+  ASSERT_EQ(run({"certify", scene, moved}).code, 0);
+  ASSERT_GT(times.size(), 20u);
+  for (const double t : times) {
+    must({"snapshot", scene, moved, "--at", Json(t).dump(), "-o", file("a.diagram.json")});
+  }
 }
 
 }  // namespace
