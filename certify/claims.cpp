@@ -41,18 +41,22 @@ bool Claims::read() {
     return false;
   }
   const HalfEdge place = place_ahead(0).half;
-  near_.push_back({std::move(*event), history_.line(), place, {}, false});
+  const bool overlooked = full_ && time(*event) <= taken_ + 2 * tolerance_;
+  near_.push_back({std::move(*event), history_.line(), place, {}, false, overlooked});
   times_.push_back(time(near_.back().event));
   lines_.push_back(history_.line());
   return true;
 }
 
 void Claims::take(std::size_t k) {
+  full_ = near_.size() == most_near;
+  taken_ = time(near_.front().event);
   current_ = std::move(near_[k].event);
   line_ = near_[k].line;
   place_ = near_[k].place;
   tie_ = near_[k].tie;
   placed_ = near_[k].placed;
+  overlooked_ = near_[k].overlooked;
   near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
@@ -75,7 +79,7 @@ bool Claims::has_unchecked(const Maneuver& due, const Rational& tolerance) {
         const auto* stop = std::get_if<HistoryStop>(&history_.ending());
         return stop != nullptr && stop->t <= latest;
       }
-      near_.push_back({std::move(*event), history_.line(), -1, {}, false});
+      near_.push_back({std::move(*event), history_.line(), -1, {}});
       if (is_it(near_.back().event)) return true;
     }
     return false;

@@ -36,6 +36,8 @@ class Claims {
     HalfEdge place;  // what it is about, as far as somebody knows, or -1
     Tie tie;
     bool placed = false;  // no order with another is known: it stays where the file has it
+    // Others were taken without a look at it: more were near these than are looked at together.
+    bool overlooked = false;
   };
 
   // `places`: for the claims in their order, as far as somebody knows, what a claim is about.
@@ -77,6 +79,7 @@ class Claims {
   HalfEdge place() const { return place_; }
   const Tie& tie() const { return tie_; }
   bool placed() const { return placed_; }
+  bool overlooked() const { return overlooked_; }
   // It is proved.
   void done() { ++processed_; }
   // No claim is being checked: the history is at this line.
@@ -102,6 +105,8 @@ class Claims {
   double tolerance_;
   std::vector<Claim> near_;
   bool ended_ = false;                 // no more to read
+  bool full_ = false;                  // when a claim was taken last as many were near as can be,
+  double taken_ = 0;                   // the first of them at this time
   std::vector<double> times_;          // of the claims read
   std::vector<std::int64_t> lines_;    // theirs
   std::vector<Replay::Place> places_;  // of the claims, read or not
@@ -109,7 +114,7 @@ class Claims {
   std::int64_t line_ = 1;
   HalfEdge place_ = -1;
   Tie tie_;
-  bool placed_ = false;
+  bool placed_ = false, overlooked_ = false;
   std::int64_t processed_ = 0;
 };
 

@@ -17,6 +17,10 @@ void Instants::advance(const Moment& m) {
   if (order < 0 && claims_.placed()) {
     throw Undecided("two events are claimed in the other order, nearer than was seen in time");
   }
+  if (order < 0 && claims_.overlooked()) {
+    throw Undecided(
+        "an event is claimed behind more others within the tolerance than are looked at");
+  }
   if (order < 0) {
     refuter_.refute(Fault::wrong_order,
                     "the event lies " + between(m.lo, m.hi) +

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <random>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -83,6 +84,38 @@ TEST(ConsistentFaults, DiagramBeforeACollisionAtStart) {
     }
   }
   EXPECT_GT(changed, 0);
+}
+
+// A collision at t = 0 that is claimed within the tolerance, but behind more claims than are looked
+// at together: the first diagram was judged without it. A swarm so fast that it flips many edges
+// within the tolerance, beside two disks that touch and approach.
+TEST(ConsistentFaults, ATurnAtStartBehindManyClaims) {
+  std::mt19937_64 random(1);
+  const auto between = [&random](double lo, double hi) {
+    return lo + (hi - lo) * 0x1p-64 * static_cast<double>(random());
+  };
+  std::vector<DiskInput> disks{disk(16, 0, 0.5, 1, 0), disk(17, 0, 0.5, -1, 0)};
+  for (int k = 0; k < 120; ++k) {
+    disks.push_back(
+        disk(between(-12, 12), between(-12, 12), 0x1p-20, between(-3e6, 3e6), between(-3e6, 3e6)));
+  }
+  const Scene scene = scene_of(20, 0x1p-20, disks);
+  const History right = claimed_history(scene, run(scene));
+  expect(Verdict::certified, scene, right, Truth::exact);
+  ASSERT_TRUE(std::holds_alternative<CollideEvent>(right.events.front()));
+  ASSERT_EQ(time(right.events.front()), 0);
+  ASSERT_GT(right.events.size(), 100u);
+  for (const auto& [passed, verdict] :
+       {std::pair(10, Verdict::certified), std::pair(100, Verdict::undecided)}) {
+    History late = right;
+    CollideEvent blow = std::get<CollideEvent>(right.events.front());
+    blow.t = time(right.events[static_cast<std::size_t>(passed)]);
+    blow.p = {};
+    late.events.erase(late.events.begin());
+    late.events.insert(late.events.begin() + passed, blow);
+    late.count();
+    expect(verdict, scene, late, Truth::exact);
+  }
 }
 
 // Five disks in the order of the corners of a pentagram, and one in their middle: a first diagram

@@ -105,7 +105,7 @@ TEST_F(NearFlips, AreNotExchangedAtOneInstant) {
 }
 
 // Of maneuvers within the tolerance the first is claimed last. Beyond the claims that are looked at
-// together it comes too late to be put first.
+// together it comes too late to be put first, which is no fault of the history.
 TEST(NearManeuvers, NotBeforeManyOthers) {
   for (const int count : {60, 70}) {
     std::vector<DiskInput> disks;
@@ -123,7 +123,7 @@ TEST(NearManeuvers, NotBeforeManyOthers) {
     EXPECT_EQ(certify(scene, h, options).verdict, Verdict::certified);
     std::rotate(h.events.begin(), h.events.begin() + 1, h.events.end());
     const Certificate c = certify(scene, h, options);
-    EXPECT_EQ(c.verdict, count < 64 ? Verdict::certified : Verdict::refuted) << reason_line(c);
+    EXPECT_EQ(c.verdict, count < 64 ? Verdict::certified : Verdict::undecided) << reason_line(c);
     EXPECT_EQ(c.swaps, 1);
   }
 }
