@@ -36,6 +36,13 @@ bool turned_lately(const PlacedGenerators& generators, const Quad& edge, double 
   });
 }
 
+// How deep roundings of places may put a generator into a circle. They grow with the coordinates: a
+// container far from the origin has coarser places.
+double rounding_depth(const DiagramFile& diagram) {
+  const auto [x, y] = diagram.container_center;
+  return snapshot_depth_tolerance * (diagram.container_radius + std::hypot(x, y));
+}
+
 // Whether the generator lies deeper than `depth` inside the circle, so long before and after the
 // instant.
 bool inside_throughout(const PlacedGenerators& generators, const Triple& circle, GenId inside,
@@ -71,7 +78,7 @@ std::array<Ball, 3> circle_of(const Triple& generators,
 
 std::optional<IllegalEdge> illegal_edge(const PlacedGenerators& generators,
                                         const DiagramFile& diagram) {
-  const double depth = snapshot_depth_tolerance * diagram.container_radius;
+  const double depth = rounding_depth(diagram);
   for (const Quad& edge : diagram.edges) {
     if (edge.s == edge.e) continue;
     const std::pair<Triple, GenId> ends[] = {{start_vertex(edge), edge.e},

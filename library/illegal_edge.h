@@ -36,7 +36,7 @@ struct IllegalEdge {
 };
 
 // How far the times of a right history may be off, and how deep rounded places may put a generator
-// into a circle, in units of the container's radius.
+// into a circle, in units of the largest coordinate that a place in the container can have.
 inline constexpr double snapshot_time_tolerance = 1e-6;
 inline constexpr double snapshot_depth_tolerance = 1e-9;
 

@@ -241,6 +241,29 @@ TEST(LibraryDiagram, IllegalEdgesAreRefused) {
   EXPECT_EQ(diagram_at(scene, history, 40, 32768, false).edges.size(), 57u);
 }
 
+// Far from the origin the recorded places are coarse: next to a flip they put generators a little
+// into circles that they leave.
+TEST(LibraryDiagram, CoarsePlacesAreNotRefused) {
+  Scene scene = reference(20, 40);
+  const double far = 1e12;
+  scene.container_x = scene.container_y = far;
+  for (Disk& d : scene.disks) {
+    d.x = d.x.nearest() + far;
+    d.y = d.y.nearest() + far;
+  }
+  const History history = simulate(scene);
+  int flips = 0;
+  for (const Event& event : history.events) {
+    const auto* flip = std::get_if<FlipEvent>(&event);
+    if (flip == nullptr) continue;
+    ++flips;
+    for (const double later : {-4e-6, 4e-6, 4e-5}) {
+      EXPECT_NO_THROW(diagram_at(scene, history, flip->t + later)) << flip->t;
+    }
+  }
+  EXPECT_GT(flips, 30);
+}
+
 TEST(LibraryDiagram, NeighboursOfFew) {
   Scene scene;
   scene.container_radius = 10;
