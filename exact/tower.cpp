@@ -221,6 +221,7 @@ double round_nearest(const Tower& x) {
   if (x.is_rational()) return round_nearest(x.rational());
   if (sign(x) == Sign::zero) return 0;
   for (Ball::Precision precision = first_precision;; precision *= 2) {
+    Patience::ask();
     const auto [lo, hi] = ball(x, precision).rational_interval();
     const double below = round_nearest(lo), above = round_nearest(hi);
     if (below == above) return below;
