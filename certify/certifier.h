@@ -34,6 +34,8 @@ struct CertifyOptions {
   // Recorded truth: the history is certified in parts of so many claims at least, and of one in
   // 512 of that for each disk.
   std::size_t least_part = 4096;
+  // How many of the claims within twice the tolerance are looked at together, to find their order.
+  std::size_t most_near = 16384;
   MotionOptions motion;
   // Where the history gives no initial diagram: one to be proved in its place. Nothing is
   // believed of it.

@@ -30,6 +30,12 @@ bool same_edges(const Diagram& a, const Diagram& b) {
   return true;
 }
 
+// Whether an event before t is not claimed.
+bool missed_before(const Divergence& d, double t) {
+  const bool missing = d.fault == Fault::missing_event || d.fault == Fault::overlap;
+  return missing && (d.true_time ? (*d.true_time)[1] : d.t) < t;
+}
+
 }  // namespace
 
 MotionInput checked_input(MotionInput input, const HistoryHeader& header) {
@@ -42,7 +48,7 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
                  std::vector<Replay::Place> places)
     : s_(scene, motion, history.header(), options, std::move(replay)),
       begin_(begin),
-      claims_(history, s_.tolerance_up, std::move(places)),
+      claims_(history, s_.tolerance_up, options.most_near, std::move(places)),
       refuter_(s_, claims_, front_),
       edges_(s_, front_, refuter_),
       pairs_(s_, front_, refuter_),
@@ -105,7 +111,14 @@ void Checker::prove(const PartEnd* end) {
       finish();
     }
   } catch (const Refuted& r) {
-    throw Refuted{first_divergence_.before(r.divergence)};
+    const bool crowded = claims_.crowded();
+    const Divergence first = first_divergence_.before(r.divergence);
+    if (crowded && !missed_before(first, claims_.settled())) {
+      throw Undecided(
+          "the claim is false in its place, and more others lie within the tolerance than are "
+          "looked at: it may depend on one of them");
+    }
+    throw Refuted{first};
   } catch (const Undecided&) {
     first_divergence_.refute_missing_contacts();
     const double now = claims_.current() ? time(*claims_.current()) : front_.moment.lo;

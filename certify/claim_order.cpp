@@ -1,11 +1,24 @@
 #include "certify/claim_order.h"
 
 #include <algorithm>
+#include <array>
 
 #include "certify/wording.h"
 #include "history/json_text.h"
 
 namespace voroproof::internal {
+
+namespace {
+
+std::array<GenId, 4> generators(const Event& event) {
+  if (const auto* f = std::get_if<FlipEvent>(&event)) {
+    return {f->quad.l, f->quad.r, f->quad.s, f->quad.e};
+  }
+  const auto [i, j] = turned_by(event);
+  return {i, j, container_id, container_id};
+}
+
+}  // namespace
 
 // Takes the k-th of the near claims, which in truth comes before those that the file has before it.
 // It has to commute with them. Two turns of one disk do not: whoever reads the file in its order
@@ -38,6 +51,14 @@ void ClaimOrder::take_before_others(std::size_t k) {
     }
   }
   ++s_.certificate.swaps;
+  take(k);
+}
+
+void ClaimOrder::take(std::size_t k) {
+  ++taken_;
+  for (const GenId g : generators(claims_.near()[k].event)) {
+    if (g != container_id) concerned_[static_cast<std::size_t>(g)] = taken_;
+  }
   claims_.take(k);
 }
 
@@ -47,11 +68,11 @@ void ClaimOrder::take_before_others(std::size_t k) {
 std::size_t ClaimOrder::earliest() {
   std::vector<Claims::Claim>& near = claims_.near();
   std::size_t best = 0;
-  std::optional<Moment> first = probe(near[0].event);
+  std::optional<Moment> first = moment_of(near[0]);
   if (!first) {
     if (!s_.options.strict) best = turn_before(near[0].event);
     if (best == 0) return 0;
-    first = probe(near[best].event);
+    first = moment_of(near[best]);
   }
   // Nothing precedes the present instant, at which more may turn.
   if (edges_.any_pending() && first->lo <= front_.moment.hi &&
@@ -68,7 +89,7 @@ std::size_t ClaimOrder::earliest() {
     Claims::Claim &earlier = near[best], &claim = near[k];
     const bool tied = instants_.is_moment_of(earlier.tie, *first);
     if (claim.placed || (tied && claim.tie.number == earlier.tie.number)) continue;
-    const std::optional<Moment> m = probe(claim.event);
+    const std::optional<Moment>& m = moment_of(claim);
     if (!m || m->lo > first->hi) continue;
     // No more bits for it: it need not be known, as that of an edge that is to flip in any case.
     const std::optional<int> order = s_.chronology.known_order(*m, *first);
@@ -100,7 +121,7 @@ std::size_t ClaimOrder::turn_before(const Event& event) {
   for (std::size_t k = 1; k < claims_.near().size(); ++k) {
     for (const GenId g : turned_by(claims_.near()[k].event)) {
       const bool its = g != container_id && std::find(four.begin(), four.end(), g) != four.end();
-      if (its && probe(claims_.near()[k].event)) return k;
+      if (its && moment_of(claims_.near()[k])) return k;
     }
   }
   return 0;
@@ -122,7 +143,21 @@ std::optional<Moment> ClaimOrder::probe_flip(const FlipEvent& claim) {
   return Moment::of(q, *c);
 }
 
-// The true time of a claim whose edge or pair is there.
+// The true time of a claim whose edge or pair is there. It stays what it is until a claim is taken
+// that shares a disk with it: every event that changes an edge, or what its generators do, has one
+// of its disks.
+const std::optional<Moment>& ClaimOrder::moment_of(Claims::Claim& claim) {
+  bool known = claim.probed >= 0;
+  for (const GenId g : generators(claim.event)) {
+    known = known && (g == container_id || concerned_[static_cast<std::size_t>(g)] <= claim.probed);
+  }
+  if (!known) {
+    claim.moment = probe(claim.event);
+    claim.probed = taken_;
+  }
+  return claim.moment;
+}
+
 std::optional<Moment> ClaimOrder::probe(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) return probe_flip(*f);
   if (s_.options.truth == Truth::recorded) return Moment::at(exact_time(event));
@@ -157,7 +192,7 @@ void ClaimOrder::take_next() {
   if (k > 0) {
     take_before_others(k);
   } else {
-    claims_.take(0);
+    take(0);
   }
 }
 
@@ -170,7 +205,7 @@ bool ClaimOrder::take_next_at_start() {
   }
   if (k == near.size() || exact_time(near[k].event) > s_.options.tolerance) return false;
   if (k == 0) {
-    claims_.take(0);
+    take(0);
   } else if (s_.options.strict) {
     claims_.take(0);
     refuter_.refute(Fault::wrong_order,

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "certify/claims.h"
 #include "certify/edge_lives.h"
@@ -27,7 +28,8 @@ class ClaimOrder {
         refuter_(refuter),
         edges_(edges),
         pairs_(pairs),
-        instants_(instants) {}
+        instants_(instants),
+        concerned_(s.scene.disks.size()) {}
 
   // Makes the next claim the one being checked. Precondition: there are near claims. Throws Refuted
   // where the order in the file is wrong and may not be.
@@ -40,9 +42,11 @@ class ClaimOrder {
  private:
   std::size_t earliest();
   std::size_t turn_before(const Event& event);
+  const std::optional<Moment>& moment_of(Claims::Claim& claim);
   std::optional<Moment> probe(const Event& event);
   std::optional<Moment> probe_flip(const FlipEvent& claim);
   void take_before_others(std::size_t k);
+  void take(std::size_t k);
   bool turns_at_start(const Event& event);
 
   Setting& s_;
@@ -52,7 +56,9 @@ class ClaimOrder {
   EdgeLives& edges_;
   PairLives& pairs_;
   Instants& instants_;
-  std::int64_t ties_ = 0;  // so many have been numbered
+  std::int64_t ties_ = 0;                // so many have been numbered
+  std::int64_t taken_ = 0;               // so many claims
+  std::vector<std::int64_t> concerned_;  // for each disk: taken_ when it was in a claim last
 };
 
 }  // namespace voroproof::internal

@@ -6,13 +6,6 @@
 
 namespace voroproof::internal {
 
-namespace {
-
-// How many of the claims that are near each other in time are looked at together.
-constexpr std::size_t most_near = 64;
-
-}  // namespace
-
 std::array<GenId, 2> turned_by(const Event& event) {
   if (const auto* c = std::get_if<CollideEvent>(&event)) return {c->i, c->j};
   if (const auto* m = std::get_if<ManeuverEvent>(&event)) return {m->disk, container_id};
@@ -30,7 +23,7 @@ bool turn_one_disk(const Event& a, const Event& b) {
 
 bool Claims::wants_more() const {
   if (ended_) return false;
-  return near_.empty() || (near_.size() < most_near &&
+  return near_.empty() || (near_.size() < most_near_ &&
                            time(near_.back().event) <= time(near_.front().event) + 2 * tolerance_);
 }
 
@@ -49,7 +42,7 @@ bool Claims::read() {
 }
 
 void Claims::take(std::size_t k) {
-  full_ = near_.size() == most_near;
+  full_ = near_.size() == most_near_;
   taken_ = time(near_.front().event);
   current_ = std::move(near_[k].event);
   line_ = near_[k].line;
@@ -58,6 +51,15 @@ void Claims::take(std::size_t k) {
   placed_ = near_[k].placed;
   overlooked_ = near_[k].overlooked;
   near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
+}
+
+bool Claims::crowded() {
+  if (!full_) return false;
+  try {
+    return !ended_ && read() && near_.back().overlooked;
+  } catch (const InputError&) {
+    return true;
+  }
 }
 
 bool Claims::has_unchecked(const Maneuver& due, const Rational& tolerance) {

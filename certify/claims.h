@@ -9,6 +9,7 @@
 
 #include "certify/moment.h"
 #include "certify/replay.h"
+#include "filtered/numbers/next_double.h"
 #include "history/history_source.h"
 
 namespace voroproof::internal {
@@ -38,12 +39,20 @@ class Claims {
     bool placed = false;  // no order with another is known: it stays where the file has it
     // Others were taken without a look at it: more were near these than are looked at together.
     bool overlooked = false;
+    // Its true time or none, as it was found when so many claims had been taken; -1: never.
+    std::optional<Moment> moment{};
+    std::int64_t probed = -1;
   };
 
-  // `places`: for the claims in their order, as far as somebody knows, what a claim is about.
-  // Whoever is wrong there makes the checker slower.
-  Claims(HistorySource& history, double tolerance, std::vector<Replay::Place> places)
-      : history_(history), tolerance_(tolerance), places_(std::move(places)) {}
+  // `most_near` claims that are near each other are looked at together, at most. `places`: for the
+  // claims in their order, as far as somebody knows, what a claim is about. Whoever is wrong there
+  // makes the checker slower.
+  Claims(HistorySource& history, double tolerance, std::size_t most_near,
+         std::vector<Replay::Place> places)
+      : history_(history),
+        tolerance_(tolerance),
+        most_near_(most_near),
+        places_(std::move(places)) {}
 
   const HistorySource& history() const { return history_; }
 
@@ -68,6 +77,11 @@ class Claims {
   }
   // Makes the k-th of the near claims the one being checked.
   void take(std::size_t k);
+  // Whether more claims were near the one being checked than are looked at together, so that it may
+  // depend on one that has not been read yet. Reads on: no claim is checked after this.
+  bool crowded();
+  // An event before this time is claimed by none but claims that were taken already.
+  double settled() const { return next_below(taken_ - tolerance_); }
   // Whether a claim that has not been checked is of this maneuver, or may be for what the file
   // says. Reads on: no claim is checked after this.
   bool has_unchecked(const Maneuver& due, const Rational& tolerance);
@@ -103,6 +117,7 @@ class Claims {
 
   HistorySource& history_;
   double tolerance_;
+  std::size_t most_near_;
   std::vector<Claim> near_;
   bool ended_ = false;                 // no more to read
   bool full_ = false;                  // when a claim was taken last as many were near as can be,

@@ -17,9 +17,7 @@ bool FirstDivergence::turns_one_of(std::initializer_list<GenId> generators) cons
 
 void FirstDivergence::refute_missing_contacts() {
   if (!front_.begun) return;
-  // A contact before this time would have been claimed, and its claim checked.
-  const double reached = claims_.current() ? time(*claims_.current()) : front_.moment.lo;
-  const double now = reached - 2 * s_.tolerance_up;
+  const double now = claims_.settled();
   for (int e = 0; e < pairs_.size(); ++e) {
     const auto [i, j] = s_.replay.pair_of(e);
     if (!(pairs_.since(e) < now) || turns_one_of({i, j})) continue;
