@@ -18,7 +18,13 @@ struct Birth {
 class Lives {
  public:
   Lives(const Problem& p, const Part& part, Counts& counts, std::int64_t& line)
-      : p_(p), part_(part), claims_(p.history.claims), counts_(counts), line_(line), walk_(p) {}
+      : p_(p),
+        part_(part),
+        claims_(p.history.claims),
+        counts_(counts),
+        line_(line),
+        walk_(p),
+        first_open_(part.first) {}
 
   void run() {
     for (std::size_t k = 0; k < part_.first; ++k) walk_.apply(claims_[k]);
@@ -67,11 +73,12 @@ class Lives {
     line_ = line;
   }
 
-  // Takes a claim that the file has after the one at hand, and that is before `now` in truth, if
-  // there is one: a turn, or a flip that changes an edge that ends a life now.
+  // Takes an open claim near the one at hand that is before `now` in truth, if there is one: a
+  // turn, or a flip that changes an edge that ends a life now.
   bool take_earlier(std::size_t claim, const Instant& now, const std::set<int>& ending) {
     const Rat most = claims_[claim].filed + 2 * p_.tolerance;
-    for (std::size_t m = claim + 1; m < part_.last && claims_[m].filed <= most; ++m) {
+    while (first_open_ < part_.last && !open(first_open_)) ++first_open_;
+    for (std::size_t m = first_open_; m < part_.last && claims_[m].filed <= most; ++m) {
       if (!open(m)) continue;
       Instant end = now;
       if (claims_[m].kind != Claim::Kind::flip) {
@@ -129,7 +136,7 @@ class Lives {
     if (birth->hi > end->lo || birth->is_point()) {
       const int order = compare(*birth, *end);
       if (order == 0 && !last) return {};
-      if (order > 0) refute("edge " + name(walk_.edges()[k]) + " is changed before it is there");
+      if (order > 0) undecided("what changes edge " + name(walk_.edges()[k]) + ": the order");
     }
     ++counts_.lives;
     auto found = collapse(k, last ? Rat(end->hi + p_.tolerance) : end->hi);
@@ -158,12 +165,17 @@ class Lives {
     if (!found) found = collapse(k, hi + p_.tolerance);
     if (!found) {
       // Unless one of the four turns before.
+      std::optional<std::pair<Rat, std::size_t>> first;
       for (const int g : {q.l, q.r, q.s, q.e}) {
         const std::size_t next = walk_.leg_of[g + 1] + 1;
         if (next == p_.legs[g + 1].size()) continue;
         const Leg& leg = p_.legs[g + 1][next];
         if (!open(leg.claim) || leg.start > hi || !can_turn(leg.claim)) continue;
-        take_before(leg.claim);
+        const std::pair turn(leg.start, leg.claim);
+        if (!first || turn < *first) first = turn;
+      }
+      if (first) {
+        take_before(first->second);
         return flip(claim);
       }
       refute("edge " + name(q) + " does not collapse by then");
@@ -268,6 +280,7 @@ class Lives {
   Walk walk_;
   std::vector<Birth> births_;
   std::vector<bool> taken_;
+  std::size_t first_open_;  // no claim of the part before it is open
   Shared latest_;
   Notes notes_;
 };
