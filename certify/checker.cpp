@@ -8,6 +8,7 @@
 #include "certify/witness.h"
 #include "certify/wording.h"
 #include "exact/patience.h"
+#include "filtered/numbers/next_double.h"
 #include "history/json_text.h"
 
 namespace voroproof::internal {
@@ -136,6 +137,7 @@ bool Checker::refill() {
 // The claim that was taken.
 void Checker::process() {
   const Event& claim = *claims_.current();
+  instants_.require_maneuvers_before(claims_.settled());
   if (const auto* f = std::get_if<FlipEvent>(&claim)) {
     flips_.flip(*f);
   } else if (const auto* c = std::get_if<CollideEvent>(&claim)) {
@@ -235,7 +237,7 @@ void Checker::end_all_lives(const Moment& m, bool closed) {
 // The end of a part: nothing may be left that has to happen up to that time.
 void Checker::finish_part(const PartEnd& end) {
   claims_.stand_at(claims_.history().line());
-  instants_.require_maneuvers_before(end.t);
+  instants_.require_maneuvers_before(next_below(end.t - s_.tolerance_up));
   instants_.leave();
   end_all_lives(Moment::at(end.t), true);
   if (!same_edges(s_.diagram, end.diagram)) {

@@ -50,7 +50,6 @@ Flips::Meant Flips::meant_by(const FlipEvent& claim) {
 }
 
 void Flips::flip(const FlipEvent& claim) {
-  instants_.require_maneuvers_before(time(*claims_.current()));
   instants_.begin_pending_lives();
   const auto [h, found] = meant_by(claim);
   const int edge = h / 2;

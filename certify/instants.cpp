@@ -150,7 +150,7 @@ void Instants::require_maneuvers_before(double t) {
   if (next == s_.scene.maneuvers.size()) return;
   const Rational& due = s_.scene.maneuvers[next].t;
   if (t <= due.get_d()) return;  // which is rounded towards zero
-  if (due > s_.header.horizon || due + s_.options.tolerance >= to_rational(t)) return;
+  if (due > s_.header.horizon || due >= to_rational(t)) return;
   throw Refuted{refuter_.missing_maneuver(next)};
 }
 

@@ -40,7 +40,7 @@ class Instants {
   // Whether m is the moment for which the tie was proved: then no generator of it has turned since.
   bool is_moment_of(const Tie& tie, const Moment& m) const;
 
-  // Every maneuver scheduled before t must have been claimed. Throws Refuted.
+  // Every maneuver that is scheduled before t must have been claimed. Throws Refuted.
   void require_maneuvers_before(double t);
 
  private:

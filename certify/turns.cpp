@@ -6,7 +6,6 @@
 namespace voroproof::internal {
 
 void Turns::collide(const CollideEvent& claim) {
-  instants_.require_maneuvers_before(time(*claims_.current()));
   front_.colliding = {claim.i, claim.j};
   const int edge = front_.begun ? s_.replay.adjacency(claim.i, claim.j) : 0;
   if (edge < 0) {
@@ -187,7 +186,7 @@ void Turns::maneuver(const ManeuverEvent& claim) {
   ++s_.certificate.maneuvers;
 }
 
-// The claim, of the time t, is of this maneuver of the scene, and none before it is missing.
+// The claim, of the time t, is of this maneuver of the scene.
 void Turns::require_as_scheduled(const ManeuverEvent& claim, const Maneuver& due,
                                  const Rational& t) {
   if (abs(Rational(t - due.t)) > s_.options.tolerance) {
@@ -197,7 +196,6 @@ void Turns::require_as_scheduled(const ManeuverEvent& claim, const Maneuver& due
     refuter_.refute(Fault::spurious_event,
                     "the maneuver is scheduled at t = " + due.t.get_str() + ", after the horizon");
   }
-  instants_.require_maneuvers_before(round_down(due.t));
   const ExactVec2 v{due.vx, due.vy};
   const auto claimed = exact_velocity(claim);
   if (claimed && norm2(minus(*claimed, v)) > square(s_.options.law_tolerance * length_bound(v))) {
