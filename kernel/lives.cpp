@@ -139,7 +139,11 @@ class Lives {
       if (order > 0) undecided("what changes edge " + name(walk_.edges()[k]) + ": the order");
     }
     ++counts_.lives;
-    auto found = collapse(k, last ? Rat(end->hi + p_.tolerance) : end->hi);
+    auto found = collapse(k, end->hi);
+    // What comes after the horizon counts only where the edge is on the verge there.
+    if (!found && last && walk_.four(k).incircle(end->hi, true) <= 0) {
+      found = collapse(k, end->hi + p_.tolerance);
+    }
     if (!found || compare(found->at, *end) >= (last ? 1 : 0)) return {};
     if (p_.exact() || compare(found->at, p_.history.horizon - p_.tolerance) < 0) return found;
     ++counts_.horizon_events;

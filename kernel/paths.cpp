@@ -71,6 +71,7 @@ class Tracer {
     while (k < list.size() && (done_[k] || list[k].disk != c.id[1])) ++k;
     if (k == list.size()) refute("the scene has no such maneuver");
     if (abs(list[k].t - c.t) > p_.tolerance) refute("the maneuver is at " + about(list[k].t));
+    if (list[k].t > p_.history.horizon) refute("the maneuver is after the horizon");
     done_[k] = true;
     return list[k];
   }
