@@ -36,7 +36,7 @@ TEST(Adversary, NoFindInMixedWorlds) {
 TEST(Adversary, EachFaultIsMadeAndRefuted) {
   Campaign campaign(false);
   for (int kind = 1; kind < static_cast<int>(FaultKind::count); ++kind) {
-    for (std::uint64_t seed = 100000; seed < 100060; ++seed) {
+    for (std::uint64_t seed = 100000; seed < 100120; ++seed) {
       campaign.run(seed, {}, static_cast<FaultKind>(kind), expect_no_find);
     }
     // Faults of special scenes find their place there.

@@ -152,7 +152,10 @@ int legality(const Motion& motion, const Edge& q, Wide t) {
 Opinion judge_flip(const Motion& motion, const Line& line, double horizon, bool company) {
   const double lo = std::max(0.0, line.t - tolerance), hi = line.t + tolerance;
   const int before = legality(motion, line.edge, lo), after = legality(motion, line.edge, hi);
-  if (before == 1 && after == -1) return {};
+  if (before == 1 && after == -1) {
+    const bool in_time = hi <= horizon || legality(motion, line.edge, horizon) == -1;
+    return in_time ? Opinion{} : unclear("a flip that may be after the horizon");
+  }
   if (before == 1 && after == 1 && !company && lo > 0 && hi <= horizon) {
     for (int k = 1; k < 64; ++k) {
       if (legality(motion, line.edge, lo + (hi - lo) * k / 64) != 1) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "tests/adversary/truth.h"
+
 namespace voroproof::internal::adversary {
 namespace {
 
@@ -319,6 +321,18 @@ SceneData scene_of(Family family, Random& random) {
       std::sort(s.maneuvers.begin(), s.maneuvers.end(),
                 [](const ManeuverData& a, const ManeuverData& b) { return a.t < b.t; });
       break;
+    case Family::crowded: {
+      const double speed = random.log_uniform(1e4, 1e7);
+      s.horizon = random.uniform(2, 10) * tolerance;
+      fill(s, random.integer(3, 8), 0.5, 8, speed, random);
+      add_maneuvers(s, random.integer(1, 4), speed, random);
+      for (ManeuverData& m : s.maneuvers) {
+        if (random.chance(0.2)) m.t = random.chance(0.5) ? 0 : s.horizon;
+      }
+      std::sort(s.maneuvers.begin(), s.maneuvers.end(),
+                [](const ManeuverData& a, const ManeuverData& b) { return a.t < b.t; });
+      break;
+    }
     case Family::count:
       break;
   }

@@ -54,13 +54,14 @@ enum class Family {
   horizon_touch,   // an event within the tolerance of the horizon
   large,           // n = 20 .. 60
   resting,         // points that hit a disk head-on, most of them without restitution
+  crowded,         // flips and maneuvers within a few tolerances of each other
   count
 };
 inline constexpr std::array<std::string_view, static_cast<int>(Family::count)> family_names{
     "generic",       "equal radii", "points",    "dense",  "log radii", "two",
     "maneuvers",     "inelastic",   "wall laws", "tiny",   "tiny fast", "fast",
     "near miss",     "stranger",    "lattice",   "mirror", "touching",  "touch maneuver",
-    "horizon touch", "large",       "resting"};
+    "horizon touch", "large",       "resting",   "crowded"};
 
 inline std::string_view name(Family f) { return family_names[static_cast<std::size_t>(f)]; }
 

@@ -125,8 +125,12 @@ class Recorded {
   // Where a line gives none: from the file's centres, else from the path's, rounded.
   void compute_velocities(Line& line) {
     if (line.kind == Line::Kind::maneuver) {
-      for (const ManeuverData& m : scene_.maneuvers) {
-        if (m.disk == line.j && std::fabs(m.t - line.t) <= tolerance) line.v[1] = {m.vx, m.vy};
+      // The one that maneuver() takes.
+      for (std::size_t k = 0; k < done_.size(); ++k) {
+        const ManeuverData& m = scene_.maneuvers[k];
+        if (done_[k] || m.disk != line.j || std::fabs(m.t - line.t) > tolerance) continue;
+        line.v[1] = {m.vx, m.vy};
+        return;
       }
       return;
     }
@@ -190,6 +194,7 @@ class Recorded {
       const ManeuverData& m = scene_.maneuvers[k];
       const Finding time = within(std::fabs(m.t - line.t), tolerance);
       if (done_[k] || m.disk != line.j || time == Finding::wrong) continue;
+      if (m.t > history_.horizon) return Finding::wrong;
       done_[k] = true;
       const WideVec v{m.vx, m.vy};
       const Wide off = norm(minus(wide(line.v[1]), v));
