@@ -61,6 +61,12 @@ NextContact ExactPairs::next_contact(GenId i, GenId j) {
   return c;
 }
 
+void ExactPairs::require_no_meeting(GenId i, GenId j, const Moment& m) {
+  const NextContact c = s_.contacts.from(i, j, since(i, j), std::nextafter(m.hi, HUGE_VAL));
+  if (c.kind == NextContact::Kind::none || s_.chronology.compare(moment_of(i, j, c), m) > 0) return;
+  throw Undecided("two points meet: a contact without a normal", i, j);
+}
+
 void ExactPairs::require_no_contact(GenId i, GenId j, const Moment& m, PairEnd why) {
   const NextContact c = s_.contacts.from(i, j, since(i, j), std::nextafter(m.hi, HUGE_VAL));
   if (c.kind == NextContact::Kind::none) return;

@@ -27,6 +27,8 @@ class ExactPairs {
   NextContact next_contact(GenId i, GenId j);
   // When i and j touch: `c` is not `none`.
   Moment moment_of(GenId i, GenId j, const NextContact& c) const;
+  // Two points do not meet from the birth of their motion to m. Throws Undecided.
+  void require_no_meeting(GenId i, GenId j, const Moment& m);
   // The pair does not touch while it approaches from the birth of its motion to m; at m itself it
   // may only where its motion ends there, too. Throws Refuted.
   void require_no_contact(GenId i, GenId j, const Moment& m, PairEnd why);

@@ -17,12 +17,33 @@ void PairLives::end(int edge, const Moment& m, PairEnd why, bool apart) {
       return;
     }
     if (!partners) ++s_.certificate.beyond_filter;
+    require_no_meeting(i, j, m);
     pass_recorded(edge, Moment(m), why);
     return;
   }
   if (partners || apart || proved_apart(s_.motion, i, j, from, m.hi)) return;
   ++s_.certificate.beyond_filter;
+  require_no_meeting(i, j, m);
   exact_.require_no_contact(i, j, m, why);
+}
+
+// In the life of i and j, which doubles do not prove to be apart, no point of the two meets another
+// point: neither the other of the two, nor a neighbour of the other. (Points that graze one disk
+// from two sides meet there without ever being neighbours.)
+void PairLives::require_no_meeting(GenId i, GenId j, const Moment& m) {
+  if (!s_.points.any() || i == container_id) return;
+  const auto require = [&](GenId a, GenId b) {
+    if (a == b || !s_.points.is_point(a) || !s_.points.is_point(b)) return;
+    const auto [first, second] = std::minmax(a, b);
+    if (s_.options.truth == Truth::exact) {
+      exact_.require_no_meeting(first, second, m);
+    } else {
+      recorded_.require_no_meeting(first, second, m);
+    }
+  };
+  require(i, j);
+  for (const GenId g : s_.diagram.neighbours(j)) require(i, g);
+  for (const GenId g : s_.diagram.neighbours(i)) require(j, g);
 }
 
 void PairLives::end(std::span<const int> edges, const Moment& m, PairEnd why) {

@@ -51,6 +51,7 @@ class PairLives {
   void prefetch(int edge) const { __builtin_prefetch(&since_[edge]); }
 
  private:
+  void require_no_meeting(GenId i, GenId j, const Moment& m);
   int watching(int edge, int besides = -1) const;
   void pass_recorded(int edge, const Moment& m, PairEnd why);
 

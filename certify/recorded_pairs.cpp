@@ -119,6 +119,12 @@ bool RecordedPairs::certainly_in_contact(const CollideEvent& claim, double from,
          certainly_shallow(i, j, claim.t);
 }
 
+void RecordedPairs::require_no_meeting(GenId i, GenId j, const Moment& m) const {
+  const auto nearest = lines(i, j, 0).gap.graze(0);
+  if (!nearest || !nearest->near || s_.chronology.compare(Moment::at(nearest->t), m) > 0) return;
+  throw Undecided("two points meet: a contact without a normal", i, j);
+}
+
 void RecordedPairs::check_contact(const CollideEvent& claim, double from, const BallPair& at) {
   const GenId i = claim.i, j = claim.j;
   if (s_.replay.partners(i, j)) {

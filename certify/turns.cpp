@@ -51,7 +51,6 @@ void Turns::collide_exactly(const CollideEvent& claim) {
   const GenId i = claim.i, j = claim.j;
   Moment m = contact_of(claim);
   instants_.advance(m);
-  require_after_start();
   order_.require_no_flip_yet(i, j);
   if (!front_.begun) order_.require_first_at_start(i, j);
   around_.end(i, j, m);
@@ -94,7 +93,6 @@ void Turns::collide_as_recorded(const CollideEvent& claim, int edge) {
   const Moment m = claim.exact ? Moment::at(exact_time(*claims_.current())) : Moment::at(claim.t);
   // What began at the instant before is settled first.
   instants_.advance(m);
-  require_after_start();
   pairs_.check_contact(claim, edge, at);
   order_.require_no_flip_yet(i, j);
   around_.end(i, j, m);
@@ -158,7 +156,6 @@ void Turns::maneuver(const ManeuverEvent& claim) {
   const bool exact = s_.options.truth == Truth::exact;
   const Moment m = Moment::at(exact ? due.t : t);
   instants_.advance(m);
-  require_after_start();
   const GenId g = claim.disk;
   order_.require_no_flip_yet(g, g);
   front_.maneuvering = g;
@@ -202,14 +199,6 @@ void Turns::require_as_scheduled(const ManeuverEvent& claim, const Maneuver& due
     refuter_.refute(Fault::wrong_response, "the scheduled velocity is (" +
                                                number_text(v[0].get_d()) + ", " +
                                                number_text(v[1].get_d()) + ")");
-  }
-}
-
-// The initial diagram has been judged with the velocities just after t = 0. A change of them that
-// comes to light later, behind more claims than are looked at together, cannot be judged any more.
-void Turns::require_after_start() const {
-  if (front_.begun && front_.instant == 0) {
-    throw Undecided("a disk turns at t = 0, and too many claims within the tolerance come before");
   }
 }
 

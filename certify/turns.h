@@ -40,7 +40,6 @@ class Turns {
   std::optional<ExactPair> recorded_response(const CollideEvent& claim, const BallPair& at);
   void require_as_scheduled(const ManeuverEvent& claim, const Maneuver& due, const Rational& t);
   void turn(GenId g);
-  void require_after_start() const;
 
   Setting& s_;
   const Claims& claims_;

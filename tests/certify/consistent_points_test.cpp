@@ -88,6 +88,62 @@ TEST(ConsistentFaults, APointBetweenTwo) {
   EXPECT_NE(made.outcome.reason.find("two generators"), std::string::npos) << made.outcome.reason;
 }
 
+// The same history without any collision: the three go on through each other.
+TEST(ConsistentFaults, APointBetweenTwoAndOn) {
+  const Scene scene =
+      scene_of(30, 4, {disk(-3, 0, 1, 1, 0, 1), disk(3, 0, 1, -1, 0, 1), disk(0, 0, 0, 0, 0, 1)});
+  expect_refuted(scene, history_of(scene, run(scene).initial, {}));
+}
+
+// Two points that graze a disk from two sides, and meet there: they are no neighbours before, and
+// have changed places after, by no flip. The names of the edges around the disk do not tell of it,
+// and where a fourth is in the ring they are wrong. Where one passes under the other all is right.
+TEST(ConsistentFaults, PointsThatMeetAtADisk) {
+  for (const bool fourth : {false, true}) {
+    const auto scene = [fourth](double under) {
+      std::vector<DiskInput> disks{disk(-1, 0, 0, 1, 0, 1), disk(1, -under, 0, -1, 0, 1),
+                                   disk(0, 2, 2, 0, 0, 1)};
+      if (fourth) disks.push_back(disk(0, 7, 0.5, 0, 0, 1));
+      return scene_of(10, 2, disks);
+    };
+    const Scene under = scene(0x1p-10), meeting = scene(0);
+    expect_certified(under, claimed_history(under, run(under)));
+    const History h = history_of(meeting, run(meeting).initial, {});
+    for (const Truth truth : {Truth::exact, Truth::recorded}) {
+      expect(Verdict::undecided, meeting, h, truth);
+    }
+  }
+}
+
+// Two points that meet as neighbours.
+TEST(ConsistentFaults, PointsThatMeet) {
+  const Scene scene = scene_of(10, 2, {disk(-1, 0, 0, 1, 0, 1), disk(1, 0, 0, -1, 0, 1)});
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    expect(Verdict::undecided, scene, history_of(scene, kTwo, {}), truth);
+  }
+}
+
+// A point passes between two disks at the instant at which these touch, and grazes both: nothing
+// turns, no flip is due, and the point has the same neighbours before and after.
+TEST(ConsistentFaults, APointPassesBetweenTwoThatTouch) {
+  for (const double speed : {2.0, 0.5, -3.0}) {
+    const Scene scene = scene_of(30, 2,
+                                 {disk(-1, 0, 1, 0, 0, 1), disk(1, -1, 1, 0, 1, 1),
+                                  disk(0, -speed, 0, 0, speed, 1), disk(9, 12, 2, 0, 0, 1)});
+    const RecordedRun made = run(scene);
+    ASSERT_EQ(made.outcome.kind, Outcome::Kind::complete) << made.outcome.reason;
+    const History right = claimed_history(scene, made);
+    for (const auto& event : right.events) EXPECT_TRUE(std::holds_alternative<FlipEvent>(event));
+    expect_certified(scene, right);
+    for (std::size_t k = 0; k < right.events.size(); ++k) {
+      History wrong = right;
+      wrong.events.erase(wrong.events.begin() + static_cast<std::ptrdiff_t>(k));
+      wrong.count();
+      expect_refuted(scene, wrong);
+    }
+  }
+}
+
 // A fast point enters a disk, is claimed to have hit it while it is inside, and leaves it
 // elsewhere. With the third disk on the right the point comes from between the two and leaves
 // towards the wall: its neighbours have changed while it had no cell, by no flip, and the diagram

@@ -1,10 +1,11 @@
 // Rules of docs/certificate.md that no other test fails without, one test each.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "certify/report.h"
 #include "tests/certify/claimed_history.h"
+#include "tests/certify/handmade_history.h"
 #include "tests/support/random_scenes.h"
 
 namespace voroproof::internal::testing {
@@ -125,6 +126,84 @@ TEST(Rules, WhoIsNoNeighbourDoesNotCollide) {
     ASSERT_EQ(c.verdict, Verdict::refuted) << told(scene, h, c);
     EXPECT_EQ(c.divergence->fault, Fault::wrong_pair);
   }
+}
+
+// Rule 2.5: lives begin when all has turned that turns at an instant. A point hits a disk without
+// restitution and would rest on it, but for a maneuver at that instant, by which it leaves.
+TEST(Rules, NothingIsJudgedBetweenTwoTurnsOfAnInstant) {
+  Scene scene = scene_of(30, 4, {disk(5, 0, 0, -1, 0, 1), disk(0, 0, 3, 0, 0, 1)});
+  scene.restitution = 0;
+  scene.maneuvers = {{2, 0, 1, 0}};
+  expect_certified(scene, claimed_history(scene, run(scene)));
+  scene.maneuvers = {{2, 0, Rational(-1, 2), 0}};
+  const ClaimedHistory rests =
+      history_of(scene, kTwo,
+                 {collision(2, 0, 1, Vec2{-0.5, 0}, {-0.5, 0}), ManeuverEvent{.t = 2, .disk = 0}});
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    expect(Verdict::undecided, scene, rests, truth);
+  }
+}
+
+// Rule 3.11: a point enters a disk, is claimed to have hit it while it is inside, and leaves it on
+// the side from which it came. Meanwhile a maneuver drives a third disk there. The point has
+// another neighbour then, by no flip: with the third disk where it was the diagram is right, but it
+// is not there any more.
+TEST(Rules, NothingHappensWhileAPointMayBeHidden) {
+  for (const bool meanwhile : {false, true}) {
+    Scene scene = scene_of(
+        10, 1, {disk(0, 0, 1, 0, 0, 1e12), disk(-1.05, 0, 0, 2, 0, 1), disk(3, 7, 0.5, 0, 0, 1)});
+    const RecordedRun before = run(scene);
+    CollideEvent hit = collision(0.3, 0, 1, {}, {});
+    hit.v = {};
+    ClaimedHistory h = history_of(scene, before.initial, {hit});
+    if (meanwhile) {
+      scene.maneuvers = {{Rational(0.375), 2, -40, -40}, {Rational(0.59375), 2, 0, 0}};
+      h.events.emplace_back(ManeuverEvent{.t = 0.375, .disk = 2});
+      h.events.emplace_back(ManeuverEvent{.t = 0.59375, .disk = 2});
+      h.count();
+    }
+    CertifyOptions options;
+    options.tolerance = Rational(3, 10);
+    expect(meanwhile ? Verdict::undecided : Verdict::certified, scene, h, Truth::recorded, options);
+  }
+}
+
+// Two disks that pass each other closely, and a small one that is or comes between them, so that
+// the two share two edges. `smaller`: all disks, and the container larger, which leaves the diagram
+// as it is.
+Scene narrow_pass(double nearest, double y, const Rational& smaller, const DiskInput& small) {
+  return scene_of(50 + smaller, Rational(13, 10),
+                  {disk(-1, 0, 1 - smaller, 0, 0), disk(nearest - 1, y, 1 - smaller, 0, 1), small});
+}
+
+// Rule 5.16: the two have overlapped before the second edge comes. What is known of the pair since
+// then does not tell.
+TEST(Rules, TheOldestEdgeOfAPairStandsForIt) {
+  const auto scene = [](const Rational& smaller) {
+    return narrow_pass(1.99, -1, smaller, disk(0.1, -6, Rational(1, 20) - smaller, 0, 4.25));
+  };
+  const Scene small = scene(Rational(1, 50)), large = scene(0);
+  const ClaimedHistory right = claimed_history(small, run(small));
+  EXPECT_TRUE(std::any_of(right.events.begin(), right.events.end(), [](const auto& event) {
+    const auto* f = std::get_if<FlipEvent>(&event);
+    return f != nullptr && std::minmax({f->quad.s, f->quad.e}) == std::pair(0, 1);
+  }));
+  expect_certified(small, right);
+  expect_refuted(large, right);
+}
+
+// Rule 5.16: an overlap by a rounding is one, along how many edges the two may be neighbours.
+TEST(Rules, AnOverlapIsCountedOnce) {
+  Scene scene = narrow_pass(2 - 0x1p-48, -0.125, 0, disk(0.01, -0.75, 0.05, 0, 0));
+  scene.horizon = Rational(1, 4);
+  const ClaimedHistory h = history_of(scene, run(scene).initial, {});
+  const auto& initial = *h.header.initial;
+  EXPECT_EQ(std::count_if(initial.begin(), initial.end(),
+                          [](const Quad& q) { return q.l == 0 && q.r == 1; }),
+            2);
+  const Certificate c = judged(scene, h, Truth::recorded);
+  EXPECT_EQ(c.verdict, Verdict::certified) << told(scene, h, c);
+  EXPECT_EQ(c.rounding_overlaps, 1);
 }
 
 }  // namespace
