@@ -3,12 +3,13 @@
 #include <new>
 #include <string>
 #include <system_error>
-#include <vector>
 
 #include "apps/cli/command_line.h"
+#include "apps/cli/help.h"
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
 #include "apps/cli/memory.h"
+#include "apps/cli/parser.h"
 #include "apps/cli/variant.h"
 #include "apps/verbs/verbs.h"
 #include "exact/rounding.h"
@@ -26,61 +27,38 @@ ExitCode complain(ExitCode code, const std::string& message) {
   return code;
 }
 
-void describe(CLI::App& app, Action& action) {
-  app.name("voroproof");
-  app.require_subcommand(1);
-  app.set_version_flag("--version", producer());
-  add_generate(app, action);
-  add_simulate(app, action);
-  add_snapshot(app, action);
-  add_query(app, action);
-  add_render(app, action);
-  add_movie(app, action);
-  add_validate(app, action);
-  add_certify(app, action);
-  add_explain(app, action);
-  add_convert(app, action);
-  add_corpus(app, action);
-  add_plan(app, action);
-  add_check72(app, action);
-  add_experiment(app, action);
-  add_process_limits(app);
-  app.footer(
-      "Exit codes: 0 done, 1 refuted, 2 bad input or usage, 3 undecided, 4 internal error, 5 out "
-      "of\n"
-      "memory, 6 interrupted.\n"
-      "Example:\n  voroproof simulate a.scene.json -o a.history.jsonl");
-}
-
-// The message for a command line that does not parse.
-std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App* verb = &app;
-  std::string name = app.get_name();
-  while (!verb->get_subcommands().empty()) {
-    verb = verb->get_subcommands().front();
-    name += " " + verb->get_name();
-  }
-  std::string message = error.what();
-  if (verb->get_require_subcommand_min() > 0) {
-    const std::vector<std::string> unknown = app.remaining(true);
-    message = unknown.empty() ? "no verb given" : "unknown verb or option " + unknown.front();
-  }
-  return message + " (see " + name + " --help)";
+void describe(Verb& program) {
+  add_generate(program);
+  add_simulate(program);
+  add_snapshot(program);
+  add_query(program);
+  add_render(program);
+  add_movie(program);
+  add_validate(program);
+  add_certify(program);
+  add_explain(program);
+  add_convert(program);
+  add_corpus(program);
+  add_plan(program);
+  add_check72(program);
+  add_experiment(program);
+  add_process_limits(program);
+  add_help(program);
+  program.note(
+      "Exit codes: 0 done, 1 refuted, 2 bad input or usage, 3 undecided, 4 internal error, "
+      "5 out of memory, 6 interrupted.");
+  program.example("voroproof simulate a.scene.json -o a.history.jsonl");
 }
 
 ExitCode run(int argc, const char* const* argv) {
-  CLI::App app("Exact event histories of the Voronoi diagram of moving disks");
-  Action action;
-  describe(app, action);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& help) {
-    app.exit(help, std::cout, std::cerr);
-  } catch (const CLI::ParseError& error) {
-    return complain(ExitCode::bad_input, complaint(app, error));
+  Verb program("voroproof", "Exact event histories of the Voronoi diagram of moving disks");
+  describe(program);
+  const Verb* const verb = parse(program, argc, argv);
+  ExitCode code = ExitCode::ok;
+  if (verb != nullptr) {
+    start_process_limits();
+    code = verb->act();
   }
-  start_process_limits();
-  const ExitCode code = action ? action() : ExitCode::ok;
   std::cout.flush();
   if (!std::cout) return complain(ExitCode::bad_input, "standard output: cannot write");
   return code;

@@ -37,6 +37,5 @@ endfunction()
 
 if(VOROPROOF_PRECOMPILE)
   voroproof_precompiled(library "")
-  voroproof_precompiled(program "-fPIE;$<$<CONFIG:Release>:-O1>" <CLI/CLI.hpp> <nlohmann/json.hpp>)
-  target_link_libraries(voroproof_precompiled_program PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
+  voroproof_precompiled(program "-fPIE;$<$<CONFIG:Release>:-O1>")
 endif()

@@ -56,6 +56,11 @@ check apps/movie $rooms apps/answers apps/draw apps/movie
 check apps/corpus $rooms apps/run apps/draw apps/corpus
 check apps/paper $rooms apps/paper
 check apps/verbs $rooms apps
+# The library of the command line takes seconds to compile: one file includes it.
+if grep -rlE '#include <CLI/' apps | grep -vx apps/cli/parser.cpp; then
+  echo "check-layers: includes CLI11, which only apps/cli/parser.cpp may" >&2
+  failed=1
+fi
 # The oracles are a second way to the truth: they share nothing.
 check tests/oracle tests/oracle
 

@@ -1,13 +1,9 @@
 #include "apps/cli/command_line.h"
 
-#include <charconv>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <system_error>
 
 #include "history/error.h"
-#include "history/json_text.h"
 #include "history/scene.h"
 
 namespace voroproof::internal {
@@ -24,63 +20,9 @@ bool same_file(const std::string& a, const std::string& b) {
   return error ? a == b : first == second;
 }
 
-// The library of the command line would take 010 for eight, wrap -1 around and cut what is too
-// large.
-std::string fault_of_whole(const std::string& text) {
-  const char* const end = text.data() + text.size();
-  std::uint64_t value = 0;
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end || text != std::to_string(value)) {
-    return text + " is not a whole number below 2^64";
-  }
-  return {};
-}
-
 }  // namespace
 
 std::string producer() { return "voroproof " VOROPROOF_VERSION; }
-
-CLI::Option* add_text(CLI::App& verb, const std::string& name, std::string& value,
-                      const std::string& type, const std::string& description) {
-  const auto fault = [](const std::string& text) { return text.empty() ? "is empty" : ""; };
-  return verb.add_option(name, value, description)
-      ->type_name(type)
-      ->check(CLI::Validator(fault, ""));
-}
-
-CLI::Option* add_file(CLI::App& verb, const std::string& name, std::string& path,
-                      const std::string& description) {
-  return add_text(verb, name, path, "FILE", description);
-}
-
-CLI::Option* add_output(CLI::App& verb, std::string& path, const std::string& description) {
-  return add_file(verb, "-o,--output", path, description)->required();
-}
-
-CLI::Option* add_real(CLI::App& verb, const std::string& name, double& value,
-                      const std::string& description) {
-  const auto read = [name, &value](const std::string& text) {
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || rest != end || !std::isfinite(value)) {
-      throw CLI::ValidationError(name, text + " is not a finite binary64 number");
-    }
-  };
-  return verb.add_option_function<std::string>(name, read, description)
-      ->type_name("NUMBER")
-      ->default_str(number_text(value));
-}
-
-CLI::Option* add_choice(CLI::App& verb, const std::string& name,
-                        const std::vector<std::string>& choices, std::string& value,
-                        const std::string& description) {
-  return verb.add_option(name, value, description)
-      ->check(CLI::IsMember(choices))
-      ->type_name("NAME")
-      ->capture_default_str();
-}
-
-CLI::Validator whole_number() { return CLI::Validator(fault_of_whole, ""); }
 
 Rational number_argument(const std::string& option, const std::string& text) {
   const auto fail = [&](const std::string& reason) {

@@ -2,8 +2,8 @@
 // are exact numbers.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,37 +29,14 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What the parsed command line asks for.
-using Action = std::function<ExitCode()>;
-
 // "voroproof VERSION", as histories name their producer.
 std::string producer();
-
-// An option or a positional argument whose text is not empty.
-CLI::Option* add_text(CLI::App& verb, const std::string& name, std::string& value,
-                      const std::string& type, const std::string& description);
-
-// An option or a positional argument that names a file; its text is not empty.
-CLI::Option* add_file(CLI::App& verb, const std::string& name, std::string& path,
-                      const std::string& description);
-
-// The required option -o, --output.
-CLI::Option* add_output(CLI::App& verb, std::string& path, const std::string& description);
-
-// An option that takes a decimal number and means the binary64 nearest to it.
-CLI::Option* add_real(CLI::App& verb, const std::string& name, double& value,
-                      const std::string& description);
-
-// An option that takes one of a few words.
-CLI::Option* add_choice(CLI::App& verb, const std::string& name,
-                        const std::vector<std::string>& choices, std::string& value,
-                        const std::string& description);
 
 // The least and the greatest value of an option that is a precision, in bits.
 inline constexpr int least_bits = 64, most_bits = 1 << 24;
 
-// Lets an integer option take nothing but a whole number in its usual decimal form.
-CLI::Validator whole_number();
+// The greatest value of a whole number.
+inline constexpr std::uint64_t most_whole = std::numeric_limits<std::uint64_t>::max();
 
 // A number from its exact text: a decimal, a fraction or a hexadecimal float, within the limits of
 // a scene's values. Throws UsageError, naming the option.

@@ -20,36 +20,26 @@ double seconds = 0;
 std::uint64_t megabytes = 0;
 rlim_t memory_before = RLIM_INFINITY;
 
-std::vector<CLI::App*> verbs_below(CLI::App& app) {
-  std::vector<CLI::App*> verbs;
-  for (CLI::App* verb : app.get_subcommands({})) {
-    const std::vector<CLI::App*> below = verbs_below(*verb);
-    if (below.empty()) verbs.push_back(verb);
-    verbs.insert(verbs.end(), below.begin(), below.end());
-  }
-  return verbs;
+void add_limits(Verb& verb) {
+  Option& time = verb.add({.names = {"--time-limit"},
+                           .type = "SECONDS",
+                           .help = "The seconds after which the run ends, undecided."});
+  time.take = [](const std::vector<std::string>& values) {
+    const Rational limit = time_argument("--time-limit", values[0]);
+    seconds = round_nearest(limit);
+    if (limit == 0 || seconds > longest_time) {
+      throw UsageError("--time-limit: " + printable(values[0]) + ": not in (0, 1e9]");
+    }
+  };
+  verb.whole("--max-memory", megabytes, 1, 1 << 30,
+             "The megabytes (private and writable) beyond which the run ends, undecided.");
 }
 
 }  // namespace
 
-void add_process_limits(CLI::App& app) {
-  for (CLI::App* verb : verbs_below(app)) {
-    const auto read = [](const std::string& text) {
-      const Rational limit = time_argument("--time-limit", text);
-      seconds = round_nearest(limit);
-      if (limit == 0 || seconds > longest_time) {
-        throw UsageError("--time-limit: " + printable(text) + ": not in (0, 1e9]");
-      }
-    };
-    verb->add_option_function<std::string>("--time-limit", read,
-                                           "seconds after which the run ends, undecided")
-        ->type_name("SECONDS");
-    verb->add_option("--max-memory", megabytes,
-                     "megabytes (private and writable) beyond which it ends, undecided")
-        ->type_name("MB")
-        ->check(whole_number())
-        ->check(CLI::Range(1, 1 << 30));
-  }
+void add_process_limits(Verb& program) {
+  if (program.verbs().empty()) add_limits(program);
+  for (Verb& verb : program.verbs()) add_process_limits(verb);
 }
 
 void start_process_limits() {
@@ -62,17 +52,14 @@ void start_process_limits() {
   setrlimit(RLIMIT_DATA, &limit);
 }
 
-void add_max_bits(CLI::App& verb, int& bits) {
-  verb.add_option("--max-bits", bits, "what needs more precision is undecided (exit code 3)")
-      ->check(whole_number())
-      ->check(CLI::Range(least_bits, most_bits))
-      ->capture_default_str();
+void add_max_bits(Verb& verb, int& bits) {
+  verb.whole("--max-bits", bits, least_bits, most_bits,
+             "The bits of precision beyond which a decision is undecided (exit code 3).");
 }
 
-void add_max_events(CLI::App& verb, std::uint64_t& events) {
-  verb.add_option("--max-events", events, "a history that has more is undecided (exit code 3)")
-      ->check(whole_number())
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62));
+void add_max_events(Verb& verb, std::uint64_t& events) {
+  verb.whole("--max-events", events, 1, std::uint64_t{1} << 62,
+             "The number of events beyond which a history is undecided (exit code 3).");
 }
 
 std::string time_limit_reason() {

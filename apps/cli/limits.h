@@ -3,22 +3,23 @@
 // the limit.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 
+#include "apps/cli/verb.h"
+
 namespace voroproof::internal {
 
-// --time-limit and --max-memory, for every verb that `app` has.
-void add_process_limits(CLI::App& app);
+// --time-limit and --max-memory, for every verb of the program.
+void add_process_limits(Verb& program);
 // Sets the limits that the command line names. To be called once it is parsed.
 void start_process_limits();
 
 // --max-bits: of the numbers from which decisions are taken.
-void add_max_bits(CLI::App& verb, int& bits);
+void add_max_bits(Verb& verb, int& bits);
 
 // --max-events: of the history that is computed or certified. 0 is no limit.
-void add_max_events(CLI::App& verb, std::uint64_t& events);
+void add_max_events(Verb& verb, std::uint64_t& events);
 
 // Why a run ended that reached a limit.
 std::string time_limit_reason();

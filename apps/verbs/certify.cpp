@@ -149,56 +149,55 @@ ExitCode certify_files(Request& request) {
 
 }  // namespace
 
-void add_certify(CLI::App& app, Action& action) {
+void add_certify(Verb& program) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb = app.add_subcommand("certify", "Prove or refute a history of a scene");
-  add_file(*verb, "scene", request->scene, "the scene")->required();
-  add_file(*verb, "history", request->history, "the history, whoever wrote it")->required();
-  add_choice(*verb, "--truth", {"exact", "recorded"}, request->truth,
-             "against the true motion of the scene, or against that which the history's own\n"
-             "collision times and velocities define (for long floating-point runs)");
-  add_text(*verb, "--tolerance", request->tolerance, "TIME",
-           "of the claimed times; at most the horizon (1e-6 where that is less)")
-      ->capture_default_str();
-  add_text(*verb, "--law-tolerance", request->law_tolerance, "RATIO",
-           "of the claimed velocities, relative to the speeds that meet; at most 1")
-      ->capture_default_str();
-  verb->add_flag("--strict", request->options.strict,
-                 "refute claims that are out of order, however near they are, quadruplets without\n"
-                 "orientation, and another horizon than the scene's");
-  verb->add_flag("--unoriented", request->options.unoriented,
-                 "quadruplets may have their third generators exchanged, as in .evtsq files");
-  verb->add_flag(
+  Verb& verb = program.add_verb("certify", "Prove or refute a history of a scene");
+  verb.file("scene", request->scene, "The scene.").required();
+  verb.file("history", request->history, "The history, whoever wrote it.").required();
+  verb.choice(
+      "--truth", {"exact", "recorded"}, request->truth,
+      "Which motion the history must describe: the true motion of the scene, or the one that "
+      "the history's own collision times and velocities define (for long floating-point "
+      "runs).");
+  verb.text("--tolerance", request->tolerance, "TIME",
+            "How far a claimed time may be from the exact one; at most the horizon, or 1e-6 where "
+            "the horizon is less.");
+  verb.text(
+      "--law-tolerance", request->law_tolerance, "RATIO",
+      "How far claimed velocities may be from the law's, relative to the speeds that meet; at "
+      "most 1.");
+  verb.flag("--strict", request->options.strict,
+            "Refute claims that are out of order, however near they are, quadruplets without "
+            "orientation, and a horizon other than the scene's.");
+  verb.flag("--unoriented", request->options.unoriented,
+            "Accept quadruplets whose third generators are exchanged, as in .evtsq files.");
+  verb.flag(
       "--kernel", request->kernel,
-      "have the kernel (docs/kernel.md) judge the files, too: certified only if both do");
-  verb->add_option("--threads", request->options.threads,
-                   "threads to use, for the recorded truth; the certificate is the same")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  add_file(*verb, "--report", request->report, "write everything that was found here, as JSON");
-  add_max_bits(*verb, request->options.motion.max_bits);
-  add_max_events(*verb, request->max_events);
-  verb->add_flag("--quiet", request->quiet, "no progress on the terminal, nothing but the verdict");
-  verb->footer(
-      "What s CERTIFIED says is stated in docs/claim.md.\n"
-      "The last line of the output is s CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) or\n"
-      "s UNDECIDED (3).\n"
-      "Example:\n  voroproof certify a.scene.json a.history.jsonl --truth recorded --report "
-      "r.json");
-  verb->callback([request, &action] {
-    action = [request] {
-      try {
-        return certify_files(*request);
-      } catch (const InputError& error) {
-        std::cerr << "voroproof: " << printable(error.what(), 4096) << '\n';
-      } catch (const UsageError& error) {
-        std::cerr << "voroproof: " << error.what() << '\n';
-        return ExitCode::bad_input;
-      }
-      std::cout << "s INVALID\n";
+      "Have the kernel (docs/kernel.md) judge the files, too. The history is certified only if "
+      "both certify it.");
+  verb.whole("--threads", request->options.threads, 1, 1024,
+             "The number of threads for the recorded truth. The certificate is the same.");
+  verb.file("--report", request->report, "Write everything that was found here, as JSON.");
+  add_max_bits(verb, request->options.motion.max_bits);
+  add_max_events(verb, request->max_events);
+  verb.flag("--quiet", request->quiet,
+            "Show no progress on the terminal, and write nothing but the verdict.");
+  verb.note("What s CERTIFIED says is stated in docs/claim.md.")
+      .note(
+          "The last line of the output is s CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) "
+          "or s UNDECIDED (3).");
+  verb.example("voroproof certify a.scene.json a.history.jsonl --truth recorded --report r.json");
+  verb.does([request] {
+    try {
+      return certify_files(*request);
+    } catch (const InputError& error) {
+      std::cerr << "voroproof: " << printable(error.what(), 4096) << '\n';
+    } catch (const UsageError& error) {
+      std::cerr << "voroproof: " << error.what() << '\n';
       return ExitCode::bad_input;
-    };
+    }
+    std::cout << "s INVALID\n";
+    return ExitCode::bad_input;
   });
 }
 

@@ -58,21 +58,18 @@ ExitCode check72(const Request& request) {
 
 }  // namespace
 
-void add_check72(CLI::App& app, Action& action) {
+void add_check72(Verb& program) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb = app.add_subcommand(
+  Verb& verb = program.add_verb(
       "check72", "Test a history as section 7.2 of the paper does; proves nothing, see certify");
-  add_file(*verb, "scene", request->scene, "the scene")->required();
-  add_file(*verb, "history", request->history, "the history, with centres and velocities")
-      ->required();
-  add_real(*verb, "--step", request->options.step, "of the regular instants");
-  add_real(*verb, "--tolerance", request->options.tolerance,
-           "how far a disk may reach into a circle");
-  verb->add_flag("--quiet", request->quiet, "no progress on the terminal");
-  verb->footer(
-      "The last line is `passed` (exit code 0) or `failed` (1).\n"
-      "Example:\n  voroproof check72 a.scene.json a.history.jsonl");
-  verb->callback([request, &action] { action = [request] { return check72(*request); }; });
+  verb.file("scene", request->scene, "The scene.").required();
+  verb.file("history", request->history, "The history, with centres and velocities.").required();
+  verb.real("--step", request->options.step, "The time from one regular instant to the next.");
+  verb.real("--tolerance", request->options.tolerance, "How far a disk may reach into a circle.");
+  verb.flag("--quiet", request->quiet, "Show no progress on the terminal.");
+  verb.note("The last line of the output is `passed` (exit code 0) or `failed` (1).");
+  verb.example("voroproof check72 a.scene.json a.history.jsonl");
+  verb.does([request] { return check72(*request); });
 }
 
 }  // namespace voroproof::internal

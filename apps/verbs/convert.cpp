@@ -131,13 +131,13 @@ void history_to_sequence(const Request& request) {
 }
 
 // An option that the file to be written has no use for would be passed over in silence.
-void require_use(const CLI::App& verb, const std::string& option, bool used, const char* written) {
-  if (!used && verb.count(option) > 0) {
+void require_use(const Verb& verb, const std::string& option, bool used, const char* written) {
+  if (!used && verb.given(option)) {
     throw UsageError(option + ": only where " + written + " is written");
   }
 }
 
-ExitCode convert(const CLI::App& verb, const Request& request) {
+ExitCode convert(const Verb& verb, const Request& request) {
   require_distinct({request.input, request.scene}, {request.output});
   const bool to_json = names(request.output, ".json"), to_disks = names(request.output, ".txt");
   const bool to_history = names(request.output, ".jsonl");
@@ -164,27 +164,27 @@ ExitCode convert(const CLI::App& verb, const Request& request) {
 
 }  // namespace
 
-void add_convert(CLI::App& app, Action& action) {
+void add_convert(Verb& program) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb = app.add_subcommand(
-      "convert", "Between this project's formats and those of the paper's authors");
-  add_file(*verb, "input", request->input, "a scene, disk file, history or event sequence")
-      ->required();
-  add_output(*verb, request->output,
-             "its ending says what to write: .scene.json, .disks.txt, .history.jsonl, .evtsq");
-  add_file(*verb, "--scene", request->scene, "the scene of the history or event sequence");
-  add_text(*verb, "--horizon", request->horizon, "TIME", "of the scene that is written");
-  add_text(*verb, "--restitution", request->restitution, "E",
-           "of the scene that is written (default 1)");
-  add_choice(*verb, "--numbers", {"hexadecimal", "decimal"}, request->numbers,
-             "in an .evtsq: all 64 bits, or 15 digits after the point");
-  add_choice(*verb, "--evtsq-version", {"1.0", "1.1"}, request->version,
-             "1.0 has no centres at collisions");
-  verb->footer(
-      "Example:\n  voroproof convert a.disks.txt --horizon 1000 -o a.scene.json\n"
-      "  voroproof convert a.evtsq --scene a.scene.json -o a.history.jsonl");
-  verb->callback(
-      [request, verb, &action] { action = [request, verb] { return convert(*verb, *request); }; });
+  Verb& verb = program.add_verb(
+      "convert", "Translate between this project's formats and those of the paper's authors");
+  verb.file("input", request->input, "A scene, disk file, history or event sequence.").required();
+  verb.output(request->output,
+              "The file to write. Its ending says what it is: .scene.json, .disks.txt, "
+              ".history.jsonl or .evtsq.")
+      .required();
+  verb.file("--scene", request->scene, "The scene of the history or event sequence.");
+  verb.text("--horizon", request->horizon, "TIME", "The horizon of the scene that is written.");
+  verb.text("--restitution", request->restitution, "E",
+            "The restitution of the scene that is written; 1 where it is not given.");
+  verb.choice(
+      "--numbers", {"hexadecimal", "decimal"}, request->numbers,
+      "How an .evtsq has its numbers: with all 64 bits, or with 15 digits after the point.");
+  verb.choice("--evtsq-version", {"1.0", "1.1"}, request->version,
+              "The version of an .evtsq; 1.0 has no centres at collisions.");
+  verb.example("voroproof convert a.disks.txt --horizon 1000 -o a.scene.json")
+      .example("voroproof convert a.evtsq --scene a.scene.json -o a.history.jsonl");
+  verb.does([request, &verb] { return convert(verb, *request); });
 }
 
 }  // namespace voroproof::internal

@@ -151,93 +151,75 @@ ExitCode run_cases(const Request& request) {
   return all_passed ? ExitCode::ok : ExitCode::refuted;
 }
 
-void add_corpus_folder(CLI::App& verb, Request& request) {
-  add_text(verb, "--corpus", request.root, "DIR",
-           "the folder of the cases (default: those that came with the program)");
+void add_corpus_folder(Verb& verb, Request& request) {
+  verb.text("--corpus", request.root, "DIR",
+            "The folder of the cases; those that came with the program where it is not given.");
 }
 
-void add_selection(CLI::App& verb, Request& request) {
-  verb.add_option("--family", request.selection.families, "only cases of this family")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
-  verb.add_option("--tag", request.selection.tags, "only cases with this tag")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
+void add_selection(Verb& verb, Request& request) {
+  verb.list("--family", request.selection.families, "NAME", "Only cases of this family.");
+  verb.list("--tag", request.selection.tags, "NAME", "Only cases with this tag.");
 }
 
-void add_list(CLI::App& corpus, Action& action) {
+void add_list(Verb& corpus) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb = corpus.add_subcommand("list", "A table of the cases");
-  add_selection(*verb, *request);
-  add_corpus_folder(*verb, *request);
-  verb->footer("Example:\n  voroproof corpus list --family lattices");
-  verb->callback([request, &action] { action = [request] { return list_cases(*request); }; });
+  Verb& verb = corpus.add_verb("list", "A table of the cases");
+  add_selection(verb, *request);
+  add_corpus_folder(verb, *request);
+  verb.example("voroproof corpus list --family lattices");
+  verb.does([request] { return list_cases(*request); });
 }
 
-void add_show(CLI::App& corpus, Action& action) {
+void add_show(Verb& corpus) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb =
-      corpus.add_subcommand("show", "One case: its story, its scene, its events, its files");
-  verb->add_option("name", request->selection.names, "NAME or FAMILY/NAME")
-      ->type_name("NAME")
-      ->expected(1)
-      ->required();
-  add_corpus_folder(*verb, *request);
-  verb->footer("Example:\n  voroproof corpus show cradles/cradle-02");
-  verb->callback([request, &action] { action = [request] { return show_case(*request); }; });
+  Verb& verb = corpus.add_verb("show", "One case: its story, its scene, its events, its files");
+  std::string& name = request->selection.names.emplace_back();
+  verb.text("name", name, "NAME", "The case, as NAME or FAMILY/NAME.").required();
+  add_corpus_folder(verb, *request);
+  verb.example("voroproof corpus show cradles/cradle-02");
+  verb.does([request] { return show_case(*request); });
 }
 
-void add_run(CLI::App& corpus, Action& action) {
+void add_run(Verb& corpus) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb = corpus.add_subcommand(
+  Verb& verb = corpus.add_verb(
       "run",
-      "Certify the corpus: its own histories and wrong ones or, with --against, the histories\n"
-      "that another program writes for its scenes");
-  CLI::Option* against =
-      add_text(*verb, "--against", request->command, "COMMAND",
-               "run by the shell for each case, in this folder: {scene} stands for the\n"
-               "scene to read, {history} for the history or event sequence to write;\n"
-               "both are put in quotes where they need them");
-  add_selection(*verb, *request);
-  verb->add_option("--case", request->selection.names, "only this case, NAME or FAMILY/NAME")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
-  add_choice(*verb, "--truth", {"exact", "recorded", "both"}, request->truth,
-             "what to certify the program's histories against: the true motion, that which\n"
-             "each history itself records, or either, whichever holds")
-      ->needs(against);
-  add_real(*verb, "--timeout", request->seconds,
-           "seconds for each run of the program and for each certification");
-  verb->add_option("--memory", request->megabytes,
-                   "megabytes for each of these processes; 0: no limit")
-      ->check(whole_number())
-      ->check(CLI::Range(0, 1 << 30))
-      ->capture_default_str();
-  verb->add_option("--jobs", request->jobs,
-                   "cases side by side (more than 1 makes the seconds longer)")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  add_file(*verb, "--json", request->json, "write everything that was found here");
-  add_file(*verb, "--html", request->html, "and here a page to look at, pictures included");
-  add_corpus_folder(*verb, *request);
-  verb->footer(
-      "Exit code 0 if every case is as expected or certified, 1 if not, 2 for bad usage.\n"
-      "Example:\n  voroproof corpus run --against 'mysim --in {scene} --out {history}' "
-      "--html r.html");
-  verb->callback([request, &action] { action = [request] { return run_cases(*request); }; });
+      "Certify the corpus: its own histories and wrong ones or, with --against, the histories that "
+      "another program writes for its scenes");
+  verb.text("--against", request->command, "COMMAND",
+            "The program, run by the shell for each case, in this folder: {scene} stands for the "
+            "scene to read, {history} for the history or event sequence to write. Both are put in "
+            "quotes where they need them.");
+  add_selection(verb, *request);
+  verb.list("--case", request->selection.names, "NAME", "Only this case, NAME or FAMILY/NAME.");
+  verb.choice(
+          "--truth", {"exact", "recorded", "both"}, request->truth,
+          "What the program's histories are certified against: the true motion, the motion that "
+          "each history itself records, or either, whichever holds.")
+      .needs("--against");
+  verb.real("--timeout", request->seconds,
+            "The seconds for each run of the program and for each certification.");
+  verb.whole("--memory", request->megabytes, 0, 1 << 30,
+             "The megabytes for each of these processes; 0: no limit.");
+  verb.whole("--jobs", request->jobs, 1, 1024,
+             "The number of cases side by side; more than 1 makes the seconds longer.");
+  verb.file("--json", request->json, "Write everything that was found here.");
+  verb.file("--html", request->html, "Write a page to look at here, pictures included.");
+  add_corpus_folder(verb, *request);
+  verb.note("Exit code 0 if every case is as expected or certified, 1 if not, 2 for bad usage.");
+  verb.example("voroproof corpus run --against 'mysim --in {scene} --out {history}' --html r.html");
+  verb.does([request] { return run_cases(*request); });
 }
 
 }  // namespace
 
-void add_corpus(CLI::App& app, Action& action) {
-  CLI::App* corpus =
-      app.add_subcommand("corpus", "The degenerate cases: look at them, run any program on them");
-  corpus->require_subcommand(1);
-  add_list(*corpus, action);
-  add_show(*corpus, action);
-  add_run(*corpus, action);
-  corpus->footer("Example:\n  voroproof corpus run --against 'mysim {scene} {history}'");
+void add_corpus(Verb& program) {
+  Verb& corpus =
+      program.add_verb("corpus", "The degenerate cases: look at them, run any program on them");
+  add_list(corpus);
+  add_show(corpus);
+  add_run(corpus);
+  corpus.example("voroproof corpus run --against 'mysim {scene} {history}'");
 }
 
 }  // namespace voroproof::internal

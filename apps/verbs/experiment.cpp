@@ -98,33 +98,30 @@ ExitCode experiment(const Request& request) {
 
 }  // namespace
 
-void add_experiment(CLI::App& app, Action& action) {
+void add_experiment(Verb& program) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb = app.add_subcommand("experiment", "Run an experiment of the paper's again");
+  Verb& verb = program.add_verb("experiment", "Run an experiment of the paper's again");
   std::vector<std::string> names;
   for (const PaperSet& set : paper_sets()) names.push_back(set.name);
-  verb->add_option("set", request->set,
-                   "reference (Fig. 18), speed (19), size (20), density (21) or restitution (22)")
-      ->check(CLI::IsMember(names))
-      ->required();
-  add_output(*verb, request->json, "all results, as JSON, for scripts/plot-experiments.py");
-  add_file(*verb, "--csv", request->csv, "write a table of the counts here");
-  add_real(*verb, "--scale", request->scale, "multiplies the numbers of disks; 1 is the paper's");
-  add_real(*verb, "--horizon", request->horizon, "of every scene");
-  verb->add_option("--seed", request->seed, "of the random numbers, the same for all members")
-      ->check(whole_number())
-      ->capture_default_str();
-  verb->add_option("--members", request->members, "only the first so many; 0 for all")
-      ->check(whole_number())
-      ->check(CLI::Range(0, 10))
-      ->capture_default_str();
-  add_choice(*verb, "--predictions", {"on", "off"}, request->predictions,
-             "whether the paper's predictions are counted, which takes much longer than the runs");
-  verb->add_flag("--quiet", request->quiet, "no progress on the terminal and no summaries");
-  verb->footer(
-      "Exit code 3 where some run stopped early; the others are in the files.\n"
-      "Example:\n  voroproof experiment speed -o speed.json --csv speed.csv");
-  verb->callback([request, &action] { action = [request] { return experiment(*request); }; });
+  verb.choice("set", names, request->set,
+              "The experiment; they are those of the paper's figures 18 to 22, in this order.")
+      .required();
+  verb.output(request->json, "Write all results here, as JSON, for scripts/plot-experiments.py.")
+      .required();
+  verb.file("--csv", request->csv, "Write a table of the counts here.");
+  verb.real("--scale", request->scale,
+            "What the numbers of disks are multiplied by; 1 gives the paper's.");
+  verb.real("--horizon", request->horizon, "The horizon of every scene.");
+  verb.whole("--seed", request->seed, 0, most_whole,
+             "The seed of the random numbers, the same for all members.");
+  verb.whole("--members", request->members, 0, 10, "Only so many members, the first; 0: all.");
+  verb.choice(
+      "--predictions", {"on", "off"}, request->predictions,
+      "Whether the paper's predictions are counted, which takes much longer than the runs.");
+  verb.flag("--quiet", request->quiet, "Show no progress on the terminal and no summaries.");
+  verb.note("Exit code 3 where some run stopped early; the others are in the files.");
+  verb.example("voroproof experiment speed -o speed.json --csv speed.csv");
+  verb.does([request] { return experiment(*request); });
 }
 
 }  // namespace voroproof::internal

@@ -45,15 +45,16 @@ ExitCode explain(const Request& request) {
 
 }  // namespace
 
-void add_explain(CLI::App& app, Action& action) {
+void add_explain(Verb& program) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb =
-      app.add_subcommand("explain", "Say in words what a report of certify found, and draw it");
-  add_file(*verb, "report", request->report, "the report")->required();
-  add_file(*verb, "-o,--output", request->picture,
-           "the picture of the evidence, .svg or .png (default: beside the report, .svg)");
-  verb->footer("Example:\n  voroproof explain r.json -o r.png");
-  verb->callback([request, &action] { action = [request] { return explain(*request); }; });
+  Verb& verb =
+      program.add_verb("explain", "Say in words what a report of certify found, and draw it");
+  verb.file("report", request->report, "The report.").required();
+  verb.output(request->picture,
+              "Draw the evidence here. The name ends in .svg or .png; without this option the "
+              "picture stands beside the report, as .svg.");
+  verb.example("voroproof explain r.json -o r.png");
+  verb.does([request] { return explain(*request); });
 }
 
 }  // namespace voroproof::internal

@@ -12,7 +12,7 @@ namespace voroproof::internal {
 namespace {
 
 struct Request {
-  std::string scene, history, output, report, until;
+  std::string scene, history, output, report, horizon;
   std::optional<GenId> follow;
 };
 
@@ -27,8 +27,8 @@ Explanation read_report(const std::string& path, const Scene& scene) {
 
 ExitCode make_movie(const Request& request) {
   require_distinct({request.scene, request.history, request.report}, {request.output});
-  std::optional<Rational> until;
-  if (!request.until.empty()) until = time_argument("--until", request.until);
+  std::optional<Rational> horizon;
+  if (!request.horizon.empty()) horizon = time_argument("--horizon", request.horizon);
   Claim claim = open_claim(request.scene, request.history);
   const auto disks = static_cast<GenId>(claim.scene.disks.size());
   if (request.follow && *request.follow >= disks) {
@@ -37,7 +37,7 @@ ExitCode make_movie(const Request& request) {
   std::optional<Explanation> report;
   if (!request.report.empty()) report = read_report(request.report, claim.scene);
   const std::int64_t line = report && report->fault ? report->fault->line : 0;
-  const MovieData data = movie_data(claim, request.history, until, line);
+  const MovieData data = movie_data(claim, request.history, horizon, line);
   const CooperativeInterruption interruption;
   write_movie(request.output, claim, data, report ? &*report : nullptr,
               {.producer = producer(), .follow = request.follow});
@@ -46,24 +46,22 @@ ExitCode make_movie(const Request& request) {
 
 }  // namespace
 
-void add_movie(CLI::App& app, Action& action) {
+void add_movie(Verb& program) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb = app.add_subcommand("movie", "Make a page that plays a history");
-  add_file(*verb, "scene", request->scene, "the scene")->required();
-  add_file(*verb, "history", request->history, "a history of it, right or wrong")->required();
-  add_output(*verb, request->output, "the page to write: HTML that needs no other file");
-  add_file(*verb, "--report", request->report,
-           "the report of certify on this history: the time line shows what is proved, and\n"
-           "the evidence of a refutation is drawn");
-  verb->add_option("--follow", request->follow, "the disk to follow to begin with")
-      ->type_name("ID")
-      ->check(whole_number())
-      ->check(CLI::Range(0, max_disks));
-  add_text(*verb, "--until", request->until, "TIME",
-           "leave out what is later, exactly: a decimal, a fraction or a hexadecimal float");
-  verb->footer(
-      "Example:\n  voroproof movie a.scene.json a.history.jsonl --report a.report.json -o a.html");
-  verb->callback([request, &action] { action = [request] { return make_movie(*request); }; });
+  Verb& verb = program.add_verb("movie", "Make a page that plays a history");
+  verb.file("scene", request->scene, "The scene.").required();
+  verb.file("history", request->history, "A history of the scene, right or wrong.").required();
+  verb.output(request->output, "The page to write: HTML that needs no other file.").required();
+  verb.file("--report", request->report,
+            "The report of certify on this history. The time line shows what is proved, and the "
+            "evidence of a refutation is drawn.");
+  verb.whole("--follow", request->follow, 0, max_disks, "The disk to follow to begin with.");
+  verb.text("--horizon", request->horizon, "TIME",
+            "Leave out what is later. The time is exact: a decimal, a fraction or a hexadecimal "
+            "float.")
+      .formerly("--until");
+  verb.example("voroproof movie a.scene.json a.history.jsonl --report a.report.json -o a.html");
+  verb.does([request] { return make_movie(*request); });
 }
 
 }  // namespace voroproof::internal

@@ -111,36 +111,34 @@ ExitCode plan(const Request& request) {
 
 }  // namespace
 
-void add_plan(CLI::App& app, Action& action) {
+void add_plan(Verb& program) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb =
-      app.add_subcommand("plan", "Plan flights from starts to goals without collisions");
-  add_file(*verb, "plan", request->task, "the plan file: who flies from where to where");
-  verb->add_option("--preset", request->preset, "a swarm after the paper's in place of a file")
-      ->check(CLI::IsMember(plan_preset_names()))
-      ->type_name("NAME");
-  add_output(*verb, request->scene, "the scene to write, with the changes of speed as maneuvers");
-  add_file(*verb, "--report", request->report,
-           "write the smallest gap, what was avoided, and all ways here, as JSON");
-  add_file(*verb, "--picture", request->picture,
-           "draw starts, goals and ways; the name ends in .svg or .png");
-  verb->add_option("--size", request->size, "width and height of the picture in pixels")
-      ->check(whole_number())
-      ->check(CLI::Range(16, 20000))
-      ->capture_default_str();
-  add_text(*verb, "--clearance", request->clearance, "LENGTH",
-           "that vehicles keep between them, exactly, in place of the file's");
-  add_text(*verb, "--arrive", request->arrive, "TIME",
-           "when all arrive, exactly, in place of the file's");
-  add_choice(*verb, "--assignment", {"given", "optimal"}, request->assignment,
-             "the goals as given, or exchanged among vehicles of one radius so that the sum\n"
-             "of the squares of the ways is least");
-  verb->add_flag("--quiet", request->quiet, "no summary");
-  verb->footer(
-      "Exit code 1: two starts or goals are too near, there is no plan; 3: none was found (the\n"
-      "message names a pair and a time; no scene is written).\n"
-      "Example:\n  voroproof plan --preset five -o a.scene.json --report a.report.json");
-  verb->callback([request, &action] { action = [request] { return plan(*request); }; });
+  Verb& verb = program.add_verb("plan", "Plan flights from starts to goals without collisions");
+  verb.file("plan", request->task, "The plan file: who flies from where to where.");
+  verb.choice("--preset", plan_preset_names(), request->preset,
+              "A swarm after the paper's in place of a file.");
+  verb.output(request->scene, "The scene to write, with the changes of speed as maneuvers.")
+      .required();
+  verb.file("--report", request->report,
+            "Write the smallest gap, what was avoided, and all ways here, as JSON.");
+  verb.file("--picture", request->picture,
+            "Draw starts, goals and ways here; the name ends in .svg or .png.");
+  verb.whole("--size", request->size, 16, 20000,
+             "The width and the height of the picture, in pixels.");
+  verb.text("--clearance", request->clearance, "LENGTH",
+            "The gap that vehicles keep between them, exactly, in place of the file's.");
+  verb.text("--arrive", request->arrive, "TIME",
+            "The time at which all arrive, exactly, in place of the file's.");
+  verb.choice(
+      "--assignment", {"given", "optimal"}, request->assignment,
+      "The goals as given, or exchanged among vehicles of one radius so that the sum of the "
+      "squares of the ways is least.");
+  verb.flag("--quiet", request->quiet, "Write no summary.");
+  verb.note(
+      "Exit code 1: two starts or goals are too near, there is no plan; 3: none was found (the "
+      "message names a pair and a time; no scene is written).");
+  verb.example("voroproof plan --preset five -o a.scene.json --report a.report.json");
+  verb.does([request] { return plan(*request); });
 }
 
 }  // namespace voroproof::internal

@@ -43,118 +43,109 @@ ExitCode ask(const Request& request, const InstantAnswer& answer) {
   return ExitCode::ok;
 }
 
-// A subcommand that asks about one instant; the caller adds what is its own.
-CLI::App* add_instant(CLI::App& query, Action& action, const std::shared_ptr<Request>& request,
-                      const std::string& name, const std::string& description,
-                      InstantAnswer answer) {
-  CLI::App* verb = query.add_subcommand(name, description);
-  add_file(*verb, "scene", request->scene, "the scene")->required();
-  add_file(*verb, "history", request->history,
-           "a history of the scene, whose collisions save computing them again");
-  add_text(*verb, "--at", request->t, "TIME", "the time, as exact text: 12.5, 1/3")->required();
-  add_file(*verb, "-o,--output", request->output, "write the answer here, as JSON");
-  add_max_bits(*verb, request->options.motion.max_bits);
-  add_max_events(*verb, request->options.max_events);
-  verb->callback([request, answer = std::move(answer), &action] {
-    action = [request, answer] { return ask(*request, answer); };
-  });
+// A verb that asks about one instant; the caller adds what is its own.
+Verb& add_instant(Verb& query, const std::shared_ptr<Request>& request, const std::string& name,
+                  const std::string& description, InstantAnswer answer) {
+  Verb& verb = query.add_verb(name, description);
+  verb.file("scene", request->scene, "The scene.").required();
+  verb.file("history", request->history,
+            "A history of the scene, whose collisions save computing them again.");
+  verb.text("--at", request->t, "TIME", "The time, as exact text: 12.5, 1/3.").required();
+  verb.output(request->output, "Write the answer here, as JSON, and not to standard output.");
+  add_max_bits(verb, request->options.motion.max_bits);
+  add_max_events(verb, request->options.max_events);
+  verb.does([request, answer = std::move(answer)] { return ask(*request, answer); });
   return verb;
 }
 
-void add_probe(CLI::App& verb, Request& request) {
-  add_text(verb, "--probe", request.probe, "RADIUS", "the probe's radius, as exact text")
-      ->required();
+void add_probe(Verb& verb, Request& request) {
+  verb.text("--probe", request.probe, "RADIUS", "The probe's radius, as exact text.").required();
 }
 
-void add_nearest(CLI::App& query, Action& action, const std::shared_ptr<Request>& request) {
-  CLI::App* verb = add_instant(
-      query, action, request, "nearest", "The disks nearest to a point",
+void add_nearest(Verb& query, const std::shared_ptr<Request>& request) {
+  Verb& verb = add_instant(
+      query, request, "nearest", "The disks nearest to a point",
       [](const InstantQuery& q, const Request& r) {
         return answer_nearest(
             q, {number_argument("--point", r.point[0]), number_argument("--point", r.point[1])},
             r.count);
       });
-  verb->add_option("--point", request->point, "the point, as exact text")
-      ->type_name("X Y")
-      ->expected(2)
-      ->allow_extra_args(false)
-      ->required();
-  verb->add_option("--count", request->count, "how many")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 2'000'000))
-      ->capture_default_str();
-  verb->footer("Example:\n  voroproof query nearest a.scene.json --at 12.5 --point 1 -2 --count 3");
+  verb.add({.names = {"--point"},
+            .type = "X Y",
+            .help = "The point, as exact text.",
+            .values = 2,
+            .take = [request](const std::vector<std::string>& xy) { request->point = xy; }})
+      .required();
+  verb.whole("--count", request->count, 1, 2'000'000, "How many disks.");
+  verb.example("voroproof query nearest a.scene.json --at 12.5 --point 1 -2 --count 3");
 }
 
-void add_neighbours(CLI::App& query, Action& action, const std::shared_ptr<Request>& request) {
-  CLI::App* verb =
-      add_instant(query, action, request, "neighbours",
+void add_neighbours(Verb& query, const std::shared_ptr<Request>& request) {
+  Verb& verb =
+      add_instant(query, request, "neighbours",
                   "The generators whose cells share an edge with that of a disk, and the gaps",
                   [](const InstantQuery& q, const Request& r) {
                     return answer_neighbours(q, disk_of(q.scene, r.disk));
                   });
-  verb->add_option("--disk", request->disk, "the disk")
-      ->check(whole_number())
-      ->check(CLI::Range(0, max_disks))
-      ->required();
-  verb->footer("Example:\n  voroproof query neighbours a.scene.json --at 12.5 --disk 7");
+  verb.whole("--disk", request->disk, 0, max_disks, "The disk.").required();
+  verb.example("voroproof query neighbours a.scene.json --at 12.5 --disk 7");
 }
 
-void add_closest(CLI::App& query, Action& action, const std::shared_ptr<Request>& request) {
-  CLI::App* verb = add_instant(
-      query, action, request, "closest", "The closest pairs, of all generators and of disks",
-      [](const InstantQuery& q, const Request&) { return answer_closest(q); });
-  verb->footer("Example:\n  voroproof query closest a.scene.json --at 12.5");
+void add_closest(Verb& query, const std::shared_ptr<Request>& request) {
+  Verb& verb =
+      add_instant(query, request, "closest", "The closest pairs, of all generators and of disks",
+                  [](const InstantQuery& q, const Request&) { return answer_closest(q); });
+  verb.example("voroproof query closest a.scene.json --at 12.5");
 }
 
-void add_offset(CLI::App& query, Action& action, const std::shared_ptr<Request>& request) {
-  CLI::App* verb = add_instant(query, action, request, "offset",
-                               "The boundary of the places where the centre of a probe fits",
-                               [](const InstantQuery& q, const Request& r) {
-                                 return answer_offset(q, time_argument("--probe", r.probe));
-                               });
-  add_probe(*verb, *request);
-  verb->footer("Example:\n  voroproof query offset a.scene.json --at 12.5 --probe 1/2 -o o.json");
+void add_offset(Verb& query, const std::shared_ptr<Request>& request) {
+  Verb& verb = add_instant(query, request, "offset",
+                           "The boundary of the places where the centre of a probe fits",
+                           [](const InstantQuery& q, const Request& r) {
+                             return answer_offset(q, time_argument("--probe", r.probe));
+                           });
+  add_probe(verb, *request);
+  verb.example("voroproof query offset a.scene.json --at 12.5 --probe 1/2 -o o.json");
 }
 
-void add_voids(CLI::App& query, Action& action, const std::shared_ptr<Request>& request) {
-  CLI::App* verb = add_instant(query, action, request, "voids",
-                               "The voids in which a probe can move, and the tunnels it passes",
-                               [](const InstantQuery& q, const Request& r) {
-                                 return answer_voids(q, time_argument("--probe", r.probe));
-                               });
-  add_probe(*verb, *request);
-  verb->footer("Example:\n  voroproof query voids a.scene.json --at 12.5 --probe 1/2 -o v.json");
+void add_voids(Verb& query, const std::shared_ptr<Request>& request) {
+  Verb& verb = add_instant(query, request, "voids",
+                           "The voids in which a probe can move, and the tunnels it passes",
+                           [](const InstantQuery& q, const Request& r) {
+                             return answer_voids(q, time_argument("--probe", r.probe));
+                           });
+  add_probe(verb, *request);
+  verb.example("voroproof query voids a.scene.json --at 12.5 --probe 1/2 -o v.json");
 }
 
-void add_critical(CLI::App& query, Action& action, const std::shared_ptr<Request>& request) {
-  CLI::App* verb =
-      add_instant(query, action, request, "critical",
+void add_critical(Verb& query, const std::shared_ptr<Request>& request) {
+  Verb& verb =
+      add_instant(query, request, "critical",
                   "The probe radii at which each tunnel closes and each void vanishes",
                   [](const InstantQuery& q, const Request&) { return answer_critical(q); });
-  verb->footer("Example:\n  voroproof query critical a.scene.json --at 12.5");
+  verb.example("voroproof query critical a.scene.json --at 12.5");
 }
 
 }  // namespace
 
-void add_query(CLI::App& app, Action& action) {
-  CLI::App* query =
-      app.add_subcommand("query", "Ask what holds of a scene, at an instant or over time");
-  query->require_subcommand(1);
+void add_query(Verb& program) {
+  Verb& query = program.add_verb("query", "Ask what holds of a scene, at an instant or over time");
   const auto request = std::make_shared<Request>();
 
-  add_nearest(*query, action, request);
-  add_neighbours(*query, action, request);
-  add_closest(*query, action, request);
-  add_offset(*query, action, request);
-  add_voids(*query, action, request);
-  add_critical(*query, action, request);
-  add_queries_over_time(*query, action);
-  query->footer(
-      "At an instant: of the true motion. Over time (a window, not --at): of the paths that the\n"
-      "history records, which after collisions are rounded.\n"
-      "Answers as JSON: docs/formats.md, section 12. What is exact: docs/queries.md.\n"
-      "Example:\n  voroproof query closest a.scene.json --at 12.5");
+  add_nearest(query, request);
+  add_neighbours(query, request);
+  add_closest(query, request);
+  add_offset(query, request);
+  add_voids(query, request);
+  add_critical(query, request);
+  add_queries_over_time(query);
+  query
+      .note(
+          "Answers at an instant are about the true motion. Answers over time (a window, not "
+          "--at) are about the paths that the history records, which after collisions are "
+          "rounded.")
+      .note("Answers are JSON: docs/formats.md, section 12. What is exact: docs/queries.md.");
+  query.example("voroproof query closest a.scene.json --at 12.5");
 }
 
 }  // namespace voroproof::internal

@@ -1,9 +1,11 @@
 // voroproof query: what holds of a scene over a window of time.
+#include <charconv>
 #include <functional>
 #include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -20,7 +22,7 @@ namespace voroproof::internal {
 namespace {
 
 struct Request {
-  std::string scene, history, from = "0", to, output;
+  std::string scene, history, from = "0", horizon, output;
   std::string probe;
   std::vector<int> generators;
   EngineOptions options;
@@ -42,7 +44,7 @@ void check_generators(const Scene& scene, const std::string& option,
 
 // What opens and closes does so between two times.
 void require_length(const Window& window) {
-  if (window.from == window.to) throw UsageError("--to: not after --from");
+  if (window.from == window.to) throw UsageError("--horizon: not after --from");
 }
 
 // Where one of the paths leads into another disk or out of the container, the circles that the
@@ -61,10 +63,10 @@ ExitCode ask(const Request& request, const std::string& option, const TimeAnswer
   Window window{time_argument("--from", request.from), 0};
   const Scene scene = read_scene(request.scene);
   const int disks = static_cast<int>(scene.disks.size());
-  window.to = request.to.empty()
+  window.to = request.horizon.empty()
                   ? HistoryReader(request.history, disks, scene.sha256).header().horizon
-                  : time_argument("--to", request.to);
-  if (window.to < window.from) throw UsageError("--to: before --from");
+                  : time_argument("--horizon", request.horizon);
+  if (window.to < window.from) throw UsageError("--horizon: before --from");
   check_generators(scene, option, request.generators);
   HistoryCursor history(
       scene, request.history,
@@ -77,96 +79,134 @@ ExitCode ask(const Request& request, const std::string& option, const TimeAnswer
 }
 
 // How the help of these queries ends; `arguments` are those of the example after its two files.
-std::string footer(const std::string& name, const std::string& arguments) {
-  return "About the paths that the history records: those of the true motion up to a disk's first\n"
-         "collision; from then on those from its recorded, rounded places and velocities.\n"
-         "Example:\n  voroproof query " +
-         name + " a.scene.json a.history.jsonl" + arguments;
+void add_end(Verb& verb, const std::string& arguments) {
+  verb.note(
+      "The answer is about the paths that the history records: those of the true motion up to a "
+      "disk's first collision; from then on those from its recorded, rounded places and "
+      "velocities.");
+  verb.example("voroproof query " + verb.name() + " a.scene.json a.history.jsonl" + arguments);
 }
 
-// `option` names the generators that the query is about.
-CLI::App* add_over_time(CLI::App& query, Action& action, const std::shared_ptr<Request>& request,
-                        const std::string& name, const std::string& description,
-                        const std::string& option, int generators, TimeAnswer answer) {
-  CLI::App* verb = query.add_subcommand(name, description);
-  add_file(*verb, "scene", request->scene, "the scene")->required();
-  add_file(*verb, "history", request->history, "a history of the scene")->required();
-  add_text(*verb, "--from", request->from, "TIME", "from then on, as exact text")
-      ->capture_default_str();
-  add_text(*verb, "--to", request->to, "TIME", "up to then (default: the history's horizon)");
-  add_file(*verb, "-o,--output", request->output, "write the answer here, as JSON");
-  add_max_bits(*verb, request->options.motion.max_bits);
-  if (generators > 0) {
-    verb->add_option(option, request->generators, "their ids; -1 is the container")
-        ->type_name("ID")
-        ->expected(generators)
-        ->allow_extra_args(false)
-        ->required();
+GenId generator_argument(const std::string& option, const std::string& text) {
+  const char* const end = text.data() + text.size();
+  GenId id = 0;
+  const auto [rest, error] = std::from_chars(text.data(), end, id);
+  if (error != std::errc() || rest != end) {
+    throw UsageError(option + ": " + text + " is not the id of a generator");
   }
-  verb->callback([request, option, answer = std::move(answer), &action] {
-    action = [request, option, answer] { return ask(*request, option, answer); };
+  return id;
+}
+
+// The generators that a query is about: how many, by which option, and what the help says of it.
+struct Subject {
+  std::string option;
+  int generators = 0;  // 0: the query is about all, and has no such option
+  std::string help;
+};
+
+void add_subject(Verb& verb, Request& request, const Subject& subject) {
+  if (subject.generators == 0) return;
+  std::string type = "ID";
+  for (int k = 1; k < subject.generators; ++k) type += " ID";
+  verb.add({.names = {subject.option},
+            .type = type,
+            .help = subject.help,
+            .values = subject.generators,
+            .take =
+                [&request, option = subject.option](const std::vector<std::string>& values) {
+                  request.generators.clear();
+                  for (const std::string& text : values) {
+                    request.generators.push_back(generator_argument(option, text));
+                  }
+                }})
+      .required();
+}
+
+Verb& add_over_time(Verb& query, const std::shared_ptr<Request>& request, const std::string& name,
+                    const std::string& description, const Subject& subject, TimeAnswer answer) {
+  Verb& verb = query.add_verb(name, description);
+  verb.file("scene", request->scene, "The scene.").required();
+  verb.file("history", request->history, "A history of the scene.").required();
+  verb.text("--from", request->from, "TIME", "The beginning of the window, as exact text.");
+  verb.text("--horizon", request->horizon, "TIME",
+            "The end of the window; the history's horizon where it is not given.")
+      .formerly("--to");
+  verb.output(request->output, "Write the answer here, as JSON, and not to standard output.");
+  add_max_bits(verb, request->options.motion.max_bits);
+  add_subject(verb, *request, subject);
+  verb.does([request, option = subject.option, answer = std::move(answer)] {
+    return ask(*request, option, answer);
   });
   return verb;
 }
 
-void add_probe(CLI::App& verb, Request& request) {
-  add_text(verb, "--probe", request.probe, "RADIUS", "the probe's radius, as exact text")
-      ->required();
+void add_probe(Verb& verb, Request& request) {
+  verb.text("--probe", request.probe, "RADIUS", "The probe's radius, as exact text.").required();
+}
+
+const Subject all{}, pair{"--pair", 2, "The ids of the two generators; -1 is the container."};
+
+void add_gaps(Verb& query, const std::shared_ptr<Request>& request) {
+  add_end(add_over_time(query, request, "neighbours-over",
+                        "When which cells share an edge with that of a disk",
+                        {"--disk", 1, "The id of the disk."},
+                        [](const TimeQuery& q, const Request& r) {
+                          if (r.generators[0] == container_id)
+                            throw UsageError("--disk: the container is none");
+                          return answer_neighbours_over(q, r.generators[0]);
+                        }),
+          " --disk 7 --horizon 20");
+  add_end(
+      add_over_time(query, request, "gap-over", "The least gap of two generators, and when", pair,
+                    [](const TimeQuery& q, const Request& r) {
+                      return answer_gap_over(q, r.generators[0], r.generators[1]);
+                    }),
+      " --pair 3 7 --horizon 20");
+  add_end(add_over_time(query, request, "closest-over",
+                        "The least gap of any two disks, which two, and when", all,
+                        [](const TimeQuery& q, const Request&) { return answer_closest_over(q); }),
+          "");
+}
+
+void add_probes(Verb& query, const std::shared_ptr<Request>& request) {
+  Verb& tunnel =
+      add_over_time(query, request, "tunnel",
+                    "When a probe passes between two generators along a V-edge of theirs", pair,
+                    [](const TimeQuery& q, const Request& r) {
+                      require_length(q.window);
+                      return answer_tunnel(q, r.generators[0], r.generators[1],
+                                           time_argument("--probe", r.probe));
+                    });
+  add_probe(tunnel, *request);
+  add_end(tunnel, " --pair 3 7 --probe 1/2");
+
+  Verb& place = add_over_time(
+      query, request, "void", "When a probe fits at a V-vertex that is there",
+      {"--vertex", 3, "The ids of the vertex's three generators; -1 is the container."},
+      [](const TimeQuery& q, const Request& r) {
+        require_length(q.window);
+        return answer_void(q, {r.generators[0], r.generators[1], r.generators[2]},
+                           time_argument("--probe", r.probe));
+      });
+  add_probe(place, *request);
+  add_end(place, " --vertex 1 2 3 --probe 1/2");
+
+  Verb& voids = add_over_time(query, request, "voids-over",
+                              "All voids: when they come about, part, join and vanish", all,
+                              [](const TimeQuery& q, const Request& r) {
+                                require_length(q.window);
+                                return answer_voids_over(q, time_argument("--probe", r.probe));
+                              });
+  add_probe(voids, *request);
+  add_end(voids, " --probe 1/2");
 }
 
 }  // namespace
 
-void add_queries_over_time(CLI::App& query, Action& action) {
+void add_queries_over_time(Verb& query) {
   const auto request = std::make_shared<Request>();
-  CLI::App* verb = add_over_time(query, action, request, "neighbours-over",
-                                 "When which cells share an edge with that of a disk", "--disk", 1,
-                                 [](const TimeQuery& q, const Request& r) {
-                                   if (r.generators[0] == container_id)
-                                     throw UsageError("--disk: the container is none");
-                                   return answer_neighbours_over(q, r.generators[0]);
-                                 });
-  verb->footer(footer("neighbours-over", " --disk 7 --to 20"));
-
-  verb =
-      add_over_time(query, action, request, "gap-over", "The least gap of two generators, and when",
-                    "--pair", 2, [](const TimeQuery& q, const Request& r) {
-                      return answer_gap_over(q, r.generators[0], r.generators[1]);
-                    });
-  verb->footer(footer("gap-over", " --pair 3 7 --to 20"));
-
-  verb = add_over_time(query, action, request, "closest-over",
-                       "The least gap of any two disks, which two, and when", "", 0,
-                       [](const TimeQuery& q, const Request&) { return answer_closest_over(q); });
-  verb->footer(footer("closest-over", ""));
-
-  verb = add_over_time(query, action, request, "tunnel",
-                       "When a probe passes between two generators along a V-edge of theirs",
-                       "--pair", 2, [](const TimeQuery& q, const Request& r) {
-                         require_length(q.window);
-                         return answer_tunnel(q, r.generators[0], r.generators[1],
-                                              time_argument("--probe", r.probe));
-                       });
-  add_probe(*verb, *request);
-  verb->footer(footer("tunnel", " --pair 3 7 --probe 1/2"));
-
-  verb =
-      add_over_time(query, action, request, "void", "When a probe fits at a V-vertex that is there",
-                    "--vertex", 3, [](const TimeQuery& q, const Request& r) {
-                      require_length(q.window);
-                      return answer_void(q, {r.generators[0], r.generators[1], r.generators[2]},
-                                         time_argument("--probe", r.probe));
-                    });
-  add_probe(*verb, *request);
-  verb->footer(footer("void", " --vertex 1 2 3 --probe 1/2"));
-
-  verb = add_over_time(query, action, request, "voids-over",
-                       "All voids: when they come about, part, join and vanish", "", 0,
-                       [](const TimeQuery& q, const Request& r) {
-                         require_length(q.window);
-                         return answer_voids_over(q, time_argument("--probe", r.probe));
-                       });
-  add_probe(*verb, *request);
-  verb->footer(footer("voids-over", " --probe 1/2"));
+  add_gaps(query, request);
+  add_probes(query, request);
 }
 
 }  // namespace voroproof::internal

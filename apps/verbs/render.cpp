@@ -56,23 +56,20 @@ ExitCode render(const Request& request) {
 
 }  // namespace
 
-void add_render(CLI::App& app, Action& action) {
+void add_render(Verb& program) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb = app.add_subcommand("render", "Draw a diagram or a plan as SVG or PNG");
-  add_file(*verb, "input", request->input,
-           "a diagram file; or the report of a plan, of which starts, goals, ways, changes of\n"
-           "speed, avoided conjunctions (crosses) and the nearest pair (red) are drawn")
-      ->required();
-  add_output(*verb, request->output, "the picture to write; its name ends in .svg or .png");
-  verb->add_option("--size", request->options.size, "width and height in pixels")
-      ->check(whole_number())
-      ->check(CLI::Range(16, 20000))
-      ->capture_default_str();
-  add_text(*verb, "--probe", request->probe, "RADIUS",
-           "the voids of a probe in colours, the tunnels it passes as strong lines and the\n"
-           "offset of the disks and the container in red, instead of the cells");
-  verb->footer("Example:\n  voroproof render a.diagram.json -o a.svg");
-  verb->callback([request, &action] { action = [request] { return render(*request); }; });
+  Verb& verb = program.add_verb("render", "Draw a diagram or a plan as SVG or PNG");
+  verb.file("input", request->input,
+            "A diagram file; or the report of a plan, of which starts, goals, ways, changes of "
+            "speed, avoided conjunctions (crosses) and the nearest pair (red) are drawn.")
+      .required();
+  verb.output(request->output, "The picture to write; its name ends in .svg or .png.").required();
+  verb.whole("--size", request->options.size, 16, 20000, "The width and the height in pixels.");
+  verb.text("--probe", request->probe, "RADIUS",
+            "Draw the voids of a probe in colours, the tunnels it passes as strong lines and the "
+            "offset of the disks and the container in red, instead of the cells.");
+  verb.example("voroproof render a.diagram.json -o a.svg");
+  verb.does([request] { return render(*request); });
 }
 
 }  // namespace voroproof::internal

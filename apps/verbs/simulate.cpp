@@ -242,43 +242,38 @@ ExitCode simulate(const Request& request) {
 
 }  // namespace
 
-void add_simulate(CLI::App& app, Action& action) {
+void add_simulate(Verb& program) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb = app.add_subcommand("simulate", "Write the exact history of a scene");
-  add_file(*verb, "scene", request->scene, "the scene")->required();
-  add_output(*verb, request->history, "the history to write");
-  add_text(*verb, "--horizon", request->horizon, "TIME",
-           "in place of the scene's, exactly: a decimal (0.1 is one tenth), a fraction\n"
-           "(1/3) or a hexadecimal float (0x1.8p-3)");
-  add_file(*verb, "--stats", request->stats, "write counts and times of the run here, as JSON");
-  verb->add_option("--threads", request->threads,
-                   "2 or more: further threads write the history and compute collisions beyond\n"
-                   "double-doubles; a history that reaches its horizon does not depend on it")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  verb->add_option(
-          "--start-bits", request->motion.start_bits,
-          "precision of the states to begin with; a history that reaches its horizon does\n"
-          "not depend on it")
-      ->check(whole_number())
-      ->check(CLI::Range(least_bits, most_bits))
-      ->capture_default_str();
-  add_max_bits(*verb, request->motion.max_bits);
-  add_max_events(*verb, request->max_events);
-  add_choice(*verb, "--filters", {"on", "off"}, request->filters,
-             "whether decisions are tried in doubles and double-doubles first; a history\n"
-             "that reaches its horizon does not depend on it, where a run stops may");
-  verb->add_flag("--replace", request->replace,
-                 "a history that stops replaces a complete one of its name, too, instead of\n"
-                 "going to that name with .partial at its end");
-  verb->add_flag("--self-check", request->self_check,
-                 "a second thread certifies every event (certify --strict); a history that is not\n"
-                 "proved right is not written (exit code 4)");
-  verb->add_flag("--quiet", request->quiet, "no progress on the terminal and no summary");
-  verb->footer(
-      "Example:\n  voroproof simulate a.scene.json -o a.history.jsonl --stats a.stats.json");
-  verb->callback([request, &action] { action = [request] { return simulate(*request); }; });
+  Verb& verb = program.add_verb("simulate", "Write the exact history of a scene");
+  verb.file("scene", request->scene, "The scene.").required();
+  verb.output(request->history, "The history to write.").required();
+  verb.text(
+      "--horizon", request->horizon, "TIME",
+      "The horizon in place of the scene's, exactly: a decimal (0.1 is one tenth), a fraction "
+      "(1/3) or a hexadecimal float (0x1.8p-3).");
+  verb.file("--stats", request->stats, "Write counts and times of the run here, as JSON.");
+  verb.whole("--threads", request->threads, 1, 1024,
+             "With 2 or more, further threads write the history and compute collisions beyond "
+             "double-doubles. A history that reaches its horizon does not depend on it.");
+  verb.whole("--start-bits", request->motion.start_bits, least_bits, most_bits,
+             "The precision of the states to begin with. A history that reaches its horizon does "
+             "not depend on it.");
+  add_max_bits(verb, request->motion.max_bits);
+  add_max_events(verb, request->max_events);
+  verb.choice("--filters", {"on", "off"}, request->filters,
+              "Whether decisions are tried in floating point first. The history is the same either "
+              "way if it reaches its horizon; the point at which an undecided run stops may "
+              "differ.");
+  verb.flag("--replace", request->replace,
+            "Let a history that stops replace a complete one of its name, too, instead of going to "
+            "that name with .partial at its end.");
+  verb.flag(
+      "--self-check", request->self_check,
+      "A second thread certifies every event (certify --strict). A history that is not proved "
+      "right is not written (exit code 4).");
+  verb.flag("--quiet", request->quiet, "Show no progress on the terminal and no summary.");
+  verb.example("voroproof simulate a.scene.json -o a.history.jsonl --stats a.stats.json");
+  verb.does([request] { return simulate(*request); });
 }
 
 }  // namespace voroproof::internal

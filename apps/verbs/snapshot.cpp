@@ -43,35 +43,36 @@ ExitCode take_snapshot(const Request& request) {
 
 }  // namespace
 
-void add_snapshot(CLI::App& app, Action& action) {
+void add_snapshot(Verb& program) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb = app.add_subcommand("snapshot", "Write the diagram at one instant");
-  add_file(*verb, "scene", request->scene, "the scene")->required();
-  add_file(*verb, "history", request->history,
-           "a history of the scene: the diagram follows from its flips and recorded\n"
-           "positions; without one, from nothing but the true positions at the time");
-  add_text(*verb, "--at", request->t, "TIME",
-           "the time, whose events have happened, exactly: a decimal (0.1 is one\n"
-           "tenth), a fraction (1/3) or a hexadecimal float (0x1.8p-3)")
-      ->required();
-  verb->add_option("--move", request->move,
-                   "how the history brings the disks to their places: 1 all disks at each\n"
-                   "event, 2 all at each collision, 3 the colliding ones alone (default)")
-      ->check(CLI::IsMember({"1", "2", "3"}))
-      ->type_name("WAY");
-  verb->add_option("--construct", request->construct,
-                   "how it gives the diagram: 1 from scratch at the positions that its\n"
-                   "collisions lead to, 2 by its flips (default); see docs/snapshots.md")
-      ->check(CLI::IsMember({"1", "2"}))
-      ->type_name("WAY");
-  verb->add_flag("--unchecked", request->unchecked,
-                 "write the diagram of the history's flips also where one of its edges is\n"
-                 "illegal beyond tolerances");
-  add_output(*verb, request->output, "the diagram to write");
-  add_max_bits(*verb, request->options.motion.max_bits);
-  add_max_events(*verb, request->options.max_events);
-  verb->footer("Example:\n  voroproof snapshot a.scene.json --at 1/3 -o a.diagram.json");
-  verb->callback([request, &action] { action = [request] { return take_snapshot(*request); }; });
+  Verb& verb = program.add_verb("snapshot", "Write the diagram at one instant");
+  verb.file("scene", request->scene, "The scene.").required();
+  verb.file("history", request->history,
+            "A history of the scene: the diagram follows from its flips and recorded positions. "
+            "Without one it follows from nothing but the true positions at the time.");
+  verb.text(
+          "--at", request->t, "TIME",
+          "The time, whose events have happened, exactly: a decimal (0.1 is one tenth), a fraction "
+          "(1/3) or a hexadecimal float (0x1.8p-3).")
+      .required();
+  verb.choice(
+      "--move", {"1", "2", "3"}, request->move,
+      "How the history brings the disks to their places: 1 moves all disks at each event, 2 "
+      "all at each collision, 3 (without this option) the colliding ones alone.");
+  verb.choice(
+      "--construct", {"1", "2"}, request->construct,
+      "How the history gives the diagram: 1 constructs it from scratch at the positions that "
+      "its collisions lead to, 2 (without this option) follows its flips; see "
+      "docs/snapshots.md.");
+  verb.flag(
+      "--unchecked", request->unchecked,
+      "Write the diagram of the history's flips also where one of its edges is illegal beyond "
+      "tolerances.");
+  verb.output(request->output, "The diagram to write.").required();
+  add_max_bits(verb, request->options.motion.max_bits);
+  add_max_events(verb, request->options.max_events);
+  verb.example("voroproof snapshot a.scene.json --at 1/3 -o a.diagram.json");
+  verb.does([request] { return take_snapshot(*request); });
 }
 
 }  // namespace voroproof::internal

@@ -22,15 +22,13 @@ ExitCode validate(const std::vector<std::string>& files) {
 
 }  // namespace
 
-void add_validate(CLI::App& app, Action& action) {
+void add_validate(Verb& program) {
   auto files = std::make_shared<std::vector<std::string>>();
-  CLI::App* verb =
-      app.add_subcommand("validate", "Check that files are scenes, histories or diagrams");
-  verb->add_option("files", *files, "the files; checking ends at the first that is not valid")
-      ->type_name("FILE")
-      ->required();
-  verb->footer("Example:\n  voroproof validate a.scene.json a.history.jsonl");
-  verb->callback([files, &action] { action = [files] { return validate(*files); }; });
+  Verb& verb = program.add_verb("validate", "Check that files are of the formats");
+  verb.list("files", *files, "FILE", "The files. Checking ends at the first that is not valid.")
+      .required();
+  verb.example("voroproof validate a.scene.json a.history.jsonl");
+  verb.does([files] { return validate(*files); });
 }
 
 }  // namespace voroproof::internal

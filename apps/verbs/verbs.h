@@ -1,27 +1,25 @@
 // The verbs of the command line: each one's file is named as it is.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
-#include "apps/cli/command_line.h"
+#include "apps/cli/verb.h"
 
 namespace voroproof::internal {
 
-// Each adds a verb; parsing it sets `action`.
-void add_generate(CLI::App& app, Action& action);
-void add_simulate(CLI::App& app, Action& action);
-void add_query(CLI::App& app, Action& action);
-void add_queries_over_time(CLI::App& query, Action& action);  // below the verb query
-void add_snapshot(CLI::App& app, Action& action);
-void add_render(CLI::App& app, Action& action);
-void add_movie(CLI::App& app, Action& action);
-void add_validate(CLI::App& app, Action& action);
-void add_certify(CLI::App& app, Action& action);
-void add_explain(CLI::App& app, Action& action);
-void add_convert(CLI::App& app, Action& action);
-void add_corpus(CLI::App& app, Action& action);
-void add_plan(CLI::App& app, Action& action);
-void add_check72(CLI::App& app, Action& action);
-void add_experiment(CLI::App& app, Action& action);
+// Each adds a verb to the program.
+void add_generate(Verb& program);
+void add_simulate(Verb& program);
+void add_query(Verb& program);
+void add_queries_over_time(Verb& query);  // below the verb query
+void add_snapshot(Verb& program);
+void add_render(Verb& program);
+void add_movie(Verb& program);
+void add_validate(Verb& program);
+void add_certify(Verb& program);
+void add_explain(Verb& program);
+void add_convert(Verb& program);
+void add_corpus(Verb& program);
+void add_plan(Verb& program);
+void add_check72(Verb& program);
+void add_experiment(Verb& program);
 
 }  // namespace voroproof::internal

@@ -109,7 +109,7 @@ TEST_F(Movie, EventsOfOneInstantAreSteppedThroughOneByOne) {
 
 TEST_F(Movie, AnAddressOpensItAtAPlace) {
   const std::string scene = reference(10, "30");
-  const std::string page = movie(scene, simulated(scene), {"--until", "20"});
+  const std::string page = movie(scene, simulated(scene), {"--horizon", "20"});
   const std::string script =
       "return [player.data.end, player.state.t, player.state.applied, player.state.follow, "
       "player.data.times[1], player.data.times.at(-1), innerHeight - "

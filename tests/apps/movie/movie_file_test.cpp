@@ -50,7 +50,7 @@ TEST_F(MovieFile, BadRequestsAreRefused) {
            file("a.report.json")},
           "another scene");
   refused({"movie", scene, file("a.history.jsonl"), "-o", scene}, "an input as well");
-  refused({"movie", scene, file("a.history.jsonl"), "-o", page, "--until", "soon"}, "--until");
+  refused({"movie", scene, file("a.history.jsonl"), "-o", page, "--horizon", "soon"}, "--horizon");
 }
 
 }  // namespace

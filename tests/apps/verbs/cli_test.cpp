@@ -61,11 +61,11 @@ TEST_F(Cli, UsageErrors) {
   };
   const std::vector<Case> cases{
       {{}, "no verb given"},
-      {{"simulat"}, "unknown verb or option simulat"},
-      {{"--loud"}, "unknown verb or option --loud"},
-      {{"a\nb"}, "unknown verb or option a\\x0ab"},
+      {{"simulat"}, "unknown verb simulat; did you mean simulate? (see voroproof --help)"},
+      {{"--loud"}, "unknown option --loud (see voroproof --help)"},
+      {{"a\nb"}, "unknown verb a\\x0ab"},
       {{"generate"}, "no verb given (see voroproof generate --help)"},
-      {{"generate", "cloud"}, "unknown verb or option cloud"},
+      {{"generate", "cloud"}, "unknown verb cloud"},
       {{"generate", "grid"}, "--output is required"},
       {{"generate", "grid", "-o", out, "--n", "-1"}, "--n: -1 is not a whole number"},
       {{"generate", "grid", "-o", out, "--n", "1e3"}, "--n: 1e3 is not a whole number"},

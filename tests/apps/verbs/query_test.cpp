@@ -65,7 +65,7 @@ TEST_F(QueryCli, AWindowOfTime) {
   EXPECT_EQ(closest["to"], 20);
   EXPECT_EQ(closest["contact"], true);  // a dense scene
   EXPECT_EQ(closest["gap"], Json::parse("[0,0]"));
-  const Json gap = ask({"gap-over", scene_, history_, "--pair", "-1", "4", "--to", "1/2"});
+  const Json gap = ask({"gap-over", scene_, history_, "--pair", "-1", "4", "--horizon", "1/2"});
   expect_narrow(gap["gap"]);
   expect_narrow(gap["t"]);
   EXPECT_GE(ask({"neighbours-over", scene_, history_, "--disk", "4"})["neighbours"].size(), 2u);
@@ -85,7 +85,7 @@ TEST_F(QueryCli, UpToTheHistorysHorizon) {
   const std::string half = file("half.history.jsonl");
   must({"simulate", scene_, "--horizon", "10", "-o", half});
   EXPECT_EQ(ask({"closest-over", scene_, half})["to"], 10);
-  refused({"query", "closest-over", scene_, half, "--to", "11"}, "horizon: ");
+  refused({"query", "closest-over", scene_, half, "--horizon", "11"}, "horizon: ");
 }
 
 // The table of critical radii is in their order, the answer in that of the edges.
@@ -111,7 +111,7 @@ TEST_F(QueryCli, Refusals) {
   };
   for (const Case& c : std::vector<Case>{
            {{"query"}, "no verb given"},
-           {{"query", "farthest", scene_}, "unknown verb or option farthest"},
+           {{"query", "farthest", scene_}, "unknown verb farthest"},
            {{"query", "closest", scene_, "--at", "-1"}, "--at: -1: negative"},
            {{"query", "closest", scene_, "--at", "1", "-o", scene_}, "is an input as well"},
            {{"query", "closest", scene_, scene_, "--at", "1", "-o", out}, ":1: "},
@@ -121,11 +121,13 @@ TEST_F(QueryCli, Refusals) {
            {{"query", "voids", scene_, "--at", "1", "--probe", "-1"}, "--probe: -1: negative"},
            {{"query", "gap-over", scene_, history_, "--pair", "3", "3"}, "--pair: "},
            {{"query", "gap-over", scene_, history_, "--pair", "3", "12"}, "--pair: "},
-           {{"query", "gap-over", scene_, history_, "--pair", "3", "4", "--to", "21"}, "horizon: "},
-           {{"query", "closest-over", scene_, history_, "--from", "2", "--to", "1"}, "--to: "},
+           {{"query", "gap-over", scene_, history_, "--pair", "3", "4", "--horizon", "21"},
+            "horizon: "},
+           {{"query", "closest-over", scene_, history_, "--from", "2", "--horizon", "1"},
+            "--horizon: "},
            {{"query", "tunnel", scene_, history_, "--pair", "3", "4", "--probe", "1", "--from", "2",
-             "--to", "2"},
-            "--to: not after --from"},
+             "--horizon", "2"},
+            "--horizon: not after --from"},
            {{"query", "voids-over", scene_, history_, "--probe", "-1"}, "--probe: -1: negative"},
            {{"query", "neighbours-over", scene_, history_, "--disk", "-1"}, "--disk: "}}) {
     refused(c.arguments, c.message);
