@@ -8,6 +8,7 @@
 #include "history/atomic_file.h"
 #include "history/error.h"
 #include "history/file_bytes.h"
+#include "history/format_version.h"
 #include "history/json_reader.h"
 #include "history/json_text.h"
 #include "history/scene.h"
@@ -53,35 +54,38 @@ class DiagramReader {
     enum { format, version, t, scene_sha256, container, disks, vertices, edges };
     static constexpr std::array<std::string_view, 8> names = {
         "format", "version", "t", "scene_sha256", "container", "disks", "vertices", "edges"};
-    json_.object(names, (1u << names.size()) - 1, [&](std::size_t member) {
-      switch (member) {
-        case format:
-          if (json_.text() != "voroproof-diagram") json_.fail("not \"voroproof-diagram\"");
-          break;
-        case version:
-          json_.integer(1, 1);
-          break;
-        case t:
-          read_time();
-          break;
-        case scene_sha256:
-          read_hash();
-          break;
-        case container:
-          read_container();
-          break;
-        case disks:
-          json_.array([&](std::size_t) { read_disk(); });
-          break;
-        case vertices:
-          vertices_line_ = json_.line();
-          json_.array([&](std::size_t) { read_vertex(); });
-          break;
-        case edges:
-          edges_line_ = json_.line();
-          json_.array([&](std::size_t) { read_edge(); });
-      }
-    });
+    json_.object(
+        names, (1u << names.size()) - 1,
+        [&](std::size_t member) {
+          switch (member) {
+            case format:
+              if (json_.text() != "voroproof-diagram") json_.fail("not \"voroproof-diagram\"");
+              break;
+            case version:
+              read_version(json_);
+              break;
+            case t:
+              read_time();
+              break;
+            case scene_sha256:
+              read_hash();
+              break;
+            case container:
+              read_container();
+              break;
+            case disks:
+              json_.array([&](std::size_t) { read_disk(); });
+              break;
+            case vertices:
+              vertices_line_ = json_.line();
+              json_.array([&](std::size_t) { read_vertex(); });
+              break;
+            case edges:
+              edges_line_ = json_.line();
+              json_.array([&](std::size_t) { read_edge(); });
+          }
+        },
+        &diagram_.extensions);
     json_.finish();
     check_topology();
     std::sort(diagram_.edges.begin(), diagram_.edges.end());
@@ -262,12 +266,14 @@ void write_diagram(const std::string& path, const DiagramFile& diagram) {
   write_list(file, "edges", edges, [](const Quad& edge) {
     return ids_text(std::array<GenId, 4>{edge.l, edge.r, edge.s, edge.e});
   });
-  file.write("}\n");
+  const std::string extensions = members_text(diagram.extensions);
+  file.write(extensions.empty() ? "}\n" : ",\n" + extensions.substr(1) + "}\n");
   file.commit();
 }
 
 DiagramFile parse_diagram(std::string_view bytes, const std::string& file_name) {
-  return DiagramReader(bytes, file_name).read();
+  return of_this_version(bytes, file_name, "voroproof-diagram",
+                         [&] { return DiagramReader(bytes, file_name).read(); });
 }
 
 DiagramFile read_diagram(const std::string& path) {

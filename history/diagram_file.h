@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "history/events.h"
+#include "history/extensions.h"
 
 namespace voroproof::internal {
 
@@ -32,6 +33,7 @@ struct DiagramFile {
   std::vector<DiagramDisk> disks;
   std::vector<DiagramVertex> vertices;  // canonical, sorted by generators
   std::vector<Quad> edges;              // canonical, sorted
+  Extensions extensions;
 };
 
 inline constexpr std::size_t max_diagram_bytes = std::size_t{1} << 30;

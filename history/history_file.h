@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "exact/rational.h"
 #include "history/atomic_file.h"
 #include "history/events.h"
+#include "history/extensions.h"
 #include "history/json_reader.h"
 #include "history/line_source.h"
 #include "history/plain_line.h"
@@ -23,7 +25,8 @@ struct HistoryHeader {
   std::string producer;                      // "name version"
   std::optional<std::vector<Quad>> initial;  // the diagram at 0+: canonical, sorted
   Rational horizon_error{};  // what the format's rounding may have done to the horizon
-  bool oriented = true;      // false where the format cannot tell [l,r,s,e] from [l,r,e,s]
+  Extensions extensions{};
+  bool oriented = true;  // false where the format cannot tell [l,r,s,e] from [l,r,e,s]
 };
 
 struct HistoryCounts {
@@ -47,7 +50,7 @@ struct HistoryStop {
 // Writes a history in the one form that this project writes. Call header(), then the events in the
 // order of the history, then end() or stopped(), then close(); the file appears at close() only,
 // and never without a last line. Nothing is kept in memory but a buffer.
-// Edges may be named either way; they are written canonical.
+// Edges may be named either way; they are written canonical. Extensions go at the end of a line.
 // Throws OutputError where the file cannot be written, std::logic_error where the calls come in
 // another order or a value has no place in a history (t decreases, not finite).
 class HistoryWriter {
@@ -57,17 +60,19 @@ class HistoryWriter {
   void header(const HistoryHeader& header);
   // Writes this initial diagram in place of the header's.
   void header(const HistoryHeader& header, const std::vector<Quad>& initial);
-  void flip(double t, const Quad& quad);
-  void collide(const CollideEvent& event);    // its doubles; `exact` is not looked at
-  void maneuver(const ManeuverEvent& event);  // likewise
-  void write(const Event& event);
+  void flip(double t, const Quad& quad, const Extensions& extensions = {});
+  // Of these the doubles; `exact` is not looked at.
+  void collide(const CollideEvent& event, const Extensions& extensions = {});
+  void maneuver(const ManeuverEvent& event, const Extensions& extensions = {});
+  void write(const Event& event, const Extensions& extensions = {});
 
   // The run covered the whole horizon. The counts are those of the events written.
-  void end();
+  void end(const Extensions& extensions = {});
 
   // The run stopped early at t. `events` are those in question; only their kinds and ids are
   // written.
-  void stopped(double t, const std::string& reason, const std::vector<Event>& events);
+  void stopped(double t, const std::string& reason, const std::vector<Event>& events,
+               const Extensions& extensions = {});
 
   void close();
   // Closes, too, but a history that stopped does not replace one that is complete: it gets the name
@@ -86,6 +91,7 @@ class HistoryWriter {
   enum class State { fresh, open, ended, closed };
 
   void put(const HistoryHeader& header, const std::vector<Quad>* initial);
+  void close_line(char* out, const Extensions& extensions);
   void require(State state) const;
   void advance_to(double t);
 
@@ -126,6 +132,9 @@ class HistoryReader {
   // The line of the event that next() gave last; after the last event, that of the last line.
   std::int64_t line() const { return lines_.number(); }
 
+  // Those of the line of the event that next() gave last; after the last event, of the last line.
+  const Extensions& extensions() const { return extensions_; }
+
   // The last line, once next() has given nothing.
   const std::variant<HistoryEnd, HistoryStop>& ending() const { return ending_.value(); }
 
@@ -136,7 +145,7 @@ class HistoryReader {
   bool counts_match() const;
 
  private:
-  void read_header(const std::string& wanted_sha256);
+  void read_header(std::string_view text, const std::string& wanted_sha256);
   void check_time(const Number& t, const char* field);
 
   std::string path_;
@@ -148,6 +157,7 @@ class HistoryReader {
   double last_t_ = 0;
   std::optional<Rational> last_exact_t_;
   HistoryCounts counts_;
+  Extensions extensions_;
   std::optional<std::variant<HistoryEnd, HistoryStop>> ending_;
 };
 

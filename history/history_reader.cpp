@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "history/error.h"
+#include "history/format_version.h"
 #include "history/history_file.h"
 #include "history/json_reader.h"
 
@@ -154,6 +155,7 @@ struct Line {
   std::array<GenId, 2> pair{};
   GenId disk = 0;
   Vectors velocities, centers;
+  Extensions extensions;
   std::optional<std::variant<HistoryEnd, HistoryStop>> ending;
 };
 
@@ -195,38 +197,41 @@ Line read_line(std::string_view text, const std::string& path, std::int64_t numb
                const Rational& horizon) {
   JsonReader json(text, path, number);
   Line line;
-  line.seen = json.object(member_names, 0, [&](std::size_t member) {
-    switch (member) {
-      case t:
-        line.time = read_time(json);
-        break;
-      case flip:
-        line.quad = read_edge(json, last_id);
-        break;
-      case collide:
-        json.array_of<2>(
-            [&](std::size_t i) { line.pair[i] = read_id(json, container_id, last_id); });
-        if (line.pair[0] >= line.pair[1]) json.fail("not two ids, the smaller first");
-        break;
-      case maneuver:
-        line.disk = read_id(json, 0, last_id);
-        break;
-      case v:
-        line.velocities = read_vectors(json);
-        break;
-      case p:
-        line.centers = read_vectors(json);
-        break;
-      case end:
-        line.ending = read_end(json, horizon);
-        break;
-      case stopped: {
-        HistoryStop stop = read_stop(json);
-        line.time = {stop.t, stop.exact_t};
-        line.ending = std::move(stop);
-      }
-    }
-  });
+  line.seen = json.object(
+      member_names, 0,
+      [&](std::size_t member) {
+        switch (member) {
+          case t:
+            line.time = read_time(json);
+            break;
+          case flip:
+            line.quad = read_edge(json, last_id);
+            break;
+          case collide:
+            json.array_of<2>(
+                [&](std::size_t i) { line.pair[i] = read_id(json, container_id, last_id); });
+            if (line.pair[0] >= line.pair[1]) json.fail("not two ids, the smaller first");
+            break;
+          case maneuver:
+            line.disk = read_id(json, 0, last_id);
+            break;
+          case v:
+            line.velocities = read_vectors(json);
+            break;
+          case p:
+            line.centers = read_vectors(json);
+            break;
+          case end:
+            line.ending = read_end(json, horizon);
+            break;
+          case stopped: {
+            HistoryStop stop = read_stop(json);
+            line.time = {stop.t, stop.exact_t};
+            line.ending = std::move(stop);
+          }
+        }
+      },
+      &line.extensions);
   json.finish();
   check_members(json, line);
   return line;
@@ -257,53 +262,57 @@ ManeuverEvent maneuver_of(const Line& line) {
 HistoryReader::HistoryReader(const std::string& path, int disk_count,
                              const std::string& scene_sha256)
     : path_(path), lines_(path_), last_id_(disk_count - 1) {
-  read_header(scene_sha256);
-}
-
-void HistoryReader::read_header(const std::string& wanted_sha256) {
   const auto text = lines_.next(max_header_line);
   if (!text) throw InputError(path_, 1, "", "empty file");
-  JsonReader json(*text, path_, lines_.number());
+  of_this_version(*text, path_, "voroproof-history", [&] { read_header(*text, scene_sha256); });
+}
+
+void HistoryReader::read_header(std::string_view text, const std::string& wanted_sha256) {
+  JsonReader json(text, path_, lines_.number());
   enum { format, version, scene_sha256, horizon, producer, initial };
   static constexpr std::array<std::string_view, 6> names = {"format",  "version",  "scene_sha256",
                                                             "horizon", "producer", "initial"};
   constexpr std::uint32_t required =
       bit(format) | bit(version) | bit(scene_sha256) | bit(horizon) | bit(producer);
-  json.object(names, required, [&](std::size_t member) {
-    switch (member) {
-      case format:
-        if (json.text() != "voroproof-history") json.fail("not \"voroproof-history\"");
-        break;
-      case version:
-        json.integer(1, 1);
-        break;
-      case scene_sha256: {
-        std::string& hash = header_.scene_sha256;
-        hash = json.text();
-        for (char& c : hash)
-          if (c >= 'A' && c <= 'F') c = static_cast<char>(c - 'A' + 'a');
-        if (hash.size() != 64 || hash.find_first_not_of("0123456789abcdef") != std::string::npos)
-          json.fail("not 64 hexadecimal digits");
-        // The hash is checked before the ids, which would be those of another scene.
-        if (!wanted_sha256.empty() && hash != wanted_sha256)
-          json.fail("the history is one of another scene");
-        break;
-      }
-      case horizon:
-        header_.horizon = read_time(json).value();
-        break;
-      case producer:
-        header_.producer = json.text();
-        break;
-      case initial: {
-        std::vector<Quad>& edges = header_.initial.emplace();
-        json.array([&](std::size_t) { edges.push_back(read_edge(json, last_id_)); });
-        std::sort(edges.begin(), edges.end());
-        if (std::adjacent_find(edges.begin(), edges.end()) != edges.end())
-          json.fail("names an edge twice");
-      }
-    }
-  });
+  json.object(
+      names, required,
+      [&](std::size_t member) {
+        switch (member) {
+          case format:
+            if (json.text() != "voroproof-history") json.fail("not \"voroproof-history\"");
+            break;
+          case version:
+            read_version(json);
+            break;
+          case scene_sha256: {
+            std::string& hash = header_.scene_sha256;
+            hash = json.text();
+            for (char& c : hash)
+              if (c >= 'A' && c <= 'F') c = static_cast<char>(c - 'A' + 'a');
+            if (hash.size() != 64 ||
+                hash.find_first_not_of("0123456789abcdef") != std::string::npos)
+              json.fail("not 64 hexadecimal digits");
+            // The hash is checked before the ids, which would be those of another scene.
+            if (!wanted_sha256.empty() && hash != wanted_sha256)
+              json.fail("the history is one of another scene");
+            break;
+          }
+          case horizon:
+            header_.horizon = read_time(json).value();
+            break;
+          case producer:
+            header_.producer = json.text();
+            break;
+          case initial: {
+            std::vector<Quad>& edges = header_.initial.emplace();
+            json.array([&](std::size_t) { edges.push_back(read_edge(json, last_id_)); });
+            std::sort(edges.begin(), edges.end());
+            if (std::adjacent_find(edges.begin(), edges.end()) != edges.end())
+              json.fail("names an edge twice");
+          }
+        }
+      },
+      &header_.extensions);
   json.finish();
   horizon_ = round_nearest(header_.horizon);
 }
@@ -313,6 +322,7 @@ std::optional<Event> HistoryReader::next() {
   const auto text = lines_.next(max_event_line);
   if (!text)
     throw InputError(path_, lines_.number(), "", "incomplete: the file ends without an end line");
+  extensions_.clear();
   if (auto event = plain_lines_.event(*text, last_id_)) {
     check_time({time(*event), {}}, "t");
     counts_.flips += std::holds_alternative<FlipEvent>(*event);
@@ -321,6 +331,7 @@ std::optional<Event> HistoryReader::next() {
     return event;
   }
   Line line = read_line(*text, path_, lines_.number(), last_id_, header_.horizon);
+  extensions_ = std::move(line.extensions);
   if (!(line.seen & end_line)) check_time(line.time, line.seen & stop_line ? "stopped" : "t");
   if (line.ending) {
     if (lines_.next(max_event_line))

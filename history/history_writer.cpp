@@ -121,18 +121,27 @@ void HistoryWriter::put(const HistoryHeader& header, const std::vector<Quad>* in
     }
     file_.write(edges->empty() ? ",\"initial\":[]" : "]");
   }
-  file_.write("}\n");
+  file_.write(members_text(header.extensions) + "}\n");
 }
 
-void HistoryWriter::flip(double t, const Quad& quad) {
+// The end of an event line, which has room up to `out`.
+void HistoryWriter::close_line(char* out, const Extensions& extensions) {
+  if (extensions.empty()) {
+    file_.advance(put_literal(out, "}\n"));
+    return;
+  }
+  file_.advance(out);
+  file_.write(members_text(extensions) + "}\n");
+}
+
+void HistoryWriter::flip(double t, const Quad& quad, const Extensions& extensions) {
   advance_to(t);
   ++counts_.flips;
   char* out = put_time(file_.room(max_written_line), t);
-  out = put_quad(put_literal(out, "\"flip\":"), quad);
-  file_.advance(put_literal(out, "}\n"));
+  close_line(put_quad(put_literal(out, "\"flip\":"), quad), extensions);
 }
 
-void HistoryWriter::collide(const CollideEvent& event) {
+void HistoryWriter::collide(const CollideEvent& event, const Extensions& extensions) {
   if (event.i >= event.j || !well_formed(event, event.v) || !well_formed(event, event.p))
     throw std::logic_error("not a collision of a history");
   advance_to(event.t);
@@ -140,34 +149,35 @@ void HistoryWriter::collide(const CollideEvent& event) {
   char* out = put_kind(put_time(file_.room(max_written_line), event.t), event);
   if (event.v[1]) out = put_vectors(put_literal(out, ",\"v\":"), event.v);
   if (event.p[1]) out = put_vectors(put_literal(out, ",\"p\":"), event.p);
-  file_.advance(put_literal(out, "}\n"));
+  close_line(out, extensions);
 }
 
-void HistoryWriter::maneuver(const ManeuverEvent& event) {
+void HistoryWriter::maneuver(const ManeuverEvent& event, const Extensions& extensions) {
   advance_to(event.t);
   ++counts_.maneuvers;
   char* out = put_kind(put_time(file_.room(max_written_line), event.t), event);
   if (event.v) out = put_vector(put_literal(out, ",\"v\":"), event.v);
   if (event.p) out = put_vector(put_literal(out, ",\"p\":"), event.p);
-  file_.advance(put_literal(out, "}\n"));
+  close_line(out, extensions);
 }
 
-void HistoryWriter::write(const Event& event) {
-  if (const auto* f = std::get_if<FlipEvent>(&event)) return flip(f->t, f->quad);
-  if (const auto* c = std::get_if<CollideEvent>(&event)) return collide(*c);
-  maneuver(std::get<ManeuverEvent>(event));
+void HistoryWriter::write(const Event& event, const Extensions& extensions) {
+  if (const auto* f = std::get_if<FlipEvent>(&event)) return flip(f->t, f->quad, extensions);
+  if (const auto* c = std::get_if<CollideEvent>(&event)) return collide(*c, extensions);
+  maneuver(std::get<ManeuverEvent>(event), extensions);
 }
 
-void HistoryWriter::end() {
+void HistoryWriter::end(const Extensions& extensions) {
   require(State::open);
   state_ = State::ended;
   complete_ = true;
   file_.write("{\"end\":{\"t\":" + horizon_ + ",\"flips\":" + std::to_string(counts_.flips) +
-              ",\"collisions\":" + std::to_string(counts_.collisions) +
-              ",\"maneuvers\":" + std::to_string(counts_.maneuvers) + "}}\n");
+              ",\"collisions\":" + std::to_string(counts_.collisions) + ",\"maneuvers\":" +
+              std::to_string(counts_.maneuvers) + "}" + members_text(extensions) + "}\n");
 }
 
-void HistoryWriter::stopped(double t, const std::string& reason, const std::vector<Event>& events) {
+void HistoryWriter::stopped(double t, const std::string& reason, const std::vector<Event>& events,
+                            const Extensions& extensions) {
   advance_to(t);
   state_ = State::ended;
   file_.write("{\"stopped\":{\"t\":" + number_text(t) + ",\"reason\":" + string_text(reason) +
@@ -181,7 +191,7 @@ void HistoryWriter::stopped(double t, const std::string& reason, const std::vect
     out = std::visit([&](const auto& event) { return put_kind(out, event); }, events[i]);
     file_.advance(put_literal(out, "}"));
   }
-  file_.write("]}}\n");
+  file_.write("]}" + members_text(extensions) + "}\n");
 }
 
 void HistoryWriter::close() {
@@ -223,8 +233,8 @@ bool is_complete_history(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
   std::ifstream file(path, std::ios::binary);
-  // No last line that says so is longer, however its fields are set apart.
-  constexpr std::streamoff most = 1024;
+  // The last line, and the end of that before it.
+  constexpr std::streamoff most = static_cast<std::streamoff>(max_event_line) + 2;
   file.seekg(0, std::ios::end);
   const std::streamoff size = file.tellg();
   file.seekg(std::max<std::streamoff>(0, size - most));
@@ -232,8 +242,18 @@ bool is_complete_history(const std::string& path) {
   while (std::getline(file, line)) {
     if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
   }
-  std::erase_if(last, [](char c) { return c == ' ' || c == '\t'; });
-  return last.starts_with("{\"end\":");
+  bool complete = false;
+  try {
+    JsonReader json(last, path);
+    json.any_object([&](std::string_view name) {
+      complete |= name == "end";
+      json.any();
+      return true;
+    });
+  } catch (const InputError&) {
+    return false;
+  }
+  return complete;
 }
 
 void HistoryWriter::require(State state) const {

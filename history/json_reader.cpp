@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <set>
 #include <system_error>
 
 #include "history/error.h"
@@ -54,13 +55,26 @@ std::string_view JsonReader::any_member_name() {
   return name;
 }
 
-std::size_t JsonReader::member_name(const std::string_view* names, std::size_t count) {
+// The index of a member among `names`; `count` for an extension, whose value is read as well.
+std::size_t JsonReader::member_name(const std::string_view* names, std::size_t count,
+                                    Extensions* extensions) {
   const std::string_view name = any_member_name();
   for (std::size_t i = 0; i < count; ++i)
     if (name == names[i]) return i;
+  if (extensions != nullptr && is_extension(name)) {
+    extension(std::string(name), *extensions);
+    return count;
+  }
   const std::string unknown = printable(name);
   top().name = unknown;
   fail("unknown field");
+}
+
+void JsonReader::extension(std::string name, Extensions& extensions) {
+  const auto [place, fresh] = extensions.emplace(std::move(name), std::string());
+  top().name = place->first;
+  if (!fresh) fail("appears twice in one object");
+  place->second = compact_json(any());
 }
 
 std::string_view JsonReader::text() {
@@ -237,12 +251,15 @@ std::string_view JsonReader::any() {
   peek();
   const char* const start = next_;
   switch (peek()) {
-    case '{':
-      any_object([&](std::string_view) {
+    case '{': {
+      std::set<std::string> names;
+      any_object([&](std::string_view name) {
+        if (!names.emplace(name).second) fail("a field appears twice in one object");
         any();
         return true;
       });
       break;
+    }
     case '[':
       array([&](std::size_t) { any(); });
       break;
@@ -262,7 +279,7 @@ std::string_view JsonReader::any() {
     }
     default:
       if (next_ == end_ || (*next_ != '-' && !is_digit(*next_))) fail_expected("a value");
-      number_token();
+      number();
   }
   return {start, static_cast<std::size_t>(next_ - start)};
 }

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "exact/rational.h"
+#include "history/extensions.h"
 
 namespace voroproof::internal {
 
@@ -35,10 +36,10 @@ class JsonReader {
 
   // Reads an object whose keys are among `names`, which outlive the reader: on_member(index) must
   // read the value of names[index]. The keys of the bit set `required` must occur. Returns the bit
-  // set of the keys that did.
+  // set of the keys that did. With `extensions` there may be such fields besides, which go there.
   template <std::size_t N, class OnMember>
   std::uint32_t object(const std::array<std::string_view, N>& names, std::uint32_t required,
-                       OnMember&& on_member) {
+                       OnMember&& on_member, Extensions* extensions = nullptr) {
     static_assert(N <= 32);
     expect('{', "an object");
     const std::int64_t first_line = line_;
@@ -46,7 +47,8 @@ class JsonReader {
     std::uint32_t seen = 0;
     if (!accept('}')) {
       do {
-        const std::size_t index = member_name(names.data(), N);
+        const std::size_t index = member_name(names.data(), N, extensions);
+        if (index == N) continue;  // an extension, which has been read
         top().name = names[index];
         if (seen & bit(index)) fail("appears twice in one object");
         seen |= bit(index);
@@ -127,7 +129,8 @@ class JsonReader {
   bool array_is_next() { return peek() == '['; }
   bool text_is_next() { return peek() == '"'; }
 
-  // Reads any value and returns its text.
+  // Reads any value and returns its text. What holds of the formats' own values holds of it, too:
+  // no key occurs twice in one object, and numbers are binary64.
   std::string_view any();
 
   // Requires that nothing but white space is left.
@@ -165,7 +168,8 @@ class JsonReader {
   Step& top() { return path_[depth_ - 1]; }
 
   std::string_view any_member_name();
-  std::size_t member_name(const std::string_view* names, std::size_t count);
+  std::size_t member_name(const std::string_view* names, std::size_t count, Extensions* extensions);
+  void extension(std::string name, Extensions& extensions);
   std::string_view number_token();
   void escape();
   unsigned four_hex_digits();

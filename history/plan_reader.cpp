@@ -1,5 +1,6 @@
 #include "history/error.h"
 #include "history/file_bytes.h"
+#include "history/format_version.h"
 #include "history/json_reader.h"
 #include "history/plan_file.h"
 #include "history/scene_value.h"
@@ -25,7 +26,7 @@ class PlanReader {
           if (json_.text() != "voroproof-plan") json_.fail("not \"voroproof-plan\"");
           break;
         case version:
-          json_.integer(1, 1);
+          read_version(json_);
           break;
         case name:
           task_.name = json_.text();
@@ -120,7 +121,8 @@ class PlanReader {
 }  // namespace
 
 PlanTask parse_plan(std::string_view bytes, const std::string& file_name) {
-  return PlanReader(bytes, file_name).read();
+  return of_this_version(bytes, file_name, "voroproof-plan",
+                         [&] { return PlanReader(bytes, file_name).read(); });
 }
 
 PlanTask read_plan(const std::string& path) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "exact/motion_input.h"
+#include "history/extensions.h"
 
 namespace voroproof::internal {
 
@@ -36,6 +38,8 @@ struct Scene {
   std::vector<DiskInput> disks;
   std::vector<Maneuver> maneuvers;  // sorted by t
   std::string name, comment;
+  Extensions extensions;
+  std::map<std::size_t, Extensions> disk_extensions, maneuver_extensions;  // of those that have any
   std::optional<std::variant<std::string, Integer>> seed;
   std::string sha256;  // of the bytes that were read; empty for a scene that was not read
 };

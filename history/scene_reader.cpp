@@ -2,6 +2,7 @@
 
 #include "history/error.h"
 #include "history/file_bytes.h"
+#include "history/format_version.h"
 #include "history/json_reader.h"
 #include "history/placement.h"
 #include "history/scene.h"
@@ -36,45 +37,48 @@ class SceneReader {
         "restitution", "container_law", "horizon", "disks",   "maneuvers"};
     constexpr std::uint32_t required =
         bit(format) | bit(version) | bit(container) | bit(horizon) | bit(disks);
-    json_.object(names, required, [&](std::size_t member) {
-      switch (member) {
-        case format:
-          if (json_.text() != "voroproof-scene") json_.fail("not \"voroproof-scene\"");
-          break;
-        case version:
-          json_.integer(1, 1);
-          break;
-        case name:
-          scene_.name = json_.text();
-          break;
-        case comment:
-          scene_.comment = json_.text();
-          break;
-        case seed:
-          read_seed();
-          break;
-        case container:
-          read_container();
-          break;
-        case restitution:
-          scene_.restitution = value();
-          if (scene_.restitution < 0 || scene_.restitution > 1) json_.fail("not in [0, 1]");
-          break;
-        case law:
-          read_law();
-          break;
-        case horizon:
-          scene_.horizon = value();
-          if (scene_.horizon < 0) json_.fail("negative");
-          break;
-        case disks:
-          json_.array([&](std::size_t i) { read_disk(i); });
-          break;
-        case plan:
-          json_.array([&](std::size_t i) { read_maneuver(i); });
-          break;
-      }
-    });
+    json_.object(
+        names, required,
+        [&](std::size_t member) {
+          switch (member) {
+            case format:
+              if (json_.text() != "voroproof-scene") json_.fail("not \"voroproof-scene\"");
+              break;
+            case version:
+              read_version(json_);
+              break;
+            case name:
+              scene_.name = json_.text();
+              break;
+            case comment:
+              scene_.comment = json_.text();
+              break;
+            case seed:
+              read_seed();
+              break;
+            case container:
+              read_container();
+              break;
+            case restitution:
+              scene_.restitution = value();
+              if (scene_.restitution < 0 || scene_.restitution > 1) json_.fail("not in [0, 1]");
+              break;
+            case law:
+              read_law();
+              break;
+            case horizon:
+              scene_.horizon = value();
+              if (scene_.horizon < 0) json_.fail("negative");
+              break;
+            case disks:
+              json_.array([&](std::size_t i) { read_disk(i); });
+              break;
+            case plan:
+              json_.array([&](std::size_t i) { read_maneuver(i); });
+              break;
+          }
+        },
+        &scene_.extensions);
     json_.finish();
     check_masses();
     check_maneuvers();
@@ -141,10 +145,12 @@ class SceneReader {
     static constexpr std::array<std::string_view, 4> names = {"center", "radius", "velocity",
                                                               "mass"};
     DiskInput disk;
+    Extensions extensions;
     json_.array_is_next();  // moves to the value, for its line
     disk_lines_.push_back(json_.line());
-    const std::uint32_t seen =
-        json_.object(names, bit(center) | bit(radius) | bit(velocity), [&](std::size_t member) {
+    const std::uint32_t seen = json_.object(
+        names, bit(center) | bit(radius) | bit(velocity),
+        [&](std::size_t member) {
           switch (member) {
             case center:
               read_pair(disk.x, disk.y);
@@ -159,7 +165,9 @@ class SceneReader {
               disk.mass = value();
               if (sgn(disk.mass) <= 0) json_.fail("not positive");
           }
-        });
+        },
+        &extensions);
+    if (!extensions.empty()) scene_.disk_extensions.emplace(index, std::move(extensions));
     if (!(seen & bit(mass))) disk.mass = square(disk.radius);
     scene_.disks.push_back(std::move(disk));
   }
@@ -170,22 +178,27 @@ class SceneReader {
     enum { t, disk, velocity };
     static constexpr std::array<std::string_view, 3> names = {"t", "disk", "velocity"};
     Maneuver maneuver;
-    json_.object(names, bit(t) | bit(disk) | bit(velocity), [&](std::size_t member) {
-      switch (member) {
-        case t:
-          maneuver.t = value();
-          if (maneuver.t < 0) json_.fail("negative");
-          if (!scene_.maneuvers.empty() && maneuver.t < scene_.maneuvers.back().t)
-            json_.fail("earlier than the maneuver before it");
-          break;
-        case disk:
-          maneuver.disk = static_cast<int>(json_.integer(0, max_disks - 1));
-          maneuver_lines_.push_back(json_.line());
-          break;
-        case velocity:
-          read_pair(maneuver.vx, maneuver.vy);
-      }
-    });
+    Extensions extensions;
+    json_.object(
+        names, bit(t) | bit(disk) | bit(velocity),
+        [&](std::size_t member) {
+          switch (member) {
+            case t:
+              maneuver.t = value();
+              if (maneuver.t < 0) json_.fail("negative");
+              if (!scene_.maneuvers.empty() && maneuver.t < scene_.maneuvers.back().t)
+                json_.fail("earlier than the maneuver before it");
+              break;
+            case disk:
+              maneuver.disk = static_cast<int>(json_.integer(0, max_disks - 1));
+              maneuver_lines_.push_back(json_.line());
+              break;
+            case velocity:
+              read_pair(maneuver.vx, maneuver.vy);
+          }
+        },
+        &extensions);
+    if (!extensions.empty()) scene_.maneuver_extensions.emplace(index, std::move(extensions));
     scene_.maneuvers.push_back(std::move(maneuver));
   }
 
@@ -225,7 +238,8 @@ class SceneReader {
 }  // namespace
 
 Scene parse_scene(std::string_view bytes, const std::string& file_name) {
-  Scene scene = SceneReader(bytes, file_name).read();
+  Scene scene = of_this_version(bytes, file_name, "voroproof-scene",
+                                [&] { return SceneReader(bytes, file_name).read(); });
   scene.sha256 = sha256_hex(bytes);
   return scene;
 }

@@ -15,6 +15,12 @@ std::string seed_text(const std::variant<std::string, Integer>& seed) {
   return std::get<Integer>(seed).get_str();
 }
 
+// Those of the disk or maneuver of that index, as members of its object.
+std::string members_of(const std::map<std::size_t, Extensions>& extensions, std::size_t index) {
+  const auto found = extensions.find(index);
+  return found == extensions.end() ? std::string() : members_text(found->second, true);
+}
+
 // A disk of radius 0 has no default mass; a lone one may have none at all.
 bool has_default_mass(const DiskInput& disk) { return disk.mass == square(disk.radius); }
 
@@ -35,24 +41,31 @@ void write_scene(std::ostream& out, const Scene& scene) {
       << " \"horizon\": " << number_text(scene.horizon) << ",\n"
       << " \"disks\": [";
   const char* separator = "\n  ";
-  for (const DiskInput& disk : scene.disks) {
+  for (std::size_t i = 0; i < scene.disks.size(); ++i) {
+    const DiskInput& disk = scene.disks[i];
     out << separator << "{\"center\": " << pair_text(disk.x, disk.y)
         << ", \"radius\": " << number_text(disk.radius)
         << ", \"velocity\": " << pair_text(disk.vx, disk.vy);
     if (!has_default_mass(disk)) out << ", \"mass\": " << number_text(disk.mass);
-    out << '}';
+    out << members_of(scene.disk_extensions, i) << '}';
     separator = ",\n  ";
   }
   out << ']';
   if (!scene.maneuvers.empty()) {
     out << ",\n \"maneuvers\": [";
     separator = "\n  ";
-    for (const Maneuver& maneuver : scene.maneuvers) {
+    for (std::size_t i = 0; i < scene.maneuvers.size(); ++i) {
+      const Maneuver& maneuver = scene.maneuvers[i];
       out << separator << "{\"t\": " << number_text(maneuver.t) << ", \"disk\": " << maneuver.disk
-          << ", \"velocity\": " << pair_text(maneuver.vx, maneuver.vy) << '}';
+          << ", \"velocity\": " << pair_text(maneuver.vx, maneuver.vy)
+          << members_of(scene.maneuver_extensions, i) << '}';
       separator = ",\n  ";
     }
     out << ']';
+  }
+  if (!scene.extensions.empty()) {
+    // On a line of their own, as all members of the scene.
+    out << ",\n" << members_text(scene.extensions, true).substr(1);
   }
   out << "}\n";
 }

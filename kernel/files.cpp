@@ -55,19 +55,26 @@ Json parse(const char* begin, const char* end) {
 
 using Names = std::initializer_list<const char*>;
 
-// Requires that an object has all fields of the first list, and of others only those of the second.
-void expect_fields(const Json& object, Names required, Names optional = {}) {
+// Requires that an object has all fields of the first list, and of others only those of the second
+// and, where it may have them, extensions.
+void expect_fields(const Json& object, Names required, Names optional = {},
+                   bool extensible = true) {
   std::size_t known = required.size();
   for (const char* name : required) {
     if (!object.contains(name)) invalid(std::string("the field '") + name + "' is missing");
   }
   for (const char* name : optional) known += object.contains(name);
+  for (const auto& [name, value] : object.items()) known += extensible && name.starts_with("x-");
   if (known != object.size()) invalid("an unknown field");
 }
 
+// Before the other fields: a newer version may have some that are not known here.
 void expect_format(const Json& object, const char* format) {
-  const bool right = object["format"] == format && object["version"].is_number_integer();
-  if (!right || object["version"] != 1) invalid("another format or version");
+  const Json version = object.value("version", Json());
+  if (object.value("format", Json()) != format || !version.is_number_integer())
+    invalid("another format or version");
+  if (version > 1) invalid("of version " + version.dump() + "; this program reads version 1");
+  if (version != 1) invalid("another format or version");
 }
 
 const std::string& string_of(const Json& json) {
@@ -157,8 +164,8 @@ Claim read_claim(const Json& json, int n) {
 }
 
 void read_header(const Json& json, int n, History& history) {
-  expect_fields(json, {"format", "version", "scene_sha256", "horizon", "producer"}, {"initial"});
   expect_format(json, "voroproof-history");
+  expect_fields(json, {"format", "version", "scene_sha256", "horizon", "producer"}, {"initial"});
   string_of(json["producer"]);
   history.scene_sha256 = string_of(json["scene_sha256"]);
   history.horizon = history_number(json["horizon"]);
@@ -173,12 +180,12 @@ void read_last(const Json& json, History& history) {
   expect_fields(json, {history.stopped ? "stopped" : "end"});
   const Json& last = history.stopped ? json["stopped"] : json["end"];
   if (history.stopped) {
-    expect_fields(last, {"t", "reason"}, {"events"});
+    expect_fields(last, {"t", "reason"}, {"events"}, false);
     string_of(last["reason"]);
     return;
   }
   const char* names[] = {"flips", "collisions", "maneuvers"};
-  expect_fields(last, {"t", names[0], names[1], names[2]});
+  expect_fields(last, {"t", names[0], names[1], names[2]}, {}, false);
   const Rat t = history_number(last["t"]);
   if (t != history.horizon && t != nearest_binary64(history.horizon)) invalid("t of the last line");
   for (int k = 0; k < 3; ++k) history.ended[k] = whole(last[names[k]], 0, INT64_MAX);
@@ -227,13 +234,14 @@ std::string name(const Quad& q) {
 
 Scene read_scene(const std::string& text) {
   const Json json = parse(text.data(), text.data() + text.size());
+  if (!json.is_object()) invalid("not a JSON object");
+  expect_format(json, "voroproof-scene");
   expect_fields(json, {"format", "version", "container", "horizon", "disks"},
                 {"name", "comment", "seed", "container_law", "restitution", "maneuvers"});
-  expect_format(json, "voroproof-scene");
   for (const char* word : {"name", "comment"}) string_of(json.value(word, Json("")));
   if (const Json seed = json.value("seed", Json(0)); !seed.is_number_integer()) string_of(seed);
   const Json& wall = json["container"];
-  expect_fields(wall, {"center", "radius"}, {"restitution"});
+  expect_fields(wall, {"center", "radius"}, {"restitution"}, false);
   Scene scene;
   scene.center = vec(wall["center"], scene_number);
   scene.radius = scene_number(wall["radius"]);

@@ -15,6 +15,7 @@ voroproof::Diagram diagram_value(const DiagramFile& file) {
   out.scene_sha256 = file.scene_sha256;
   out.container_center = file.container_center;
   out.container_radius = file.container_radius;
+  out.extensions = file.extensions;
   for (const DiagramDisk& d : file.disks) out.disks.push_back({d.center, d.velocity, d.radius});
   for (const DiagramVertex& v : file.vertices) {
     out.vertices.push_back({v.generators, v.center, v.radius});
@@ -30,6 +31,7 @@ DiagramFile diagram_file(const voroproof::Diagram& diagram) {
   file.scene_sha256 = diagram.scene_sha256;
   file.container_center = diagram.container_center;
   file.container_radius = diagram.container_radius;
+  file.extensions = diagram.extensions;
   for (const PlacedDisk& d : diagram.disks) file.disks.push_back({d.center, d.radius, d.velocity});
   for (const Vertex& v : diagram.vertices) {
     file.vertices.push_back({v.generators, v.center, v.radius});

@@ -35,6 +35,7 @@ class MemoryHistory final : public HistorySource {
     header_.scene_sha256 = history.scene_sha256;
     header_.horizon = rational(history.horizon);
     header_.producer = history.producer;
+    header_.extensions = history.extensions;
     if (header_.horizon < 0) fail(1, "horizon", "negative");
     horizon_ = round_nearest(header_.horizon);
     if (history.initial) read_initial(*history.initial);
@@ -212,6 +213,7 @@ History read_history(const std::string& path) {
     out.scene_sha256 = reader.header().scene_sha256;
     out.horizon = internal::number(reader.header().horizon);
     out.producer = reader.header().producer;
+    out.extensions = reader.header().extensions;
     if (reader.header().initial) {
       out.initial.emplace();
       for (const internal::Quad& q : *reader.header().initial) {
@@ -219,17 +221,21 @@ History read_history(const std::string& path) {
       }
     }
     while (const auto event = reader.next()) {
+      if (!reader.extensions().empty()) {
+        out.event_extensions.emplace(out.events.size(), reader.extensions());
+      }
       out.events.push_back(internal::event_value(*event));
       out.rounded += internal::is_rounded(*event);
     }
     if (const auto* stop = std::get_if<internal::HistoryStop>(&reader.ending())) {
-      out.ending = {false, stop->t, stop->reason};
+      out.ending = {false, stop->t, stop->reason, {}};
     } else {
       if (!reader.counts_match()) {
         throw internal::InputError(path, reader.line(), "end", "wrong counts of events");
       }
-      out.ending = {true, out.horizon.nearest(), {}};
+      out.ending = {true, out.horizon.nearest(), {}, {}};
     }
+    out.ending.extensions = reader.extensions();
     return out;
   });
 }
@@ -239,11 +245,16 @@ void write_history(const std::string& path, const History& history) {
     const auto source = internal::memory_history(history, internal::max_disks);
     internal::HistoryWriter writer(path);
     writer.header(source->header());
-    while (const auto event = source->next()) writer.write(*event);
-    if (history.ending.complete) {
-      writer.end();
+    for (std::size_t k = 0; const auto event = source->next(); ++k) {
+      const auto extended = history.event_extensions.find(k);
+      writer.write(*event,
+                   extended == history.event_extensions.end() ? Extensions{} : extended->second);
+    }
+    const Ending& ending = history.ending;
+    if (ending.complete) {
+      writer.end(ending.extensions);
     } else {
-      writer.stopped(history.ending.t, history.ending.reason, {});
+      writer.stopped(ending.t, ending.reason, {}, ending.extensions);
     }
     writer.close();
   });

@@ -39,6 +39,9 @@ Scene unchecked(const voroproof::Scene& scene) {
   out.horizon = rational(scene.horizon);
   out.name = scene.name;
   out.comment = scene.comment;
+  out.extensions = scene.extensions;
+  out.disk_extensions = scene.disk_extensions;
+  out.maneuver_extensions = scene.maneuver_extensions;
   out.disks.reserve(scene.disks.size());
   for (const voroproof::Disk& disk : scene.disks) out.disks.push_back(disk_of(disk));
   for (const voroproof::Maneuver& m : scene.maneuvers) {
@@ -76,6 +79,9 @@ voroproof::Scene scene_value(const Scene& scene) {
   out.horizon = number(scene.horizon);
   out.name = scene.name;
   out.comment = scene.comment;
+  out.extensions = scene.extensions;
+  out.disk_extensions = scene.disk_extensions;
+  out.maneuver_extensions = scene.maneuver_extensions;
   out.disks.reserve(scene.disks.size());
   for (const DiskInput& disk : scene.disks) {
     voroproof::Disk& to = out.disks.emplace_back();

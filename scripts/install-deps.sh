@@ -25,7 +25,7 @@ packages=(
 )
 for group in "$@"; do
   case "$group" in
-    test) packages+=(libgtest-dev librapidcheck-dev python3) ;;
+    test) packages+=(libgtest-dev librapidcheck-dev python3 python3-jsonschema) ;;
     bench) packages+=(libbenchmark-dev libmpfi-dev) ;;
     plots) packages+=(python3-matplotlib) ;;
     ci) packages+=(clang clang-format valgrind doxygen) ;;

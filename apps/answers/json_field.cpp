@@ -6,6 +6,7 @@
 #include "exact/rational.h"
 #include "history/error.h"
 #include "history/file_bytes.h"
+#include "history/format_version.h"
 #include "history/validate.h"
 
 namespace voroproof::internal {
@@ -83,8 +84,11 @@ Json read_report(const std::string& path, const std::string& format, std::size_t
   } catch (const Json::exception&) {  // a number beyond binary64
     throw InputError(path, 0, "", "a number out of range");
   }
-  if (JsonField(report, path)["version"].json() != 1) {
-    throw InputError(path, 0, "version", "not 1");
+  const JsonField version = JsonField(report, path)["version"];
+  if (const std::int64_t number = version.integer(); number > format_version) {
+    version.fail(newer_version(number));
+  } else if (number != format_version) {
+    version.fail("not " + std::to_string(format_version));
   }
   return report;
 }

@@ -74,6 +74,9 @@ void scene_to_disks(const Request& request) {
   }
   write_text(request.output, text.str());
   if (!scene.maneuvers.empty()) std::cout << "the maneuvers are left out: a disk file has none\n";
+  if (!(scene.extensions.empty() && scene.disk_extensions.empty())) {
+    std::cout << "the extensions are left out: a disk file has none\n";
+  }
 }
 
 void require_scene(const Request& request) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "voroproof/export.h"
+#include "voroproof/extensions.h"
 #include "voroproof/history.h"
 #include "voroproof/number.h"
 #include "voroproof/scene.h"
@@ -35,6 +36,7 @@ struct Diagram {
   std::vector<PlacedDisk> disks;
   std::vector<Vertex> vertices;  // sorted by generators
   std::vector<Edge> edges;       // canonical and sorted
+  Extensions extensions;
 };
 
 // The diagram just after all events at t >= 0, by the engine; t may lie beyond the scene's horizon.

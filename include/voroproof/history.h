@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "voroproof/export.h"
+#include "voroproof/extensions.h"
 #include "voroproof/number.h"
 #include "voroproof/scene.h"
 
@@ -57,8 +59,9 @@ VOROPROOF_API double time(const Event& event);
 // How a history ends: it covers the whole horizon, or is right before t only.
 struct Ending {
   bool complete = true;
-  double t = 0;        // the horizon, rounded, of a complete one
-  std::string reason;  // why it stopped
+  double t = 0;             // the horizon, rounded, of a complete one
+  std::string reason;       // why it stopped
+  Extensions extensions{};  // of the last line
 };
 
 struct History {
@@ -71,6 +74,8 @@ struct History {
   // Events of a file that states numbers exactly (as text) which are no binary64: here they are
   // rounded. certify_files() judges the file itself.
   std::int64_t rounded = 0;
+  Extensions extensions{};                             // of the header
+  std::map<std::size_t, Extensions> event_extensions;  // by index, of the events that have any
 };
 
 // Reads a history file. Throws InputError.

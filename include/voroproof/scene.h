@@ -1,12 +1,14 @@
 // Scenes: disks in a circular container, and what is to happen to them.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "voroproof/export.h"
+#include "voroproof/extensions.h"
 #include "voroproof/number.h"
 
 namespace voroproof {
@@ -42,6 +44,9 @@ struct Scene {
   std::vector<Disk> disks;
   std::vector<Maneuver> maneuvers;  // sorted by t
   std::string name, comment;
+  Extensions extensions;
+  // By index, of the disks and maneuvers that have any.
+  std::map<std::size_t, Extensions> disk_extensions, maneuver_extensions;
 
   // Histories name their scene by the SHA-256 of its file. read_scene() notes the hash of the bytes
   // and that of the values read, so that a scene which was changed since has another identity.

@@ -4,6 +4,7 @@
 #include "voroproof/certify.h"
 #include "voroproof/diagram.h"
 #include "voroproof/error.h"
+#include "voroproof/extensions.h"
 #include "voroproof/generators.h"
 #include "voroproof/history.h"
 #include "voroproof/number.h"

@@ -135,6 +135,32 @@ TEST(KernelFiles, Histories) {
   EXPECT_TRUE(refused([] { read_history(history(kEnd, "2"), 2); }));
 }
 
+TEST(KernelFiles, Extensions) {
+  EXPECT_EQ(read_scene(changed("\"horizon\"", "\"x-a\":[1],\"horizon\"")).disks.size(), 2u);
+  EXPECT_EQ(read_scene(changed("\"radius\": 1,", "\"x-a\":{\"b\":2},\"radius\":1,")).disks.size(),
+            2u);
+  for (const char* bad : {"\"y-a\":1,", "\"x-a\":1,\"x-a\":2,", "\"x-a\":{\"b\":1,\"b\":2},"}) {
+    EXPECT_TRUE(
+        refused([&] { read_scene(changed("\"horizon\"", bad + std::string("\"horizon\""))); }));
+  }
+  EXPECT_TRUE(refused([] { read_scene(changed("\"radius\": 10", "\"radius\":10,\"x-a\":1")); }));
+  const std::string flip = "{\"x-b\":1,\"t\":1,\"flip\":[0,1,-1,-1],\"x-a\":null}\n";
+  const std::string end = kEnd.substr(0, kEnd.size() - 1);
+  EXPECT_EQ(read_history(history(flip + end + ",\"x-a\":0}"), 2).claims.size(), 1u);
+  EXPECT_TRUE(
+      refused([&] { read_history(history(end.substr(0, end.size() - 1) + ",\"x-a\":0}}"), 2); }));
+}
+
+TEST(KernelFiles, ANewerFileIsToldAsSuch) {
+  try {
+    read_scene("{\"format\":\"voroproof-scene\",\"walls\":[],\"version\":2}");
+    FAIL();
+  } catch (const Stop& stop) {
+    EXPECT_EQ(stop.verdict, Verdict::invalid);
+    EXPECT_EQ(stop.reason, "of version 2; this program reads version 1");
+  }
+}
+
 TEST(KernelFiles, VerdictsOnBadInput) {
   EXPECT_EQ(check("", "", {}).verdict, Verdict::invalid);
   EXPECT_EQ(check(kScene, history(kEnd) + "x", {}).verdict, Verdict::invalid);

@@ -314,6 +314,40 @@ TEST(LibraryPlan, TwoThatWouldMeet) {
   EXPECT_THROW(make_plan(task), InputError);
 }
 
+TEST_F(LibraryFiles, ExtensionsAreKept) {
+  Scene scene = two_disks();
+  scene.extensions["x-of-scene"] = R"({"a": [1, 2]})";
+  scene.disk_extensions[1]["x-of-disk"] = "\"red\"";
+  write_scene(file("x.json"), scene);
+  Scene back = read_scene(file("x.json"));
+  EXPECT_EQ(back.extensions.at("x-of-scene"), R"({"a":[1,2]})");
+  EXPECT_EQ(back.disk_extensions, scene.disk_extensions);
+
+  History history = simulate(back);
+  ASSERT_FALSE(history.events.empty());
+  history.extensions["x-of-header"] = "1";
+  history.event_extensions[0]["x-of-event"] = "2";
+  history.ending.extensions["x-of-end"] = "3";
+  write_history(file("x.jsonl"), history);
+  const History again = read_history(file("x.jsonl"));
+  EXPECT_EQ(again.extensions, history.extensions);
+  EXPECT_EQ(again.event_extensions, history.event_extensions);
+  EXPECT_EQ(again.ending.extensions, history.ending.extensions);
+  EXPECT_EQ(certify(back, again).verdict, Verdict::certified);
+
+  Diagram diagram = diagram_at(back, 1);
+  diagram.extensions["x-of-diagram"] = "4";
+  write_diagram(file("x.diagram.json"), diagram);
+  EXPECT_EQ(read_diagram(file("x.diagram.json")).extensions, diagram.extensions);
+
+  // They are ignored, but a part of the scene's identity; and nothing but a field of its own.
+  const std::string hash = scene_sha256(back);
+  back.extensions.clear();
+  EXPECT_NE(scene_sha256(back), hash);
+  back.extensions["x-a"] = R"(1, "comment": "mine")";
+  EXPECT_THROW(write_scene(file("y.json"), back), InputError);
+}
+
 TEST(LibraryGenerators, RefuseWhatHasNoMeaning) {
   ReferenceOptions options;
   options.n = -1;

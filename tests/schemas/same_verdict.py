@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+"""That the schemas and `voroproof validate` agree.
+
+Takes one small file of each format that `validate` knows, changes it at each place in each of some
+ways, and has both judge the result. A schema may accept what `validate` refuses for a reason that no
+schema can say; these are listed, docs/formats.md lists them, too, and each must occur. A schema never
+refuses what `validate` accepts.
+
+usage: same_verdict.py PROGRAM
+"""
+
+import copy
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+try:
+    from schemas import Files
+except ImportError as error:
+    print(f"skipped: {error}")
+    sys.exit(77)
+
+FILES = {
+    "scene.json": [{
+        "format": "voroproof-scene", "version": 1, "name": "n", "comment": "c", "seed": 1,
+        "container": {"center": [0, 0], "radius": 20, "restitution": 0.5},
+        "container_law": "whole", "restitution": "1/2", "horizon": 10,
+        "disks": [{"center": [1, "1/3"], "radius": 2, "velocity": [1, 0], "mass": 3},
+                  {"center": [-9, 0], "radius": 1, "velocity": [0, "-0.5"]}],
+        "maneuvers": [{"t": 1, "disk": 0, "velocity": [0, 1]},
+                      {"t": "3/2", "disk": 1, "velocity": [1, 0]}]}],
+    "history.jsonl": [
+        {"format": "voroproof-history", "version": 1, "scene_sha256": "0a" * 32, "horizon": 10,
+         "producer": "p 1", "initial": [[-1, 0, 1, 1], [-1, 1, 0, 0], [0, 1, -1, -1]]},
+        {"t": 1, "flip": [-1, 0, 1, 2]},
+        {"t": "3/2", "collide": [0, 1], "v": [[1, 2], [3, 4]], "p": [[5, "1/3"], [7, 8]]},
+        {"t": 2, "collide": [-1, 1], "v": [None, [1, 0]], "p": [None, [5, 6]]},
+        {"t": 3, "maneuver": 1, "v": [1, 0], "p": [7, 8]},
+        {"end": {"t": 10, "flips": 1, "collisions": 2, "maneuvers": 1}}],
+    "stopped.jsonl": [
+        {"format": "voroproof-history", "version": 1, "scene_sha256": "0A" * 32, "horizon": "1/3",
+         "producer": ""},
+        {"stopped": {"t": 0.25, "reason": "r", "events": [{"collide": [0, 1]}]}}],
+    "diagram.json": [{
+        "format": "voroproof-diagram", "version": 1, "t": "1/3", "scene_sha256": "0a" * 32,
+        "container": {"center": [0, 0], "radius": 20},
+        "disks": [{"center": [1, 0], "radius": 2, "velocity": [1, 0]},
+                  {"center": [-9, 0], "radius": 1, "velocity": [0, 0]}],
+        "vertices": [{"generators": [-1, 0, 1], "center": [3, 9], "radius": 9.5},
+                     {"generators": [-1, 1, 0], "center": [3, -9], "radius": 9.5}],
+        "edges": [[-1, 0, 1, 1], [-1, 1, 0, 0], [0, 1, -1, -1]]}],
+    "plan.json": [{
+        "format": "voroproof-plan", "version": 1, "name": "n",
+        "container": {"center": [0, 0], "radius": 50}, "arrive": 10, "clearance": "1/3",
+        "vehicles": [{"id": 0, "radius": 1, "start": [-10, 0], "goal": [10, 0]},
+                     {"id": 1, "radius": 1, "start": [0, -10], "goal": ["1/3", 10]}]}],
+}
+
+# Of each: what `validate` says, and nothing of this kind can a schema say.
+UNSAYABLE = {
+    "an order of values": ["earlier than", "the smaller first", "listed by id"],
+    "a bound that is another value": ["beyond the horizon", "not the horizon", "no such disk"],
+    "generators that differ": ["names no edge"],
+    "an edge twice, under either name": ["names an edge twice"],
+    "counts and the way in which parts belong together": [
+        "wrong counts", " disks", "which is no vertex", "like another before it",
+        "a vertex of the same name", "second maneuver"],
+    "geometry": ["overlap", "container", "contains", "no default"],
+    "the size of an exact string": ["not in [0, 1", "not in (0, 1]", "beyond the limits of a scene"],
+    "the size of a number where any value may stand": ["beyond the range of binary64"],
+    "a number's form": ["not an integer"],
+}
+
+VALUES = [None, "abc", "-1/3", "-0", "1/0", "0x1.8p-3", "1e200", "1e401", -1, 2.0, 0.5, 1e101, 1e-101, [], {}, 10**400]
+
+# What no change of one place makes: the file, the line, the place there and its new value.
+OTHERS = [
+    ("history.jsonl", 0, ("initial",), [[-1, 0, 1, 1], [0, -1, 1, 1]]),
+    ("history.jsonl", 5, ("end", "flips"), 2),
+    ("diagram.json", 0, ("edges",), [[-1, 0, 1, 1], [-1, 0, 1, 1], [0, 1, -1, -1]]),
+    ("scene.json", 0, ("disks",), [{"center": [0, 0], "radius": 0, "velocity": [0, 0]},
+                                   {"center": [5, 0], "radius": 1, "velocity": [0, 0]}]),
+    ("scene.json", 0, ("maneuvers",), [{"t": 1, "disk": 0, "velocity": [0, 1]}] * 2),
+]
+
+# Of a message what comes before the reason: file, line and field.
+REASON = re.compile(r"^.*?\.jsonl?(:\d+)?: ([^ :]*: )?")
+
+
+def places(value, path=()):
+    """Every place in a JSON document, as the keys that lead to it."""
+    yield path
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, inner in items:
+        yield from places(inner, path + (key,))
+
+
+def at(document, path):
+    for key in path:
+        document = document[key]
+    return document
+
+
+def changes(document):
+    """(what was changed, changed document), for one JSON document."""
+    for path in places(document):
+        here = at(document, path)
+        if path:
+            for value in VALUES:
+                changed = copy.deepcopy(document)
+                at(changed, path[:-1])[path[-1]] = value
+                yield f"{path} = {str(value)[:20]}", changed
+            changed = copy.deepcopy(document)
+            del at(changed, path[:-1])[path[-1]]
+            yield f"{path} left out", changed
+        if isinstance(here, dict):
+            for name in ("foo", "x-foo"):
+                changed = copy.deepcopy(document)
+                at(changed, path)[name] = {"a": [1]}
+                yield f"{path} with {name}", changed
+        if isinstance(here, list) and here:
+            changed = copy.deepcopy(document)
+            at(changed, path).append(here[-1])
+            yield f"{path} with its last element twice", changed
+
+
+def texts(name, documents):
+    """(what was changed, text of the file), of each document with one change."""
+    lines = [json.dumps(document) for document in documents]
+    yield "as it is", "\n".join(lines) + "\n"
+    for index, document in enumerate(documents):
+        for what, changed in changes(document):
+            rest = lines[:index] + [json.dumps(changed)] + lines[index + 1:]
+            yield f"line {index + 1}: {what}", "\n".join(rest) + "\n"
+    for _, index, path, value in (other for other in OTHERS if other[0] == name):
+        changed = copy.deepcopy(documents)
+        at(changed[index], path[:-1])[path[-1]] = value
+        yield f"{path} = {value}", "".join(json.dumps(line) + "\n" for line in changed)
+
+
+def main():
+    program = sys.argv[1]
+    files = Files()
+    failed, judged = 0, 0
+    seen = set()
+    with tempfile.TemporaryDirectory() as folder:
+        for name, documents in FILES.items():
+            path = pathlib.Path(folder) / name
+            for what, text in texts(name, documents):
+                path.write_text(text)
+                run = subprocess.run([program, "validate", path], capture_output=True, text=True)
+                fault = files.fault(text)
+                said = REASON.sub("", run.stderr.strip())
+                judged += 1
+                if run.returncode not in (0, 2) or (run.returncode == 0 and fault is not None):
+                    print(f"{name}: {what}: validate: {run.returncode} {said}; schema: {fault}")
+                    failed += 1
+                elif what == "as it is" and fault is not None:
+                    failed += 1
+                elif run.returncode == 2 and fault is None:
+                    kinds = [kind for kind, phrases in UNSAYABLE.items() if any(p in said for p in phrases)]
+                    seen.update(kinds)
+                    if not kinds:
+                        print(f"{name}: {what}: only validate refuses it: {said}")
+                        failed += 1
+    for kind in UNSAYABLE.keys() - seen:
+        print(f"no schema fails to say: {kind}")
+        failed += 1
+    print(f"{judged} files judged, {failed} otherwise by the schemas")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""That all JSON which the program writes, and all of corpus/, is of the schemas.
+
+Fields that a schema does not describe are errors here, though readers are to pass over new fields of
+reports: so no field is without a description. Each format must be written at least once.
+
+usage: written.py PROGRAM EXAMPLE      (build/voroproof, build/plain-double)
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+try:
+    from schemas import NAMES, Files
+except ImportError as error:
+    print(f"skipped: {error}")
+    sys.exit(77)
+
+CORPUS = pathlib.Path(__file__).resolve().parents[2] / "corpus"
+
+# Two starts too near each other, and two that nobody separates: reports without a plan.
+CROWDED = {"format": "voroproof-plan", "version": 1, "container": {"center": [0, 0], "radius": 50},
+           "arrive": 10, "vehicles": [{"id": 0, "radius": 1, "start": [0, 0], "goal": [10, 0]},
+                                      {"id": 1, "radius": 1, "start": [1, 0], "goal": [0, 10]}]}
+
+QUERIES = ["nearest --at 5 --point 1 -2", "neighbours --at 5 --disk 1", "closest --at 5", "offset --at 5 --probe 1",
+           "voids --at 5 --probe 1", "critical --at 5"]
+QUERIES_OVER = ["neighbours-over --disk 1", "gap-over --pair 0 1", "closest-over", "tunnel --pair 0 1 --probe 1",
+                "void --vertex -1 0 1 --probe 1/8", "voids-over --probe 1"]
+
+
+def run(folder, program, *arguments):
+    """Runs the program; any exit code that a verdict has is right."""
+    done = subprocess.run([program, *arguments], cwd=folder, capture_output=True, text=True)
+    assert done.returncode in (0, 1, 3), f"{arguments}: {done.returncode}: {done.stderr}"
+
+
+def write_some(folder, program, example):
+    """One file of each kind, and more of those that have several forms."""
+    go = lambda line, *more: run(folder, program, *line.split(), *more)
+    go("generate reference --n 12 --seed 3 --horizon 20 -o a.scene.json")
+    go("simulate a.scene.json -o a.history.jsonl --stats a.stats.json")
+    go("simulate a.scene.json -o b.history.jsonl --stats b.stats.json --max-events 5")
+    go("certify a.scene.json a.history.jsonl --report a.report.json --kernel")
+    go("certify a.scene.json b.history.jsonl --truth recorded --report b.report.json")
+    go("snapshot a.scene.json a.history.jsonl --at 1/3 -o a.diagram.json")
+    for queries, of in ((QUERIES, "a.scene.json"), (QUERIES_OVER, "a.scene.json a.history.jsonl")):
+        for query in queries:
+            name, _, options = query.partition(" ")
+            go(f"query {name} {of} {options} -o {name}.answer.json")
+    go("plan --preset five -o p.scene.json --report p.plan.json")
+    (folder / "crowded.json").write_text(json.dumps(CROWDED))
+    go("plan crowded.json -o q.scene.json --report q.plan.json")
+    go("experiment speed --scale 0.01 --members 1 --horizon 5 -o e.experiment.json")
+    go("corpus run --family few --json own.corpus.json")
+    go("corpus run --family few --json their.corpus.json --against", f"'{example}' {{scene}} {{history}}")
+    for line in (CORPUS / "cases.txt").read_text().splitlines():
+        if line.startswith(("refuted/", "undecided/")):
+            file, scene, truth, _, options = line.split("\t")
+            report = f"{pathlib.Path(file).stem}.{truth}.report.json"
+            go(f"certify {CORPUS}/scenes/{scene}.scene.json {CORPUS / file} --truth {truth} --report {report}",
+               *([] if options == "-" else options.split()))
+
+
+def main():
+    program, example = (str(pathlib.Path(argument).resolve()) for argument in sys.argv[1:])
+    files = Files(strangers=False)
+    failed, formats = 0, set()
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        write_some(folder, program, example)
+        paths = [*folder.glob("*.json"), *folder.glob("*.jsonl"), *CORPUS.glob("scenes/*.json"),
+                 *CORPUS.glob("certified/*.jsonl"), *CORPUS.glob("refuted/*.jsonl"),
+                 *CORPUS.glob("undecided/*.jsonl"), *CORPUS.glob("cases/*/*/case.json"),
+                 *CORPUS.glob("cases/few/*/*.json*")]
+        for path in sorted(paths):
+            text = path.read_text()
+            formats.add(json.loads(text if path.suffix == ".json" else text.splitlines()[0])["format"])
+            fault = files.fault(text)
+            if fault is not None:
+                print(f"{path.name}: {fault}")
+                failed += 1
+    for missing in {f"voroproof-{name}" for name in NAMES} - formats:
+        print(f"nothing of the format {missing} was written")
+        failed += 1
+    print(f"{len(paths)} files, {failed} not of their schemas")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
