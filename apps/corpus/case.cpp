@@ -6,6 +6,7 @@
 #include "certify/certificate.h"
 #include "history/error.h"
 #include "history/file_bytes.h"
+#include "history/format_version.h"
 #include "history/json_reader.h"
 
 namespace voroproof::internal {
@@ -73,7 +74,7 @@ CorpusCase read_case(const fs::path& folder) {
         read_word(json, formats);
         break;
       case 1:
-        json.integer(1, 1);
+        read_version(json);
         break;
       case 2:
         read.name = json.text();
@@ -162,9 +163,14 @@ std::string corpus_beside_program() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return {};
-  for (const char* place : {"corpus/cases", "share/voroproof/corpus/cases"}) {
-    const fs::path root = program.parent_path().parent_path() / place;
-    if (fs::is_directory(root, error)) return root.string();
+  // The program is in build/ or bin/, or in libexec/voroproof/avx2/.
+  fs::path folder = program.parent_path();
+  for (int level = 0; level < 3; ++level) {
+    folder = folder.parent_path();
+    for (const char* place : {"corpus/cases", "share/voroproof/corpus/cases"}) {
+      const fs::path root = folder / place;
+      if (fs::is_directory(root, error)) return root.string();
+    }
   }
   return {};
 }
