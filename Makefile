@@ -5,7 +5,7 @@ MAKEFLAGS += --no-print-directory
 SOURCES = $(shell find exact filtered topology history kinetic queries planning certify corpus evidence kernel library include apps bench tests \
   -name '*.h' -o -name '*.cpp')
 
-.PHONY: build demo test bench api format clean
+.PHONY: build demo test bench api packages format clean
 
 build:
 	cmake --preset release
@@ -32,8 +32,15 @@ bench:
 api:
 	scripts/api-reference.sh
 
+# Debian packages and an archive, made and checked, in packages/; needs root. See docs/install.md.
+packages:
+	scripts/install-deps.sh packages
+	cmake --preset dist
+	cmake --build --preset dist -j $(JOBS)
+	scripts/check-packages.sh build-dist packages
+
 format:
 	clang-format -i $(SOURCES)
 
 clean:
-	rm -rf build build-* demo
+	rm -rf build build-* demo packages

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the project needs and that are not there yet.
 #
-# usage: scripts/install-deps.sh [test] [bench] [plots] [ci] [browser]
+# usage: scripts/install-deps.sh [test] [bench] [plots] [ci] [browser] [packages]
 #   without arguments: what building and running the program takes
 #   test:  what building the tests takes besides
 #   bench: what the benchmarks and the peers they measure take besides
 #   plots: what scripts/plot-experiments.py, plot-growth.py and plot-plan.py take
-#   ci:    the second compiler, the formatter, the counter of instructions and doxygen besides
+#   ci:    the second compiler, the formatter, the counter of instructions, doxygen, man and shells besides
+#   packages: what scripts/check-packages.sh takes besides
 #   browser: what testing pages and photographing that of `movie` takes besides (large)
 #
 # Where nothing is missing it neither asks for root nor uses the network.
@@ -28,10 +29,11 @@ for group in "$@"; do
     test) packages+=(libgtest-dev librapidcheck-dev python3 python3-jsonschema) ;;
     bench) packages+=(libbenchmark-dev libmpfi-dev) ;;
     plots) packages+=(python3-matplotlib) ;;
-    ci) packages+=(clang clang-format valgrind doxygen) ;;
+    ci) packages+=(clang clang-format valgrind doxygen man-db fish zsh) ;;
     browser) packages+=(chromium) ;;
+    packages) packages+=(debhelper lintian mmdebstrap) ;;
     *)
-      echo "install-deps: unknown group '$group' (test, bench, plots, ci, browser)" >&2
+      echo "install-deps: unknown group '$group' (test, bench, plots, ci, browser, packages)" >&2
       exit 2
       ;;
   esac

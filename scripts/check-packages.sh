@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# Makes the Debian packages and the archive of a finished build of the preset `dist`, and checks them:
+# lintian finds no error; a program is built against the library's packages; in a bare Debian the
+# packages are installed, used and purged, and nothing is left; the archive has the licence, and its
+# program runs where it was unpacked.
+#
+# The bare system is made from the mirror that apt is configured with. Needs root, and what
+# `scripts/install-deps.sh packages` installs.
+#
+# usage: scripts/check-packages.sh [BUILD_DIR [DESTINATION]]
+#   DESTINATION: a folder to which packages and archive are copied
+set -euo pipefail
+cd "$(dirname "$0")/.."
+build=$(realpath "${1:-build-dist}")
+destination=${2:-}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+fail() {
+  echo "check-packages: $*" >&2
+  exit 1
+}
+
+echo "== packages"
+# In a copy, as building packages writes into debian/.
+mkdir "$work/source"
+cp -r debian "$work/source"
+(cd "$work/source" && VOROPROOF_BUILD=$build DEB_BUILD_OPTIONS=noautodbgsym \
+  dpkg-buildpackage --build=binary --no-pre-clean --no-sign > "$work/build.log" 2>&1) ||
+  { cat "$work/build.log"; fail "no packages"; }
+lintian --fail-on error --tag-display-limit 0 "$work"/*.changes
+
+echo "== library"
+for package in "$work"/libvoroproof*.deb; do dpkg-deb -x "$package" "$work/library"; done
+library=$(dirname "$(find "$work/library" -name libvoroproof.so)")
+# shellcheck disable=SC2046  # words, by purpose
+c++ -std=c++17 tests/library/consumer/main.cpp -o "$work/consumer" \
+  $(PKG_CONFIG_PATH=$library/pkgconfig pkg-config --cflags --libs voroproof)
+LD_LIBRARY_PATH=$library "$work/consumer" > "$work/consumer.txt"
+
+echo "== archive"
+cpack --config "$build/CPackConfig.cmake" -B "$work/archive" > "$work/cpack.log" || { cat "$work/cpack.log"; fail "no archive"; }
+archive=$(echo "$work"/archive/*.tar.gz)
+mkdir "$work/unpacked"
+tar -xzf "$archive" -C "$work/unpacked" --strip-components=1
+cmp LICENSE "$work/unpacked/share/doc/voroproof/LICENSE"
+"$work/unpacked/bin/voroproof" --version
+
+if [ -n "$destination" ]; then
+  mkdir -p "$destination"
+  cp "$work"/*.deb "$archive" "$destination"
+fi
+
+echo "== bare system"
+root=$work/root
+# One line for each index that apt knows, such as "deb [signed-by=FILE] URI bookworm main".
+apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
+  sort -u > "$work/sources.list"
+release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
+apt-config dump | grep '^Acquire::' > "$work/apt.conf"
+mmdebstrap --quiet --variant=minbase --mode=root --aptopt="$work/apt.conf" \
+  "$release" "$root" - < "$work/sources.list"
+cp "$work/apt.conf" "$root/etc/apt/apt.conf.d/99check"
+cp /etc/resolv.conf "$root/etc/resolv.conf"
+mkdir "$root/packages"
+cp "$work"/*.deb "$root/packages"
+
+# All files but those that apt and dpkg keep of their work, and what tells of times.
+files() {
+  (cd "$root" && find . -xdev \( -path ./var/cache -o -path ./var/log -o -path ./var/lib/apt -o \
+    -path ./var/lib/dpkg -o -path ./proc -o -path ./sys -o -path ./tmp \) -prune -o -print | sort)
+}
+# /proc is there for as long as the command runs.
+inside() {
+  unshare --mount sh -ec 'mount -t proc proc "$0/proc"; exec chroot "$0" "$@"' "$root" \
+    /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive "$@"
+}
+
+inside apt-get update -qq
+files > "$work/before"
+inside sh -c 'apt-get install -y -qq --no-install-recommends /packages/*.deb' > "$work/install.log" 2>&1 ||
+  { cat "$work/install.log"; fail "the packages cannot be installed"; }
+
+echo "== use"
+version=$(sed -n '1s/.*(\(.*\)-.*).*/\1/p' debian/changelog)
+[ "$(inside voroproof --version)" = "voroproof $version" ] || fail "another version than $version"
+inside sh -ec '
+  cd "$(mktemp -d)"
+  voroproof generate reference --n 20 --seed 1 --horizon 20 -o a.scene.json
+  voroproof simulate a.scene.json -o a.history.jsonl --quiet
+  voroproof certify a.scene.json a.history.jsonl
+  voroproof certify a.scene.json a.history.jsonl --truth recorded --kernel
+  voroproof-kernel a.scene.json a.history.jsonl
+  voroproof corpus run --family few
+  VOROPROOF_VARIANT=baseline voroproof corpus run --family few
+  test -f /usr/share/doc/voroproof/docs/formats.md
+  rm -r "$PWD"'
+
+echo "== purge"
+inside sh -c 'dpkg-query -W -f "\${Package}\n" "*voroproof*" | xargs apt-get purge -y -qq --autoremove' \
+  > "$work/purge.log" 2>&1 || { cat "$work/purge.log"; fail "the packages cannot be purged"; }
+files > "$work/after"
+diff "$work/before" "$work/after" || fail "that is what purging leaves"
+if inside dpkg-query -W -f '${Package} ${db:Status-Status}\n' '*voroproof*' 2>/dev/null | grep .; then
+  fail "packages are left"
+fi
+echo "check-packages: $(ls "$work"/*.deb | wc -l) packages and an archive made, installed, used and purged"
