@@ -52,7 +52,7 @@ fi
 
 echo "== bare system"
 root=$work/root
-# One line for each index that apt knows, such as "deb [signed-by=FILE] URI bookworm main".
+# One line for each index that apt knows: "deb URI bookworm main".
 apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
   sort -u > "$work/sources.list"
 release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)

@@ -33,6 +33,15 @@ TEST_F(CertifyCli, ConversionsThatCannotBe) {
   refused({"convert", path, "-o", file("b.scene.json"), "--horizon", "1"}, "no disk file");
 }
 
+TEST_F(CertifyCli, WhatADiskFileCannotSayIsToldAsLeftOut) {
+  const std::string scene = directory_.write(
+      "x.scene.json",
+      R"({"format": "voroproof-scene", "version": 1, "container": {"center": [0, 0], "radius": 9},)"
+      R"("horizon": 5, "disks": [{"center": [0, 0], "radius": 1, "velocity": [1, 0], "x-a": 1}]})");
+  EXPECT_EQ(must({"convert", scene, "-o", file("x.disks.txt")}).out,
+            "the extensions are left out: a disk file has none\n");
+}
+
 TEST_F(CertifyCli, OptionsOfConvertThatTheOutputHasNoUseForAreRefused) {
   const std::string scene = reference(5, "5"), path = history(scene);
   must({"convert", scene, "-o", file("a.disks.txt")});
