@@ -1,0 +1,13 @@
+(* The whole checker. *)
+From Coq Require Import ZArith List Bool FMapPositive.
+From Voroproof Require Import History Replay Initial.
+Import ListNotations.
+Open Scope Z_scope.
+
+(* Accepts, or says why not and at which claim: the number of claims taken before. *)
+Definition check (P : problem) (claims : list claim) : outcome unit * Z :=
+  if negb ((0 <=? tolerance P) && initial_ok P) then (Bad BadInitial, 0)
+  else match run P (first_state P) claims 0 with
+  | (Good s, done) => (ending P s, done)
+  | (Bad why, done) => (Bad why, done)
+  end.

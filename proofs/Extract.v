@@ -1,0 +1,8 @@
+(* The checker as an OCaml program: checker.ml. Whole numbers become Zarith's by the table ExtrOcamlZBigInt of Coq's
+   library, booleans, lists, pairs and options OCaml's by ExtrOcamlBasic. Three comparisons are added to the table. *)
+From Coq Require Import ZArith Extraction ExtrOcamlBasic ExtrOcamlZBigInt.
+From Voroproof Require Import History Replay Checker.
+Extract Constant Pos.eqb => "Big_int_Z.eq_big_int".
+Extract Constant Z.ltb => "Big_int_Z.lt_big_int".
+Extract Constant Z.leb => "Big_int_Z.le_big_int".
+Extraction "checker.ml" check first_state collapses turn after_flip.

@@ -1,0 +1,140 @@
+(* From intervals to times: what the checker proves of a life, in terms of paths. *)
+From Coq Require Import ZArith List Bool Reals Lra Lia FMapPositive.
+From Voroproof Require Import Geometry Circle Scale Piece PieceSound EdgeSound History Replay.
+Import ListNotations.
+Open Scope R_scope.
+
+Section Life.
+Variable P : problem.
+
+(* The checker's idea of a generator is that of the past. *)
+Definition knows (past : list claim) (s : state) : Prop :=
+  forall g m, PositiveMap.find g (movers s) = Some m -> path m = last_leg P g past /\ size_ m = radius_of P g.
+
+Lemma leg_at_last g past t : IZR (since (last_leg P g past)) <= t -> leg_at P g past t = last_leg P g past.
+Proof.
+  induction past as [|c past IH]; simpl; [reflexivity|].
+  destruct (turn_of c g) as [[u v]|]; [|exact IH].
+  intros H. change (since (turned (last_leg P g past) u v)) with u in H.
+  destruct (Rle_dec (IZR u) t) as [|N]; [reflexivity|contradiction].
+Qed.
+
+(* Over [a, b) the parameter of t is (t - a)/(b - t). *)
+Lemma span_at g m a b t : size_ m = radius_of P g -> IZR a <= t < IZR b ->
+  at_z (span g m a b) ((t - IZR a) / (IZR b - t)) = scale ((IZR b - IZR a) / (IZR b - t)) (on_leg P g (path m) t).
+Proof.
+  intros Hs [Ha Hb]. unfold at_z, span, scale, on_leg, x_at, y_at. cbn [ax ay bx by_ mr mwall cx cy radius wall].
+  rewrite !plus_IZR, !mult_IZR, !minus_IZR, Hs. f_equal; field; lra.
+Qed.
+
+Lemma parameter_pos (a b : Z) (t : R) : IZR a <= t < IZR b -> 0 <= (t - IZR a) / (IZR b - t) /\ 0 < (IZR b - IZR a) / (IZR b - t).
+Proof.
+  intros [Ha Hb]. split.
+  - apply Rmult_le_pos; [lra|]. apply Rlt_le, Rinv_0_lt_compat. lra.
+  - apply Rdiv_lt_0_compat; lra.
+Qed.
+
+Lemma try_good {A B} (a : outcome A) (f : A -> outcome B) (y : B) : try a f = Good y -> exists z, a = Good z /\ f z = Good y.
+Proof. destruct a as [z|w]; simpl; [eauto|discriminate]. Qed.
+
+Lemma need_good {B} b w (f : outcome B) (y : B) : need b w f = Good y -> b = true /\ f = Good y.
+Proof. destruct b; simpl; [auto|discriminate]. Qed.
+
+Lemma known_good {A} (a : option A) w (y : A) : known a w = Good y -> a = Some y.
+Proof. destruct a; simpl; congruence. Qed.
+
+(* The four of an edge: their legs have begun, and the test was made of them. *)
+Lemma four_good {T} past s q birth a b (test : moving -> moving -> moving -> moving -> T) (y : T) :
+  knows past s -> four s q birth a b test = Good y ->
+  exists l r i e, test (span (el q) l a b) (span (er q) r a b) (span (es q) i a b) (span (ee q) e a b) = y /\
+    (path l = last_leg P (el q) past /\ size_ l = radius_of P (el q) /\ (since (path l) <= birth)%Z) /\
+    (path r = last_leg P (er q) past /\ size_ r = radius_of P (er q) /\ (since (path r) <= birth)%Z) /\
+    (path i = last_leg P (es q) past /\ size_ i = radius_of P (es q) /\ (since (path i) <= birth)%Z) /\
+    (path e = last_leg P (ee q) past /\ size_ e = radius_of P (ee q) /\ (since (path e) <= birth)%Z).
+Proof.
+  intros K H. unfold four, mover_of in H.
+  apply try_good in H as (l & L & H). apply try_good in H as (r & R & H). apply try_good in H as (i & I & H).
+  apply try_good in H as (e & E & H). apply need_good in H as [H1 H]. injection H as H.
+  apply known_good, K in L. apply known_good, K in R. apply known_good, K in I. apply known_good, K in E.
+  repeat (apply andb_prop in H1 as [H1 ?]). rewrite !Z.leb_le in *.
+  exists l, r, i, e. tauto.
+Qed.
+
+Lemma span_start g m a b : size_ m = radius_of P g -> at_z (span g m a b) 0 = on_leg P g (path m) (IZR a).
+Proof.
+  intros Hs. unfold at_z, span, on_leg, x_at, y_at. cbn [ax ay bx by_ mr mwall].
+  rewrite !plus_IZR, !mult_IZR, !minus_IZR, Hs. f_equal; ring.
+Qed.
+
+(* What the checker knows of a generator. *)
+Definition known_mover (past : list claim) (g : gen) : mover := Mover (last_leg P g past) (radius_of P g).
+
+Lemma four_known {T} past s q birth a b (test : moving -> moving -> moving -> moving -> T) (y : T) :
+  knows past s -> four s q birth a b test = Good y ->
+  let g k := span k (known_mover past k) a b in
+  test (g (el q)) (g (er q)) (g (es q)) (g (ee q)) = y /\
+  forall k, In k [el q; er q; es q; ee q] -> (since (last_leg P k past) <= birth)%Z.
+Proof.
+  intros K H. destruct (four_good _ _ _ _ _ _ _ _ K H) as (l & r & i & e & T0 & (L & Ls & Lb) & (R & Rs & Rb) & (I & Is & Ib) & (E & Es & Eb)).
+  simpl. assert (M : forall g m, path m = last_leg P g past -> size_ m = radius_of P g -> m = known_mover past g)
+    by (intros g [p z]; unfold known_mover; simpl; congruence).
+  rewrite <- (M _ l L Ls), <- (M _ r R Rs), <- (M _ i I Is), <- (M _ e E Es). split; [exact T0|].
+  rewrite L in Lb. rewrite R in Rb. rewrite I in Ib. rewrite E in Eb.
+  intros k [<-|[<-|[<-|[<-|[]]]]]; assumption.
+Qed.
+
+Lemma untied_true past s q birth upto : knows past s -> untied s q birth upto = Good true ->
+  (forall g, In g [el q; er q; es q; ee q] -> (since (last_leg P g past) <= birth)%Z) /\
+  exists u : R, let on g := on_leg P g (last_leg P g past) u in not_cotangent (on (el q)) (on (er q)) (on (es q)) (on (ee q)).
+Proof.
+  intros K H. unfold untied in H. apply try_good in H as (b & B & H).
+  destruct (four_known _ _ _ _ _ _ _ _ K B) as [B1 B2]. split; [exact B2|].
+  assert (At : exists v, by_fan fan_strict_at (span (el q) (known_mover past (el q)) v v) (span (er q) (known_mover past (er q)) v v)
+      (span (es q) (known_mover past (es q)) v v) (span (ee q) (known_mover past (ee q)) v v) = true).
+  { destruct b; [exists birth; exact B1|]. destruct (four_known _ _ _ _ _ _ _ _ K H) as [C1 _]. exists upto. exact C1. }
+  destruct At as (v & T). exists (IZR v). cbv zeta.
+  assert (At : forall g, at_z (span g (known_mover past g) v v) 0 = on_leg P g (last_leg P g past) (IZR v))
+    by (intros g; apply (span_start g (known_mover past g)); reflexivity).
+  unfold by_fan, fan_strict_at in T. unfold not_cotangent. destruct (mwall (span (el q) (known_mover past (el q)) v v));
+    apply andb_prop in T as [T1 T2]; destruct (fan_strict_true _ _ _ _ T1 T2) as (o & V & X); rewrite !At in V; rewrite !At in X.
+  - right. exists o. split; [apply vertex_turn, vertex_turn, V|]. exact X.
+  - left. exists o. split; [exact V|]. exact X.
+Qed.
+
+Lemma place_on_leg past t g : IZR (since (last_leg P g past)) <= t -> place P past t g = on_leg P g (last_leg P g past) t.
+Proof. intros H. unfold place. rewrite leg_at_last by exact H. reflexivity. Qed.
+
+(* What a settled life says. *)
+Lemma settled past s sl u pu : knows past s -> settle s sl u pu = Good tt ->
+  (forall t, IZR (proved sl) <= t < IZR u ->
+     legal (place P past t (el (name sl))) (place P past t (er (name sl))) (place P past t (es (name sl))) (place P past t (ee (name sl))) /\
+     tie_broken P past t (name sl)) /\
+  (forall t, IZR (pair_proved sl) <= t < IZR pu ->
+     apart (place P past t (el (name sl))) (place P past t (er (name sl)))).
+Proof.
+  intros K H. unfold settle in H.
+  apply try_good in H as (a & A & H). apply need_good in H as [Ha H]. subst a.
+  apply try_good in H as (d & D & H). apply need_good in H as [Hd H]. subst d.
+  apply try_good in H as (b & B & H). apply need_good in H as [Hb H]. subst b. clear H. split.
+  - intros t Ht. destruct (proved sl <? u)%Z eqn:E; [|apply Z.ltb_ge, IZR_le in E; lra].
+    destruct (four_good _ _ _ _ _ _ _ _ K A) as (l & r & i & e & T & (L & Ls & Lb) & (R & Rs & Rb) & (I & Is & Ib) & (F & Fs & Fb)).
+    rewrite L in Lb. rewrite R in Rb. rewrite I in Ib. rewrite F in Fb.
+    apply IZR_le in Lb, Rb, Ib, Fb.
+    destruct (parameter_pos _ _ _ Ht) as [Z1 Z2].
+    split.
+    2: { unfold tie_broken. destruct (largest (name sl)); [left; reflexivity|right]. cbn [andb negb] in D.
+      destruct (untied_true past s _ _ _ K D) as (_ & w & W). exists w. cbv zeta in *. rewrite !leg_at_last by lra. exact W. }
+    rewrite !place_on_leg by lra.
+    apply (legal_unscale ((IZR u - IZR (proved sl)) / (IZR u - t)) Z2).
+    rewrite <- L, <- R, <- I, <- F. rewrite <- !span_at by assumption.
+    apply edge_legal_sound; assumption.
+  - intros t Ht. destruct (pair_proved sl <? pu)%Z eqn:E; [|apply Z.ltb_ge, IZR_le in E; lra].
+    destruct (four_good _ _ _ _ _ _ _ _ K B) as (l & r & i & e & T & (L & Ls & Lb) & (R & Rs & Rb) & _).
+    rewrite L in Lb. rewrite R in Rb. apply IZR_le in Lb, Rb.
+    destruct (parameter_pos _ _ _ Ht) as [Z1 Z2].
+    rewrite !place_on_leg by lra.
+    apply (apart_unscale ((IZR pu - IZR (pair_proved sl)) / (IZR pu - t)) Z2).
+    rewrite <- L, <- R. rewrite <- !span_at by assumption.
+    apply (pair_apart_sound _ _ _ T). exact Z1.
+Qed.
+End Life.

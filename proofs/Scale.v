@@ -1,0 +1,88 @@
+(* Enlarging everything by one positive factor changes nothing that the statement speaks of. *)
+From Coq Require Import Reals Lra Bool.
+From Voroproof Require Import Geometry Circle.
+Open Scope R_scope.
+
+Definition scale (m : R) (g : generator) : generator := Generator (m * cx g) (m * cy g) (m * radius g) (wall g).
+Definition scale_circle (m : R) (c : circle) : circle := Circle (m * ox c) (m * oy c) (m * size c).
+
+Section Scale.
+  Variable m : R.
+  Hypothesis m_pos : 0 < m.
+
+  Lemma length_scale x y : length (m * x) (m * y) = m * length x y.
+  Proof.
+    apply length_of_square; [apply Rmult_le_pos; [lra|apply length_nonneg]|].
+    replace (m * length x y * (m * length x y)) with (m * m * (length x y * length x y)) by ring. rewrite length_square. ring.
+  Qed.
+
+  Lemma length_unscale x y : length x y = / m * length (m * x) (m * y).
+  Proof. rewrite length_scale. field. lra. Qed.
+
+  Lemma distance_unscale g x y : distance g x y = / m * distance (scale m g) (m * x) (m * y).
+  Proof.
+    unfold distance, scale; simpl. rewrite <- !Rmult_minus_distr_l, length_scale. destruct (wall g); field; lra.
+  Qed.
+
+  (* A circle of the enlarged generators, made smaller again. *)
+  Let shrink := scale_circle (/ m).
+
+  Lemma shrunk_distance c g : distance g (ox (shrink c)) (oy (shrink c)) = / m * distance (scale m g) (ox c) (oy c).
+  Proof. rewrite distance_unscale. simpl. repeat f_equal; field; lra. Qed.
+
+  Lemma touches_unscale c g : touches c (scale m g) -> touches (shrink c) g.
+  Proof. unfold touches. rewrite shrunk_distance. simpl. intros ->. reflexivity. Qed.
+
+  Lemma inverse_pos : 0 < / m.
+  Proof. apply Rinv_0_lt_compat, m_pos. Qed.
+
+  Lemma empty_unscale c g : empty_of c (scale m g) -> empty_of (shrink c) g.
+  Proof. unfold empty_of. rewrite shrunk_distance. simpl. intros H. apply Rmult_le_compat_l; [apply Rlt_le, inverse_pos|exact H]. Qed.
+
+  Lemma not_empty_unscale c g : ~ empty_of c (scale m g) -> ~ empty_of (shrink c) g.
+  Proof.
+    unfold empty_of. rewrite shrunk_distance. simpl. intros H H1. apply H.
+    apply (Rmult_le_reg_l (/ m)); [apply inverse_pos|exact H1].
+  Qed.
+
+  Lemma contact_unscale c g : contact_x (shrink c) g = contact_x c (scale m g) /\ contact_y (shrink c) g = contact_y c (scale m g).
+  Proof.
+    unfold contact_x, contact_y; simpl.
+    replace (cx g - / m * ox c) with (/ m * (m * cx g - ox c)) by (field; lra).
+    replace (cy g - / m * oy c) with (/ m * (m * cy g - oy c)) by (field; lra).
+    set (x := m * cx g - ox c). set (y := m * cy g - oy c).
+    assert (L : length (/ m * x) (/ m * y) = / m * length x y).
+    { rewrite (length_unscale (/ m * x) (/ m * y)). repeat f_equal; field; lra. }
+    rewrite L.
+    destruct (Req_dec (length x y) 0) as [E|E].
+    - pose proof (length_square x y) as Q. rewrite E in Q.
+      assert (x = 0) as -> by nra. assert (y = 0) as -> by nra. unfold Rdiv. rewrite !Rmult_0_r, !Rmult_0_l. split; reflexivity.
+    - split; field; lra.
+  Qed.
+
+  Lemma vertex_unscale c i j k : vertex_circle c (scale m i) (scale m j) (scale m k) -> vertex_circle (shrink c) i j k.
+  Proof.
+    intros (Hi & Hj & Hk & Hc). unfold vertex_circle. repeat split; try (apply touches_unscale; assumption).
+    unfold counterclockwise in *.
+    destruct (contact_unscale c i) as [-> ->]. destruct (contact_unscale c j) as [-> ->]. destruct (contact_unscale c k) as [-> ->].
+    exact Hc.
+  Qed.
+
+  Lemma legal_unscale l r s e : legal (scale m l) (scale m r) (scale m s) (scale m e) -> legal l r s e.
+  Proof.
+    intros [(c & V & E) (c' & V' & E')]. split.
+    - exists (shrink c). split; [apply vertex_unscale, V | apply empty_unscale, E].
+    - exists (shrink c'). split; [apply vertex_unscale, V' | apply empty_unscale, E'].
+  Qed.
+
+  Lemma apart_unscale i j : apart (scale m i) (scale m j) -> apart i j.
+  Proof.
+    unfold apart; simpl. rewrite <- !Rmult_minus_distr_l, length_scale, <- Rmult_plus_distr_l.
+    destruct (wall i || wall j); intros H.
+    - apply (Rmult_le_reg_l m); [exact m_pos|]. lra.
+    - apply (Rmult_le_reg_l m); [exact m_pos|]. lra.
+  Qed.
+End Scale.
+
+Lemma vertex_turn c i j k : vertex_circle c i j k -> vertex_circle c j k i.
+Proof. intros (Hi & Hj & Hk & Hc). unfold vertex_circle, counterclockwise in *. repeat split; try assumption. lra. Qed.
