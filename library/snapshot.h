@@ -13,10 +13,10 @@ namespace voroproof::internal {
 
 // The diagram just after all events at the exact time t >= 0, which may lie beyond the scene's
 // horizon: the motion is followed up to t and the diagram at t built from nothing but the positions
-// and velocities there. The edges are exact; the coordinates are computed with 160 bits, and more
-// where the motion is known better, and rounded to nearest.
+// and velocities there. The edges are exact; the coordinates are rounded to nearest, ties to even.
 //
-// Throws Undecided where the engine stops before t, and Interrupted where the monitor says so.
+// Throws Undecided where the engine stops before t or the budgets of bits and of exact arithmetic
+// do not tell to what a coordinate rounds, and Interrupted where the monitor says so.
 DiagramFile snapshot(const Scene& scene, const Rational& t, const EngineOptions& options = {});
 
 // How the diagram at an instant comes from a history (the paper's section 6: Move-1 to 3,

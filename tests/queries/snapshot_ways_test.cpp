@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -117,6 +118,36 @@ TEST(SnapshotWays, FromScratchRefusesAMotionThatIsNotTheScenes) {
   snapshot(run.scene, wrong, 3);
   EXPECT_THROW(snapshot(run.scene, wrong, 3, {}, {Move::colliding, Construct::from_scratch}),
                InputError);
+}
+
+// Three disks around a circle whose centre and radius are half way between two binary64, or are one
+// exactly, and which no enclosure tells from their neighbours: ties go to the even one.
+TEST(SnapshotWays, CentresHalfWayBetweenTwoNumbers) {
+  const Rational ulp(0x1p-52);
+  int half_way = 0;
+  for (int k = 0; k < 12; ++k) {
+    const Rational x = 1 + Rational(k, 2) * ulp, rho = 2 + Rational(k) * ulp, reach = rho + 1;
+    const auto at = [&](const Rational& u, const Rational& v) {
+      return disk(x + reach * u, reach * v, 1, 1, 0);
+    };
+    const SceneHistory run(
+        scene_of(20, 1,
+                 {at(Rational(3, 5), Rational(4, 5)), at(Rational(-5, 13), Rational(12, 13)),
+                  at(Rational(8, 17), Rational(-15, 17))}));
+    ASSERT_TRUE(run.complete);
+    for (const Rational& t : {Rational(0), Rational(ulp / 2), Rational(1, 2)}) {
+      half_way += to_rational(round_nearest(Rational(x + t))) != x + t;
+      for (const DiagramFile& d : {snapshot(run.scene, t), snapshot(run.scene, run.history, t)}) {
+        const auto vertex = std::find_if(d.vertices.begin(), d.vertices.end(), [](const auto& v) {
+          return v.generators == Triple{0, 1, 2};
+        });
+        ASSERT_NE(vertex, d.vertices.end());
+        EXPECT_EQ(vertex->center, (Vec2{round_nearest(Rational(x + t)), 0})) << k << ", t = " << t;
+        EXPECT_EQ(vertex->radius, round_nearest(rho)) << k;
+      }
+    }
+  }
+  EXPECT_GT(half_way, 6);
 }
 
 }  // namespace
