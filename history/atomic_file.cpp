@@ -51,8 +51,7 @@ bool synced(int descriptor) { return fsync(descriptor) == 0 || errno == EINVAL; 
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path)
-    : path_(path), target_(path), buffer_(new char[buffer_size]) {
+AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
   std::error_code error;
   if (std::filesystem::is_symlink(path, error)) {
     target_ = std::filesystem::canonical(path, error).string();
@@ -115,20 +114,21 @@ void AtomicFile::remove_abandoned() const {
 }
 
 void AtomicFile::write(std::string_view bytes) {
-  if (bytes.size() > buffer_size - used_) flush();
-  if (bytes.size() > buffer_size) {
-    write_through(bytes.data(), bytes.size());
-    return;
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      full_ = errno == ENOSPC || errno == EDQUOT || errno == EFBIG;
+      fail("cannot write");
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
   }
-  std::memcpy(buffer_.get() + used_, bytes.data(), bytes.size());
-  used_ += bytes.size();
 }
 
 bool AtomicFile::end_early(
     std::size_t room,
     const std::function<std::optional<std::string>(std::string_view line)>& ending) {
   if (!full_) return false;
-  used_ = 0;
   const off_t size = lseek(descriptor_, 0, SEEK_END);
   // More than the lines that are looked for are long.
   std::string tail(
@@ -152,7 +152,6 @@ bool AtomicFile::end_early(
 }
 
 void AtomicFile::commit() {
-  flush();
   if (!synced(descriptor_)) fail("cannot write");
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot rename onto");
   forget_temporary();
@@ -173,24 +172,6 @@ std::string AtomicFile::commit_beside(const std::string& suffix) {
   target_ += suffix;
   commit();
   return target_;
-}
-
-void AtomicFile::flush() {
-  write_through(buffer_.get(), used_);
-  used_ = 0;
-}
-
-void AtomicFile::write_through(const char* data, std::size_t size) {
-  while (size > 0) {
-    const ssize_t written = ::write(descriptor_, data, size);
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      full_ = errno == ENOSPC || errno == EDQUOT || errno == EFBIG;
-      fail("cannot write");
-    }
-    data += written;
-    size -= static_cast<std::size_t>(written);
-  }
 }
 
 void AtomicFile::fail(const char* action) const {

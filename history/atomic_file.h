@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,8 +14,9 @@ namespace voroproof::internal {
 // stays as it was; one that is replaced hands on its permissions. A process that is killed outright
 // leaves a file named TARGET.<process>.<number>.tmp, which the next writer of the target removes;
 // what a living process writes is locked (flock) and stays. A symbolic link stays and the file it
-// names is replaced. Targets other than regular files (devices, pipes, directories) are refused.
-// Every member throws OutputError naming the target when the system refuses.
+// names is replaced. Targets other than regular files (devices, pipes, directories) are refused:
+// OutputFile writes to such, and gathers small pieces. Every member throws OutputError naming the
+// target when the system refuses.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::string& path);
@@ -25,15 +25,6 @@ class AtomicFile {
   ~AtomicFile();
 
   void write(std::string_view bytes);
-
-  // Gives fast writers room for at least `size` bytes (size <= max_room) in the buffer; the caller
-  // fills it and tells by advance() where it stopped.
-  static constexpr std::size_t max_room = 4096;
-  char* room(std::size_t size) {
-    if (buffer_size - used_ < size) flush();
-    return buffer_.get() + used_;
-  }
-  void advance(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.get()); }
 
   // For a text of lines to whose end there was no room (a full disk, a limit on files): ends it
   // after the last line behind which `room` bytes are written, with what `ending` makes of that
@@ -53,10 +44,6 @@ class AtomicFile {
   std::string commit_beside(const std::string& suffix);
 
  private:
-  static constexpr std::size_t buffer_size = std::size_t{1} << 18;
-
-  void flush();
-  void write_through(const char* data, std::size_t size);
   [[noreturn]] void fail(const char* action) const;
 
   struct Unfinished;
@@ -70,8 +57,6 @@ class AtomicFile {
   Unfinished* unfinished_ = nullptr;  // temporary_, for remove_unfinished()
   int descriptor_ = -1;
   bool full_ = false;  // no room was left for a write
-  std::unique_ptr<char[]> buffer_;
-  std::size_t used_ = 0;
 };
 
 }  // namespace voroproof::internal

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <map>
 
-#include "history/atomic_file.h"
 #include "history/error.h"
 #include "history/file_bytes.h"
 #include "history/format_version.h"
 #include "history/json_reader.h"
 #include "history/json_text.h"
+#include "history/output_file.h"
 #include "history/scene.h"
 
 namespace voroproof::internal {
@@ -33,7 +33,7 @@ std::string ids_text(const std::array<GenId, N>& ids) {
 
 // Writes ,"name":[...] with one element a line.
 template <class T, class Text>
-void write_list(AtomicFile& file, const char* name, const std::vector<T>& list, Text&& text) {
+void write_list(OutputFile& file, const char* name, const std::vector<T>& list, Text&& text) {
   file.write(",\n\"" + std::string(name) + "\":[");
   const char* separator = "\n";
   for (const T& element : list) {
@@ -248,7 +248,7 @@ void write_diagram(const std::string& path, const DiagramFile& diagram) {
   for (Quad& edge : edges) edge = canonical(edge);
   std::sort(edges.begin(), edges.end());
 
-  AtomicFile file(path);
+  OutputFile file(path);
   file.write("{\"format\":\"voroproof-diagram\",\"version\":1,\"t\":" +
              (diagram.t_text.empty() ? number_text(diagram.t) : string_text(diagram.t_text)) +
              ",\"scene_sha256\":" + string_text(diagram.scene_sha256) +

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "history/atomic_file.h"
 #include "history/history_source.h"
+#include "history/output_file.h"
 #include "history/scene.h"
 #include "history/text_fields.h"
 
@@ -61,7 +61,7 @@ struct EvtsqSource {
 
 // Writes the events of `history`, `totals` of them, reading it to its end. Throws InputError where
 // it is not right in form, or has what such a file cannot say: a stop.
-void write_evtsq(AtomicFile& file, HistorySource& history, const HistoryCounts& totals,
+void write_evtsq(OutputFile& file, HistorySource& history, const HistoryCounts& totals,
                  const EvtsqSource& source, const EvtsqFormat& format);
 
 }  // namespace voroproof::internal

@@ -16,7 +16,7 @@ std::string two_decimals(const Rational& q) {
 
 class Lines {
  public:
-  Lines(AtomicFile& file, const EvtsqFormat& format) : file_(file), format_(format) {}
+  Lines(OutputFile& file, const EvtsqFormat& format) : file_(file), format_(format) {}
 
   void write(const FlipEvent& e) {
     begin("E", e.t);
@@ -60,14 +60,14 @@ class Lines {
     file_.write(line_);
   }
 
-  AtomicFile& file_;
+  OutputFile& file_;
   const EvtsqFormat& format_;
   std::string line_;
 };
 
 }  // namespace
 
-void write_evtsq(AtomicFile& file, HistorySource& history, const HistoryCounts& totals,
+void write_evtsq(OutputFile& file, HistorySource& history, const HistoryCounts& totals,
                  const EvtsqSource& source, const EvtsqFormat& format) {
   // Names of others' choice stay in their lines.
   const auto field = [](const std::string& text) { return printable(text, text.size()); };

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "exact/rational.h"
-#include "history/atomic_file.h"
 #include "history/events.h"
 #include "history/extensions.h"
 #include "history/json_reader.h"
 #include "history/line_source.h"
+#include "history/output_file.h"
 #include "history/plain_line.h"
 #include "history/scene.h"
 
@@ -87,6 +87,9 @@ class HistoryWriter {
 
   const HistoryCounts& counts() const { return counts_; }
 
+  // Whether it writes into a stream (OutputFile).
+  bool is_stream() const { return file_.is_stream(); }
+
  private:
   enum class State { fresh, open, ended, closed };
 
@@ -96,7 +99,7 @@ class HistoryWriter {
   void advance_to(double t);
 
   std::string path_;
-  AtomicFile file_;
+  OutputFile file_;
   State state_ = State::fresh;
   bool complete_ = false;
   std::string horizon_;

@@ -13,7 +13,7 @@ namespace {
 
 // The longest event line: a collision with nine numbers, two ids and its keys.
 constexpr std::size_t max_written_line = 10 * max_double_text + 256;
-static_assert(max_written_line <= AtomicFile::max_room);
+static_assert(max_written_line <= OutputFile::max_room);
 
 template <std::size_t N>
 char* put_literal(char* out, const char (&text)[N]) {
@@ -80,6 +80,35 @@ char* put_time(char* out, double t) {
 // Whether the values are given in the one way the format knows: for both disks or for neither.
 bool well_formed(const CollideEvent& event, const std::array<std::optional<Vec2>, 2>& values) {
   return event.i == container_id ? !values[0] : values[0].has_value() == values[1].has_value();
+}
+
+bool says_complete(const std::string& last_line, const std::string& path) {
+  bool complete = false;
+  try {
+    JsonReader json(last_line, path);
+    json.any_object([&](std::string_view name) {
+      complete |= name == "end";
+      json.any();
+      return true;
+    });
+  } catch (const InputError&) {
+    return false;
+  }
+  return complete;
+}
+
+// The last line of a compressed file is known once all of it is read.
+bool ends_as_complete(const std::string& path) {
+  try {
+    LineSource lines(path);
+    std::string last;
+    while (const auto line = lines.next(max_header_line)) {
+      if (line->find_first_not_of(" \t\r") != std::string_view::npos) last = *line;
+    }
+    return says_complete(last, path);
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -201,7 +230,7 @@ void HistoryWriter::close() {
 }
 
 std::string HistoryWriter::close_beside_complete() {
-  if (complete_ || !is_complete_history(path_)) {
+  if (complete_ || file_.is_stream() || !is_complete_history(path_)) {
     close();
     return path_;
   }
@@ -233,6 +262,12 @@ bool is_complete_history(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
   std::ifstream file(path, std::ios::binary);
+  char beginning[longest_magic];
+  file.read(beginning, sizeof beginning);
+  if (is_compressed({beginning, static_cast<std::size_t>(file.gcount())})) {
+    return ends_as_complete(path);
+  }
+  file.clear();
   // The last line, and the end of that before it.
   constexpr std::streamoff most = static_cast<std::streamoff>(max_event_line) + 2;
   file.seekg(0, std::ios::end);
@@ -242,18 +277,7 @@ bool is_complete_history(const std::string& path) {
   while (std::getline(file, line)) {
     if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
   }
-  bool complete = false;
-  try {
-    JsonReader json(last, path);
-    json.any_object([&](std::string_view name) {
-      complete |= name == "end";
-      json.any();
-      return true;
-    });
-  } catch (const InputError&) {
-    return false;
-  }
-  return complete;
+  return says_complete(last, path);
 }
 
 void HistoryWriter::require(State state) const {

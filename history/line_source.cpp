@@ -1,22 +1,12 @@
 #include "history/line_source.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstring>
 
 #include "history/error.h"
 
 namespace voroproof::internal {
 
-LineSource::LineSource(const std::string& path)
-    : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)), buffer_(1 << 18) {
-  if (descriptor_ < 0)
-    throw InputError(path_, 0, "", std::string("cannot read: ") + std::strerror(errno));
-}
-
-LineSource::~LineSource() { close(descriptor_); }
+LineSource::LineSource(const std::string& path) : path_(path), source_(path), buffer_(1 << 18) {}
 
 std::optional<std::string_view> LineSource::next(std::size_t limit) {
   std::size_t searched = 0;
@@ -53,14 +43,9 @@ bool LineSource::fill() {
     begin_ = 0;
   }
   if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
-  for (;;) {
-    const ssize_t got = read(descriptor_, buffer_.data() + end_, buffer_.size() - end_);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0)
-      throw InputError(path_, 0, "", std::string("cannot read: ") + std::strerror(errno));
-    end_ += static_cast<std::size_t>(got);
-    return got > 0;
-  }
+  const std::size_t got = source_.read(buffer_.data() + end_, buffer_.size() - end_);
+  end_ += got;
+  return got > 0;
 }
 
 }  // namespace voroproof::internal

@@ -1,4 +1,4 @@
-// The lines of a file of any length, in bounded memory.
+// The lines of an input of any length, in bounded memory.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,14 @@
 #include <string_view>
 #include <vector>
 
+#include "history/byte_source.h"
+
 namespace voroproof::internal {
 
 class LineSource {
  public:
   // Throws InputError where the file cannot be opened.
   explicit LineSource(const std::string& path);
-  LineSource(const LineSource&) = delete;
-  LineSource& operator=(const LineSource&) = delete;
-  ~LineSource();
 
   // The next line without its end, or nothing after the last. Text after the last line end is a
   // line too. The view holds until the next call. Throws InputError where the line has more than
@@ -29,7 +28,7 @@ class LineSource {
   bool fill();  // reads more; false at the end of the file
 
   std::string path_;
-  int descriptor_;
+  ByteSource source_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // what is read and not yet given
   std::int64_t number_ = 0;

@@ -18,6 +18,8 @@
 namespace voroproof::internal {
 namespace {
 
+constexpr std::size_t beginning = 4096;  // bytes, in which the field "format" is as a rule
+
 // The member "format" of the object that the text starts with. What comes after it may be anything.
 std::optional<FileFormat> format_of(std::string_view text, const std::string& path) {
   JsonReader json(text, path);
@@ -31,6 +33,24 @@ std::optional<FileFormat> format_of(std::string_view text, const std::string& pa
     return true;
   });
   return format;
+}
+
+// The format that the first bytes name, if they do.
+std::string format_at_beginning(const std::string& path) {
+  try {
+    const auto format = format_of(file_bytes(path, beginning, true), path);
+    return format ? format->name : "";
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+bool is(bool (*of_format)(const std::string& path), const std::string& path) {
+  try {
+    return of_format(path);
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 std::string count(std::int64_t number, const std::string& one, const std::string& several) {
@@ -81,7 +101,6 @@ std::string validate_event_sequence(const std::string& path) {
 
 // As a rule the field comes first. Only if it does not, more than the beginning is looked at.
 FileFormat format_of_file(const std::string& path) {
-  constexpr std::size_t beginning = 4096;
   const std::string bytes = file_bytes(path, beginning, true);
   if (bytes.size() == beginning) {
     try {
@@ -95,6 +114,15 @@ FileFormat format_of_file(const std::string& path) {
     return *format;
   }
   throw InputError(path, 1, "format", "missing");
+}
+
+bool is_history_file(const std::string& path) {
+  return is(is_evtsq_file, path) || format_at_beginning(path) == "voroproof-history";
+}
+
+bool is_scene_file(const std::string& path) {
+  return (is(is_disk_file, path) && !is(is_evtsq_file, path)) ||
+         format_at_beginning(path) == "voroproof-scene";
 }
 
 std::string validate_file(const std::string& path) {

@@ -15,6 +15,11 @@ struct FileFormat {
 // Nothing else of the file is checked. Throws InputError, also where there is no such field.
 FileFormat format_of_file(const std::string& path);
 
+// Whether the file looks like a history or an event sequence, and like a scene or a disk file: only
+// its beginning is looked at. False where it cannot be read.
+bool is_history_file(const std::string& path);
+bool is_scene_file(const std::string& path);
+
 // Finds out which of scene, history, diagram, plan, disk file and event sequence (of which the
 // header alone is looked at) the file claims to be, reads it completely and returns a short
 // description: "history: 12 flips, ...". A history need not be complete in time: one that stopped

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "history/atomic_file.h"
+#include "history/output_file.h"
 #include "history/sha256.h"
 #include "library/values.h"
 
@@ -121,7 +121,7 @@ std::string scene_text(const Scene& scene) {
 void write_scene(const std::string& path, const Scene& scene) {
   with_public_errors([&] {
     const std::string text = internal::text_of(internal::checked_scene(scene));
-    internal::AtomicFile file(path);
+    internal::OutputFile file(path);
     file.write(text);
     file.commit();
   });

@@ -19,6 +19,7 @@ packages=(
   libflint-dev                       # balls
   libboost-dev libcgal-dev           # ring buffers; spatial sorting; evidence; oracles of the tests
   nlohmann-json3-dev libsimdjson-dev # files
+  zlib1g-dev libzstd-dev             # compressed files
   libcli11-dev                       # command line
   libssl-dev libcairo2-dev           # SHA-256, pictures
   libtbb-dev                         # threads of the certifier

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <iostream>
 
-#include "history/atomic_file.h"
 #include "history/json_text.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 namespace {
@@ -102,13 +102,13 @@ std::string table_of(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
-void give(const Answer& answer, const std::string& path) {
+void give(const Answer& answer, const std::string& path, std::ostream& out) {
   if (!path.empty()) {
-    AtomicFile file(path);
+    OutputFile file(path);
     file.write(file_text(answer.json));
     file.commit();
   }
-  std::cout << answer.table;
+  out << answer.table;
 }
 
 }  // namespace voroproof::internal

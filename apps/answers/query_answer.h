@@ -38,7 +38,8 @@ std::string text_of(GenId g);  // "wall" for the container
 // Columns, as wide as their widest cell; the first row is the heading.
 std::string table_of(const std::vector<std::vector<std::string>>& rows);
 
-// Prints the table, and writes the JSON to the file where one is named. Throws OutputError.
-void give(const Answer& answer, const std::string& path);
+// Prints the table to `out`, and writes the JSON to the file where one is named. Throws
+// OutputError.
+void give(const Answer& answer, const std::string& path, std::ostream& out);
 
 }  // namespace voroproof::internal

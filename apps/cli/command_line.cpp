@@ -1,16 +1,21 @@
 #include "apps/cli/command_line.h"
 
 #include <filesystem>
+#include <iostream>
 #include <system_error>
 
+#include "history/compression.h"
+#include "history/descriptor.h"
 #include "history/error.h"
 #include "history/scene.h"
+#include "history/validate.h"
 
 namespace voroproof::internal {
 namespace {
 
 bool same_file(const std::string& a, const std::string& b) {
   namespace fs = std::filesystem;
+  if (is_stream(a) || is_stream(b)) return a != "/dev/null" && is_same_stream(a, b);
   std::error_code error;
   if (fs::equivalent(a, b, error)) return true;
   // Files that do not exist yet are compared by name.
@@ -51,6 +56,12 @@ Rational time_argument(const std::string& option, const std::string& text) {
 
 void require_distinct(const std::vector<std::string>& inputs,
                       const std::vector<std::string>& outputs) {
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      if (!is_same_stream(inputs[j], inputs[k])) continue;
+      throw UsageError(printable(inputs[k]) + ": is named for two inputs, and can be read as one");
+    }
+  }
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     if (outputs[k].empty()) continue;
     for (const std::string& input : inputs) {
@@ -66,9 +77,23 @@ void require_distinct(const std::vector<std::string>& inputs,
   }
 }
 
+void require_order(const std::string& scene, const std::string& history) {
+  if (history.empty() || !is_history_file(scene) || !is_scene_file(history)) return;
+  throw UsageError(printable(scene) + " is a history and " + printable(history) +
+                   " is a scene: the scene comes first");
+}
+
 void require_picture(const std::string& option, const std::string& path) {
-  if (path.ends_with(".svg") || path.ends_with(".png")) return;
+  const std::string_view name = without_compression(path);
+  if (is_stream(path) || name.ends_with(".svg") || name.ends_with(".png")) return;
   throw UsageError(option + ": " + printable(path) + ": must end in .svg or .png");
+}
+
+std::ostream& words_beside(const std::vector<std::string>& outputs) {
+  for (const std::string& output : outputs) {
+    if (!output.empty() && is_standard_output(output)) return std::cerr;
+  }
+  return std::cout;
 }
 
 }  // namespace voroproof::internal

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -46,12 +47,21 @@ Rational number_argument(const std::string& option, const std::string& text);
 // within the limits of a scene's values. Throws UsageError, naming the option.
 Rational time_argument(const std::string& option, const std::string& text);
 
-// Throws UsageError where one of the output files is another of them or one of the inputs. Empty
-// names are passed over.
+// Throws UsageError where one of the output files is another of them or one of the inputs, or two
+// inputs are one stream. Empty names are passed over.
 void require_distinct(const std::vector<std::string>& inputs,
                       const std::vector<std::string>& outputs);
 
-// Throws UsageError where a picture of this name could not be drawn: it must end in .svg or .png.
+// Throws UsageError where the two files are exchanged: a history for the scene and a scene for the
+// history. An empty name of a history is none.
+void require_order(const std::string& scene, const std::string& history);
+
+// Throws UsageError where a picture of this name could not be drawn: it must end in .svg or .png,
+// compressed or not, or be a stream, into which an SVG is drawn.
 void require_picture(const std::string& option, const std::string& path);
+
+// Where a verb with these outputs says what it did: standard output, or standard error where one of
+// the outputs goes to standard output. Empty names are passed over.
+std::ostream& words_beside(const std::vector<std::string>& outputs);
 
 }  // namespace voroproof::internal

@@ -46,6 +46,13 @@ extern "C" void on_signal(int number) {
   if (!winding_up.load()) alarm(grace);
 }
 
+// Nobody reads on: the process ends as such processes do, and leaves no unfinished file.
+extern "C" void on_closed_pipe(int number) {
+  AtomicFile::remove_unfinished();
+  signal(number, SIG_DFL);
+  raise(number);
+}
+
 void handle(int number, int flags) {
   struct sigaction action {};
   action.sa_handler = on_signal;
@@ -63,6 +70,7 @@ void install_signal_handlers() {
     handle(SIGHUP, SA_RESTART);
   }
   signal(SIGXFSZ, SIG_IGN);
+  if (signal(SIGPIPE, on_closed_pipe) == SIG_IGN) signal(SIGPIPE, SIG_IGN);
 }
 
 void start_time_limit(double seconds) {

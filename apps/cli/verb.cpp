@@ -12,6 +12,9 @@
 namespace voroproof::internal {
 namespace {
 
+// What stands for standard input and output.
+constexpr const char* stream_name = "-";
+
 // "-o,--output" as its parts.
 std::vector<std::string> split(const std::string& names) {
   const std::size_t comma = names.find(',');
@@ -65,12 +68,36 @@ Option& Verb::text(const std::string& names, std::string& value, const std::stri
   return option;
 }
 
-Option& Verb::file(const std::string& names, std::string& path, const std::string& help) {
-  return text(names, path, "FILE", help);
+Option& Verb::input(const std::string& names, std::string& path, const std::string& help) {
+  return named_file(names, path, help, "/dev/stdin");
+}
+
+Option& Verb::inputs(const std::string& names, std::vector<std::string>& paths,
+                     const std::string& help) {
+  Option& option = list(names, paths, "FILE", help);
+  option.take = [take = option.take, &paths](const std::vector<std::string>& given) {
+    take(given);
+    std::replace(paths.begin(), paths.end(), std::string(stream_name), std::string("/dev/stdin"));
+  };
+  return option;
+}
+
+Option& Verb::output(const std::string& names, std::string& path, const std::string& help) {
+  return named_file(names, path, help, "/dev/stdout");
 }
 
 Option& Verb::output(std::string& path, const std::string& help) {
-  return file("-o,--output", path, help);
+  return output("-o,--output", path, help);
+}
+
+Option& Verb::named_file(const std::string& names, std::string& path, const std::string& help,
+                         const std::string& stream) {
+  Option& option = text(names, path, "FILE", help);
+  option.take = [take = option.take, &path, stream](const std::vector<std::string>& values) {
+    take(values);
+    if (path == stream_name) path = stream;
+  };
+  return option;
 }
 
 Option& Verb::real(const std::string& names, double& value, const std::string& help) {

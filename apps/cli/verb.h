@@ -73,8 +73,12 @@ class Verb {
   // A text that is not empty; shown is its value so far.
   Option& text(const std::string& names, std::string& value, const std::string& type,
                const std::string& help);
-  // The name of a file to read or to write.
-  Option& file(const std::string& names, std::string& path, const std::string& help);
+  // The name of a file to read; - is standard input, whose name is then /dev/stdin.
+  Option& input(const std::string& names, std::string& path, const std::string& help);
+  Option& inputs(const std::string& names, std::vector<std::string>& paths,
+                 const std::string& help);
+  // The name of a file to write; - is standard output, whose name is then /dev/stdout.
+  Option& output(const std::string& names, std::string& path, const std::string& help);
   // The option -o, --output.
   Option& output(std::string& path, const std::string& help);
   // A decimal number, which means the binary64 nearest to it.
@@ -119,6 +123,8 @@ class Verb {
   ExitCode act() const { return action_(); }
 
  private:
+  Option& named_file(const std::string& names, std::string& path, const std::string& help,
+                     const std::string& stream);
   Option& whole_number(const std::string& names, std::optional<std::uint64_t> initial,
                        std::uint64_t least, std::uint64_t most, const std::string& help,
                        std::function<void(std::uint64_t)> set);

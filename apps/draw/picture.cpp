@@ -7,7 +7,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "history/atomic_file.h"
+#include "history/compression.h"
+#include "history/descriptor.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 namespace {
@@ -78,13 +80,14 @@ std::string svg(const Paint& paint, int size) {
 }  // namespace
 
 void write_picture(const std::string& path, int size, const std::function<void(cairo_t*)>& paint) {
-  const bool is_svg = std::string_view(path).ends_with(".svg");
-  if (!is_svg && !std::string_view(path).ends_with(".png"))
+  const std::string_view name = without_compression(path);
+  const bool is_svg = name.ends_with(".svg") || is_stream(path);
+  if (!is_svg && !name.ends_with(".png"))
     throw std::invalid_argument("picture: the name must end in .svg or .png");
   if (size < 16 || size > 20000)
     throw std::invalid_argument("picture: the size must lie between 16 and 20000 pixels");
   const std::string bytes = is_svg ? svg(paint, size) : png(paint, size);
-  AtomicFile file(path);
+  OutputFile file(path);
   file.write(bytes);
   file.commit();
 }

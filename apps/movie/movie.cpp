@@ -9,7 +9,7 @@
 #include "apps/draw/html.h"
 #include "apps/draw/palette.h"
 #include "apps/movie/movie_page.h"
-#include "history/atomic_file.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 namespace {
@@ -104,7 +104,7 @@ std::string title(const Scene& scene) {
 
 void write_movie(const std::string& path, const Claim& claim, const MovieData& data,
                  const Explanation* report, const MovieOptions& options) {
-  AtomicFile file(path);
+  OutputFile file(path);
   file.write(page_begin(movie_page, title(claim.scene)));
   file.write(json_element("movie-facts", facts_json(claim, data, report, options)));
   file.write(array_element("disks", disk_values(claim.scene)));

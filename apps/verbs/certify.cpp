@@ -50,7 +50,7 @@ Certificate undecided(const std::string& reason, std::int64_t prefix_events, dou
   return certificate;
 }
 
-// Writes what was found to stdout, the verdict last, and the reason of a verdict other than
+// Says what was found, the verdict last, and the reason of a verdict other than
 // CERTIFIED to stderr.
 void tell(const Request& request, const Certificate& certificate, const std::string& kernel,
           const std::string& evidence) {
@@ -58,23 +58,24 @@ void tell(const Request& request, const Certificate& certificate, const std::str
     std::cerr << "voroproof: " << printable(request.history, 4096) << ": "
               << printable(reason_line(certificate), 4096) << '\n';
   }
+  std::ostream& out = words_beside({request.report});
   if (!request.quiet) {
-    std::cout << "c " << certificate.flips << " flips, " << certificate.collisions
-              << " collisions, " << certificate.maneuvers << " maneuvers proved; certified prefix "
-              << certificate.prefix_events << " events, t = " << certificate.prefix_t << "; swaps "
-              << certificate.swaps << '\n';
+    out << "c " << certificate.flips << " flips, " << certificate.collisions << " collisions, "
+        << certificate.maneuvers << " maneuvers proved; certified prefix "
+        << certificate.prefix_events << " events, t = " << certificate.prefix_t << "; swaps "
+        << certificate.swaps << '\n';
     for (const Leniency& l : leniencies(certificate)) {
-      if (l.count > 0) std::cout << "c leniency: " << l.count << " " << l.words << '\n';
+      if (l.count > 0) out << "c leniency: " << l.count << " " << l.words << '\n';
     }
     for (const std::string& remark : certificate.remarks)
-      std::cout << "c " << printable(remark, 4096) << '\n';
-    if (!kernel.empty()) std::cout << "c kernel: " << printable(kernel, 4096) << '\n';
-    if (!evidence.empty()) std::cout << "c evidence: " << evidence << '\n';
+      out << "c " << printable(remark, 4096) << '\n';
+    if (!kernel.empty()) out << "c kernel: " << printable(kernel, 4096) << '\n';
+    if (!evidence.empty()) out << "c evidence: " << evidence << '\n';
   }
   if (const std::string line = horizon_line(certificate); !line.empty()) {
-    std::cout << "c " << line << '\n';
+    out << "c " << line << '\n';
   }
-  std::cout << verdict_line(certificate.verdict) << '\n';
+  out << verdict_line(certificate.verdict) << '\n';
 }
 
 // The certificate of the claim, undecided where a limit is reached. Throws Interrupted.
@@ -97,8 +98,9 @@ Certificate certify_claim(Claim& claim, const CertifyOptions& options,
 
 ExitCode certify_files(Request& request) {
   require_distinct({request.scene, request.history}, {request.report});
+  require_order(request.scene, request.history);
   CooperativeInterruption interruption;
-  std::optional<AtomicFile> report_file;
+  std::optional<OutputFile> report_file;
   if (!request.report.empty()) report_file.emplace(request.report);
   Claim claim = open_claim(request.scene, request.history);
   if (request.max_events > 0) {
@@ -152,8 +154,8 @@ ExitCode certify_files(Request& request) {
 void add_certify(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("certify", "Prove or refute a history of a scene");
-  verb.file("scene", request->scene, "The scene.").required();
-  verb.file("history", request->history, "The history, whoever wrote it.").required();
+  verb.input("scene", request->scene, "The scene.").required();
+  verb.input("history", request->history, "The history, whoever wrote it.").required();
   verb.choice(
       "--truth", {"exact", "recorded"}, request->truth,
       "Which motion the history must describe: the true motion of the scene, or the one that "
@@ -177,7 +179,7 @@ void add_certify(Verb& program) {
       "both certify it.");
   verb.whole("--threads", request->options.threads, 1, 1024,
              "The number of threads for the recorded truth. The certificate is the same.");
-  verb.file("--report", request->report, "Write everything that was found here, as JSON.");
+  verb.output("--report", request->report, "Write everything that was found here, as JSON.");
   add_max_bits(verb, request->options.motion.max_bits);
   add_max_events(verb, request->max_events);
   verb.flag("--quiet", request->quiet,
@@ -196,7 +198,7 @@ void add_certify(Verb& program) {
       std::cerr << "voroproof: " << error.what() << '\n';
       return ExitCode::bad_input;
     }
-    std::cout << "s INVALID\n";
+    words_beside({request->report}) << "s INVALID\n";
     return ExitCode::bad_input;
   });
 }

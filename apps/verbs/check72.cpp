@@ -22,6 +22,8 @@ struct Request {
 ExitCode check72(const Request& request) {
   if (!(request.options.step > 0)) throw UsageError("--step: not positive");
   if (!(request.options.tolerance >= 0)) throw UsageError("--tolerance: negative");
+  require_distinct({request.scene, request.history}, {});
+  require_order(request.scene, request.history);
   const CooperativeInterruption interruption;
   const Scene scene = read_scene(request.scene);
   PaperCheckOptions options = request.options;
@@ -62,8 +64,8 @@ void add_check72(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb(
       "check72", "Test a history as section 7.2 of the paper does; proves nothing, see certify");
-  verb.file("scene", request->scene, "The scene.").required();
-  verb.file("history", request->history, "The history, with centres and velocities.").required();
+  verb.input("scene", request->scene, "The scene.").required();
+  verb.input("history", request->history, "The history, with centres and velocities.").required();
   verb.real("--step", request->options.step, "The time from one regular instant to the next.");
   verb.real("--tolerance", request->options.tolerance, "How far a disk may reach into a circle.");
   verb.flag("--quiet", request->quiet, "Show no progress on the terminal.");

@@ -4,30 +4,41 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
 #include "apps/verbs/verbs.h"
-#include "history/atomic_file.h"
 #include "history/claim.h"
+#include "history/compression.h"
 #include "history/disk_file.h"
 #include "history/error.h"
 #include "history/evtsq_file.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 namespace {
 
 struct Request {
-  std::string input, output, scene, horizon, restitution;
+  std::string input, output, scene, horizon, restitution, format;
   std::string numbers = "hexadecimal", version = "1.1";
 };
 
-bool names(const std::string& path, std::string_view ending) {
-  return path.size() > ending.size() && path.ends_with(ending);
+// What is to be written: said by an option, or else by the output's name.
+std::string format_to_write(const Request& request) {
+  if (!request.format.empty()) return request.format;
+  constexpr std::pair<std::string_view, const char*> endings[] = {
+      {".json", "scene"}, {".txt", "disks"}, {".jsonl", "history"}, {".evtsq", "evtsq"}};
+  const std::string_view name = without_compression(request.output);
+  for (const auto& [ending, format] : endings) {
+    if (name.size() > ending.size() && name.ends_with(ending)) return format;
+  }
+  throw UsageError(
+      "--output: none of .scene.json, .disks.txt, .history.jsonl and .evtsq (and no --format)");
 }
 
 void write_text(const std::string& path, const std::string& text) {
-  AtomicFile file(path);
+  OutputFile file(path);
   file.write(text);
   file.commit();
 }
@@ -60,7 +71,7 @@ void disks_to_scene(const Request& request) {
   write_scene(text, scene);
   write_text(request.output, text.str());
   if (!disks.ids.empty() && disks.ids.back() != static_cast<std::int64_t>(disks.ids.size()) - 1) {
-    std::cout << "the disks are renumbered from 0 in the order of their ids\n";
+    words_beside({request.output}) << "the disks are renumbered from 0 in the order of their ids\n";
   }
 }
 
@@ -73,9 +84,11 @@ void scene_to_disks(const Request& request) {
     throw InputError(request.input, 0, "", std::string(e.what()) + ": a disk file cannot say it");
   }
   write_text(request.output, text.str());
-  if (!scene.maneuvers.empty()) std::cout << "the maneuvers are left out: a disk file has none\n";
+  if (!scene.maneuvers.empty()) {
+    words_beside({request.output}) << "the maneuvers are left out: a disk file has none\n";
+  }
   if (!(scene.extensions.empty() && scene.disk_extensions.empty())) {
-    std::cout << "the extensions are left out: a disk file has none\n";
+    words_beside({request.output}) << "the extensions are left out: a disk file has none\n";
   }
 }
 
@@ -109,7 +122,7 @@ void sequence_to_history(const Request& request) {
   writer.end();
   writer.close();
   for (const std::string& remark : claim.history->remarks())
-    std::cout << printable(remark, 4096) << '\n';
+    words_beside({request.output}) << printable(remark, 4096) << '\n';
 }
 
 void history_to_sequence(const Request& request) {
@@ -121,9 +134,10 @@ void history_to_sequence(const Request& request) {
   const Scene& scene = claim.scene;
   if (scene.container_restitution != scene.restitution ||
       (scene.law == ContainerLaw::normal && scene.restitution != 1)) {
-    std::cout << "the scene's law at the container is not that of an event sequence\n";
+    words_beside({request.output})
+        << "the scene's law at the container is not that of an event sequence\n";
   }
-  AtomicFile file(request.output);
+  OutputFile file(request.output);
   const EvtsqSource source{.name = std::filesystem::path(request.scene).filename().string(),
                            .history = request.input,
                            .restitution = scene.restitution,
@@ -142,12 +156,9 @@ void require_use(const Verb& verb, const std::string& option, bool used, const c
 
 ExitCode convert(const Verb& verb, const Request& request) {
   require_distinct({request.input, request.scene}, {request.output});
-  const bool to_json = names(request.output, ".json"), to_disks = names(request.output, ".txt");
-  const bool to_history = names(request.output, ".jsonl");
-  const bool to_sequence = names(request.output, ".evtsq");
-  if (!to_json && !to_disks && !to_history && !to_sequence) {
-    throw UsageError("--output: none of .scene.json, .disks.txt, .history.jsonl and .evtsq");
-  }
+  const std::string format = format_to_write(request);
+  const bool to_json = format == "scene", to_disks = format == "disks";
+  const bool to_history = format == "history", to_sequence = format == "evtsq";
   require_use(verb, "--scene", to_history || to_sequence, "a history or event sequence");
   require_use(verb, "--horizon", to_json, "a scene");
   require_use(verb, "--restitution", to_json, "a scene");
@@ -171,12 +182,14 @@ void add_convert(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb(
       "convert", "Translate between this project's formats and those of the paper's authors");
-  verb.file("input", request->input, "A scene, disk file, history or event sequence.").required();
+  verb.input("input", request->input, "A scene, disk file, history or event sequence.").required();
   verb.output(request->output,
               "The file to write. Its ending says what it is: .scene.json, .disks.txt, "
               ".history.jsonl or .evtsq.")
       .required();
-  verb.file("--scene", request->scene, "The scene of the history or event sequence.");
+  verb.choice("--format", {"scene", "disks", "history", "evtsq"}, request->format,
+              "What to write, where the name of the output does not say it.");
+  verb.input("--scene", request->scene, "The scene of the history or event sequence.");
   verb.text("--horizon", request->horizon, "TIME", "The horizon of the scene that is written.");
   verb.text("--restitution", request->restitution, "E",
             "The restitution of the scene that is written; 1 where it is not given.");

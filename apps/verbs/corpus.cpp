@@ -15,7 +15,7 @@
 #include "apps/corpus/run.h"
 #include "apps/corpus/text.h"
 #include "apps/verbs/verbs.h"
-#include "history/atomic_file.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 namespace {
@@ -89,9 +89,9 @@ std::vector<Truth> truths_of(const std::string& word) {
 
 // Writes the reports asked for and returns whether all cases passed.
 template <class Result>
-bool report(const CorpusRunInfo& info, const std::vector<Result>& results,
-            std::optional<AtomicFile>& json, std::optional<AtomicFile>& html) {
-  std::cout << report_for_terminal(info, results);
+bool report(std::ostream& out, const CorpusRunInfo& info, const std::vector<Result>& results,
+            std::optional<OutputFile>& json, std::optional<OutputFile>& html) {
+  out << report_for_terminal(info, results);
   if (json) {
     json->write(report_json(info, results));
     json->commit();
@@ -117,7 +117,7 @@ ExitCode run_cases(const Request& request) {
   if (against) require_placeholders(request.command);
   if (!(request.seconds > 0)) throw UsageError("--timeout: must be more than 0");
   require_distinct({}, {request.json, request.html});
-  std::optional<AtomicFile> json, html;
+  std::optional<OutputFile> json, html;
   if (!request.json.empty()) json.emplace(request.json);
   if (!request.html.empty()) html.emplace(request.html);
   const std::vector<CorpusCase> cases = cases_of(request);
@@ -138,15 +138,16 @@ ExitCode run_cases(const Request& request) {
                            .command = request.command,
                            .truths = options.truths,
                            .limits = options.limits};
+  std::ostream& out = words_beside({request.json, request.html});
   bool all_passed = false;
   if (against) {
     const std::vector<ProgramResult> results = against_program(cases, options);
     counter.reset();
-    all_passed = report(info, results, json, html);
+    all_passed = report(out, info, results, json, html);
   } else {
     const std::vector<OwnResult> results = own_histories(cases, options);
     counter.reset();
-    all_passed = report(info, results, json, html);
+    all_passed = report(out, info, results, json, html);
   }
   return all_passed ? ExitCode::ok : ExitCode::refuted;
 }
@@ -203,8 +204,8 @@ void add_run(Verb& corpus) {
              "The megabytes for each of these processes; 0: no limit.");
   verb.whole("--jobs", request->jobs, 1, 1024,
              "The number of cases side by side; more than 1 makes the seconds longer.");
-  verb.file("--json", request->json, "Write everything that was found here.");
-  verb.file("--html", request->html, "Write a page to look at here, pictures included.");
+  verb.output("--json", request->json, "Write everything that was found here.");
+  verb.output("--html", request->html, "Write a page to look at here, pictures included.");
   add_corpus_folder(verb, *request);
   verb.note("Exit code 0 if every case is as expected or certified, 1 if not, 2 for bad usage.");
   verb.example("voroproof corpus run --against 'mysim --in {scene} --out {history}' --html r.html");

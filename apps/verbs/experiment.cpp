@@ -12,9 +12,9 @@
 #include "apps/paper/experiment_report.h"
 #include "apps/verbs/verbs.h"
 #include "corpus/paper_sets.h"
-#include "history/atomic_file.h"
 #include "history/error.h"
 #include "history/json_text.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 namespace {
@@ -38,12 +38,11 @@ Scene scene_of(const ReferenceOptions& options) {
   return parse_scene(text.view(), "experiment");
 }
 
-void print_member(const std::string& set, const ExperimentMember& member) {
+void print_member(std::ostream& out, const std::string& set, const ExperimentMember& member) {
   const EngineStats& stats = member.run.stats;
-  std::cout << set << ' ' << member.k << ": n " << member.run.disks << "; flips "
-            << stats.flip_count() << "; collisions "
-            << stats.disk_collisions + stats.wall_collisions << "; t "
-            << number_text(member.run.outcome.t) << std::endl;
+  out << set << ' ' << member.k << ": n " << member.run.disks << "; flips " << stats.flip_count()
+      << "; collisions " << stats.disk_collisions + stats.wall_collisions << "; t "
+      << number_text(member.run.outcome.t) << std::endl;
 }
 
 ExitCode experiment(const Request& request) {
@@ -53,8 +52,8 @@ ExitCode experiment(const Request& request) {
   // The frequencies of events have an entry for each 10 units.
   if (request.horizon > 1e9) throw UsageError("--horizon: more than 1e9");
   const CooperativeInterruption interruption;
-  AtomicFile json_file(request.json);
-  std::optional<AtomicFile> csv_file;
+  OutputFile json_file(request.json);
+  std::optional<OutputFile> csv_file;
   if (!request.csv.empty()) csv_file.emplace(request.csv);
 
   Experiment all;
@@ -80,7 +79,8 @@ ExitCode experiment(const Request& request) {
       });
     }
     interruption.check();
-    if (!request.quiet) print_member(request.set, member);
+    if (!request.quiet)
+      print_member(words_beside({request.json, request.csv}), request.set, member);
     if (member.run.outcome.kind == Outcome::Kind::stopped) {
       stopped = true;
       std::cerr << "voroproof: " << request.set << ' ' << k
@@ -108,7 +108,7 @@ void add_experiment(Verb& program) {
       .required();
   verb.output(request->json, "Write all results here, as JSON, for scripts/plot-experiments.py.")
       .required();
-  verb.file("--csv", request->csv, "Write a table of the counts here.");
+  verb.output("--csv", request->csv, "Write a table of the counts here.");
   verb.real("--scale", request->scale,
             "What the numbers of disks are multiplied by; 1 gives the paper's.");
   verb.real("--horizon", request->horizon, "The horizon of every scene.");

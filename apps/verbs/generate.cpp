@@ -11,8 +11,8 @@
 #include "apps/verbs/verbs.h"
 #include "corpus/generate.h"
 #include "corpus/paper_sets.h"
-#include "history/atomic_file.h"
 #include "history/error.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 namespace {
@@ -39,7 +39,7 @@ ExitCode generate(const Request<Options>& request, Scene (*make)(const Options&)
     throw UsageError(refusal.what());
   }
   const CooperativeInterruption interruption;
-  AtomicFile file(request.output);
+  OutputFile file(request.output);
   file.write(text.view());
   interruption.check();
   file.commit();

@@ -27,6 +27,7 @@ Explanation read_report(const std::string& path, const Scene& scene) {
 
 ExitCode make_movie(const Request& request) {
   require_distinct({request.scene, request.history, request.report}, {request.output});
+  require_order(request.scene, request.history);
   std::optional<Rational> horizon;
   if (!request.horizon.empty()) horizon = time_argument("--horizon", request.horizon);
   Claim claim = open_claim(request.scene, request.history);
@@ -49,12 +50,12 @@ ExitCode make_movie(const Request& request) {
 void add_movie(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("movie", "Make a page that plays a history");
-  verb.file("scene", request->scene, "The scene.").required();
-  verb.file("history", request->history, "A history of the scene, right or wrong.").required();
+  verb.input("scene", request->scene, "The scene.").required();
+  verb.input("history", request->history, "A history of the scene, right or wrong.").required();
   verb.output(request->output, "The page to write: HTML that needs no other file.").required();
-  verb.file("--report", request->report,
-            "The report of certify on this history. The time line shows what is proved, and the "
-            "evidence of a refutation is drawn.");
+  verb.input("--report", request->report,
+             "The report of certify on this history. The time line shows what is proved, and the "
+             "evidence of a refutation is drawn.");
   verb.whole("--follow", request->follow, 0, max_disks, "The disk to follow to begin with.");
   verb.text("--horizon", request->horizon, "TIME",
             "Leave out what is later. The time is exact: a decimal, a fraction or a hexadecimal "

@@ -10,9 +10,9 @@
 #include "apps/draw/plan_picture.h"
 #include "apps/verbs/verbs.h"
 #include "corpus/plan_presets.h"
-#include "history/atomic_file.h"
 #include "history/error.h"
 #include "history/json_text.h"
+#include "history/output_file.h"
 #include "history/sha256.h"
 #include "planning/assignment.h"
 #include "planning/planner.h"
@@ -47,11 +47,11 @@ std::string described(const Approach& approach) {
          " to " + number_text(enclosed.hi);
 }
 
-void print_summary(const PlanResult& result) {
-  std::cout << "vehicles " << result.plan.task.vehicles.size() << "; conjunctions avoided "
-            << result.avoided.size() << "; speed changes " << speed_changes(result.plan);
-  if (result.nearest) std::cout << "; nearest " << described(*result.nearest);
-  std::cout << '\n';
+void print_summary(std::ostream& out, const PlanResult& result) {
+  out << "vehicles " << result.plan.task.vehicles.size() << "; conjunctions avoided "
+      << result.avoided.size() << "; speed changes " << speed_changes(result.plan);
+  if (result.nearest) out << "; nearest " << described(*result.nearest);
+  out << '\n';
 }
 
 ExitCode report(const PlanResult& result) {
@@ -82,8 +82,8 @@ ExitCode plan(const Request& request) {
   const CooperativeInterruption interruption;
   PlanTask task = requested_task(request);
   // Begun first, so that a path that cannot be written is known before the search.
-  AtomicFile scene_file(request.scene);
-  std::optional<AtomicFile> report_file;
+  OutputFile scene_file(request.scene);
+  std::optional<OutputFile> report_file;
   if (!request.report.empty()) report_file.emplace(request.report);
 
   const PlanResult result =
@@ -105,7 +105,9 @@ ExitCode plan(const Request& request) {
     scene_file.commit();
   }
   if (report_file) report_file->commit();
-  if (!request.quiet && result.found()) print_summary(result);
+  if (!request.quiet && result.found()) {
+    print_summary(words_beside({request.scene, request.report, request.picture}), result);
+  }
   return report(result);
 }
 
@@ -114,15 +116,15 @@ ExitCode plan(const Request& request) {
 void add_plan(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("plan", "Plan flights from starts to goals without collisions");
-  verb.file("plan", request->task, "The plan file: who flies from where to where.");
+  verb.input("plan", request->task, "The plan file: who flies from where to where.");
   verb.choice("--preset", plan_preset_names(), request->preset,
               "A swarm after the paper's in place of a file.");
   verb.output(request->scene, "The scene to write, with the changes of speed as maneuvers.")
       .required();
-  verb.file("--report", request->report,
-            "Write the smallest gap, what was avoided, and all ways here, as JSON.");
-  verb.file("--picture", request->picture,
-            "Draw starts, goals and ways here; the name ends in .svg or .png.");
+  verb.output("--report", request->report,
+              "Write the smallest gap, what was avoided, and all ways here, as JSON.");
+  verb.output("--picture", request->picture,
+              "Draw starts, goals and ways here; the name ends in .svg or .png.");
   verb.whole("--size", request->size, 16, 20000,
              "The width and the height of the picture, in pixels.");
   verb.text("--clearance", request->clearance, "LENGTH",

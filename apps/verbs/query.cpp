@@ -34,12 +34,13 @@ GenId disk_of(const Scene& scene, int disk) {
 
 ExitCode ask(const Request& request, const InstantAnswer& answer) {
   require_distinct({request.scene, request.history}, {request.output});
+  require_order(request.scene, request.history);
   const Rational t = time_argument("--at", request.t);
   const Scene scene = read_scene(request.scene);
   TrueMoment moment = true_moment(scene, request.history, t, request.options);
   const Answer given = answer({scene, t, moment}, request);
   const CooperativeInterruption interruption;
-  give(given, request.output);
+  give(given, request.output, words_beside({request.output}));
   return ExitCode::ok;
 }
 
@@ -47,11 +48,11 @@ ExitCode ask(const Request& request, const InstantAnswer& answer) {
 Verb& add_instant(Verb& query, const std::shared_ptr<Request>& request, const std::string& name,
                   const std::string& description, InstantAnswer answer) {
   Verb& verb = query.add_verb(name, description);
-  verb.file("scene", request->scene, "The scene.").required();
-  verb.file("history", request->history,
-            "A history of the scene, whose collisions save computing them again.");
+  verb.input("scene", request->scene, "The scene.").required();
+  verb.input("history", request->history,
+             "A history of the scene, whose collisions save computing them again.");
   verb.text("--at", request->t, "TIME", "The time, as exact text: 12.5, 1/3.").required();
-  verb.output(request->output, "Write the answer here, as JSON, and not to standard output.");
+  verb.output(request->output, "Write the answer here, as JSON, besides the table.");
   add_max_bits(verb, request->options.motion.max_bits);
   add_max_events(verb, request->options.max_events);
   verb.does([request, answer = std::move(answer)] { return ask(*request, answer); });

@@ -60,6 +60,7 @@ Answer answered(const TimeAnswer& answer, const TimeQuery& query, const Request&
 
 ExitCode ask(const Request& request, const std::string& option, const TimeAnswer& answer) {
   require_distinct({request.scene, request.history}, {request.output});
+  require_order(request.scene, request.history);
   Window window{time_argument("--from", request.from), 0};
   const Scene scene = read_scene(request.scene);
   const int disks = static_cast<int>(scene.disks.size());
@@ -74,7 +75,7 @@ ExitCode ask(const Request& request, const std::string& option, const TimeAnswer
   const Paths paths(scene, history, request.history);
   const Answer given = answered(answer, {scene, history, paths, window}, request);
   const CooperativeInterruption interruption;
-  give(given, request.output);
+  give(given, request.output, words_beside({request.output}));
   return ExitCode::ok;
 }
 
@@ -125,13 +126,13 @@ void add_subject(Verb& verb, Request& request, const Subject& subject) {
 Verb& add_over_time(Verb& query, const std::shared_ptr<Request>& request, const std::string& name,
                     const std::string& description, const Subject& subject, TimeAnswer answer) {
   Verb& verb = query.add_verb(name, description);
-  verb.file("scene", request->scene, "The scene.").required();
-  verb.file("history", request->history, "A history of the scene.").required();
+  verb.input("scene", request->scene, "The scene.").required();
+  verb.input("history", request->history, "A history of the scene.").required();
   verb.text("--from", request->from, "TIME", "The beginning of the window, as exact text.");
   verb.text("--horizon", request->horizon, "TIME",
             "The end of the window; the history's horizon where it is not given.")
       .formerly("--to");
-  verb.output(request->output, "Write the answer here, as JSON, and not to standard output.");
+  verb.output(request->output, "Write the answer here, as JSON, besides the table.");
   add_max_bits(verb, request->options.motion.max_bits);
   add_subject(verb, *request, subject);
   verb.does([request, option = subject.option, answer = std::move(answer)] {

@@ -59,9 +59,9 @@ ExitCode render(const Request& request) {
 void add_render(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("render", "Draw a diagram or a plan as SVG or PNG");
-  verb.file("input", request->input,
-            "A diagram file; or the report of a plan, of which starts, goals, ways, changes of "
-            "speed, avoided conjunctions (crosses) and the nearest pair (red) are drawn.")
+  verb.input("input", request->input,
+             "A diagram file; or the report of a plan, of which starts, goals, ways, changes of "
+             "speed, avoided conjunctions (crosses) and the nearest pair (red) are drawn.")
       .required();
   verb.output(request->output, "The picture to write; its name ends in .svg or .png.").required();
   verb.whole("--size", request->options.size, 16, 20000, "The width and the height in pixels.");

@@ -62,16 +62,16 @@ std::vector<Event> events_of(const Outcome& outcome) {
 }
 
 // One line that depends on the scene and the options alone.
-void print_summary(const Outcome& outcome, const EngineStats& stats) {
-  std::cout << "flips " << stats.flip_count();
+void print_summary(std::ostream& out, const Outcome& outcome, const EngineStats& stats) {
+  out << "flips " << stats.flip_count();
   for (std::size_t kind = 0; kind < stats.flips.size(); ++kind) {
     if (stats.flips[kind] == 0) continue;
-    std::cout << ' ' << flip_kind_names[kind] << ' ' << stats.flips[kind];
+    out << ' ' << flip_kind_names[kind] << ' ' << stats.flips[kind];
   }
-  std::cout << "; collisions " << stats.disk_collisions + stats.wall_collisions << " disks "
-            << stats.disk_collisions << " container " << stats.wall_collisions << "; maneuvers "
-            << stats.maneuvers << "; t " << number_text(outcome.t) << "; bits "
-            << stats.highest_bits << '\n';
+  out << "; collisions " << stats.disk_collisions + stats.wall_collisions << " disks "
+      << stats.disk_collisions << " container " << stats.wall_collisions << "; maneuvers "
+      << stats.maneuvers << "; t " << number_text(outcome.t) << "; bits " << stats.highest_bits
+      << '\n';
 }
 
 ExitCode report(const Outcome& outcome) {
@@ -194,7 +194,7 @@ ExitCode simulate(const Request& request) {
   const int disks = static_cast<int>(scene.disks.size());
 
   // Both outputs are begun first, so that a path that cannot be written is known before the run.
-  std::optional<AtomicFile> stats_file;
+  std::optional<OutputFile> stats_file;
   if (!request.stats.empty()) stats_file.emplace(request.stats);
   HistoryWriter writer(request.history);
   std::unique_ptr<HistorySink> sink = make_sink(request.threads, writer,
@@ -220,7 +220,8 @@ ExitCode simulate(const Request& request) {
   try {
     outcome = run(engine, *sink, interruption);
     progress.reset();
-    interruption.wind_up();
+    // A stream may wait for ever for its reader.
+    if (!writer.is_stream()) interruption.wind_up();
     sink->finish();
     finish(writer, check, outcome);
     close(writer, request);
@@ -236,7 +237,9 @@ ExitCode simulate(const Request& request) {
     stats_file->write(stats_text(run, outcome, engine.stats()));
     stats_file->commit();
   }
-  if (!request.quiet) print_summary(outcome, engine.stats());
+  if (!request.quiet) {
+    print_summary(words_beside({request.history, request.stats}), outcome, engine.stats());
+  }
   return report(outcome);
 }
 
@@ -245,13 +248,13 @@ ExitCode simulate(const Request& request) {
 void add_simulate(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("simulate", "Write the exact history of a scene");
-  verb.file("scene", request->scene, "The scene.").required();
+  verb.input("scene", request->scene, "The scene.").required();
   verb.output(request->history, "The history to write.").required();
   verb.text(
       "--horizon", request->horizon, "TIME",
       "The horizon in place of the scene's, exactly: a decimal (0.1 is one tenth), a fraction "
       "(1/3) or a hexadecimal float (0x1.8p-3).");
-  verb.file("--stats", request->stats, "Write counts and times of the run here, as JSON.");
+  verb.output("--stats", request->stats, "Write counts and times of the run here, as JSON.");
   verb.whole("--threads", request->threads, 1, 1024,
              "With 2 or more, further threads write the history and compute collisions beyond "
              "double-doubles. A history that reaches its horizon does not depend on it.");

@@ -20,6 +20,7 @@ struct Request {
 
 ExitCode take_snapshot(const Request& request) {
   require_distinct({request.scene, request.history}, {request.output});
+  require_order(request.scene, request.history);
   const Rational t = time_argument("--at", request.t);
   if (request.history.empty() &&
       !(request.move.empty() && request.construct.empty() && !request.unchecked)) {
@@ -46,10 +47,10 @@ ExitCode take_snapshot(const Request& request) {
 void add_snapshot(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("snapshot", "Write the diagram at one instant");
-  verb.file("scene", request->scene, "The scene.").required();
-  verb.file("history", request->history,
-            "A history of the scene: the diagram follows from its flips and recorded positions. "
-            "Without one it follows from nothing but the true positions at the time.");
+  verb.input("scene", request->scene, "The scene.").required();
+  verb.input("history", request->history,
+             "A history of the scene: the diagram follows from its flips and recorded positions. "
+             "Without one it follows from nothing but the true positions at the time.");
   verb.text(
           "--at", request->t, "TIME",
           "The time, whose events have happened, exactly: a decimal (0.1 is one tenth), a fraction "

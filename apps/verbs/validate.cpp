@@ -25,7 +25,7 @@ ExitCode validate(const std::vector<std::string>& files) {
 void add_validate(Verb& program) {
   auto files = std::make_shared<std::vector<std::string>>();
   Verb& verb = program.add_verb("validate", "Check that files are of the formats");
-  verb.list("files", *files, "FILE", "The files. Checking ends at the first that is not valid.")
+  verb.inputs("files", *files, "The files. Checking ends at the first that is not valid.")
       .required();
   verb.example("voroproof validate a.scene.json a.history.jsonl");
   verb.does([files] { return validate(*files); });

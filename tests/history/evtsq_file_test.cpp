@@ -159,7 +159,7 @@ TEST_F(EvtsqTest, WhatIsWrittenReadsBack) {
       const auto history = open_evtsq(directory_.file("b.evtsq"),
                                       EvtsqIds(std::vector<std::int64_t>{0, 1, 2, 30}), horizon_);
       {
-        AtomicFile file(directory_.file("c.evtsq"));
+        OutputFile file(directory_.file("c.evtsq"));
         write_evtsq(file, *history, {1, 1, 1}, {"disks", "b.evtsq", Rational(4, 5), {0, 0}},
                     {centers, hexadecimal});
         file.commit();

@@ -58,6 +58,7 @@ TEST_F(CertifyCli, ReportsAreExplainedAndDrawn) {
   const std::string words = must({"explain", file("r.json")}).out;
   EXPECT_NE(words.find("REFUTED"), std::string::npos);
   EXPECT_NE(words.find("Exactly one root lies between"), std::string::npos);
+  must({"explain", file("r.json"), "-o", file("r.svg")});
   EXPECT_EQ(directory_.read("r.svg").substr(0, 5), "<?xml");
   must({"explain", file("r.json"), "-o", file("r.png")});
   EXPECT_EQ(directory_.read("r.png").substr(1, 3), "PNG");

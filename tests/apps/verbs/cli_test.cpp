@@ -96,7 +96,7 @@ TEST_F(Cli, UsageErrors) {
       {{"simulate", scene, "-o", out, "--stats", file("./out")}, "is named for two outputs"},
       {{"simulate", scene, "-o", file("no/out")}, "no/out: cannot write"},
       {{"simulate", scene, "-o", out, "--stats", file("no/out")}, "no/out: cannot write"},
-      {{"simulate", scene, "-o", "/dev/null"}, "is not a regular file"},
+      {{"simulate", scene, "-o", file("")}, "is not a regular file"},
       {{"simulate", scene, "-o", out, "--horizon", "1/0"}, "--horizon: 1/0"},
       {{"simulate", scene, "-o", out, "--horizon", "-1"}, "--horizon: -1: negative"},
       {{"simulate", scene, "-o", out, "--horizon", "nan"}, "--horizon: nan"},
