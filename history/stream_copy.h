@@ -11,10 +11,10 @@
 namespace voroproof::internal {
 
 // Bytes that can be had only once, from a pipe, a terminal or a socket, are copied to a temporary
-// file without a name (in the folder that TMPDIR names, or /tmp) as they are read for the first
-// time. So several readers each begin at the beginning, and the first can read what another
-// program is still writing. The copies last as long as the process. Members throw InputError
-// naming the path.
+// file without a name (in the folder that TMPDIR names, or the one of the system) as they are read
+// for the first time. So several readers each begin at the beginning, and the first can read what
+// another program is still writing. The copies last as long as the process. Members throw
+// InputError naming the path.
 class StreamCopy {
  public:
   // The copy of this process of the stream that the path names (is_stream()).
