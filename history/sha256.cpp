@@ -2,22 +2,63 @@
 
 #include <openssl/evp.h>
 
+#include <memory>
 #include <stdexcept>
+#include <vector>
+
+#include "history/byte_source.h"
 
 namespace voroproof::internal {
+namespace {
+
+class Digest {
+ public:
+  Digest() : context_(EVP_MD_CTX_new(), &EVP_MD_CTX_free) {
+    require(context_ && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
+  }
+
+  void add(std::string_view bytes) {
+    require(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) == 1);
+  }
+
+  std::string hex() {
+    unsigned char digest[EVP_MAX_MD_SIZE];
+    unsigned length = 0;
+    require(EVP_DigestFinal_ex(context_.get(), digest, &length) == 1);
+    static constexpr char digits[] = "0123456789abcdef";
+    std::string text;
+    for (unsigned i = 0; i < length; ++i) {
+      text += digits[digest[i] >> 4];
+      text += digits[digest[i] & 15];
+    }
+    return text;
+  }
+
+ private:
+  static void require(bool done) {
+    if (!done) throw std::runtime_error("SHA-256 is not available from libcrypto");
+  }
+
+  std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context_;
+};
+
+}  // namespace
 
 std::string sha256_hex(std::string_view bytes) {
-  unsigned char digest[EVP_MAX_MD_SIZE];
-  unsigned length = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest, &length, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("SHA-256 is not available from libcrypto");
-  static constexpr char hex[] = "0123456789abcdef";
-  std::string text;
-  for (unsigned i = 0; i < length; ++i) {
-    text += hex[digest[i] >> 4];
-    text += hex[digest[i] & 15];
+  Digest digest;
+  digest.add(bytes);
+  return digest.hex();
+}
+
+std::string sha256_of_file(const std::string& path) {
+  constexpr std::size_t piece = std::size_t{1} << 18;
+  ByteSource source(path);
+  Digest digest;
+  std::vector<char> buffer(piece);
+  while (const std::size_t got = source.read(buffer.data(), buffer.size())) {
+    digest.add({buffer.data(), got});
   }
-  return text;
+  return digest.hex();
 }
 
 }  // namespace voroproof::internal

@@ -54,6 +54,7 @@ std::string shown_help(const Option& option) {
     separator = ", ";
   }
   if (!option.excluded.empty()) text += '.';
+  if (!option.unless.empty()) text += " Not with " + option.unless + '.';
   for (const std::string& other : option.needed) text += " Only with " + other + '.';
   return wrapped(text, width);
 }
@@ -105,6 +106,11 @@ class Image {
         option.given = true;
         values.insert(values.end(), read->results().begin(), read->results().end());
       }
+      option.given_values = values;
+    }
+    for (const Option& option : verb.options()) require_unless(verb, option);
+    for (Option& option : verb.options()) {
+      const std::vector<std::string>& values = option.given_values;
       if (!option.given) continue;
       require_choice(option, values);
       option.take(values);
@@ -112,6 +118,11 @@ class Image {
   }
 
  private:
+  static void require_unless(const Verb& verb, const Option& option) {
+    if (option.unless.empty() || option.given || verb.given(option.unless)) return;
+    throw UsageError(option.name() + " is required (see voroproof " + verb.name() + " --help)");
+  }
+
   static void require_choice(const Option& option, const std::vector<std::string>& values) {
     if (option.choices.empty()) return;
     const std::string& value = values[0];
@@ -141,7 +152,7 @@ class Image {
   void add(CLI::App& app, Option& option) {
     std::vector<CLI::Option*>& read = read_[&option];
     read.push_back(add(app, option, joined(option.names)));
-    read[0]->required(option.is_required);
+    read[0]->required(option.is_required && option.unless.empty());
     for (const std::string& name : option.old_names) {
       CLI::Option* old = add(app, option, name);
       old->group("");  // not shown
@@ -169,6 +180,9 @@ class Image {
   static void relate(CLI::App& app, const Option& option) {
     for (const std::string& other : option.excluded) {
       app.get_option(option.name())->excludes(app.get_option(other));
+    }
+    if (!option.unless.empty()) {
+      app.get_option(option.name())->excludes(app.get_option(option.unless));
     }
     for (const std::string& other : option.needed) {
       app.get_option(option.name())->needs(app.get_option(other));

@@ -28,10 +28,13 @@ struct Option {
   std::vector<std::string> old_names = {};  // still understood, and shown nowhere
   std::vector<std::string> excluded = {};   // options that cannot be given as well
   std::vector<std::string> needed = {};     // options that must be given as well
+  std::string unless = {};  // a required option is not, but excluded, where this one is given
   // Reads the values, with which the option was given. Throws UsageError.
   std::function<void(const std::vector<std::string>& values)> take = {};
 
-  bool given = false;  // set by the parser
+  // Set by the parser.
+  bool given = false;
+  std::vector<std::string> given_values = {};
 
   const std::string& name() const { return names.back(); }
   bool is_flag() const { return type.empty(); }
@@ -40,6 +43,11 @@ struct Option {
   Option& required() {
     is_required = true;
     initial.clear();
+    return *this;
+  }
+  Option& required_unless(const std::string& other) {
+    required();
+    unless = other;
     return *this;
   }
   Option& formerly(const std::string& old_name) {
@@ -120,6 +128,11 @@ class Verb {
   std::deque<Verb>& verbs() { return verbs_; }
   // Whether the option was given on the command line.
   bool given(const std::string& option) const;
+  // The options given, but for arguments and for those named, as words of a command line.
+  std::vector<std::string> given_words(const std::vector<std::string>& but) const;
+  // With this option the verb starts other runs, and what limits a run limits those.
+  void starts_runs_with(const std::string& option) { starts_runs_with_ = option; }
+  bool starts_runs() const { return !starts_runs_with_.empty() && given(starts_runs_with_); }
   ExitCode act() const { return action_(); }
 
  private:
@@ -129,7 +142,7 @@ class Verb {
                        std::uint64_t least, std::uint64_t most, const std::string& help,
                        std::function<void(std::uint64_t)> set);
 
-  std::string name_, description_, notes_;
+  std::string name_, description_, notes_, starts_runs_with_;
   std::vector<std::string> examples_;
   std::deque<Option> options_;
   std::deque<Verb> verbs_;

@@ -36,7 +36,7 @@ void limit(int resource, std::uint64_t value) {
   // If this program is killed outright its processes go with it.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(exit_cannot_run);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGXFSZ}) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGXFSZ, SIGPIPE}) {
     signal(number, SIG_DFL);
   }
   limit(RLIMIT_CORE, 0);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "apps/cli/command_line.h"
@@ -10,10 +11,12 @@
 #include "apps/cli/progress.h"
 #include "apps/run/kernel_verdict.h"
 #include "apps/run/limited_history.h"
+#include "apps/verbs/list.h"
 #include "apps/verbs/verbs.h"
 #include "certify/certifier.h"
 #include "history/claim.h"
 #include "history/error.h"
+#include "history/file_bytes.h"
 #include "history/json_text.h"
 #include "library/certification.h"
 #include "library/maneuver_input.h"
@@ -149,13 +152,30 @@ ExitCode certify_files(Request& request) {
   return exit_code(certificate.verdict);
 }
 
+// What the report of a run says of how far the history is proved.
+void read_report(const std::string& path, RunRow& row) {
+  const nlohmann::json report = nlohmann::json::parse(file_bytes(path, std::size_t{1} << 28));
+  row.events = report.at("certified_prefix").at("events").get<std::int64_t>();
+  row.t = report.at("certified_prefix").at("t").get<double>();
+}
+
+const ListedVerb listed_certify{.name = "certify",
+                                .arguments =
+                                    [](const ListedRun& run, const std::string& report) {
+                                      return std::vector<std::string>{
+                                          "certify", "--report", report,     "--quiet",
+                                          "--",      run.scene,  run.history};
+                                    },
+                                .read = read_report};
+
 }  // namespace
 
 void add_certify(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("certify", "Prove or refute a history of a scene");
-  verb.input("scene", request->scene, "The scene.").required();
-  verb.input("history", request->history, "The history, whoever wrote it.").required();
+  verb.input("scene", request->scene, "The scene.").required_unless("--list");
+  verb.input("history", request->history, "The history, whoever wrote it.")
+      .required_unless("--list");
   verb.choice(
       "--truth", {"exact", "recorded"}, request->truth,
       "Which motion the history must describe: the true motion of the scene, or the one that "
@@ -184,12 +204,14 @@ void add_certify(Verb& program) {
   add_max_events(verb, request->max_events);
   verb.flag("--quiet", request->quiet,
             "Show no progress on the terminal, and write nothing but the verdict.");
+  const auto list = add_list_options(verb, {"--report"});
   verb.note("What s CERTIFIED says is stated in docs/claim.md.")
       .note(
           "The last line of the output is s CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) "
           "or s UNDECIDED (3).");
   verb.example("voroproof certify a.scene.json a.history.jsonl --truth recorded --report r.json");
-  verb.does([request] {
+  verb.does([request, list, &verb] {
+    if (!list->list.empty()) return run_listed(verb, *list, listed_certify);
     try {
       return certify_files(*request);
     } catch (const InputError& error) {
