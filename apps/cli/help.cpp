@@ -27,7 +27,6 @@ Json described(const Option& option) {
   if (!option.initial.empty()) json["default"] = option.initial;
   if (!option.choices.empty()) json["choices"] = option.choices;
   if (!option.excluded.empty()) json["excludes"] = option.excluded;
-  if (!option.unless.empty()) json["unless"] = option.unless;
   if (!option.needed.empty()) json["needs"] = option.needed;
   return json;
 }

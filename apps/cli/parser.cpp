@@ -54,7 +54,6 @@ std::string shown_help(const Option& option) {
     separator = ", ";
   }
   if (!option.excluded.empty()) text += '.';
-  if (!option.unless.empty()) text += " Not with " + option.unless + '.';
   for (const std::string& other : option.needed) text += " Only with " + other + '.';
   return wrapped(text, width);
 }
@@ -180,9 +179,6 @@ class Image {
   static void relate(CLI::App& app, const Option& option) {
     for (const std::string& other : option.excluded) {
       app.get_option(option.name())->excludes(app.get_option(other));
-    }
-    if (!option.unless.empty()) {
-      app.get_option(option.name())->excludes(app.get_option(option.unless));
     }
     for (const std::string& other : option.needed) {
       app.get_option(option.name())->needs(app.get_option(other));

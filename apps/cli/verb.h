@@ -28,7 +28,7 @@ struct Option {
   std::vector<std::string> old_names = {};  // still understood, and shown nowhere
   std::vector<std::string> excluded = {};   // options that cannot be given as well
   std::vector<std::string> needed = {};     // options that must be given as well
-  std::string unless = {};  // a required option is not, but excluded, where this one is given
+  std::string unless = {};                  // with this option a required one is not to be given
   // Reads the values, with which the option was given. Throws UsageError.
   std::function<void(const std::vector<std::string>& values)> take = {};
 
@@ -48,6 +48,7 @@ struct Option {
   Option& required_unless(const std::string& other) {
     required();
     unless = other;
+    excluded.push_back(other);
     return *this;
   }
   Option& formerly(const std::string& old_name) {

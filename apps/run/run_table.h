@@ -17,7 +17,7 @@ struct ListedRun {
   bool operator==(const ListedRun&) const = default;
 };
 
-// Reads a list (docs/formats.md, section 14). Throws InputError naming the line.
+// Reads a list (docs/formats.md, section 17). Throws InputError naming the line.
 std::vector<ListedRun> read_run_list(const std::string& path);
 
 struct RunRow {

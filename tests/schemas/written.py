@@ -55,6 +55,8 @@ def write_some(folder, program, example):
     (folder / "crowded.json").write_text(json.dumps(CROWDED))
     go("plan crowded.json -o q.scene.json --report q.plan.json")
     go("experiment speed --scale 0.01 --members 1 --horizon 5 -o e.experiment.json")
+    (folder / "list").write_text("a.scene.json\ta.history.jsonl\na.scene.json\tb.history.jsonl\n")
+    go("certify --list list --json a.table.json")
     (folder / "help.json").write_text(subprocess.check_output([program, "help", "--json"], text=True))
     go("corpus run --family few --json own.corpus.json")
     go("corpus run --family few --json their.corpus.json --against", f"'{example}' {{scene}} {{history}}")
