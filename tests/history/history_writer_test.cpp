@@ -111,7 +111,14 @@ TEST(HistoryWriter, PathsThatCannotBeWritten) {
   TemporaryDirectory directory;
   EXPECT_THROW(HistoryWriter(directory.file("none/h")), OutputError);
   EXPECT_THROW(HistoryWriter{directory.file("")}, OutputError);
-  EXPECT_THROW(HistoryWriter("/dev/null"), OutputError);
+}
+
+TEST(HistoryWriter, WritesToADeviceAndDoesNotReplaceIt) {
+  HistoryWriter writer("/dev/null");
+  EXPECT_TRUE(writer.is_stream());
+  writer.header(example_header());
+  writer.stopped(0, "no more", {});
+  EXPECT_EQ(writer.close_beside_complete(), "/dev/null");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
