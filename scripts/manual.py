@@ -46,6 +46,11 @@ def values(option):
     return " ".join([f"\\fI{troff(option['type'])}\\fR"] * option["values"])
 
 
+def is_required(option):
+    """Whether no command line is without it."""
+    return option["required"] and not option.get("unless")
+
+
 def synopsis(verb, words):
     parts = [bold(words)]
     if verb["verbs"]:
@@ -53,11 +58,11 @@ def synopsis(verb, words):
     else:
         parts.append("[\\fIOPTION\\fR]...")
     for option in options(verb):
-        if option["required"]:
+        if is_required(option):
             parts.append(f"{bold(option['names'][-1])} {values(option)}")
     for argument in verb["arguments"]:
         name = f"\\fI{troff(argument['names'][-1].upper())}\\fR" + ("..." if argument["repeats"] else "")
-        parts.append(name if argument["required"] else f"[{name}]")
+        parts.append(name if is_required(argument) else f"[{name}]")
     return " ".join(parts)
 
 
@@ -78,7 +83,9 @@ def entry(option, is_argument):
         said.append("Only with " + ", ".join(map(bold, option["needs"])) + ".")
     if option.get("excludes"):
         said.append("Not with " + ", ".join(map(bold, option["excludes"])) + ".")
-    if option["required"] and not is_argument:
+    if option.get("unless"):
+        said.append(f"Required, but not with {bold(option['unless'])}.")
+    elif option["required"] and not is_argument:
         said.append("Required.")
     if option["repeats"] and not is_argument:
         said.append("May be given several times.")
