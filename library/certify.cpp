@@ -7,6 +7,7 @@
 #include "history/claim.h"
 #include "history/error.h"
 #include "library/certification.h"
+#include "library/explanation.h"
 #include "library/values.h"
 #include "voroproof/version.h"
 
@@ -50,6 +51,7 @@ voroproof::Divergence divergence_value(const Divergence& d) {
   out.truth = d.truth;
   if (d.true_flip) out.edge = edge_value(*d.true_flip);
   if (d.true_contact) out.pair = {d.true_contact->first, d.true_contact->second};
+  out.witness = witness_value(d.witness);
   return out;
 }
 
@@ -116,6 +118,11 @@ Report certify_files(const std::string& scene_path, const std::string& history_p
     return internal::judged(internal::open_claim(scene_path, history_path), scene_path,
                             history_path, options);
   });
+}
+
+std::string explain(const Report& report) {
+  return with_public_errors(
+      [&] { return internal::explain_report_text(report.json, "report").words; });
 }
 
 }  // namespace voroproof

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "certify/certificate.h"
 #include "exact/enclosure.h"
 #include "exact/rounding.h"
 #include "history/diagram_file.h"
@@ -13,6 +14,7 @@
 #include "history/history_source.h"
 #include "history/scene.h"
 #include "kinetic/engine.h"
+#include "voroproof/certify.h"
 #include "voroproof/diagram.h"
 #include "voroproof/history.h"
 #include "voroproof/number.h"
@@ -34,6 +36,8 @@ Quad quad(const voroproof::Edge& edge);
 voroproof::Event event_value(const Event& event);
 Event event(const voroproof::Event& event);
 voroproof::Enclosure enclosure_value(const Enclosure& enclosure);
+
+voroproof::Witness witness_value(const Witness& witness);
 
 voroproof::Diagram diagram_value(const DiagramFile& file);
 DiagramFile diagram_file(const voroproof::Diagram& diagram);

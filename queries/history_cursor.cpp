@@ -27,15 +27,20 @@ std::array<GenId, 2> movers(const Event& event) {
 
 HistoryCursor::HistoryCursor(const Scene& scene, const std::string& path,
                              const std::function<Diagram()>& initial, const Rational& covered)
-    : path_(path), last_(scene.disks.size(), -1), diagram_(Diagram(0)) {
+    : HistoryCursor(scene, *open_history(path, static_cast<int>(scene.disks.size()), scene.sha256),
+                    path, initial, covered) {}
+
+HistoryCursor::HistoryCursor(const Scene& scene, HistorySource& history, const std::string& name,
+                             const std::function<Diagram()>& initial, const Rational& covered)
+    : path_(name), last_(scene.disks.size(), -1), diagram_(Diagram(0)) {
   const int disks = static_cast<int>(scene.disks.size());
   HistoryFollower follower;
   follower.begin = [&](const HistoryHeader& header) {
     header_ = header;
-    diagram_ = NamedDiagram(initial_diagram(header, disks, path, initial));
+    diagram_ = NamedDiagram(initial_diagram(header, disks, name, initial));
   };
   follower.event = [&](const Event& event, bool, std::int64_t) { events_.push_back(event); };
-  follow_history(scene, path, covered, follower);
+  follow_history(history, name, covered, follower);
 
   for (const DiskInput& disk : scene.disks) {
     initial_.push_back({0, {disk.x, disk.y}, {disk.vx, disk.vy}});

@@ -26,6 +26,9 @@ class HistoryCursor {
   // where a flip names an edge that is not there.
   HistoryCursor(const Scene& scene, const std::string& path,
                 const std::function<Diagram()>& initial, const Rational& covered = 0);
+  // The same for a history of this scene that need be no file; `name` is for messages.
+  HistoryCursor(const Scene& scene, HistorySource& history, const std::string& name,
+                const std::function<Diagram()>& initial, const Rational& covered = 0);
 
   const HistoryHeader& header() const { return header_; }
   // The number of events.

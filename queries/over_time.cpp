@@ -89,6 +89,12 @@ Rational reach(const Paths& paths, const LeastGap& g) {
   return paths.signed_radius(g.i) + paths.signed_radius(g.j);
 }
 
+// The gap along the paths, by so many bits.
+Ball gap_ball(const Paths& paths, const LeastGap& g, int bits) {
+  const Ball d = sqrt(Ball(g.distance2, bits)), sum(reach(paths, g), bits);
+  return g.i == container_id ? -sum - d : d - sum;
+}
+
 // The sign of the gap of `a` minus that of `b`, both of disks.
 Sign compare_gaps(const Paths& paths, const LeastGap& a, const LeastGap& b) {
   const Enclosure x = gap_of(paths, a), y = gap_of(paths, b);
@@ -233,9 +239,23 @@ std::optional<LeastGap> least_gap_of_all(const Paths& paths, HistoryCursor& hist
 
 Enclosure gap_of(const Paths& paths, const LeastGap& least) {
   if (least.contact) return {0, 0};
-  constexpr int bits = 192;
-  const Ball d = sqrt(Ball(least.distance2, bits)), sum(reach(paths, least), bits);
-  return enclosure(least.i == container_id ? -sum - d : d - sum);
+  return enclosure(gap_ball(paths, least, 192));
+}
+
+double gap_at(const Paths& paths, GenId i, GenId j, const Rational& t) {
+  if (j < i) std::swap(i, j);
+  const LeastGap gap{
+      i, j, t,
+      squared_distance(position_at(paths.piece(i, t), t), position_at(paths.piece(j, t), t)),
+      false};
+  double x = 0;
+  for (const int bits : {192, 1024}) {
+    const Ball ball = gap_ball(paths, gap, bits);
+    if (ball.round_to_double(x)) return x;
+    x = ball.midpoint_as_double();
+  }
+  const Rational sum = reach(paths, gap);
+  return gap.distance2 == sum * sum ? 0 : x;
 }
 
 }  // namespace voroproof::internal

@@ -50,4 +50,8 @@ std::optional<LeastGap> least_gap_of_all(const Paths& paths, HistoryCursor& hist
 
 Enclosure gap_of(const Paths& paths, const LeastGap& least);
 
+// The gap of two generators on their paths at t >= 0, rounded to nearest, or next to that where
+// 1024 bits do not say which of two binary64 is nearer.
+double gap_at(const Paths& paths, GenId i, GenId j, const Rational& t);
+
 }  // namespace voroproof::internal

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "apps/answers/json_field.h"
-#include "apps/draw/diagram_geometry.h"
+#include "library/json_field.h"
+#include "library/diagram_geometry.h"
 
 namespace voroproof::internal {
 namespace {

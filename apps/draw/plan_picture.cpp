@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/draw/diagram_geometry.h"
+#include "library/diagram_geometry.h"
 #include "apps/draw/digit_pen.h"
 #include "apps/draw/palette.h"
 #include "apps/draw/picture.h"

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "apps/draw/diagram_geometry.h"
+#include "library/diagram_geometry.h"
 #include "apps/draw/digit_pen.h"
-#include "apps/draw/edge_curves.h"
+#include "library/edge_curves.h"
 #include "apps/draw/palette.h"
 #include "apps/draw/picture.h"
 #include "apps/draw/render_probe.h"

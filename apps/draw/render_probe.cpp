@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "apps/draw/diagram_geometry.h"
+#include "library/diagram_geometry.h"
 
 namespace voroproof::internal {
 namespace {

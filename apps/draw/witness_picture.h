@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/answers/explanation.h"
+#include "library/explanation.h"
 
 namespace voroproof::internal {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "apps/answers/explanation.h"
+#include "library/explanation.h"
 #include "apps/movie/movie_data.h"
 
 namespace voroproof::internal {

@@ -2,7 +2,7 @@
 #include <iostream>
 #include <memory>
 
-#include "apps/answers/explanation.h"
+#include "library/explanation.h"
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
 #include "apps/draw/witness_picture.h"

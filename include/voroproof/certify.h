@@ -1,6 +1,7 @@
 // The certifier: proves a claimed history, refutes it with evidence, or says what it cannot decide.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -33,6 +34,35 @@ struct CertifyOptions {
   std::function<bool(double t, std::int64_t events)> monitor;
 };
 
+// A number of a witness lies between the two. They are equal where it is rational and short enough
+// to be given exactly.
+struct Bounds {
+  Number lower, upper;
+};
+
+// A generator of a witness near the event: at time t its centre is (x + vx (t - t0), y + vy (t -
+// t0)). The signed radius of the container is negative.
+struct WitnessMotion {
+  int generator = 0;
+  Number t0;
+  Bounds x, y, vx, vy, signed_radius;
+};
+
+// What anybody can check by hand or with a computer algebra system. Which fields there are depends
+// on the fault (docs/certificate.md, section 9).
+struct Witness {
+  std::vector<WitnessMotion> generators;
+  // What vanishes at the event, and its coefficients (of 1, t, t^2, ...). It has exactly one root
+  // in `root`: the exact time of the event.
+  std::string polynomial_is;
+  std::vector<Bounds> polynomial;
+  std::optional<std::array<Number, 2>> root;
+  // Or: at t the two overlap; or the circle of the vertex contains a point of `contains`.
+  std::optional<Number> t;
+  std::optional<std::array<int, 3>> vertex;
+  std::optional<int> contains;
+};
+
 // Where a refuted history is wrong.
 struct Divergence {
   std::string fault;         // "missing event", "wrong time", ... (docs/certificate.md)
@@ -41,6 +71,7 @@ struct Divergence {
   std::string truth;         // what is true instead, one sentence
   std::optional<Edge> edge;  // that flips in truth
   std::optional<std::array<int, 2>> pair;  // that touches in truth
+  Witness witness;
 };
 
 // Something that was accepted by leniency (docs/claim.md, section 5).
@@ -71,5 +102,8 @@ VOROPROOF_API Report certify(const Scene& scene, const History& history,
 // Certifies files, in any format that the program reads; large ones are read as they are judged.
 VOROPROOF_API Report certify_files(const std::string& scene_path, const std::string& history_path,
                                    const CertifyOptions& options = {});
+
+// The report in words, several lines, with its witness: what `voroproof explain` prints.
+VOROPROOF_API std::string explain(const Report& report);
 
 }  // namespace voroproof

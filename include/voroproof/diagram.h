@@ -53,6 +53,19 @@ VOROPROOF_API Diagram diagram_at(const Scene& scene, const History& history, con
 // The generators whose cells share an edge with that of `generator`, sorted.
 VOROPROOF_API std::vector<int> neighbours(const Diagram& diagram, int generator);
 
+// The edges of the diagram, in their order, as chains of points from the start vertex to the end
+// vertex, whose chords keep within about `tolerance` of the true arcs. Throws std::invalid_argument
+// for a tolerance less than 1e-9 of the container's radius, and where it is no diagram: a vertex is
+// missing, say.
+VOROPROOF_API std::vector<std::vector<Vector>> edge_polylines(const Diagram& diagram,
+                                                              double tolerance);
+// The boundaries of the cells of the disks, by their ids, and last of the container, likewise:
+// closed polygons (the first point is not repeated) with the cell on the left. That of a disk runs
+// counterclockwise, that of the container clockwise, for its cell lies outside of it. Without disks
+// it is empty. Throws like edge_polylines().
+VOROPROOF_API std::vector<std::vector<Vector>> cell_polygons(const Diagram& diagram,
+                                                             double tolerance);
+
 // Reads and writes diagram files (docs/formats.md). Throw InputError, OutputError.
 VOROPROOF_API Diagram read_diagram(const std::string& path);
 VOROPROOF_API void write_diagram(const std::string& path, const Diagram& diagram);

@@ -10,6 +10,7 @@
 #include "voroproof/number.h"
 #include "voroproof/plan.h"
 #include "voroproof/queries.h"
+#include "voroproof/recorded_motion.h"
 #include "voroproof/scene.h"
 #include "voroproof/simulate.h"
 #include "voroproof/version.h"

@@ -1,6 +1,7 @@
 // The certifier of the library: verdicts, and what it refuses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -63,6 +64,32 @@ TEST(LibraryCertify, EachKindOfWrong) {
     EXPECT_EQ(report.verdict, Verdict::undecided);
     EXPECT_EQ(report.prefix_events, static_cast<std::int64_t>(h.events.size()));
   }
+}
+
+TEST(LibraryCertify, AWitnessIsExact) {
+  const Scene scene = two_disks();
+  History history = simulate(scene);
+  history.events.erase(std::find_if(
+      history.events.begin(), history.events.end(),
+      [](const Event& event) { return std::holds_alternative<CollisionEvent>(event); }));
+  const Report report = certify(scene, history);
+  ASSERT_EQ(report.verdict, Verdict::refuted);
+  const Witness& witness = report.divergence->witness;
+  ASSERT_EQ(witness.generators.size(), 2u);
+  // Centres -3 + t and 3 - t, that meet at the distance 2: (6 - 2 t)^2 - 4.
+  EXPECT_EQ(witness.generators[0].vx.lower, Number(1));
+  EXPECT_EQ(witness.generators[0].vx.upper, Number(1));
+  ASSERT_EQ(witness.polynomial.size(), 3u);
+  EXPECT_EQ(witness.polynomial[0].lower, Number(32));
+  EXPECT_EQ(witness.polynomial[1].lower, Number(-24));
+  EXPECT_EQ(witness.polynomial[2].upper, Number(4));
+  ASSERT_TRUE(witness.root.has_value());
+  EXPECT_LE((*witness.root)[0].nearest(), 2);
+  EXPECT_GE((*witness.root)[1].nearest(), 2);
+  const std::string words = explain(report);
+  EXPECT_NE(words.find("missing event"), std::string::npos) << words;
+  EXPECT_NE(words.find("-24"), std::string::npos) << words;
+  EXPECT_NE(explain(certify(scene, simulate(scene))).find("CERTIFIED"), std::string::npos);
 }
 
 TEST(LibraryCertify, RefusesWhatIsNoHistory) {

@@ -1,5 +1,5 @@
 // The curves of edges against the definition of a Voronoi edge, on diagrams found by brute force.
-#include "apps/draw/edge_curves.h"
+#include "library/edge_curves.h"
 
 #include <gtest/gtest.h>
 

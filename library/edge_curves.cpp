@@ -1,11 +1,11 @@
-#include "apps/draw/edge_curves.h"
+#include "library/edge_curves.h"
 
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
-#include "apps/draw/diagram_geometry.h"
 #include "exact/names.h"
+#include "library/diagram_geometry.h"
 
 namespace voroproof::internal {
 namespace {

@@ -1,11 +1,11 @@
-#include "apps/answers/explanation.h"
+#include "library/explanation.h"
 
 #include <sstream>
 
-#include "apps/answers/json_field.h"
 #include "history/error.h"
 #include "history/json_text.h"
 #include "history/scene.h"
+#include "library/json_field.h"
 
 namespace voroproof::internal {
 
@@ -159,6 +159,11 @@ class Explainer {
 Explanation explain_report(const std::string& path) {
   const nlohmann::json report = read_report(path, "voroproof-report", max_report);
   return Explainer(JsonField(report, path)).explain();
+}
+
+Explanation explain_report_text(const std::string& text, const std::string& name) {
+  const nlohmann::json report = parse_report(text, name);
+  return Explainer(JsonField(report, name)).explain();
 }
 
 }  // namespace voroproof::internal

@@ -1,4 +1,4 @@
-#include "apps/answers/json_field.h"
+#include "library/json_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,10 +69,7 @@ void JsonField::fail(const std::string& reason) const {
   throw InputError(*file_, 0, name_, reason);
 }
 
-Json read_report(const std::string& path, const std::string& format, std::size_t limit) {
-  const FileFormat found = format_of_file(path);
-  if (found.name != format) throw InputError(path, found.line, "format", "not \"" + format + "\"");
-  const std::string bytes = file_bytes(path, limit);
+Json parse_report(const std::string& bytes, const std::string& path) {
   Json report;
   try {
     report = Json::parse(bytes);
@@ -91,6 +88,12 @@ Json read_report(const std::string& path, const std::string& format, std::size_t
     version.fail("not " + std::to_string(format_version));
   }
   return report;
+}
+
+Json read_report(const std::string& path, const std::string& format, std::size_t limit) {
+  const FileFormat found = format_of_file(path);
+  if (found.name != format) throw InputError(path, found.line, "format", "not \"" + format + "\"");
+  return parse_report(file_bytes(path, limit), path);
 }
 
 }  // namespace voroproof::internal

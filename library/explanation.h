@@ -39,5 +39,7 @@ struct Explanation {
 
 // Reads a report file. Throws InputError where it is none.
 Explanation explain_report(const std::string& path);
+// Explains the text of a report; `name` is for messages.
+Explanation explain_report_text(const std::string& text, const std::string& name);
 
 }  // namespace voroproof::internal

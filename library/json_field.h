@@ -42,5 +42,7 @@ class JsonField {
 // The JSON document in a file of at most `limit` bytes whose "format" is the given one, version 1.
 // Throws InputError where it is none.
 nlohmann::json read_report(const std::string& path, const std::string& format, std::size_t limit);
+// The document in the text of such a report; `name` is for messages, the format is not looked at.
+nlohmann::json parse_report(const std::string& text, const std::string& name);
 
 }  // namespace voroproof::internal

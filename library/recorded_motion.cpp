@@ -1,0 +1,204 @@
+#include "voroproof/recorded_motion.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "filtered/numbers/dd_ball.h"
+#include "history/error.h"
+#include "library/true_moment.h"
+#include "library/values.h"
+#include "queries/over_time.h"
+
+namespace voroproof {
+namespace internal {
+namespace {
+
+constexpr const char* history_name = "history";
+
+HistoryCursor cursor_of(const Scene& scene, const voroproof::History& history,
+                        const EngineOptions& options) {
+  if (history.scene_sha256 != scene.sha256) {
+    throw InputError(history_name, 1, "scene_sha256", "the history is one of another scene");
+  }
+  const auto source = memory_history(history, static_cast<int>(scene.disks.size()));
+  return HistoryCursor(scene, *source, history_name,
+                       [&] { return diagram_at(run_to(scene, 0, options)->motion(), 0); });
+}
+
+// A piece of a path whose numbers are all binary64.
+struct PlainPiece {
+  bool plain = false;
+  double since = 0;
+  Vec2 center{}, velocity{};
+};
+
+PlainPiece plain_piece(const RecordedState& state) {
+  PlainPiece out;
+  const auto take = [](const Rational& q, double& x) {
+    x = round_nearest(q);
+    return to_rational(x) == q;
+  };
+  out.plain = take(state.since, out.since);
+  for (const int axis : {0, 1}) {
+    out.plain = take(state.center[axis], out.center[axis]) && out.plain;
+    out.plain = take(state.velocity[axis], out.velocity[axis]) && out.plain;
+  }
+  return out;
+}
+
+// x + v (t - s), rounded to nearest, where double-doubles tell.
+std::optional<double> plain_coordinate(double x, double v, double t, double s) {
+  const DdBall sum = DdBall(x) + DdBall(v) * (DdBall(t) - DdBall(s));
+  if (!rounds_to_leading(sum)) return std::nullopt;
+  return sum.hi;
+}
+
+}  // namespace
+}  // namespace internal
+
+struct RecordedMotion::Implementation {
+  internal::HistoryCursor cursor;
+  internal::Paths paths;
+  int disks;
+  internal::Rational end;                                // up to which it tells
+  bool complete;                                         // end included
+  std::vector<std::vector<internal::PlainPiece>> plain;  // of the disks, like paths.pieces()
+
+  Implementation(const internal::Scene& scene, const History& history)
+      : cursor(internal::cursor_of(scene, history, {})),
+        paths(scene, cursor, internal::history_name),
+        disks(static_cast<int>(scene.disks.size())),
+        end(history.ending.complete ? internal::rational(history.horizon)
+                                    : internal::to_rational(history.ending.t)),
+        complete(history.ending.complete) {
+    plain.resize(scene.disks.size());
+    for (int g = 0; g < disks; ++g) {
+      for (const auto& state : paths.pieces(g)) plain[g].push_back(internal::plain_piece(state));
+    }
+  }
+
+  internal::Rational time(const Number& t) const {
+    internal::Rational q = internal::instant(t);
+    if (complete ? q > end : q >= end) {
+      throw std::invalid_argument("t: " + t.text() + " is beyond what the history covers, " +
+                                  internal::number(end).text());
+    }
+    return q;
+  }
+  internal::Window window(const Number& from, const Number& to) const {
+    internal::Window window{time(from), time(to)};
+    if (window.from > window.to) throw std::invalid_argument("from: later than to");
+    return window;
+  }
+  void require_generator(int g) const {
+    if (g < internal::container_id || g >= disks) {
+      throw std::invalid_argument("there is no generator " + std::to_string(g));
+    }
+  }
+  void require_pair(int i, int j) const {
+    require_generator(i);
+    require_generator(j);
+    if (i == j) throw std::invalid_argument("the gap of a generator and itself");
+  }
+
+  Vector position(int disk, const Number& t, const internal::Rational& exact_t) const {
+    const internal::RecordedState& piece = paths.piece(disk, exact_t);
+    const auto& known = plain[disk][&piece - paths.pieces(disk).data()];
+    Vector out{};
+    std::optional<internal::ExactVec2> exact;
+    for (const int axis : {0, 1}) {
+      std::optional<double> x;
+      if (known.plain && t.is_double()) {
+        x = internal::plain_coordinate(known.center[axis], known.velocity[axis], t.nearest(),
+                                       known.since);
+      }
+      if (!x && !exact) exact = internal::position_at(piece, exact_t);
+      out[axis] = x ? *x : internal::round_nearest((*exact)[axis]);
+    }
+    return out;
+  }
+};
+
+namespace {
+
+using internal::with_public_errors;
+
+LeastGap value_of(const internal::Paths& paths, const internal::LeastGap& least) {
+  return {least.i, least.j, internal::number(least.t),
+          internal::enclosure_value(internal::gap_of(paths, least)), least.contact};
+}
+
+}  // namespace
+
+RecordedMotion::RecordedMotion(const Scene& scene, const History& history) {
+  with_public_errors([&] {
+    implementation_ = std::make_unique<Implementation>(internal::checked_scene(scene), history);
+  });
+}
+RecordedMotion::RecordedMotion(RecordedMotion&&) noexcept = default;
+RecordedMotion& RecordedMotion::operator=(RecordedMotion&&) noexcept = default;
+RecordedMotion::~RecordedMotion() = default;
+
+std::vector<Vector> RecordedMotion::positions(const Number& t) const {
+  return with_public_errors([&] {
+    const internal::Rational at = implementation_->time(t);
+    std::vector<Vector> out;
+    out.reserve(implementation_->disks);
+    for (int g = 0; g < implementation_->disks; ++g) {
+      out.push_back(implementation_->position(g, t, at));
+    }
+    return out;
+  });
+}
+
+std::vector<Vector> RecordedMotion::velocities(const Number& t) const {
+  return with_public_errors([&] {
+    const internal::Rational at = implementation_->time(t);
+    std::vector<Vector> out;
+    out.reserve(implementation_->disks);
+    for (int g = 0; g < implementation_->disks; ++g) {
+      const internal::ExactVec2& v = implementation_->paths.piece(g, at).velocity;
+      out.push_back({internal::round_nearest(v[0]), internal::round_nearest(v[1])});
+    }
+    return out;
+  });
+}
+
+double RecordedMotion::gap(int i, int j, const Number& t) const {
+  implementation_->require_pair(i, j);
+  return with_public_errors(
+      [&] { return internal::gap_at(implementation_->paths, i, j, implementation_->time(t)); });
+}
+
+std::vector<Neighbourhood> RecordedMotion::neighbours(int disk, const Number& from,
+                                                      const Number& to) {
+  implementation_->require_generator(disk);
+  return with_public_errors([&] {
+    std::vector<Neighbourhood> out;
+    for (const auto& n : internal::neighbours_over(implementation_->cursor, disk,
+                                                   implementation_->window(from, to))) {
+      out.push_back({n.generator, internal::number(n.from), internal::number(n.to)});
+    }
+    return out;
+  });
+}
+
+LeastGap RecordedMotion::least_gap(int i, int j, const Number& from, const Number& to) {
+  implementation_->require_pair(i, j);
+  return with_public_errors([&] {
+    return value_of(implementation_->paths,
+                    internal::least_gap(implementation_->paths, implementation_->cursor, i, j,
+                                        implementation_->window(from, to)));
+  });
+}
+
+std::optional<LeastGap> RecordedMotion::least_gap(const Number& from, const Number& to) {
+  return with_public_errors([&]() -> std::optional<LeastGap> {
+    const auto least = internal::least_gap_of_all(implementation_->paths, implementation_->cursor,
+                                                  implementation_->window(from, to));
+    if (!least) return std::nullopt;
+    return value_of(implementation_->paths, *least);
+  });
+}
+
+}  // namespace voroproof
