@@ -206,7 +206,17 @@ double time(const Event& event) {
   return std::visit([](const auto& e) { return e.t; }, event);
 }
 
+EventSink::~EventSink() = default;
+
 History read_history(const std::string& path) {
+  History events;
+  internal::Collecting sink(events);
+  History out = read_history(path, sink);
+  out.events = std::move(events.events);
+  return out;
+}
+
+History read_history(const std::string& path, EventSink& sink) {
   return with_public_errors([&] {
     internal::HistoryReader reader(path);
     History out;
@@ -219,12 +229,11 @@ History read_history(const std::string& path) {
       for (const internal::Quad& q : *reader.header().initial) {
         out.initial->push_back(internal::edge_value(q));
       }
+      sink.begin(*out.initial);
     }
-    while (const auto event = reader.next()) {
-      if (!reader.extensions().empty()) {
-        out.event_extensions.emplace(out.events.size(), reader.extensions());
-      }
-      out.events.push_back(internal::event_value(*event));
+    for (std::size_t k = 0; const auto event = reader.next(); ++k) {
+      if (!reader.extensions().empty()) out.event_extensions.emplace(k, reader.extensions());
+      sink.event(internal::event_value(*event));
       out.rounded += internal::is_rounded(*event);
     }
     if (const auto* stop = std::get_if<internal::HistoryStop>(&reader.ending())) {

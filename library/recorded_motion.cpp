@@ -1,5 +1,7 @@
 #include "voroproof/recorded_motion.h"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -27,7 +29,7 @@ HistoryCursor cursor_of(const Scene& scene, const voroproof::History& history,
 
 // A piece of a path whose numbers are all binary64.
 struct PlainPiece {
-  bool plain = false;
+  bool plain = false, plain_since = false;
   double since = 0;
   Vec2 center{}, velocity{};
 };
@@ -38,7 +40,7 @@ PlainPiece plain_piece(const RecordedState& state) {
     x = round_nearest(q);
     return to_rational(x) == q;
   };
-  out.plain = take(state.since, out.since);
+  out.plain = out.plain_since = take(state.since, out.since);
   for (const int axis : {0, 1}) {
     out.plain = take(state.center[axis], out.center[axis]) && out.plain;
     out.plain = take(state.velocity[axis], out.velocity[axis]) && out.plain;
@@ -63,6 +65,7 @@ struct RecordedMotion::Implementation {
   internal::Rational end;                                // up to which it tells
   bool complete;                                         // end included
   std::vector<std::vector<internal::PlainPiece>> plain;  // of the disks, like paths.pieces()
+  std::vector<bool> plain_times;  // whether all of the disk's pieces start at binary64
 
   Implementation(const internal::Scene& scene, const History& history)
       : cursor(internal::cursor_of(scene, history, {})),
@@ -74,6 +77,8 @@ struct RecordedMotion::Implementation {
     plain.resize(scene.disks.size());
     for (int g = 0; g < disks; ++g) {
       for (const auto& state : paths.pieces(g)) plain[g].push_back(internal::plain_piece(state));
+      plain_times.push_back(std::all_of(plain[g].begin(), plain[g].end(),
+                                        [](const auto& piece) { return piece.plain_since; }));
     }
   }
 
@@ -101,9 +106,22 @@ struct RecordedMotion::Implementation {
     if (i == j) throw std::invalid_argument("the gap of a generator and itself");
   }
 
+  // The piece in force at t. Where times are binary64, which they are nearly always, they are
+  // compared as such.
+  const internal::PlainPiece& plain_at(int disk, const Number& t,
+                                       const internal::Rational& exact_t) const {
+    const std::vector<internal::PlainPiece>& all = plain[disk];
+    if (!t.is_double() || !plain_times[disk]) {
+      return all[&paths.piece(disk, exact_t) - paths.pieces(disk).data()];
+    }
+    const auto after =
+        std::upper_bound(all.begin(), all.end(), t.nearest(),
+                         [](double time, const internal::PlainPiece& p) { return time < p.since; });
+    return *std::prev(after);
+  }
+
   Vector position(int disk, const Number& t, const internal::Rational& exact_t) const {
-    const internal::RecordedState& piece = paths.piece(disk, exact_t);
-    const auto& known = plain[disk][&piece - paths.pieces(disk).data()];
+    const internal::PlainPiece& known = plain_at(disk, t, exact_t);
     Vector out{};
     std::optional<internal::ExactVec2> exact;
     for (const int axis : {0, 1}) {
@@ -112,7 +130,7 @@ struct RecordedMotion::Implementation {
         x = internal::plain_coordinate(known.center[axis], known.velocity[axis], t.nearest(),
                                        known.since);
       }
-      if (!x && !exact) exact = internal::position_at(piece, exact_t);
+      if (!x && !exact) exact = internal::position_at(paths.piece(disk, exact_t), exact_t);
       out[axis] = x ? *x : internal::round_nearest((*exact)[axis]);
     }
     return out;

@@ -13,8 +13,6 @@ namespace voroproof {
 
 const char* version() { return VOROPROOF_VERSION; }
 
-EventSink::~EventSink() = default;
-
 namespace internal {
 namespace {
 
@@ -55,17 +53,6 @@ class Forwarding final : public EventSink {
   }
 
   voroproof::EventSink& sink_;
-};
-
-// Into a history.
-class Collecting final : public voroproof::EventSink {
- public:
-  explicit Collecting(History& history) : history_(history) {}
-  void begin(const std::vector<voroproof::Edge>& initial) override { history_.initial = initial; }
-  void event(const voroproof::Event& event) override { history_.events.push_back(event); }
-
- private:
-  History& history_;
 };
 
 voroproof::Ending run(const Scene& scene, voroproof::EventSink& sink,

@@ -42,6 +42,17 @@ voroproof::Witness witness_value(const Witness& witness);
 voroproof::Diagram diagram_value(const DiagramFile& file);
 DiagramFile diagram_file(const voroproof::Diagram& diagram);
 
+// Collects a history.
+class Collecting final : public voroproof::EventSink {
+ public:
+  explicit Collecting(voroproof::History& history) : history_(history) {}
+  void begin(const std::vector<voroproof::Edge>& initial) override { history_.initial = initial; }
+  void event(const voroproof::Event& event) override { history_.events.push_back(event); }
+
+ private:
+  voroproof::History& history_;
+};
+
 // A history in memory as a source of events, for a scene of so many disks. It must outlive the
 // source. Checks what a reader of files checks. Throws InputError for "history".
 std::unique_ptr<HistorySource> memory_history(const voroproof::History& history, int disks);

@@ -78,8 +78,20 @@ struct History {
   std::map<std::size_t, Extensions> event_extensions;  // by index, of the events that have any
 };
 
+// Receives a history in its order.
+class VOROPROOF_API EventSink {
+ public:
+  virtual ~EventSink();
+  // The diagram just after 0, canonical and sorted. Called first, if there is one.
+  virtual void begin(const std::vector<Edge>& initial) = 0;
+  virtual void event(const Event& event) = 0;
+};
+
 // Reads a history file. Throws InputError.
 VOROPROOF_API History read_history(const std::string& path);
+// Hands its events on as they are read, however many; the history that is returned has none of
+// them, but their extensions. Throws whatever the sink throws, too.
+VOROPROOF_API History read_history(const std::string& path, EventSink& sink);
 // Writes it, whole or not at all, with edges canonical. Throws OutputError, and InputError where it
 // is no history: times that decrease, ids out of range.
 VOROPROOF_API void write_history(const std::string& path, const History& history);

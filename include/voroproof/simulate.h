@@ -20,15 +20,6 @@ struct SimulateOptions {
   std::function<bool(double t, std::uint64_t events)> monitor;
 };
 
-// Receives a history in its order.
-class VOROPROOF_API EventSink {
- public:
-  virtual ~EventSink();
-  // The diagram just after 0, canonical and sorted. Called first.
-  virtual void begin(const std::vector<Edge>& initial) = 0;
-  virtual void event(const Event& event) = 0;
-};
-
 // The history up to the scene's horizon. Where a decision needs more than the budget, disks undergo
 // infinitely many collisions in finite time, or the monitor says so, it stops: its ending says why,
 // and what is before is right. Throws InputError, and whatever the sink throws.

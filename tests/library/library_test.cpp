@@ -94,6 +94,27 @@ TEST_F(LibraryFiles, ASceneKeepsTheIdentityOfItsFileUntilItIsChanged) {
   EXPECT_THROW(certify(scene, history), InputError);
 }
 
+TEST_F(LibraryFiles, AHistoryIsReadIntoASink) {
+  struct Counting final : EventSink {
+    void begin(const std::vector<Edge>& initial) override { edges = initial.size(); }
+    void event(const Event& event) override {
+      if (time(event) > 15) throw std::runtime_error("enough");
+      ++events;
+    }
+    std::size_t edges = 0, events = 0;
+  };
+  const History history = simulate(reference(10, 15));
+  write_history(file("a.jsonl"), history);
+  Counting counting;
+  const History head = read_history(file("a.jsonl"), counting);
+  EXPECT_EQ(counting.events, history.events.size());
+  EXPECT_EQ(counting.edges, history.initial->size());
+  EXPECT_TRUE(head.events.empty());
+  EXPECT_EQ(head.scene_sha256, history.scene_sha256);
+  write_history(file("b.jsonl"), simulate(reference(10, 50)));
+  EXPECT_THROW(read_history(file("b.jsonl"), counting), std::runtime_error);
+}
+
 TEST(LibraryScene, IsCheckedAsAFileIs) {
   Scene scene = two_disks();
   scene.disks[1].x = -2;
