@@ -44,6 +44,8 @@ check queries exact filtered topology history queries
 check corpus exact history corpus
 # Headers for others see each other only.
 check include voroproof
+# What Python sees is what others see.
+check python voroproof python
 check library exact filtered topology history kinetic certify evidence queries planning corpus library voroproof
 
 # Below apps/ no subject knows a verb, and none but its own folder and those named here.

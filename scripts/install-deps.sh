@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the project needs and that are not there yet.
 #
-# usage: scripts/install-deps.sh [test] [bench] [plots] [ci] [browser] [packages]
+# usage: scripts/install-deps.sh [test] [bench] [plots] [python] [ci] [browser] [packages]
 #   without arguments: what building and running the program takes
 #   test:  what building the tests takes besides
 #   bench: what the benchmarks and the peers they measure take besides
 #   plots: what scripts/plot-experiments.py, plot-growth.py and plot-plan.py take
+#   python: what building the Python module takes, and its tests with notebooks
 #   ci:    the second compiler, the formatter, the counter of instructions, doxygen, man and shells besides
 #   packages: what scripts/check-packages.sh takes besides
 #   browser: what testing pages and photographing that of `movie` takes besides (large)
@@ -30,11 +31,15 @@ for group in "$@"; do
     test) packages+=(libgtest-dev librapidcheck-dev python3 python3-jsonschema) ;;
     bench) packages+=(libbenchmark-dev libmpfi-dev) ;;
     plots) packages+=(python3-matplotlib) ;;
+    python)
+      packages+=(pybind11-dev python3-dev python3-numpy python3-matplotlib python3-pandas python3-pytest)
+      packages+=(python3-nbclient python3-nbconvert python3-ipykernel)
+      ;;
     ci) packages+=(clang clang-format valgrind doxygen man-db fish zsh) ;;
     browser) packages+=(chromium) ;;
     packages) packages+=(debhelper lintian mmdebstrap) ;;
     *)
-      echo "install-deps: unknown group '$group' (test, bench, plots, ci, browser, packages)" >&2
+      echo "install-deps: unknown group '$group' (test, bench, plots, python, ci, browser, packages)" >&2
       exit 2
       ;;
   esac

@@ -1,0 +1,113 @@
+#include <pybind11/stl.h>
+
+#include "python/core/attention.h"
+#include "python/core/bind.h"
+#include "python/core/events.h"
+#include "python/core/number_caster.h"
+#include "voroproof/certify.h"
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace voroproof::python {
+namespace {
+
+py::tuple pair_of(const Bounds& b) { return py::make_tuple(b.lower, b.upper); }
+
+py::dict dict_of(const Witness& w) {
+  py::list generators, polynomial;
+  for (const WitnessMotion& m : w.generators) {
+    generators.append(py::make_tuple(m.generator, m.t0, pair_of(m.x), pair_of(m.y), pair_of(m.vx),
+                                     pair_of(m.vy), pair_of(m.signed_radius)));
+  }
+  for (const Bounds& c : w.polynomial) polynomial.append(pair_of(c));
+  py::object root = py::none();
+  if (w.root) root = py::make_tuple((*w.root)[0], (*w.root)[1]);
+  return py::dict("generators"_a = generators, "polynomial_is"_a = w.polynomial_is,
+                  "polynomial"_a = polynomial, "root"_a = root, "t"_a = w.t, "vertex"_a = w.vertex,
+                  "contains"_a = w.contains);
+}
+
+py::dict dict_of(const Divergence& d) {
+  py::object edge = py::none();
+  if (d.edge) edge = py::make_tuple(d.edge->l, d.edge->r, d.edge->s, d.edge->e);
+  py::object pair = py::none();
+  if (d.pair) pair = py::make_tuple((*d.pair)[0], (*d.pair)[1]);
+  return py::dict("fault"_a = d.fault, "line"_a = d.line, "t"_a = d.t, "truth"_a = d.truth,
+                  "edge"_a = edge, "pair"_a = pair, "witness"_a = dict_of(d.witness));
+}
+
+py::dict dict_of(const Report& r) {
+  py::object divergence = py::none();
+  if (r.divergence) divergence = dict_of(*r.divergence);
+  py::list leniency;
+  for (const Leniency& l : r.leniency) leniency.append(py::make_tuple(l.name, l.words, l.count));
+  return py::dict("verdict"_a = name(r.verdict), "reason"_a = r.reason, "divergence"_a = divergence,
+                  "evidence"_a = r.evidence, "prefix_events"_a = r.prefix_events,
+                  "prefix_t"_a = r.prefix_t, "flips"_a = r.flips, "collisions"_a = r.collisions,
+                  "maneuvers"_a = r.maneuvers, "leniency"_a = leniency, "remarks"_a = r.remarks,
+                  "json"_a = r.json);
+}
+
+CertifyOptions options_of(const std::string& truth, const Number& tolerance,
+                          const Number& law_tolerance, bool strict, int threads, int max_bits,
+                          Attention& attention) {
+  CertifyOptions options;
+  if (truth != "exact" && truth != "recorded") {
+    throw std::invalid_argument("truth: neither \"exact\" nor \"recorded\"");
+  }
+  options.truth = truth == "exact" ? Truth::exact : Truth::recorded;
+  options.tolerance = tolerance;
+  options.law_tolerance = law_tolerance;
+  options.strict = strict;
+  options.threads = threads;
+  options.max_bits = max_bits;
+  options.monitor = [&](double t, std::int64_t events) { return attention(t, events); };
+  return options;
+}
+
+template <class Judge>
+py::dict judged(py::object progress, const std::string& truth, const Number& tolerance,
+                const Number& law_tolerance, bool strict, int threads, int max_bits, Judge judge) {
+  Attention attention(std::move(progress));
+  const CertifyOptions options =
+      options_of(truth, tolerance, law_tolerance, strict, threads, max_bits, attention);
+  const Report report = attention.spend([&] { return judge(options); });
+  attention.report(report.prefix_t, report.prefix_events);
+  return dict_of(report);
+}
+
+}  // namespace
+
+void bind_certify(py::module_& module) {
+  module.def(
+      "certify",
+      [](const Scene& scene, const EventTable& history, py::object progress,
+         const std::string& truth, const Number& tolerance, const Number& law_tolerance,
+         bool strict, int threads, int max_bits) {
+        return judged(std::move(progress), truth, tolerance, law_tolerance, strict, threads,
+                      max_bits, [&](const CertifyOptions& options) {
+                        return certify(scene, history.history(), options);
+                      });
+      },
+      "scene"_a, "history"_a, "progress"_a, "truth"_a, "tolerance"_a, "law_tolerance"_a, "strict"_a,
+      "threads"_a, "max_bits"_a);
+  module.def(
+      "certify_files",
+      [](const std::string& scene, const std::string& history, py::object progress,
+         const std::string& truth, const Number& tolerance, const Number& law_tolerance,
+         bool strict, int threads, int max_bits) {
+        return judged(
+            std::move(progress), truth, tolerance, law_tolerance, strict, threads, max_bits,
+            [&](const CertifyOptions& options) { return certify_files(scene, history, options); });
+      },
+      "scene"_a, "history"_a, "progress"_a, "truth"_a, "tolerance"_a, "law_tolerance"_a, "strict"_a,
+      "threads"_a, "max_bits"_a);
+  module.def("explain", [](const std::string& json) {
+    Report report;
+    report.json = json;
+    return explain(report);
+  });
+}
+
+}  // namespace voroproof::python

@@ -1,0 +1,86 @@
+#include <pybind11/stl.h>
+
+#include "python/core/arrays.h"
+#include "python/core/attention.h"
+#include "python/core/bind.h"
+#include "python/core/events.h"
+#include "python/core/number_caster.h"
+#include "voroproof/diagram.h"
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace voroproof::python {
+namespace {
+
+template <class Items, class Field>
+py::array_t<double> vectors(const Items& items, Field field) {
+  std::vector<Vector> all;
+  for (const auto& item : items) all.push_back(item.*field);
+  return array_of(all);
+}
+
+template <class Items, class Field>
+py::array_t<double> numbers(const Items& items, Field field) {
+  std::vector<double> all;
+  for (const auto& item : items) all.push_back(item.*field);
+  return py::array_t<double>(static_cast<py::ssize_t>(all.size()), all.data());
+}
+
+py::array_t<std::int32_t> vertex_names(const Diagram& d) {
+  py::array_t<std::int32_t> out({static_cast<py::ssize_t>(d.vertices.size()), py::ssize_t{3}});
+  auto to = out.mutable_unchecked<2>();
+  for (std::size_t k = 0; k < d.vertices.size(); ++k) {
+    for (const int side : {0, 1, 2}) to(k, side) = d.vertices[k].generators[side];
+  }
+  return out;
+}
+
+py::list list_of(const std::vector<std::vector<Vector>>& lines) {
+  py::list all;
+  for (const auto& line : lines) all.append(array_of(line));
+  return all;
+}
+
+}  // namespace
+
+void bind_diagram(py::module_& module) {
+  py::class_<Diagram>(module, "Diagram")
+      .def_readonly("t", &Diagram::t)
+      .def_readonly("scene_sha256", &Diagram::scene_sha256)
+      .def_property_readonly("container",
+                             [](const Diagram& d) {
+                               return std::tuple(d.container_center[0], d.container_center[1],
+                                                 d.container_radius);
+                             })
+      .def("positions", [](const Diagram& d) { return vectors(d.disks, &PlacedDisk::center); })
+      .def("velocities", [](const Diagram& d) { return vectors(d.disks, &PlacedDisk::velocity); })
+      .def("radii", [](const Diagram& d) { return numbers(d.disks, &PlacedDisk::radius); })
+      .def("vertices", &vertex_names)
+      .def("vertex_positions",
+           [](const Diagram& d) { return vectors(d.vertices, &Vertex::center); })
+      .def("vertex_radii", [](const Diagram& d) { return numbers(d.vertices, &Vertex::radius); })
+      .def("edges", [](const Diagram& d) { return array_of(d.edges); })
+      .def("neighbours", [](const Diagram& d, int g) { return neighbours(d, g); })
+      .def("edge_polylines",
+           [](const Diagram& d, double tolerance) { return list_of(edge_polylines(d, tolerance)); })
+      .def("cell_polygons",
+           [](const Diagram& d, double tolerance) { return list_of(cell_polygons(d, tolerance)); })
+      .def("write", [](const Diagram& d, const std::string& path) { write_diagram(path, d); });
+  module.def("read_diagram", &read_diagram);
+  module.def(
+      "diagram_of_scene",
+      [](const Scene& scene, const Number& t, int max_bits) {
+        return Attention::without_lock([&] { return diagram_at(scene, t, max_bits); });
+      },
+      "scene"_a, "t"_a, "max_bits"_a);
+  module.def(
+      "diagram_of_history",
+      [](const Scene& scene, const EventTable& history, const Number& t, bool checked) {
+        return Attention::without_lock(
+            [&] { return diagram_at(scene, history.history(), t, 32768, checked); });
+      },
+      "scene"_a, "history"_a, "t"_a, "checked"_a);
+}
+
+}  // namespace voroproof::python

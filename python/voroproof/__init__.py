@@ -1,0 +1,31 @@
+"""Exact event histories of the Voronoi diagram of moving disks, and their certifier.
+
+    import voroproof as vp
+    scene = vp.Scene.reference(30, horizon=100)
+    history = vp.simulate(scene)
+    print(vp.certify(scene, history))
+    history.plot_gap(0, 1)
+
+Disks are named by their index, the container by -1 (`vp.CONTAINER`). Lengths, times and speeds are in
+one consistent set of units of the caller's. Exact numbers go in as `fractions.Fraction`, `int`,
+`decimal.Decimal`, text ("1/3", "0.1") or `float`, which means the binary64 that it is; they come out as
+`Fraction`. Arrays hold binary64, rounded to nearest. docs/python.md says more.
+"""
+
+from ._core import version as __version__
+from .diagram import Diagram
+from .errors import Error, InputError, Interrupted, OutputError, Undecided
+from .history import COLLISION, CONTAINER, FLIP, MANEUVER, Ending, History, event_dtype, simulate
+from .motion import LeastGap, Neighbourhood
+from .plan import Approach, Plan, Vehicle, plan
+from .queries import Closest, Instant, NearDisk, Neighbour
+from .report import Divergence, Leniency, Report, Witness, WitnessMotion, certify, certify_files
+from .scene import Disk, Maneuver, Scene
+
+__all__ = [
+    "COLLISION", "CONTAINER", "FLIP", "MANEUVER", "Approach", "Closest", "Diagram", "Disk",
+    "Divergence", "Ending", "Error", "History", "InputError", "Instant", "Interrupted", "LeastGap",
+    "Leniency", "Maneuver", "NearDisk", "Neighbour", "Neighbourhood", "OutputError", "Plan", "Report",
+    "Scene", "Undecided", "Vehicle", "Witness", "WitnessMotion", "__version__", "certify",
+    "certify_files", "event_dtype", "plan", "simulate",
+]

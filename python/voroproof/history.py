@@ -1,0 +1,266 @@
+"""Histories: every change of the diagram of a scene, with its time."""
+
+from __future__ import annotations
+
+import os
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Callable, Iterable, NamedTuple, Optional
+
+import numpy as np
+
+from . import _core
+from .motion import LeastGap, Neighbourhood, least_gap_of
+from .scene import Number, Path, Scene
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.axes import Axes
+
+    from .diagram import Diagram
+
+CONTAINER = -1
+FLIP, COLLISION, MANEUVER = 0, 1, 2
+KINDS = ("flip", "collision", "maneuver")
+
+#: The items of `History.events`: time `t`; `kind` (FLIP, COLLISION, MANEUVER); `ids`, shape (4,): l, r, s, e
+#: of a flip, i, j of a collision, the disk of a maneuver, -2 for nothing; `velocity` just after and
+#: `center`, shape (2, 2), of the first and the second id of a collision or a maneuver, NaN for nothing.
+event_dtype: np.dtype = _core.event_dtype
+
+Progress = Callable[[float, int], Optional[bool]]
+
+
+class Ending(NamedTuple):
+    """How a history ends: complete up to its horizon t, or right before t only, and why."""
+
+    complete: bool
+    t: float
+    reason: str
+
+
+class History:
+    """A history of a scene; it does not change.
+
+    Made by `simulate`, by `History.read`, or of arrays of an engine of your own by the constructor.
+
+    `events` is a structured array of `event_dtype`, in the order of the events. The paths between them
+    are those that the history records: a disk starts as the scene says and, after each of its
+    collisions, from the centre and with the velocity that the event gives. What asks for places
+    (`positions`, `sample`, `gap_series`, ...) raises InputError where events lack them, and ValueError
+    for times beyond the history.
+    """
+
+    def __init__(self, scene: Scene, events: Any, *, initial: Any = None,
+                 horizon: Optional[Number] = None, producer: str = "",
+                 ending: Optional[Ending] = None):
+        """Takes `events`, an array of `event_dtype` (copied), as a history of the scene.
+
+        `initial`, shape (m, 4), are the edges at 0+ as l, r, s, e, or None; the horizon is the
+        scene's unless given; `ending` says how it ends, by default complete at the horizon.
+        Whether it is a history at all is checked where it is used; `certify` judges it.
+        """
+        end = scene.horizon if horizon is None else horizon
+        rows = np.ascontiguousarray(events, dtype=event_dtype)
+        edges = None if initial is None else np.asarray(initial, dtype=int).reshape(-1, 4).tolist()
+        if ending is None:
+            ending = Ending(True, float(Fraction(end)), "")
+        self._scene: Optional[Scene] = scene
+        self._core = _core.EventTable(scene.sha256, end, producer, edges, rows, _core.Ending(*ending))
+        self._motion_made: Optional[_core.RecordedMotion] = None
+
+    @classmethod
+    def _of(cls, core: _core.EventTable, scene: Optional[Scene]) -> "History":
+        history = cls.__new__(cls)
+        history._core, history._scene, history._motion_made = core, scene, None
+        return history
+
+    @classmethod
+    def read(cls, path: Path, scene: Optional[Scene] = None) -> "History":
+        """Reads a history file.
+
+        What asks for places or diagrams needs the scene, too. Raises InputError, also where the
+        history is one of another scene.
+        """
+        core = _core.read_history(os.fspath(path))
+        if scene is not None and core.scene_sha256 != scene.sha256:
+            from .errors import InputError
+            reason = "the history is one of another scene"
+            raise InputError(f"{path}:1: scene_sha256: {reason}", os.fspath(path), 1, "scene_sha256",
+                             reason)
+        return cls._of(core, scene)
+
+    def write(self, path: Path) -> None:
+        """Writes a history file, whole or not at all. Raises OutputError and InputError."""
+        self._core.write(os.fspath(path))
+
+    @property
+    def events(self) -> np.ndarray:
+        """The events, shape (k,), dtype `event_dtype`: the memory itself, for reading only."""
+        return self._core.rows
+
+    def with_events(self, events: Any) -> "History":
+        """The same history with other events, such as `np.delete(h.events, 5)`."""
+        return History(self.scene, events, initial=self.initial, horizon=self.horizon,
+                       producer=self.producer, ending=self.ending)
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """The events as a frame: t, kind, ids and coordinates in columns of their own."""
+        import pandas
+
+        e = self.events
+        columns = {"t": e["t"], "kind": pandas.Categorical.from_codes(e["kind"], KINDS)}
+        columns.update({f"id{k}": e["ids"][:, k] for k in range(4)})
+        for name, field in (("v", "velocity"), ("", "center")):
+            for side in range(2):
+                for axis, letter in enumerate("xy"):
+                    columns[f"{name}{letter}{side}"] = e[field][:, side, axis]
+        return pandas.DataFrame(columns)
+
+    @property
+    def scene(self) -> Scene:
+        """The scene. Raises ValueError where the history was read without."""
+        if self._scene is None:
+            raise ValueError("the history was read without its scene: History.read(path, scene)")
+        return self._scene
+
+    @property
+    def scene_sha256(self) -> str:
+        return self._core.scene_sha256
+
+    @property
+    def initial(self) -> Optional[np.ndarray]:
+        """The edges just after 0 as l, r, s, e, shape (m, 4), or None."""
+        return self._core.initial
+
+    @property
+    def horizon(self) -> Fraction:
+        """Up to which it claims to tell."""
+        return self._core.horizon
+
+    @property
+    def ending(self) -> Ending:
+        end = self._core.ending
+        return Ending(end.complete, end.t, end.reason)
+
+    @property
+    def producer(self) -> str:
+        return self._core.producer
+
+    @property
+    def rounded(self) -> int:
+        """How many events of the file state numbers that no binary64 equals: here they are rounded."""
+        return self._core.rounded
+
+    def __len__(self) -> int:
+        return len(self.events)
+
+    def counts(self) -> "dict[str, int]":
+        """How many events there are of each kind."""
+        counts = np.bincount(self.events["kind"], minlength=len(KINDS))
+        return {kind: int(count) for kind, count in zip(KINDS, counts)}
+
+    # What the recorded paths tell.
+
+    @property
+    def _motion(self) -> _core.RecordedMotion:
+        if self._motion_made is None:
+            self._motion_made = _core.RecordedMotion(self.scene._core, self._core)
+        return self._motion_made
+
+    def positions(self, t: Number) -> np.ndarray:
+        """The centres of the disks at t, shape (n, 2), each rounded to nearest."""
+        return self._motion.positions(t)
+
+    def velocities(self, t: Number) -> np.ndarray:
+        """The velocities just after t, shape (n, 2)."""
+        return self._motion.velocities(t)
+
+    def sample(self, times: Iterable[Number]) -> np.ndarray:
+        """The centres at each time, shape (len(times), n, 2), each rounded to nearest."""
+        return self._motion.sample(times)
+
+    def times(self, count: int = 1001) -> np.ndarray:
+        """`count` times, evenly spaced over what the history covers, shape (count,)."""
+        end = self.ending.t
+        if not self.ending.complete:
+            end = np.nextafter(end, 0)
+        elif Fraction(end) > self.horizon:  # rounded up
+            end = np.nextafter(end, 0)
+        return np.linspace(0, end, count)
+
+    def gap_series(self, i: int, j: int, times: Optional[Iterable[Number]] = None) -> np.ndarray:
+        """The gap of two generators at each time, by default `times()`, shape (len(times),).
+
+        The gap is the distance between the boundaries; j = -1 is the container. Each is rounded to
+        nearest, or next to that; it is negative where the recorded paths overlap.
+        """
+        return self._motion.gaps(i, j, self.times() if times is None else times)
+
+    def least_gap(self, i: Optional[int] = None, j: Optional[int] = None, *, start: Number = 0,
+                  end: Optional[Number] = None) -> Optional[LeastGap]:
+        """The least gap of i and j from `start` to `end`, or without ids that of any two disks.
+
+        It is exact: no sampling. None with fewer than two disks.
+        """
+        last = self._last if end is None else end
+        if (i is None) != (j is None):
+            raise ValueError("two ids or none")
+        if i is None:
+            return least_gap_of(self._motion.least_gap_of_all(start, last))
+        return least_gap_of(self._motion.least_gap(i, j, start, last))
+
+    def neighbours_over(self, disk: int, *, start: Number = 0,
+                        end: Optional[Number] = None) -> "list[Neighbourhood]":
+        """When each generator's cell shares an edge with that of the disk, by generator and time."""
+        spells = self._motion.neighbours(disk, start, self._last if end is None else end)
+        return [Neighbourhood(*spell) for spell in spells]
+
+    @property
+    def _last(self) -> Number:
+        end = self.ending
+        return self.horizon if end.complete else float(np.nextafter(end.t, 0))
+
+    def diagram(self, t: Number, *, checked: bool = True) -> "Diagram":
+        """The diagram at t: the initial one after the flips up to t.
+
+        Raises InputError where an edge is illegal by more than tolerances explain, unless `checked`
+        is False. That no such edge is found is no proof; `certify` the history first.
+        """
+        from .diagram import Diagram
+        return Diagram(_core.diagram_of_history(self.scene._core, self._core, t, checked))
+
+    # The pictures that are wanted first. They need matplotlib.
+
+    def plot_events(self, ax: "Optional[Axes]" = None) -> "Axes":
+        """Draws how many events of each kind have happened, over time."""
+        from .plots import plot_events
+        return plot_events(self, ax)
+
+    def plot_gap(self, i: int, j: int, ax: "Optional[Axes]" = None) -> "Axes":
+        """Draws the gap of two generators over time, with their collisions."""
+        from .plots import plot_gap
+        return plot_gap(self, i, j, ax)
+
+    def plot_diagram(self, t: Number, ax: "Optional[Axes]" = None) -> "Axes":
+        """Draws the disks and the cells at t."""
+        return self.diagram(t).plot(ax)
+
+    def __repr__(self) -> str:
+        counts = self.counts()
+        told = ", ".join(f"{count} {kind}s" for kind, count in counts.items())
+        end = self.ending
+        how = f"complete up to {end.t:g}" if end.complete else f"stopped at {end.t:g}: {end.reason}"
+        return f"<History: {told}; {how}>"
+
+
+def simulate(scene: Scene, *, progress: Optional[Progress] = None, threads: int = 1,
+             max_bits: int = 32768, max_events: int = 0) -> History:
+    """Computes the history of a scene, every decision exact.
+
+    Other threads of Python run meanwhile. `progress(t, events)` is called several times a second and
+    once at the end; where it returns False the history ends there, and its `ending` says so. Ctrl-C
+    raises KeyboardInterrupt. `max_bits` bounds the numbers from which decisions are taken, `max_events`
+    the events (0: no bound): a history that would need more stops, and is right up to there.
+    With `threads=2` deep states are computed in a thread of their own: the same history.
+    """
+    return History._of(_core.simulate(scene._core, progress, threads, max_bits, max_events), scene)

@@ -1,0 +1,82 @@
+"""The three pictures that are wanted first. They need matplotlib."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Optional
+
+import numpy as np
+
+from .history import COLLISION, KINDS, History
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from .diagram import Diagram
+
+
+def _axes(ax: "Optional[Axes]") -> "Axes":
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt
+
+    return plt.subplots()[1]
+
+
+def plot_events(history: History, ax: "Optional[Axes]" = None) -> "Axes":
+    """Draws how many events of each kind have happened, over time. Returns the axes."""
+    ax = _axes(ax)
+    events, end = history.events, history.ending.t
+    for kind, name in enumerate(KINDS):
+        times = events["t"][events["kind"] == kind]
+        if len(times) > 0:
+            ax.step(np.concatenate(([0], times, [end])),
+                    np.concatenate((np.arange(len(times) + 1), [len(times)])), where="post",
+                    label=f"{name}s")
+    ax.set_xlabel("time")
+    ax.set_ylabel("events so far")
+    if ax.lines:
+        ax.legend()
+    return ax
+
+
+def plot_gap(history: History, i: int, j: int, ax: "Optional[Axes]" = None) -> "Axes":
+    """Draws the gap of two generators over time, and their collisions. Returns the axes."""
+    ax = _axes(ax)
+    events = history.events
+    pair = (min(i, j), max(i, j))
+    hits = events["t"][(events["kind"] == COLLISION) & (events["ids"][:, 0] == pair[0])
+                       & (events["ids"][:, 1] == pair[1])]
+    times = history.times()
+    times = np.unique(np.concatenate((times, hits[hits <= times[-1]])))
+    ax.plot(times, history.gap_series(i, j, times))
+    ax.plot(hits, np.zeros(len(hits)), "o", label="collision")
+    ax.set_xlabel("time")
+    names = ["container" if g < 0 else f"disk {g}" for g in (i, j)]
+    ax.set_ylabel(f"gap of {names[0]} and {names[1]}")
+    ax.set_ylim(bottom=min(0, ax.get_ylim()[0]))
+    if len(hits) > 0:
+        ax.legend()
+    return ax
+
+
+def plot_diagram(diagram: "Diagram", ax: "Optional[Axes]" = None) -> "Axes":
+    """Draws the container, the disks and the cells of a diagram. Returns the axes."""
+    from matplotlib.collections import LineCollection, PatchCollection
+    from matplotlib.patches import Circle
+
+    ax = _axes(ax)
+    x, y, radius = diagram.container
+    ax.add_patch(Circle((x, y), radius, fill=False, edgecolor="black"))
+    disks = [Circle(center, r) for center, r in zip(diagram.positions, diagram.radii)]
+    ax.add_collection(PatchCollection(disks, facecolor="tab:blue", alpha=0.6))
+    # A lone disk's cell is bounded by a closed curve that is no edge.
+    lines = diagram.edge_polylines()
+    if len(disks) == 1:
+        cell = diagram.cell_polygons()[0]
+        lines = [np.concatenate((cell, cell[:1]))]
+    ax.add_collection(LineCollection(lines, colors="tab:red", linewidths=1))
+    ax.set_xlim(x - 1.02 * radius, x + 1.02 * radius)
+    ax.set_ylim(y - 1.02 * radius, y + 1.02 * radius)
+    ax.set_aspect("equal")
+    ax.set_title(f"t = {float(diagram.t):g}")
+    return ax

@@ -1,0 +1,161 @@
+"""The certifier: proves a history, refutes it with evidence, or says what it cannot decide."""
+
+from __future__ import annotations
+
+import json
+import os
+from fractions import Fraction
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+
+from . import _core
+from .history import History, Progress
+from .scene import Number, Path, Scene
+
+#: Two Fractions with the number between them; equal where it is given exactly.
+Bounds = Tuple[Fraction, Fraction]
+
+
+class WitnessMotion(NamedTuple):
+    """A generator near the event: at t its centre is (x + vx (t - t0), y + vy (t - t0)).
+
+    The signed radius of the container is negative.
+    """
+
+    generator: int
+    t0: Fraction
+    x: Bounds
+    y: Bounds
+    vx: Bounds
+    vy: Bounds
+    signed_radius: Bounds
+
+
+class Witness(NamedTuple):
+    """What anybody can check by hand or with a computer algebra system, in Fractions.
+
+    `polynomial`: the coefficients, of 1, t, t^2, ..., of what `polynomial_is` names; it has exactly
+    one root in `root`, which is the exact time of the event. Or: at `t` the two overlap, or the circle
+    of `vertex` contains a point of `contains`. docs/certificate.md, section 9.
+    """
+
+    generators: List[WitnessMotion]
+    polynomial_is: str
+    polynomial: List[Bounds]
+    root: Optional[Bounds]
+    t: Optional[Fraction]
+    vertex: Optional[List[int]]
+    contains: Optional[int]
+
+
+class Divergence(NamedTuple):
+    """Where a refuted history is wrong.
+
+    `fault` is such as "missing event"; `line` that of the file: event k is on line k + 2; `t` the time
+    of the claim, or of the truth where no claim is at fault; `truth` what is true, in one sentence;
+    `edge` flips, or `pair` touches, in truth.
+    """
+
+    fault: str
+    line: int
+    t: float
+    truth: str
+    edge: Optional[Tuple[int, int, int, int]]
+    pair: Optional[Tuple[int, int]]
+    witness: Witness
+
+
+class Leniency(NamedTuple):
+    """Something that was accepted although it is not exact (docs/claim.md, section 5)."""
+
+    name: str
+    words: str
+    count: int
+
+
+class Report(NamedTuple):
+    """What the certifier found. docs/claim.md states what each verdict says.
+
+    `verdict` is "certified", "refuted" or "undecided"; `reason` why it is not certified. The first
+    `prefix_events` events are right, and nothing is missing before `prefix_t`. `evidence` says how the
+    witness of a refutation was checked. `json` is the report's file.
+    """
+
+    verdict: str
+    reason: str
+    divergence: Optional[Divergence]
+    evidence: str
+    prefix_events: int
+    prefix_t: float
+    flips: int
+    collisions: int
+    maneuvers: int
+    leniency: List[Leniency]
+    remarks: List[str]
+    json: str
+
+    @property
+    def certified(self) -> bool:
+        return self.verdict == "certified"
+
+    def explain(self) -> str:
+        """The report in words, several lines, with its witness."""
+        return _core.explain(self.json)
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The fields of the report's file (docs/certificate.md, section 11)."""
+        return json.loads(self.json)
+
+    def write(self, path: Path) -> None:
+        """Writes the report's file, whole or not at all. Raises OSError."""
+        unfinished = f"{os.fspath(path)}.tmp"
+        try:
+            with open(unfinished, "w", encoding="utf-8") as file:
+                file.write(self.json)
+            os.replace(unfinished, path)
+        except BaseException:
+            if os.path.exists(unfinished):
+                os.remove(unfinished)
+            raise
+
+    def __str__(self) -> str:
+        return self.verdict.upper() + (f": {self.reason}" if self.reason else "")
+
+    def __repr__(self) -> str:
+        return f"<Report: {self}>"
+
+
+def _report(fields: Dict[str, Any]) -> Report:
+    divergence = fields["divergence"]
+    if divergence is not None:
+        witness = divergence["witness"]
+        motions = [WitnessMotion(*motion) for motion in witness["generators"]]
+        witness = Witness(**{**witness, "generators": motions})
+        divergence = Divergence(**{**divergence, "witness": witness})
+    leniency = [Leniency(*entry) for entry in fields["leniency"]]
+    return Report(**{**fields, "divergence": divergence, "leniency": leniency})
+
+
+def certify(scene: Scene, history: History, *, truth: str = "exact", tolerance: Number = 1e-6,
+            law_tolerance: Number = 1e-9, strict: bool = False, threads: int = 1,
+            max_bits: int = 32768, progress: Optional[Progress] = None) -> Report:
+    """Proves the history of the scene, refutes it with evidence, or says what it cannot decide.
+
+    `truth` is "exact", the true motion of the scene, or "recorded", the motion that the history's
+    own collision times and velocities define. `tolerance` is one of times, `law_tolerance` one of
+    velocities, relative to the speeds involved. With `strict` swaps, unoriented edges and another
+    horizon are refuted. `progress(t, events)` is called several times a second and once at the end.
+    Ctrl-C raises KeyboardInterrupt.
+
+    Raises InputError where the history is none or not of this scene, Interrupted where `progress`
+    returns False, and ValueError for tolerances without meaning.
+    """
+    return _report(_core.certify(scene._core, history._core, progress, truth, tolerance,
+                                 law_tolerance, strict, threads, max_bits))
+
+
+def certify_files(scene: Path, history: Path, *, truth: str = "exact", tolerance: Number = 1e-6,
+                  law_tolerance: Number = 1e-9, strict: bool = False, threads: int = 1,
+                  max_bits: int = 32768, progress: Optional[Progress] = None) -> Report:
+    """Certifies files in any format that the program reads; see `certify`."""
+    return _report(_core.certify_files(os.fspath(scene), os.fspath(history), progress, truth,
+                                       tolerance, law_tolerance, strict, threads, max_bits))
