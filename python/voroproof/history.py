@@ -203,10 +203,10 @@ class History:
         It is exact: no sampling. None with fewer than two disks.
         """
         last = self._last if end is None else end
-        if (i is None) != (j is None):
-            raise ValueError("two ids or none")
-        if i is None:
+        if i is None and j is None:
             return least_gap_of(self._motion.least_gap_of_all(start, last))
+        if i is None or j is None:
+            raise ValueError("two ids or none")
         return least_gap_of(self._motion.least_gap(i, j, start, last))
 
     def neighbours_over(self, disk: int, *, start: Number = 0,

@@ -29,8 +29,8 @@ def plot_events(history: History, ax: "Optional[Axes]" = None) -> "Axes":
     for kind, name in enumerate(KINDS):
         times = events["t"][events["kind"] == kind]
         if len(times) > 0:
-            ax.step(np.concatenate(([0], times, [end])),
-                    np.concatenate((np.arange(len(times) + 1), [len(times)])), where="post",
+            ax.step(np.concatenate((np.zeros(1), times, np.full(1, end))),
+                    np.append(np.arange(len(times) + 1), len(times)), where="post",
                     label=f"{name}s")
     ax.set_xlabel("time")
     ax.set_ylabel("events so far")

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 import os
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 from . import _core
 from .history import History, Progress
@@ -15,7 +16,8 @@ from .scene import Number, Path, Scene
 Bounds = Tuple[Fraction, Fraction]
 
 
-class WitnessMotion(NamedTuple):
+@dataclass(frozen=True)
+class WitnessMotion:
     """A generator near the event: at t its centre is (x + vx (t - t0), y + vy (t - t0)).
 
     The signed radius of the container is negative.
@@ -30,7 +32,8 @@ class WitnessMotion(NamedTuple):
     signed_radius: Bounds
 
 
-class Witness(NamedTuple):
+@dataclass(frozen=True)
+class Witness:
     """What anybody can check by hand or with a computer algebra system, in Fractions.
 
     `polynomial`: the coefficients, of 1, t, t^2, ..., of what `polynomial_is` names; it has exactly
@@ -43,11 +46,12 @@ class Witness(NamedTuple):
     polynomial: List[Bounds]
     root: Optional[Bounds]
     t: Optional[Fraction]
-    vertex: Optional[List[int]]
+    vertex: Optional[Tuple[int, int, int]]
     contains: Optional[int]
 
 
-class Divergence(NamedTuple):
+@dataclass(frozen=True)
+class Divergence:
     """Where a refuted history is wrong.
 
     `fault` is such as "missing event"; `line` that of the file: event k is on line k + 2; `t` the time
@@ -64,7 +68,8 @@ class Divergence(NamedTuple):
     witness: Witness
 
 
-class Leniency(NamedTuple):
+@dataclass(frozen=True)
+class Leniency:
     """Something that was accepted although it is not exact (docs/claim.md, section 5)."""
 
     name: str
@@ -72,7 +77,8 @@ class Leniency(NamedTuple):
     count: int
 
 
-class Report(NamedTuple):
+@dataclass(frozen=True, repr=False)
+class Report:
     """What the certifier found. docs/claim.md states what each verdict says.
 
     `verdict` is "certified", "refuted" or "undecided"; `reason` why it is not certified. The first
@@ -127,12 +133,13 @@ class Report(NamedTuple):
 def _report(fields: Dict[str, Any]) -> Report:
     divergence = fields["divergence"]
     if divergence is not None:
-        witness = divergence["witness"]
-        motions = [WitnessMotion(*motion) for motion in witness["generators"]]
-        witness = Witness(**{**witness, "generators": motions})
-        divergence = Divergence(**{**divergence, "witness": witness})
-    leniency = [Leniency(*entry) for entry in fields["leniency"]]
-    return Report(**{**fields, "divergence": divergence, "leniency": leniency})
+        witness: Dict[str, Any] = divergence["witness"]
+        witness["generators"] = [WitnessMotion(*motion) for motion in witness["generators"]]
+        witness["vertex"] = witness["vertex"] and tuple(witness["vertex"])
+        divergence["witness"] = Witness(**witness)
+        fields["divergence"] = Divergence(**divergence)
+    fields["leniency"] = [Leniency(*entry) for entry in fields["leniency"]]
+    return Report(**fields)
 
 
 def certify(scene: Scene, history: History, *, truth: str = "exact", tolerance: Number = 1e-6,
