@@ -92,6 +92,7 @@ inside sh -ec '
   voroproof-kernel a.scene.json a.history.jsonl
   voroproof corpus run --family few
   VOROPROOF_VARIANT=baseline voroproof corpus run --family few
+  python3 -c "import voroproof as v; s = v.Scene.read(\"a.scene.json\"); assert v.certify(s, v.simulate(s)).certified"
   test -f /usr/share/doc/voroproof/docs/formats.md
   rm -r "$PWD"'
 

@@ -37,7 +37,9 @@ for group in "$@"; do
       ;;
     ci) packages+=(clang clang-format valgrind doxygen man-db fish zsh) ;;
     browser) packages+=(chromium) ;;
-    packages) packages+=(debhelper lintian mmdebstrap) ;;
+    packages)
+      packages+=(debhelper dh-python lintian mmdebstrap pybind11-dev python3-dev python3-numpy)
+      ;;
     *)
       echo "install-deps: unknown group '$group' (test, bench, plots, python, ci, browser, packages)" >&2
       exit 2
