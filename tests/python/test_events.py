@@ -81,6 +81,14 @@ def test_an_engine_of_ones_own(scene, history):
     assert caught.value.line == 5  # event k is on line k + 2
 
 
+def test_with_events_keeps_the_rest(scene):
+    stopped = vp.simulate(scene, max_events=20)
+    other = stopped.with_events(stopped.events[:10])
+    assert other.ending == stopped.ending and not other.ending.complete
+    assert other.producer == stopped.producer and other.horizon == stopped.horizon
+    np.testing.assert_array_equal(other.initial, stopped.initial)
+
+
 def test_maneuvers():
     scene = vp.Scene.swarm(4, horizon=20)
     history = vp.simulate(scene)
