@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "library/json_field.h"
 #include "library/diagram_geometry.h"
+#include "library/json_field.h"
 
 namespace voroproof::internal {
 namespace {

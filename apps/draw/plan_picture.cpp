@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "library/diagram_geometry.h"
 #include "apps/draw/digit_pen.h"
 #include "apps/draw/palette.h"
 #include "apps/draw/picture.h"
+#include "library/diagram_geometry.h"
 
 namespace voroproof::internal {
 namespace {

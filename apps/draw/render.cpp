@@ -8,13 +8,13 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "library/diagram_geometry.h"
 #include "apps/draw/digit_pen.h"
-#include "library/edge_curves.h"
 #include "apps/draw/palette.h"
 #include "apps/draw/picture.h"
 #include "apps/draw/render_probe.h"
 #include "exact/names.h"
+#include "library/diagram_geometry.h"
+#include "library/edge_curves.h"
 
 namespace voroproof::internal {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "library/explanation.h"
 #include "apps/movie/movie_data.h"
+#include "library/explanation.h"
 
 namespace voroproof::internal {
 

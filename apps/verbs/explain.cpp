@@ -2,12 +2,12 @@
 #include <iostream>
 #include <memory>
 
-#include "library/explanation.h"
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
 #include "apps/draw/witness_picture.h"
 #include "apps/verbs/verbs.h"
 #include "history/error.h"
+#include "library/explanation.h"
 
 namespace voroproof::internal {
 namespace {

@@ -144,7 +144,8 @@ INSTANTIATE_TEST_SUITE_P(
     Table, BadScene,
     testing::Values(
         Bad{"voroproof-scene", "voroproof-history", "1: format: not \"voroproof-scene\""},
-        Bad{"\"version\": 1", "\"version\": 2", "2: version: the file is of version 2; this program reads version 1"},
+        Bad{"\"version\": 1", "\"version\": 2",
+            "2: version: the file is of version 2; this program reads version 1"},
         Bad{"\"version\": 1", "\"version\": 1.0", "2: version: not an integer"},
         Bad{"\"version\": 1", "\"version\": \"1\"", "2: version: expected a number, found '\"'"},
         Bad{" \"version\": 1,\n", "", "1: version: missing"},
