@@ -34,6 +34,7 @@ void describe(Verb& program) {
   add_query(program);
   add_render(program);
   add_movie(program);
+  add_page(program);
   add_validate(program);
   add_certify(program);
   add_explain(program);

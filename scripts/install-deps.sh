@@ -28,7 +28,7 @@ packages=(
 )
 for group in "$@"; do
   case "$group" in
-    test) packages+=(libgtest-dev librapidcheck-dev python3 python3-jsonschema) ;;
+    test) packages+=(libgtest-dev librapidcheck-dev python3 python3-jsonschema nodejs) ;;
     bench) packages+=(libbenchmark-dev libmpfi-dev) ;;
     plots) packages+=(python3-matplotlib) ;;
     python)

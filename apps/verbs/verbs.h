@@ -13,6 +13,7 @@ void add_queries_over_time(Verb& query);  // below the verb query
 void add_snapshot(Verb& program);
 void add_render(Verb& program);
 void add_movie(Verb& program);
+void add_page(Verb& program);
 void add_validate(Verb& program);
 void add_certify(Verb& program);
 void add_explain(Verb& program);

@@ -1,0 +1,289 @@
+"use strict";
+// The lives of edges (docs/kernel.md, section 7): each edge of the claimed diagram collapses just where a flip is claimed.
+
+const LEAST_PART = 2000;  // claims
+
+// Claims [first, end) and the time from `from` to `to` that they are checked for.
+function partsOf({ history, tolerance }) {
+  const { claims, horizon } = history, most = tolerance.scaled(2);
+  const parts = [{ first: 0, end: claims.length, from: ZERO, to: horizon }];
+  for (let k = 1; k < claims.length; ++k) {
+    const last = parts[parts.length - 1];
+    if (k - last.first < LEAST_PART || !most.less(claims[k].filed.minus(claims[k - 1].filed))) continue;
+    const cut = claims[k].filed.plus(claims[k - 1].filed).half().reduced();
+    last.end = k;
+    last.to = cut;
+    parts.push({ first: k, end: claims.length, from: cut, to: horizon });
+  }
+  return parts;
+}
+
+// Since when an edge has its quadruplet and its four their motion: `flip` is the edge that flipped then, if one
+// did, `isOwn` whether it became this one.
+class Birth {
+  constructor(at, flip = null, isOwn = false) {
+    this.at = at;
+    this.flip = flip;
+    this.isOwn = isOwn;
+  }
+}
+
+class LifeCheck {
+  constructor(problem, part, counts) {
+    this.problem = problem;
+    this.part = part;
+    this.claims = problem.history.claims;
+    this.counts = counts;
+    this.line = 0;
+    this.notes = new Notes();
+    this.taken = new Uint8Array(part.end - part.first);
+    this.firstOpen = part.first;  // no claim of the part before it waits
+  }
+
+  run(progress) {
+    const { part, problem, claims } = this;
+    this.walk = new Walk(problem);
+    for (let k = 0; k < part.first; ++k) this.walk.apply(claims[k]);
+    this.line = 1;
+    if (part.first === 0) checkInitial(this.walk);
+    this.latest = Instant.at(part.from);
+    this.births = this.walk.diagram.edges.map(() => new Birth(this.latest));
+    for (let k = part.first; k < part.end; ++k) {
+      if ((k & 15) === 0) progress("lives of edges", k, claims.length);
+      this.take(k);
+      this.checkCells(k + 1 < part.end ? claims[k + 1].filed.minus(problem.tolerance) : part.to);
+    }
+    this.finish(progress);
+    this.counts.freshProofs += this.notes.freshProofs;
+  }
+
+  finish(progress) {
+    const { part, problem, claims, births } = this, end = Instant.at(part.to), isLast = part.end === claims.length;
+    if (isLast) this.line = problem.history.lastLine;
+    births.forEach((birth, k) => {
+      if ((k & 15) === 0) progress("lives of edges", part.end, claims.length);
+      // Claims of the recorded truth may lie beyond the horizon.
+      if (birth.at.against(end) > 0) return;
+      this.requireNoCollapse(k, end, isLast && problem.isExact);
+    });
+    this.checkCells(part.to);
+  }
+
+  // ---- Taking claims
+
+  isOpen(k) {
+    return k >= this.part.first && k < this.part.end && this.taken[k - this.part.first] === 0;
+  }
+
+  take(k) {
+    if (!this.isOpen(k)) return;
+    const claim = this.claims[k];
+    this.line = claim.line;
+    this.taken[k - this.part.first] = 1;
+    if (claim.kind === "flip") this.flip(k);
+    else this.turn(k);
+  }
+
+  // A claim that is earlier in truth than the one at hand, and later in the file.
+  takeBefore(k) {
+    const { line } = this;
+    this.countSwap();
+    this.take(k);
+    this.line = line;
+  }
+
+  countSwap() {
+    if (this.problem.strict) refute("the claim is out of order");
+    ++this.counts.swaps;
+  }
+
+  // Takes a claim near the one at hand that is before `now` in truth, if there is one: a turn, or a flip that
+  // changes an edge of `ending`.
+  takeEarlier(number, now, ending) {
+    const most = this.claims[number].filed.plus(this.problem.tolerance.scaled(1));
+    while (this.firstOpen < this.part.end && !this.isOpen(this.firstOpen)) ++this.firstOpen;
+    for (let m = this.firstOpen; m < this.part.end && !most.less(this.claims[m].filed); ++m) {
+      if (!this.isOpen(m)) continue;
+      const isEarlier = this.claims[m].kind === "flip" ? this.flipsBefore(m, now.copy(), ending)
+        : this.canTurn(m) && now.copy().againstTime(this.claims[m].t) > 0;
+      if (!isEarlier) continue;
+      this.takeBefore(m);
+      return true;
+    }
+    return false;
+  }
+
+  flipsBefore(m, now, ending) {
+    const { k } = this.walk.edgeOf(this.claims[m]);
+    if (k < 0 || ![k, ...this.walk.diagram.around(k)].some((e) => ending.has(e))) return false;
+    const found = this.collapse(k, now.hi);
+    return found !== null && found.at.against(now) < 0;
+  }
+
+  // Whether this is the next turn of all its disks.
+  canTurn(number) {
+    const { ids, first } = this.claims[number];
+    return ids.slice(first).every((g) => this.problem.legs[g + 1][this.walk.legOf[g + 1] + 1].claim === number);
+  }
+
+  // ---- Lives
+
+  // The first collapse of edge k since its birth, before `end`.
+  collapse(k, end) {
+    const { at, isOwn } = this.births[k], edge = this.walk.edge(k), { notes } = this;
+    if (at.isPoint || isOwn) return firstCollapse(edge, at.hi, end, notes);
+    let found = firstCollapse(edge, at.lo, end, notes);
+    // The birth is a root in a bracket in which this edge has a root or is illegal: either its root is the
+    // same, or the bracket can be made so small that it holds none of this edge.
+    while (found && found.at.lo.less(at.hi)) {
+      if (at.isPoint) return firstCollapse(edge, at.lo, end, notes);
+      const form = edge.over(at.lo, at.hi).polynomial(), isZero = Form.isZero(form);
+      const hasEnds = !isZero && form[0] !== 0n && form[form.length - 1] !== 0n;
+      if (hasEnds && Form.variations(form) === 0) return firstCollapse(edge, at.lo, end, notes);
+      if (isZero || (hasEnds && this.sharesRoot(form, at))) {
+        found = firstCollapse(edge, at.hi, end, notes);
+        if (found && found.at.isPoint && found.at.lo.equals(at.hi)) found.at = at.copy();
+        return found;
+      }
+      for (let n = 0; n < 8 && !at.isPoint; ++n) at.halve();
+    }
+    return found;
+  }
+
+  // Whether a form over the bracket of an instant has one root there, and that is the instant.
+  sharesRoot(form, at) {
+    const once = Form.squarefree(form);
+    if (Form.variations(once) !== 1) return false;
+    return Form.variations(Form.common(once, at.form(at.lo, at.hi))) % 2 === 1;
+  }
+
+  // A life of edge k that its own flip does not end: between its birth and `end` it does not collapse. `isLast`: at
+  // the horizon under the exact truth, where a collapse is due.
+  requireNoCollapse(k, end, isLast = false) {
+    const birth = this.births[k].at, { problem, walk } = this, { horizon } = problem.history;
+    if (birth === end) return;
+    if (end.lo.less(birth.hi) || birth.isPoint) {
+      const order = birth.against(end);
+      if (order === 0 && !isLast) return;
+      const quad = [...walk.diagram.edges[k]];
+      if (order > 0) undecided(`what changes edge ${quadName(quad)}: the order`, { t: end.lo, quad });
+    }
+    ++this.counts.lives;
+    let found = this.collapse(k, end.hi);
+    // What comes after the horizon counts only where the edge is on the verge there.
+    if (!found && isLast && walk.edge(k).at(end.hi).incircle(true) <= 0) {
+      found = this.collapse(k, end.hi.plus(problem.tolerance));
+    }
+    if (!found || found.at.against(end) >= (isLast ? 1 : 0)) return;
+    if (problem.isExact || found.at.againstTime(horizon.minus(problem.tolerance)) < 0) {
+      const quad = [...walk.diagram.edges[k]];
+      refute(`edge ${quadName(quad)} collapses at ${found.at.lo.about()}, and no flip is claimed`,
+        { t: found.at.drawn(), quad });
+    }
+    ++this.counts.horizonEvents;
+  }
+
+  flip(number) {
+    const { t } = this.claims[number], { tolerance } = this.problem, hi = t.plus(tolerance);
+    const { k } = this.walk.edgeOf(this.claims[number]);
+    if (k < 0) refute("wrong quadruple: the diagram has no such edge", { t, quad: this.claims[number].quad });
+    const birth = this.births[k], edge = this.walk.edge(k), witness = { t, quad: edge.quad };
+    ++this.counts.lives;
+    const isPast = birth.at.isPoint || birth.isOwn;
+    let found = collapseNear(edge, isPast ? birth.at.hi : birth.at.lo, t);
+    if (found && !birth.at.hi.less(found.at.lo)) found = null;
+    const isSimple = found !== null;
+    if (!found) found = this.collapse(k, hi.plus(tolerance));
+    if (!found) {
+      const turn = this.turnBefore(edge.quad, hi);
+      if (turn < 0) refute(`edge ${quadName(edge.quad)} does not collapse by then`, witness);
+      this.takeBefore(turn);
+      return this.flip(number);
+    }
+    const near = this.walk.diagram.around(k);
+    if (this.takeEarlier(number, found.at, new Set(near))) return this.flip(number);
+    const now = found.at.copy();
+    this.checkFlip(this.walk.edge(k), found, now, isSimple, witness);
+    for (const e of near) this.requireNoCollapse(e, now);
+    this.noteOrder(now);
+    this.walk.diagram.flip(k);
+    for (const e of near) this.births[e] = new Birth(now, edge.quad);
+    this.births[k] = new Birth(now, edge.quad, true);
+  }
+
+  // The first turn of one of the four that is not later than `hi`, or -1.
+  turnBefore(quad, hi) {
+    let first = null;
+    for (const g of quad) {
+      const leg = this.problem.legs[g + 1][this.walk.legOf[g + 1] + 1];
+      if (leg === undefined || !this.isOpen(leg.claim) || hi.less(leg.start) || !this.canTurn(leg.claim)) continue;
+      const order = first ? leg.start.against(first.start) || leg.claim - first.claim : -1;
+      if (order < 0) first = leg;
+    }
+    return first ? first.claim : -1;
+  }
+
+  checkFlip(edge, found, now, isSimple, witness) {
+    const { problem } = this, { t, quad } = witness, name = `edge ${quadName(quad)}`;
+    // Both vanish where the rule of the largest id decides.
+    const after = isSimple ? null : edge.at(found.after), end = isSimple ? -1 : after.incircle(false);
+    if (end > 0 || (end === 0 && after.incircle(true) !== 0)) {
+      refute(`only one end of ${name} touches its fourth generator`, witness);
+    }
+    if (!isSimple && !isOneCircle(edge, now)) {
+      refute(`${name} leads from one circle to another and stays`, witness);
+    }
+    if (now.againstTime(t.minus(problem.tolerance)) < 0 || now.againstTime(t.plus(problem.tolerance)) > 0) {
+      refute(`${name} collapses at ${now.lo.about()}`, { t: now.drawn(), quad });
+    }
+    if (problem.isExact && now.againstTime(problem.history.horizon) > 0) refute("it is after the horizon", witness);
+    if (now.againstTime(ZERO) <= 0) refute("the diagram at 0+ is that after all flips at 0", witness);
+  }
+
+  // The edges that have a turning disk among their four.
+  edgesAbout({ ids, first }) {
+    const all = new Set();
+    for (const g of ids.slice(first)) {
+      for (const k of this.walk.diagram.spokes[g + 1]) {
+        for (const e of this.walk.diagram.around(k)) all.add(e);
+        all.add(k);
+      }
+    }
+    return new Set([...all].sort((a, b) => a - b));
+  }
+
+  turn(number) {
+    const claim = this.claims[number], witness = { t: claim.t, pair: claim.ids };
+    if (!this.canTurn(number)) refute("two turns of one disk are out of order", witness);
+    const now = Instant.at(claim.t), all = this.edgesAbout(claim);
+    if (this.takeEarlier(number, now, all)) return this.turn(number);
+    for (const k of all) this.requireNoCollapse(k, now);
+    this.noteOrder(now);
+    for (const k of all) {
+      const { at, flip } = this.births[k];
+      if (!flip || at.hi.less(claim.t) || at.againstTime(claim.t) !== 0) continue;
+      const g = flip.find((id) => claim.ids.slice(claim.first).includes(id));
+      if (g !== undefined) refute(`disk ${g} turns at the instant of a flip before it`, witness);
+    }
+    this.walk.apply(claim);
+    for (const k of all) this.births[k] = new Birth(now);
+  }
+
+  // Checks anew the cells of generators that were so near that circles between them ceased to exist, where
+  // there is time before the next claim.
+  checkCells(next) {
+    const { notes, latest, problem } = this;
+    if (notes.touched.size === 0 || !latest.hi.less(next)) return;
+    const t = latest.hi.plus(next).half().reduced();
+    // Where events may be left out at the horizon no diagram is claimed.
+    if (!problem.isExact && !t.less(problem.history.horizon.minus(problem.tolerance))) return;
+    for (const g of [...notes.touched].sort((a, b) => a - b)) checkCell(this.walk, g, t);
+    notes.touched.clear();
+  }
+
+  // Claims may be out of order within the tolerance, as the times of each edge are in order.
+  noteOrder(now) {
+    if (now.lo.less(this.latest.hi) && now.against(this.latest) < 0) this.countSwap();
+    else this.latest = now;
+  }
+}

@@ -1,0 +1,210 @@
+"use strict";
+// The page: what is given, the work in a second thread, and what came out of it.
+
+const element = (id) => document.getElementById(id);
+const ROLES = ["scene", "history"];
+
+class CertifierPage {
+  constructor() {
+    this.files = { scene: null, history: null };
+    this.worker = null;
+    this.drawing = new FaultDrawing(element("picture"));
+    const facts = JSON.parse(element("certifier-facts").textContent);
+    element("producer").textContent = facts.producer;
+    this.connect();
+    this.update();
+  }
+
+  connect() {
+    for (const role of ROLES) {
+      element(role).addEventListener("change", ({ target }) => {
+        const files = [...target.files];
+        target.value = "";  // so that the same file, changed, can be chosen again
+        this.take(files, role);
+      });
+    }
+    const zone = document.body;
+    zone.addEventListener("dragover", (event) => {
+      event.preventDefault();
+      zone.classList.add("dragging");
+    });
+    for (const end of ["dragleave", "drop"]) zone.addEventListener(end, () => zone.classList.remove("dragging"));
+    zone.addEventListener("drop", (event) => {
+      event.preventDefault();
+      this.take([...event.dataTransfer.files], null);
+    });
+    element("options").addEventListener("submit", (event) => {
+      event.preventDefault();
+      this.start();
+    });
+    element("cancel").addEventListener("click", () => this.cancel());
+    element("whole").addEventListener("click", () => {
+      this.drawing.toggle();
+      this.updatePicture();
+    });
+    element("save").addEventListener("click", () => this.savePicture());
+    window.addEventListener("keydown", (event) => {
+      if (event.key === "Escape" && this.worker) this.cancel();
+    });
+  }
+
+  // Of one role, or where that is null each of the role that it says.
+  async take(files, role) {
+    for (const file of files) {
+      try {
+        const given = await GivenFile.read(file);
+        this.files[role ?? given.role] = given;
+      } catch (error) {
+        this.say(`${file.name} cannot be read: ${error.message}`);
+        return;
+      }
+    }
+    this.say("");
+    this.update();
+  }
+
+  say(words) {
+    element("note").textContent = words;
+  }
+
+  update() {
+    for (const role of ROLES) {
+      const file = this.files[role];
+      element(`${role}-name`).textContent = file ? `${file.name} (${file.size})` : "none yet";
+      element(`${role}-box`).classList.toggle("given", file !== null);
+    }
+    const isReady = this.files.scene !== null && this.files.history !== null;
+    element("start").disabled = !isReady || this.worker !== null;
+    element("cancel").hidden = this.worker === null;
+    element("work").hidden = this.worker === null;
+    document.body.classList.toggle("working", this.worker !== null);
+  }
+
+  get options() {
+    const seconds = Number(element("seconds").value);
+    return {
+      truth: document.querySelector("input[name=truth]:checked").value,
+      tolerance: element("tolerance").value.trim(), lawTolerance: element("law-tolerance").value.trim(),
+      strict: element("strict").checked, unoriented: element("unoriented").checked,
+      seconds: seconds > 0 ? seconds : 0,
+    };
+  }
+
+  start() {
+    const { scene, history } = this.files;
+    if (this.worker !== null || !scene || !history) return;
+    element("outcome").hidden = true;
+    const code = [...element("core").content.querySelectorAll("script")].map((script) => script.textContent);
+    const address = URL.createObjectURL(new Blob([code.join("\n")], { type: "text/javascript" }));
+    this.worker = new Worker(address);
+    this.address = address;
+    this.worker.onmessage = ({ data }) => this.hear(data);
+    this.worker.onerror = (event) => this.hear({ kind: "failure", reason: event.message });
+    this.worker.postMessage({ scene: scene.bytes, history: history.bytes, options: this.options });
+    this.showProgress("starting", 0, 1);
+    this.update();
+    element("cancel").focus();
+  }
+
+  stop() {
+    this.worker.terminate();
+    URL.revokeObjectURL(this.address);
+    this.worker = null;
+    this.update();
+  }
+
+  cancel() {
+    if (this.worker === null) return;
+    this.stop();
+    this.showOutcome({ verdict: "UNDECIDED", reason: "ended on request", lines: ["c ended on request", "s UNDECIDED"] });
+  }
+
+  hear(message) {
+    if (message.kind === "progress") {
+      this.showProgress(message.phase, message.done, message.of);
+      return;
+    }
+    this.stop();
+    if (message.kind === "result") this.showOutcome(message);
+    else this.showOutcome({ verdict: "FAILED", reason: `no verdict: ${message.reason}`, lines: [`c ${message.reason}`] });
+  }
+
+  showProgress(phase, done, of) {
+    const share = Math.floor((100 * done) / Math.max(1, of));
+    element("bar").value = share;
+    element("phase").textContent = `${phase}, ${share}%`;
+  }
+
+  // ---- What came out
+
+  showOutcome({ verdict, reason, lines, counts, line, place, claim, seconds, drawing }) {
+    const kind = verdict.toLowerCase(), where = place?.file ? `${this.files[place.file].name}:${place.line}` : line > 0 ? `line ${line}` : "";
+    element("outcome").hidden = false;
+    element("verdict").textContent = kind;
+    element("verdict").className = kind;
+    element("meaning").textContent = this.meaning(verdict, reason, where, place?.field);
+    element("claim").textContent = claim ?? "";
+    element("claim").hidden = !claim;
+    element("lines").textContent = lines.join("\n");
+    element("took").textContent = seconds === undefined ? ""
+      : `${counts.lives.toLocaleString("en")} lives of edges in ${seconds.toFixed(2)} s`;
+    this.fillCounts(counts);
+    element("picture-box").hidden = !drawing;
+    if (drawing) {
+      this.drawing.show(drawing);
+      this.updatePicture();
+    }
+    element("outcome").focus();
+  }
+
+  meaning(verdict, reason, where, field) {
+    const truth = this.options.truth === "exact" ? "the scene's true motion" : "the motion that the history records";
+    if (verdict === "CERTIFIED") return `Every claim is proved against ${truth}, and none is missing.`;
+    const place = [where, field].filter((word) => word).join(", ");
+    return `${place ? `${place}: ` : ""}${reason}.`;
+  }
+
+  fillCounts(counts) {
+    const rows = [["flips", "flips"], ["collisions", "collisions"], ["maneuvers", "maneuvers"],
+      ["lives", "lives of edges"], ["pairLives", "lives of pairs"], ["freshProofs", "fresh proofs"]];
+    const lenient = [["swaps", "claims out of order"], ["grazes", "grazes"], ["roundingOverlaps", "overlaps by rounding"],
+      ["horizonEvents", "events at the horizon"], ["unoriented", "quadruplets without orientation"]];
+    element("count-box").hidden = !counts;
+    if (!counts) return;
+    const fill = (id, list) => element(id).replaceChildren(...list.map(([name, words]) => {
+      const row = document.createElement("tr"), head = document.createElement("th"), cell = document.createElement("td");
+      head.scope = "row";
+      head.textContent = words;
+      cell.textContent = counts[name].toLocaleString("en");
+      row.append(head, cell);
+      return row;
+    }));
+    fill("counts", rows);
+    fill("leniency", lenient);
+  }
+
+  updatePicture() {
+    element("picture-words").textContent = this.drawing.words;
+    element("whole").textContent = this.drawing.isWhole ? "Show the fault" : "Show the whole container";
+  }
+
+  // The picture as a file, with the colours that it has here.
+  savePicture() {
+    const copy = this.drawing.svg.cloneNode(true), originals = [...this.drawing.svg.querySelectorAll("*")];
+    [...copy.querySelectorAll("*")].forEach((node, k) => {
+      const style = getComputedStyle(originals[k]);
+      for (const name of ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "font", "text-anchor"]) {
+        node.style.setProperty(name, style.getPropertyValue(name));
+      }
+    });
+    copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
+    copy.style.background = getComputedStyle(this.drawing.svg).backgroundColor;
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([copy.outerHTML], { type: "image/svg+xml" }));
+    link.download = "fault.svg";
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+}
+
+const certifierPage = new CertifierPage();

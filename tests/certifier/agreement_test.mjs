@@ -1,0 +1,54 @@
+// The rules in JavaScript say what voroproof-kernel says: all lines where a history can be read, else verdict and line.
+//
+// usage: KERNEL=... CORPUS=... node agreement_test.mjs                  all histories of the corpus
+//        KERNEL=... WORLDS=... node agreement_test.mjs --worlds COUNT  wrong worlds (tests/adversary)
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { certify, corpusHistories } from "./kernel.mjs";
+
+const { KERNEL: kernel, CORPUS: corpus, WORLDS: writeWorlds } = process.env, [mode, count] = process.argv.slice(2);
+const folder = mkdtempSync(join(tmpdir(), "worlds-"));
+
+function worlds() {
+  if (spawnSync(writeWorlds, [folder, count, "20260101"]).status !== 0) throw new Error("no worlds");
+  return readdirSync(folder).filter((name) => name.endsWith(".scene.json"))
+    .map((name) => [join(folder, name), join(folder, name.replace(".scene.json", ".history.jsonl"))]);
+}
+
+function kernelSays(scene, history, truth) {
+  const { stdout } = spawnSync(kernel, [scene, history, "--truth", truth], { encoding: "utf8" });
+  return stdout.trimEnd().split("\n");
+}
+
+// The kernel has no names of fields, and other words for some; verdict and line are the same.
+function lineOfInvalid(lines) {
+  const found = /^c (?:line |history:)([0-9]+): /.exec(lines[lines.length - 2]);
+  return found ? found[1] : "0";
+}
+
+function isSame(ours, theirs) {
+  if (ours.at(-1) !== "s INVALID" || theirs.at(-1) !== "s INVALID") return ours.join("\n") === theirs.join("\n");
+  return lineOfInvalid(ours) === lineOfInvalid(theirs);
+}
+
+const verdicts = {};
+let different = 0, compared = 0;
+for (const [scene, history] of mode === "--worlds" ? worlds() : corpusHistories(corpus)) {
+  const files = [readFileSync(scene), readFileSync(history)];
+  for (const truth of ["recorded", "exact"]) {
+    const ours = certify(...files, { truth }), theirs = kernelSays(scene, history, truth);
+    const verdict = `${truth} ${ours.at(-1).slice(2)}`;
+    verdicts[verdict] = (verdicts[verdict] ?? 0) + 1;
+    ++compared;
+    if (isSame(ours, theirs)) continue;
+    ++different;
+    console.log(`${history}, ${truth}:\n${ours.join("\n")}\nbut voroproof-kernel:\n${theirs.join("\n")}\n`);
+  }
+}
+console.log(`${compared} verdicts compared, ${different} differ;`, verdicts);
+rmSync(folder, { recursive: true });
+// A comparison of nothing is no agreement.
+const kinds = new Set(Object.keys(verdicts).map((name) => name.split(" ")[1]));
+process.exit(different === 0 && kinds.has("CERTIFIED") && kinds.has("REFUTED") ? 0 : 1);
