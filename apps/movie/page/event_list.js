@@ -8,7 +8,7 @@ class EventList {
     this.replay = replay;
     this.rowHeight = 24;
     this.shown = null;  // the events that pass the filter; null: all
-    this.current = -1;
+    this.current = null;  // until the player says where it stands
     this.frame = element.querySelector(".rows");
     this.sizer = element.querySelector(".sizer");
     this.resize();
@@ -20,6 +20,24 @@ class EventList {
       const row = event.target.closest(".row");
       if (row) chosen(Number(row.dataset.event));
     });
+    this.element.addEventListener("keydown", (event) => {
+      const page = Math.max(1, this.room - 3);
+      const steps = { ArrowDown: 1, ArrowUp: -1, PageDown: page, PageUp: -page }[event.key];
+      if (steps === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      if (this.length === 0) return;
+      const to = this.away(steps);
+      chosen(to);
+      this.setCurrent(to);  // at once, for the next key
+    });
+  }
+
+  // The event so many rows from the current one, of those that are shown; -1 for the start.
+  away(steps) {
+    const at = this.shown ? upperBound(this.shown, this.current, 0, this.length) - 1 : this.current;
+    const isBetween = this.shown && at >= 0 && this.shown[at] !== this.current && steps < 0;
+    const to = Math.min(this.length - 1, at + steps + (isBetween ? 1 : 0));
+    return to < 0 ? -1 : this.shown ? this.shown[to] : to;
   }
 
   get length() {
@@ -82,6 +100,7 @@ class EventList {
     const top = this.top, rows = Math.min(this.room, this.length - top);
     while (this.frame.children.length < rows) {
       const row = document.createElement("div");
+      row.setAttribute("role", "option");
       row.append(...["i", "span", "b"].map((name) => document.createElement(name)));
       this.frame.append(row);
     }
@@ -89,6 +108,9 @@ class EventList {
     for (let k = 0; k < rows; ++k) {
       this.fillRow(this.frame.children[k], this.shown ? this.shown[top + k] : top + k);
     }
+    const active = this.frame.querySelector(".current");
+    if (active) this.element.setAttribute("aria-activedescendant", active.id);
+    else this.element.removeAttribute("aria-activedescendant");
   }
 
   fillRow(row, event) {
@@ -96,8 +118,12 @@ class EventList {
     const kind = ["flip", "hit", "turn"][data.kinds[event]];
     row.className = `row ${kind} ${this.standing(event)}` +
       (event === this.current ? " current" : event < this.current ? " past" : "");
+    row.setAttribute("aria-selected", event === this.current);
     if (row.dataset.event === String(event)) return;
     row.dataset.event = event;
+    row.id = `event-${event}`;
+    row.setAttribute("aria-posinset", event + 1);
+    row.setAttribute("aria-setsize", data.events);
     row.children[1].textContent = timeText(data.times[event]);
     row.children[2].textContent = data.nameOf(event);
   }

@@ -60,6 +60,7 @@ class Overlays {
 
   // What the last moments brought, fading; moments are of the viewer's time.
   paintFlashes(state) {
+    if (state.isStill) return;
     const { data } = this.painter;
     const most = 150;
     for (let event = state.applied - 1, k = 0; event >= 0 && k < most; --event, ++k) {

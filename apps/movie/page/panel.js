@@ -56,6 +56,9 @@ class Panel {
     const { data, replay } = this;
     text("time", timeText(state.t));
     text("count", `${state.applied} / ${data.events}`);
+    const follow = state.follow === null ? "" : `, disk ${state.follow} followed`;
+    element("picture").setAttribute("aria-label",
+      `${plural(data.count, "disk")} at t = ${timeText(state.t)}, after ${plural(state.applied, "event")}${follow}`);
     const broken = element("broken");
     broken.hidden = replay.whole && irregular === 0;
     if (!replay.whole) {

@@ -14,6 +14,8 @@ class Player {
     this.timeline = new Timeline(element("timeline"), this.data, this.replay);
     this.list = new EventList(element("events"), this.data, this.replay);
     this.panel = new Panel(this.data, this.replay, this.motion);
+    this.plot = new DiskPlot(element("plot"), this.data, this.motion, this.replay);
+    this.exporter = new Exporter(element("picture"), () => `t = ${timeText(this.state.t)}`);
     this.natural = this.naturalRate();
     this.state = {
       t: 0, applied: 0, playing: false,
@@ -23,6 +25,7 @@ class Player {
       flash: 0.45 * this.natural,  // for how long an event is seen, in the scene's time
       colours: "disk", velocities: this.data.count <= 150, labels: this.data.count <= 60,
       dual: false,
+      isStill: false,  // whether the viewer wants little motion
     };
     this.connect();
     if (this.data.facts.follow !== undefined) this.follow(this.data.facts.follow);
@@ -156,8 +159,11 @@ class Player {
     const { state, data } = this;
     const seconds = Math.min(0.1, (now - (this.last ?? now)) / 1000);
     this.last = now;
-    if (state.playing) {
-      const t = state.t + seconds * state.rate;
+    this.waited = (this.waited ?? 0) + seconds;
+    // With little motion a picture each half second, and no flashes.
+    if (state.playing && (!state.isStill || this.waited >= 0.5)) {
+      const t = state.t + (state.isStill ? this.waited : seconds) * state.rate;
+      this.waited = 0;
       if (t >= data.end) state.playing = false;
       this.seek(t);
     }
@@ -171,12 +177,48 @@ class Player {
     document.body.classList.toggle("playing", state.playing);
     this.painter.paint(state);
     this.timeline.paint(state.t, this.painter.theme);
+    this.timeline.describe(state.t);
     // The list's layout costs more than the picture: while playing a few times a second do.
     if (!state.playing || this.last - this.listed > 150) {
       this.list.setCurrent(state.applied - 1);
       this.listed = this.last;
     }
     this.panel.update(state, this.painter.curves.irregular);
+    if (state.follow !== null && !document.body.classList.contains("bare")) {
+      this.plot.paint(state.follow, state.t, this.painter.theme);
+    }
+    if (this.exporter.isRecording) this.exporter.compose();
+  }
+
+  // ---- Saving
+
+  async savePicture() {
+    this.draw();
+    Exporter.save(await this.exporter.picture(), "voroproof.png");
+    text("saved", "picture saved");
+  }
+
+  // Begins a film from here, or ends it.
+  async saveFilm() {
+    if (this.exporter.isRecording) {
+      this.exporter.stop();
+      return;
+    }
+    const button = element("save-film");
+    try {
+      this.play(true);
+      const film = this.exporter.film();
+      button.textContent = "Stop";
+      button.classList.add("recording");
+      text("saved", "a film of ten seconds is being recorded");
+      Exporter.save(await film, "voroproof.webm");
+      text("saved", "film saved");
+    } catch (error) {
+      text("saved", error.message);
+    }
+    button.textContent = "Film";
+    button.classList.remove("recording");
+    this.play(false);
   }
 
   // ---- Controls
@@ -199,6 +241,9 @@ class Player {
     click("to-fault", () => this.toFault());
     click("unfollow", () => this.follow(state.follow));
     click("help", () => element("keys").showModal());
+    click("save-picture", () => this.savePicture());
+    click("save-film", () => this.saveFilm());
+    this.plot.listen((t) => this.seek(t));
     click("neighbours", (event) => {
       if (event.target.dataset.disk) this.follow(Number(event.target.dataset.disk));
     });
@@ -213,16 +258,30 @@ class Player {
         this.changed();
       });
     }
-    // The keys are the player's again when a control has been used.
-    document.addEventListener("change", (event) => event.target.blur());
-    document.addEventListener("click", (event) => event.target.closest("button")?.blur());
+    // The keys are the player's again when a control has been used with the pointer; with keys it keeps the focus.
+    let byPointer = false;
+    window.addEventListener("pointerdown", () => { byPointer = true; }, true);
+    window.addEventListener("keydown", () => { byPointer = false; }, true);
+    document.addEventListener("change", (event) => byPointer && event.target.blur());
+    document.addEventListener("click", (event) => byPointer && event.target.closest("button")?.blur());
     window.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("resize", () => this.resized());
     window.addEventListener("hashchange", () => this.readAddress());
+    this.watchMedia();
+  }
+
+  watchMedia() {
     window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
       this.painter.readTheme();
       this.changed();
     });
+    const still = window.matchMedia("(prefers-reduced-motion: reduce)");
+    const read = () => {
+      this.state.isStill = still.matches;
+      this.changed();
+    };
+    still.addEventListener("change", read);
+    read();
   }
 
   resized() {
@@ -233,6 +292,7 @@ class Player {
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey || element("keys").open) return;
     if (["SELECT", "INPUT"].includes(event.target.tagName) && event.key !== "Escape") return;
+    if (event.target.tagName === "BUTTON" && [" ", "Enter"].includes(event.key)) return;
     const { state, data } = this;
     const jump = data.end / 100;
     const rate = (factor) => () =>
@@ -250,6 +310,9 @@ class Player {
       f: () => this.showBare(!document.body.classList.contains("bare")),
       e: () => this.toFault(),
       0: () => { this.view.reset(); this.changed(); },
+      z: () => this.zoom(1.5), x: () => this.zoom(1 / 1.5),
+      n: () => this.followNext(1), b: () => this.followNext(-1),
+      p: () => this.savePicture(), r: () => this.saveFilm(),
       Escape: () => state.follow !== null && this.follow(state.follow),
       "?": () => element("keys").showModal(),
     };
@@ -257,6 +320,22 @@ class Player {
     if (!action) return;
     event.preventDefault();
     action();
+  }
+
+  // About the followed disk, or the middle.
+  zoom(factor) {
+    const { view, motion, state } = this, site = state.follow === null ? 0 : state.follow + 1;
+    const [x, y] = site === 0 ? [view.width / 2, view.height / 2] : view.canvasPoint(motion.x[site], motion.y[site]);
+    view.zoomAt(x, y, factor);
+    this.changed();
+  }
+
+  followNext(direction) {
+    const { count } = this.data, { follow } = this.state;
+    if (count === 0) return;
+    const from = follow ?? (direction > 0 ? -1 : 0);
+    const next = (from + direction + count) % count;
+    if (next !== follow) this.follow(next);
   }
 
   // The picture alone, or all.

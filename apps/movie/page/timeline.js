@@ -25,6 +25,12 @@ class Timeline {
       hint(at(event));
     });
     this.canvas.addEventListener("pointerleave", () => hint(null));
+    this.canvas.addEventListener("keydown", (event) => {
+      const steps = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+      if (steps === undefined) return;
+      event.preventDefault();
+      seek(Math.min(1, Math.max(0, Number(this.canvas.getAttribute("aria-valuenow")) / this.data.end + steps / 100)) * this.data.end);
+    });
   }
 
   // Room at both ends, so that the head is seen there.
@@ -60,6 +66,15 @@ class Timeline {
       ++this.bins[data.kinds[k]][bin];
     }
     this.most = this.bins.reduce((most, values) => values.reduce((a, b) => Math.max(a, b), most), 1);
+  }
+
+  // The canvas is a slider to who does not see it.
+  describe(t) {
+    const { canvas, data } = this;
+    canvas.setAttribute("aria-valuemin", 0);
+    canvas.setAttribute("aria-valuemax", data.end);
+    canvas.setAttribute("aria-valuenow", t);
+    canvas.setAttribute("aria-valuetext", `t = ${Number(t.toPrecision(6))} of ${data.end}`);
   }
 
   paint(t, theme) {
