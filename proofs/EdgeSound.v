@@ -84,16 +84,29 @@ Proof. intros Ha H. pose proof (length_square x y). pose proof (length_nonneg x 
 Lemma length_at_most x y a : 0 <= a -> x * x + y * y <= a * a -> length x y <= a.
 Proof. intros Ha H. pose proof (length_square x y). pose proof (length_nonneg x y). nra. Qed.
 
+Lemma quadratic_not_negative_true p z : 0 <= z -> quadratic_not_negative p = true -> 0 <= eval p z.
+Proof.
+  intros Hz H. unfold quadratic_not_negative in H. apply orb_prop in H as [H|H]; [apply never_negative_true; assumption|].
+  destruct p as [|c [|b [|a [|? ?]]]]; try discriminate. apply andb_prop in H as [H D]. apply andb_prop in H as [Hc Ha].
+  apply Z.leb_le, IZR_le in Hc, Ha, D. rewrite !mult_IZR in D. cbn [eval]. revert Hc Ha D.
+  generalize (IZR a) (IZR b) (IZR c). intros u v w Hw Hu D.
+  destruct (Rle_lt_or_eq_dec _ _ Hu) as [P|E].
+  - apply (Rmult_le_reg_l (4 * u)); [lra|]. rewrite Rmult_0_r.
+    replace (4 * u * (w + z * (v + z * (u + z * 0)))) with ((2 * u * z + v) * (2 * u * z + v) + (4 * u * w - v * v)) by ring.
+    pose proof (Rle_0_sqr (2 * u * z + v)) as Q. unfold Rsqr in Q. lra.
+  - subst u. assert (v = 0) as -> by nra. lra.
+Qed.
+
 Theorem pair_apart_sound d : forall i j, pair_apart d i j = true -> forall z, 0 <= z -> apart (at_z i z) (at_z j z).
 Proof.
-  induction d as [|d IH]; intros i j; simpl; destruct (never_negative (poly_sign (mwall i || mwall j) (pair_gap i j))) eqn:T;
+  induction d as [|d IH]; intros i j; simpl; destruct (quadratic_not_negative (poly_sign (mwall i || mwall j) (pair_gap i j))) eqn:T;
     intros H z Hz; try discriminate.
   3: { apply andb_prop in H as [HL HR]. destruct (Rlt_or_le z 1) as [H1|H1].
     - apply (apart_unscale (2 / (1 - z))); [apply Rdiv_lt_0_compat; lra|].
       rewrite <- !left_at by assumption. apply IH; [exact HL|].
       apply Rmult_le_pos; [lra|]. apply Rlt_le, Rinv_0_lt_compat. lra.
     - rewrite <- (right_at i), <- (right_at j). apply IH; [exact HR|lra]. }
-  all: apply (never_negative_true _ z Hz) in T; rewrite eval_poly_sign, pair_gap_at in T; unfold apart;
+  all: apply (quadratic_not_negative_true _ z Hz) in T; rewrite eval_poly_sign, pair_gap_at in T; unfold apart;
     change (wall (at_z i z)) with (mwall i); change (wall (at_z j z)) with (mwall j);
     destruct (mwall i || mwall j); simpl in T; apply Z.leb_le, IZR_le in H; rewrite plus_IZR in H; simpl;
     [apply length_at_most | apply length_at_least]; try lra;

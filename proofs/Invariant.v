@@ -26,6 +26,7 @@ Record slot_true (past near : list claim) (present : Z) (k : positive) (sl : slo
   stays : forall t, IZR (proved sl) <= t -> edge_at P k past t = Some (name sl);
   proved_apart : forall q t, 0 <= t < IZR (pair_proved sl) -> t < IZR present -> edge_at P k past t = Some q ->
     ~ bracketed k past t -> pair_at past near t q;
+  in_brackets : forall t, IZR (opened sl) <= t < IZR (proved sl) -> bracketed k past t;
   proved_near : forall t, IZR present <= t < IZR (pair_proved sl) -> near_pair near t (name sl)
 }.
 
@@ -38,7 +39,7 @@ Record invariant (past near : list claim) (s : state) : Prop := {
 (* Time passes. *)
 Lemma slot_later past near t u k sl : (t <= u)%Z -> slot_true past near t k sl -> slot_true past near u k sl.
 Proof.
-  intros H [N A B L S Q R]. apply IZR_le in H as H'. split; try assumption; try lia.
+  intros H [N A B L S Q O R]. apply IZR_le in H as H'. split; try assumption; try lia.
   - intros q v Hv Hu E Nb. destruct (Rlt_or_le v (IZR t)) as [Hl|Hl]; [exact (Q q v Hv Hl E Nb)|].
     right. rewrite S in E; [|apply IZR_le in A; lra]. injection E as E. subst q. apply R. lra.
   - intros v Hv. apply R. lra.
@@ -51,7 +52,7 @@ Qed.
 
 Lemma slot_more c past near t k sl : slot_true past near t k sl -> slot_true past (c :: near) t k sl.
 Proof.
-  intros [N A B L S Q R]. split; try assumption.
+  intros [N A B L S Q O R]. split; try assumption.
   - intros q v Hv Hu E Nb. destruct (Q q v Hv Hu E Nb) as [H|H]; [left; exact H|right; apply near_more, H].
   - intros v Hv. apply near_more, R, Hv.
 Qed.
@@ -61,12 +62,12 @@ Lemma slot_turns past near s own t k sl :
   knows P past s -> slot_true past near t k sl ->
   (forall q u, own q = true -> IZR t - IZR (tolerance P) <= u <= IZR t + IZR (tolerance P) -> near_pair near u q) ->
   settle s sl t (if own (name sl) then t - tolerance P else t)%Z = Good tt ->
-  slot_true past near t k (Slot (name sl) (Z.max (proved sl) t)
+  slot_true past near t k (Slot (name sl) (if (proved sl <? t)%Z then t else opened sl) (Z.max (proved sl) t)
     (Z.max (pair_proved sl) (if own (name sl) then t + tolerance P else t))).
 Proof.
-  intros K [N A B L S Q R] Own H. destruct (settled P past s sl _ _ K H) as [HL HP].
+  intros K [N A B L S Q O R] Own H. destruct (settled P past s sl _ _ K H) as [HL HP].
   assert (M : Z.max (proved sl) t = t) by lia.
-  split; cbn [name proved pair_proved]; try assumption; try lia.
+  split; cbn [name opened proved pair_proved]; try assumption; try lia.
   - destruct (own (name sl)); lia.
   - rewrite M. intros q u Hu E Nb. destruct (Rlt_or_le u (IZR (proved sl))) as [Hl|Hl]; [apply L; try assumption; lra|].
     rewrite S in E by exact Hl. injection E as E. subst q. apply HL. lra.
@@ -75,14 +76,15 @@ Proof.
     destruct (Rlt_or_le u (IZR (pair_proved sl))) as [Hl|Hl]; [apply Q; try assumption; lra|].
     assert (Hq : q = name sl).
     { rewrite S in E by (apply IZR_le in B; lra). congruence. }
-    subst q. destruct (own (name sl)) eqn:O.
+    subst q. destruct (own (name sl)) eqn:OW.
     + destruct (Rlt_or_le u (IZR (t - tolerance P))) as [H1|H1]; [left; apply HP; lra|].
-      rewrite minus_IZR in H1. right. apply Own; [exact O|].
+      rewrite minus_IZR in H1. right. apply Own; [exact OW|].
       apply IZR_le in tolerance_nonneg. lra.
     + left. apply HP. lra.
+  - rewrite M. intros u Hu. destruct (proved sl <? t)%Z eqn:E; [lra|]. apply O. apply Z.ltb_ge, IZR_le in E. lra.
   - intros u [Hu1 Hu2]. destruct (Rlt_or_le u (IZR (pair_proved sl))) as [Hl|Hl]; [apply R; lra|].
-    destruct (own (name sl)) eqn:O.
-    + apply Own; [exact O|]. destruct (Z.max_spec (pair_proved sl) (t + tolerance P)) as [[_ X]|[_ X]]; rewrite X in Hu2; [|lra].
+    destruct (own (name sl)) eqn:OW.
+    + apply Own; [exact OW|]. destruct (Z.max_spec (pair_proved sl) (t + tolerance P)) as [[_ X]|[_ X]]; rewrite X in Hu2; [|lra].
       rewrite plus_IZR in Hu2. apply IZR_le in tolerance_nonneg. lra.
     + destruct (Z.max_spec (pair_proved sl) t) as [[_ X]|[_ X]]; rewrite X in Hu2; lra.
 Qed.
@@ -138,7 +140,7 @@ Lemma slot_unchanged c past near t k sl : (forall g u v, turn_of c g = Some (u, 
   bracket_of k c = None -> (forall q, after_flip k c q = Some q) ->
   slot_true past near t k sl -> slot_true (c :: past) near t k sl.
 Proof.
-  intros HT B F [N A BB L S Q R]. destruct (edge_not_flipped c past k B F) as (E1 & E2 & E3).
+  intros HT B F [N A BB L S Q O R]. destruct (edge_not_flipped c past k B F) as (E1 & E2 & E3).
   assert (Pl : forall u, u < IZR t -> forall g, place P (c :: past) u g = place P past u g).
   { intros u Hu. apply place_before. intros g w v E. rewrite (HT g w v E). exact Hu. }
   split; try assumption.
@@ -147,5 +149,6 @@ Proof.
     rewrite !leg_before by (intros w v Ew; rewrite (HT _ w v Ew); apply IZR_le in A; lra). apply L; assumption.
   - intros u Hu. rewrite E2. apply S, Hu.
   - intros q u Hu Ht. rewrite E2, E3. intros E Nb. unfold pair_at. rewrite !Pl by exact Ht. apply Q; assumption.
+  - intros u Hu. rewrite E3. apply O, Hu.
 Qed.
 End Invariant.

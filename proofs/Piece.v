@@ -121,8 +121,12 @@ Definition fan_strict (i a b c : moving) : bool :=
 Definition pair_gap (i j : moving) : poly :=
   let x := [ax j - ax i; bx j - bx i] in let y := [ay j - ay i; by_ j - by_ i] in let r := [mr i + mr j; mr i + mr j] in
   sub (add (mul x x) (mul y y)) (mul r r).
+(* A quadratic without sign changes of its coefficients, or with at most one root. *)
+Definition quadratic_not_negative (p : poly) : bool :=
+  never_negative p ||
+  match p with [c; b; a] => (0 <=? c) && (0 <=? a) && (b * b <=? 4 * a * c) | _ => false end.
 Fixpoint pair_apart (depth : nat) (i j : moving) : bool :=
-  if never_negative (poly_sign (mwall i || mwall j) (pair_gap i j)) then
+  if quadratic_not_negative (poly_sign (mwall i || mwall j) (pair_gap i j)) then
     if mwall i || mwall j then mr i + mr j <=? 0 else 0 <=? mr i + mr j
   else match depth with
   | O => false

@@ -18,8 +18,9 @@ Notation "'do' x <- a ; b" := (try a (fun x => b)) (at level 200, x pattern, a a
 
 (* A generator's present leg and radius. *)
 Record mover := Mover { path : leg; size_ : Z }.
-(* An edge of the present diagram. It has been proved legal up to [proved], its pair apart up to [pair_proved]. *)
-Record slot := Slot { name : edge; proved : Z; pair_proved : Z }.
+(* An edge of the present diagram. It has been proved legal up to [proved], its pair apart up to [pair_proved]; from [opened]
+   to [proved] all times lie in brackets. *)
+Record slot := Slot { name : edge; opened : Z; proved : Z; pair_proved : Z }.
 Record state := State { movers : PositiveMap.t mover; slots : PositiveMap.t slot; now : Z; todo : list maneuver }.
 
 Section Replay.
@@ -57,13 +58,14 @@ Definition slot_of (s : state) (k : positive) : outcome slot := known (PositiveM
 
 Definition put (s : state) (k : positive) (sl : slot) : state := State (movers s) (PositiveMap.add k sl (slots s)) (now s) (todo s).
 
-(* The edge k ends its life at lo, flips or gets another end, and begins anew at hi. *)
+(* The edge k ends its life at lo, flips or gets another end, and begins anew at hi, or where a bracket ends that lo is in:
+   flips of one instant have brackets in common. *)
 Definition flip_one (c : claim) (lo hi : Z) (k : positive) (s : state) : outcome state :=
   do sl <- slot_of s k;
-  need (proved sl <=? lo) EdgeTooYoung (
+  need (opened sl <=? lo) EdgeTooYoung (
   do _ <- settle s sl lo lo;
   do q <- known (after_flip k c (name sl)) NotBeside;
-  Good (put s k (Slot q hi hi))).
+  Good (put s k (Slot q lo (Z.max (proved sl) hi) (Z.max (proved sl) hi)))).
 
 Definition fan_legal_at (i a b c : moving) : bool := fan_there i a b c && fan_empty i a b c.
 Definition fan_entered_at (i a b c : moving) : bool := fan_there i a b c && fan_entered i a b c.
@@ -79,14 +81,18 @@ Definition collapses (s : state) (f : edge) (lo hi : Z) : outcome bool :=
 Fixpoint each (step : positive -> state -> outcome state) (ks : list positive) (s : state) : outcome state :=
   match ks with [] => Good s | k :: ks => do s <- step k s; each step ks s end.
 
+Fixpoint distinct (ks : list positive) : bool :=
+  match ks with [] => true | k :: ks => negb (existsb (Pos.eqb k) ks) && distinct ks end.
+
 Definition flip (s : state) (c : claim) (t : Z) (f : edge) (lo hi : Z) (k k1 k2 k3 k4 : positive) : outcome state :=
   do sl <- slot_of s k;
   need (edge_eqb (name sl) f || edge_eqb (name sl) (reversed f)) WrongName (
   need ((t - tolerance P <=? lo) && (lo <? hi) && (hi <=? t + tolerance P) && (0 <=? lo)) BadBracket (
+  need (distinct [k; k1; k2; k3; k4]) NotBeside (
   do gone <- collapses s f lo hi;
   need gone NoCollapse (
   do s <- each (flip_one c lo hi) [k; k1; k2; k3; k4] s;
-  Good (State (movers s) (slots s) (Z.max (now s) hi) (todo s))))).
+  Good (State (movers s) (slots s) (Z.max (now s) hi) (todo s)))))).
 
 (* Whether the pair of an edge is i, j. *)
 Definition is_pair (i j : gen) (q : edge) : bool :=
@@ -96,7 +102,8 @@ Definition is_pair (i j : gen) (q : edge) : bool :=
 Definition turn_one (own : edge -> bool) (t : Z) (k : positive) (s : state) : outcome state :=
   do sl <- slot_of s k;
   do _ <- settle s sl t (if own (name sl) then t - tolerance P else t);
-  Good (put s k (Slot (name sl) (Z.max (proved sl) t) (Z.max (pair_proved sl) (if own (name sl) then t + tolerance P else t)))).
+  Good (put s k (Slot (name sl) (if proved sl <? t then t else opened sl) (Z.max (proved sl) t)
+     (Z.max (pair_proved sl) (if own (name sl) then t + tolerance P else t)))).
 
 (* The generator g turns. *)
 Definition turn (c : claim) (g : gen) (s : state) : outcome state :=
@@ -195,7 +202,7 @@ Definition step (s : state) (c : claim) : outcome state :=
 
 Definition first_state : state :=
   State (PositiveMap.map (fun b => Mover (start b) (body_radius b)) (bodies P))
-        (PositiveMap.map (fun q => Slot q 0 0) (edges P)) 0 (schedule P).
+        (PositiveMap.map (fun q => Slot q 0 0 0) (edges P)) 0 (schedule P).
 
 (* At the horizon all lives end. *)
 Fixpoint finish (s : state) (ks : list (positive * slot)) : outcome unit :=

@@ -113,18 +113,17 @@ Section Flip.
     same_time : now s = now s0;
     same_todo : todo s = todo s0;
     done_ : forall k sl, In k ks -> PositiveMap.find k (slots s) = Some sl ->
-      exists sl0 q, PositiveMap.find k (slots s0) = Some sl0 /\ (proved sl0 <= lo)%Z /\ settle s0 sl0 lo lo = Good tt /\
-        after_flip k c (name sl0) = Some q /\ sl = Slot q hi hi;
+      exists sl0 q, PositiveMap.find k (slots s0) = Some sl0 /\ (opened sl0 <= lo)%Z /\ settle s0 sl0 lo lo = Good tt /\
+        after_flip k c (name sl0) = Some q /\ sl = Slot q lo (Z.max (proved sl0) hi) (Z.max (proved sl0) hi);
     not_done : forall k, ~ In k ks -> PositiveMap.find k (slots s) = PositiveMap.find k (slots s0);
     none_lost : forall k, PositiveMap.find k (slots s) = None -> PositiveMap.find k (slots s0) = None
   }.
 
-  Lemma flip_one_keeps ks k s s' : flipped ks s -> flip_one c lo hi k s = Good s' -> flipped (k :: ks) s'.
+  Lemma flip_one_keeps ks k s s' : ~ In k ks -> flipped ks s -> flip_one c lo hi k s = Good s' -> flipped (k :: ks) s'.
   Proof.
-    intros [M T D Y N L] E. unfold flip_one in E.
+    intros Fresh [M T D Y N L] E. unfold flip_one in E.
     apply try_good in E as (sl & F & E). apply known_good in F. apply need_good in E as [Hlo E]. apply Z.leb_le in Hlo.
     apply try_good in E as (u & S & E). destruct u. apply try_good in E as (q & A & E). apply known_good in A. injection E as <-.
-    assert (Fresh : ~ In k ks). { intros I. destruct (Y k sl I F) as (sl0 & q0 & _ & _ & _ & _ & ->). simpl in Hlo. lia. }
     split; try assumption.
     - intros k' sl' I F'. cbn [slots put] in F'. destruct (Pos.eq_dec k' k) as [->|Dk].
       + rewrite PositiveMap.gss in F'. injection F' as <-. exists sl, q. rewrite N in F by exact Fresh.
@@ -136,11 +135,12 @@ Section Flip.
       + rewrite PositiveMap.gso in F' by exact Dk. apply L, F'.
   Qed.
 
-  Lemma flips_keep ks : forall before s s', flipped before s -> each (flip_one c lo hi) ks s = Good s' -> flipped (rev ks ++ before) s'.
+  Lemma flips_keep ks : forall before s s', NoDup (rev ks ++ before) -> flipped before s -> each (flip_one c lo hi) ks s = Good s' -> flipped (rev ks ++ before) s'.
   Proof.
-    induction ks as [|k ks IH]; simpl; intros before s s' H E; [injection E as <-; exact H|].
-    apply try_good in E as (s1 & E1 & E). rewrite <- app_assoc. simpl. apply (IH (k :: before) s1 s'); [|exact E].
-    apply (flip_one_keeps _ _ s); assumption.
+    induction ks as [|k ks IH]; simpl; intros before s s' D H E; [injection E as <-; exact H|].
+    rewrite <- app_assoc in *. simpl in *.
+    apply try_good in E as (s1 & E1 & E). apply (IH (k :: before) s1 s'); [exact D| |exact E].
+    apply (flip_one_keeps _ _ s); try assumption. apply NoDup_remove_2 in D. intros I. apply D, in_or_app. right. exact I.
   Qed.
 End Flip.
 
@@ -155,13 +155,21 @@ Proof.
     rewrite !X by tauto. split; reflexivity.
 Qed.
 
+Lemma distinct_true ks : distinct ks = true -> NoDup ks.
+Proof.
+  induction ks as [|k ks IH]; simpl; intros H; [constructor|]. apply andb_prop in H as [H1 H2]. constructor; [|apply IH, H2].
+  apply negb_true_iff in H1. intros I. assert (existsb (Pos.eqb k) ks = true) as X; [|congruence].
+  apply existsb_exists. exists k. split; [exact I|apply Pos.eqb_refl].
+Qed.
+
 Lemma flip_keeps past s t f lo hi k k1 k2 k3 k4 s1 (c := Flip t f lo hi k k1 k2 k3 k4) :
-  (lo < hi)%Z -> invariant P past past s -> each (flip_one c lo hi) [k; k1; k2; k3; k4] s = Good s1 ->
+  (lo < hi)%Z -> distinct [k; k1; k2; k3; k4] = true -> invariant P past past s ->
+  each (flip_one c lo hi) [k; k1; k2; k3; k4] s = Good s1 ->
   invariant P (c :: past) (c :: past) (at_time s1 (Z.max (now s1) hi)) /\ todo s1 = todo s.
 Proof.
-  intros O I0 E.
+  intros O Ds I0 E. apply distinct_true, NoDup_rev in Ds. rewrite <- app_nil_r in Ds.
   assert (Start : flipped c lo hi s [] s). { split; try reflexivity; try tauto; intros ? ? []. }
-  pose proof (flips_keep c lo hi s O _ _ _ _ Start E) as [M N D Y X L]. rewrite app_nil_r in *. clear Start E.
+  pose proof (flips_keep c lo hi s _ _ _ _ Ds Start E) as [M N D Y X L]. rewrite app_nil_r in *. clear Start E Ds.
   split; [|exact D].
   pose proof (invariant_at_time past past s (Z.max (now s1) hi) ltac:(lia) I0) as I1.
   destruct (invariant_more c _ _ _ I1) as [K T A]. clear I0 I1.
@@ -173,30 +181,39 @@ Proof.
     destruct (in_dec Pos.eq_dec m [k; k1; k2; k3; k4]) as [Hm|Hm].
     + specialize (In_ Hm).
       destruct (Y m sl (proj1 (in_rev _ _) Hm) F) as (sl0 & q & F0 & Hlo & S & AF & ->).
-      destruct (T m sl0 F0) as [N0 A0 B0 L0 S0 Q0 R0]. cbn [now at_time] in *.
+      destruct (T m sl0 F0) as [N0 A0 B0 L0 S0 Q0 O0 R0]. cbn [now at_time] in *.
       destruct (settled P past s sl0 _ _ K S) as [HL HP].
       assert (Last : last_edge P m (c :: past) = Some q) by (cbn [last_edge]; rewrite N0; exact AF).
       assert (Before : forall u, u < IZR hi -> edge_at P m (c :: past) u = edge_at P m past u).
       { intros u Hu. cbn [edge_at]. rewrite In_. destruct (Rle_dec (IZR hi) u); [lra|reflexivity]. }
-      assert (NB : forall u, ~ bracketed m (c :: past) u -> ~ bracketed m past u /\ ~ (IZR lo <= u < IZR hi)).
-      { intros u Hu. split; intros H; apply Hu.
-        - destruct H as (d & l & h & I & H). exists d, l, h. split; [right; exact I|exact H].
-        - exists c, lo, hi. split; [left; reflexivity|]. split; [exact In_|exact H]. }
-      apply IZR_lt in O as O'.
-      split; cbn [name proved pair_proved].
+      assert (Old : forall u, bracketed m past u -> bracketed m (c :: past) u).
+      { intros u (d & l & h & I & H). exists d, l, h. split; [right; exact I|exact H]. }
+      assert (New : forall u, IZR lo <= u < IZR hi -> bracketed m (c :: past) u).
+      { intros u Hu. exists c, lo, hi. split; [left; reflexivity|]. split; [exact In_|exact Hu]. }
+      apply IZR_lt in O as O'. apply IZR_le in Hlo as Hlo'. apply IZR_le in B0 as B0'.
+      (* A time that has been dealt with and lies in no bracket is one before lo. *)
+      assert (Early : forall u, u < IZR (Z.max (proved sl0) hi) -> ~ bracketed m (c :: past) u -> u < IZR lo /\ ~ bracketed m past u).
+      { intros u Hu Nu. split; [|intros H; apply Nu, Old, H].
+        destruct (Rlt_or_le u (IZR lo)) as [H1|H1]; [exact H1|exfalso; apply Nu].
+        destruct (Rlt_or_le u (IZR hi)) as [H2|H2]; [apply New; lra|]. apply Old, O0.
+        destruct (Z.max_spec (proved sl0) hi) as [[_ E]|[_ E]]; rewrite E in Hu; lra. }
+      split; cbn [name opened proved pair_proved].
       * exact Last.
       * lia.
       * lia.
-      * intros p u Hu Eu Nu. destruct (NB u Nu) as [Nu1 Nu2]. rewrite Before in Eu by lra.
+      * intros p u Hu Eu Nu. destruct (Early u (proj2 Hu) Nu) as [H1 H2]. rewrite Before in Eu by lra.
         change (legal_at P past u p).
         destruct (Rlt_or_le u (IZR (proved sl0))) as [Hl|Hl]; [apply L0; try assumption; lra|].
         rewrite S0 in Eu by exact Hl. injection Eu as <-. apply HL. lra.
-      * intros u Hu. cbn [edge_at]. rewrite In_. destruct (Rle_dec (IZR hi) u); [exact Last|lra].
-      * intros p u Hu Hu' Eu Nu. destruct (NB u Nu) as [Nu1 Nu2]. rewrite Before in Eu by lra.
+      * intros u Hu. cbn [edge_at]. rewrite In_. destruct (Rle_dec (IZR hi) u) as [|H]; [exact Last|].
+        exfalso. apply H. assert (IZR hi <= IZR (Z.max (proved sl0) hi)) by (apply IZR_le; lia). lra.
+      * intros p u Hu Hu' Eu Nu. destruct (Early u (proj2 Hu) Nu) as [H1 H2]. rewrite Before in Eu by lra.
         change (pair_at P past (c :: past) u p).
         destruct (Rlt_or_le u (IZR (pair_proved sl0))) as [Hl|Hl]; [apply Q0; try assumption; lra|].
-        rewrite S0 in Eu by (apply IZR_le in B0; lra). injection Eu as <-. left. apply HP. lra.
-      * intros u Hu. assert (IZR hi <= IZR (Z.max (now s1) hi)) by (apply IZR_le; lia). lra.
+        rewrite S0 in Eu by lra. injection Eu as <-. left. apply HP. lra.
+      * intros u Hu. destruct (Rlt_or_le u (IZR hi)) as [H2|H2]; [apply New; lra|]. apply Old, O0.
+        destruct (Z.max_spec (proved sl0) hi) as [[_ E]|[_ E]]; rewrite E in Hu; lra.
+      * intros u Hu. assert (IZR (Z.max (proved sl0) hi) <= IZR (Z.max (now s1) hi)) by (apply IZR_le; lia). lra.
     + rewrite X in F by (rewrite <- in_rev; exact Hm). destruct (Out Hm) as [B AF].
       specialize (T m sl F). cbn [now at_time] in T.
       apply slot_unchanged; try assumption. intros g u v H. discriminate.

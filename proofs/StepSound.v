@@ -24,14 +24,14 @@ Proof.
   intros [I W] E. cbn [step c] in E. unfold flip in E.
   apply try_good in E as (sl & F & E). apply known_good in F. apply need_good in E as [Name E]. apply need_good in E as [B E].
   repeat (apply andb_prop in B as [B ?]). apply Z.leb_le in B, H, H0. apply Z.ltb_lt in H1.
-  apply try_good in E as (gone & C & E). apply need_good in E as [-> E].
+  apply need_good in E as [Ds E]. apply try_good in E as (gone & C & E). apply need_good in E as [-> E].
   apply try_good in E as (s1 & E1 & E). injection E as <-.
   destruct (collapses_true P past s f lo hi (movers_known _ _ _ _ I) H1 C) as (C1 & C2 & C3 & C4 & C5). split.
   - unfold c. cbn [claim_true]. split.
-    + destruct (slots_true _ _ _ _ I k sl F) as [N _ _ _ _ _ _]. rewrite N.
+    + destruct (slots_true _ _ _ _ I k sl F) as [N _ _ _ _ _ _ _]. rewrite N.
       apply orb_prop in Name as [Name|Name]; apply edge_eqb_true in Name; rewrite Name; tauto.
     + split; [lia|]. split; [exact C1|]. split; [exact C2|]. split; [exact C3|]. split; [exact C4|exact C5].
-  - destruct (flip_keeps P past s t f lo hi k k1 k2 k3 k4 s1 H1 I E1) as [I1 T]. split.
+  - destruct (flip_keeps P past s t f lo hi k k1 k2 k3 k4 s1 H1 Ds I E1) as [I1 T]. split.
     + destruct I1 as [K S A]. split; assumption.
     + cbn [pending c todo]. rewrite T. exact W.
 Qed.
@@ -110,9 +110,9 @@ Proof.
   - intros g m. unfold first_state, PositiveMap.map; cbn [movers]. rewrite PositiveMap.gmapi. unfold last_leg, radius_of.
     destruct (PositiveMap.find g (bodies P)); [|discriminate]. intros H. injection H as <-. split; reflexivity.
   - intros k sl. unfold first_state, PositiveMap.map; cbn [slots now]. rewrite PositiveMap.gmapi. intros H.
-    assert (exists q, PositiveMap.find k (edges P) = Some q /\ sl = Slot q 0 0) as (q & F & ->).
+    assert (exists q, PositiveMap.find k (edges P) = Some q /\ sl = Slot q 0 0 0) as (q & F & ->).
     { destruct (PositiveMap.find k (edges P)) as [q|]; [|discriminate]. exists q. injection H as <-. split; reflexivity. }
-    split; cbn [name proved pair_proved]; try lia; try (intros; lra).
+    split; cbn [name opened proved pair_proved]; try lia; try (intros; lra).
     + exact F.
     + intros t _. exact F.
   - intros k. unfold first_state, PositiveMap.map; cbn [slots]. rewrite PositiveMap.gmapi.
@@ -142,7 +142,7 @@ Proof.
     destruct (PositiveMap.find k (slots s)) as [sl|] eqn:F.
     2: { apply A in F. destruct (no_edge k past F) as [_ N]. rewrite N in Eq. discriminate. }
     pose proof (finish_good s _ E k sl (PositiveMap.elements_correct _ _ F)) as S.
-    destruct (settled P past s sl _ _ K S) as [HL HP]. destruct (T k sl F) as [N A0 B L St Q R].
+    destruct (settled P past s sl _ _ K S) as [HL HP]. destruct (T k sl F) as [N A0 B L St Q O R].
     apply IZR_le in A0 as A1. apply IZR_le in B as B1.
     assert (Legal : legal_at P past t q).
     { destruct (Rlt_or_le t (IZR (proved sl))) as [Hl|Hl]; [apply L; try assumption; lra|].

@@ -61,7 +61,8 @@ let problem scene history tolerance law u =
     wall_restitution = fraction scene.wall; whole_law = scene.whole_law; horizon = time history.horizon;
     tolerance = time tolerance; law_tolerance = fraction law; edges = !edges }
 
-(* The diagram, for the hints: edges by number, by their sides, and by the generators that they depend on. *)
+(* The diagram, for the hints: edges by number, since when each may flip, by their sides, and by the
+   generators that they depend on. *)
 type diagram = { names : Checker.edge array; born : Z.t array; side : (Z.t * Z.t * Z.t, int) Hashtbl.t; around : (Z.t, (int, unit) Hashtbl.t) Hashtbl.t }
 
 let four q = Checker.[ q.el; q.er; q.es; q.ee ]
@@ -118,7 +119,7 @@ let claims (p : Checker.problem) u history =
     let claim = match n with [ a; b; c; x; y ] -> Checker.Flip (t, f, lo, hi, a, b, c, x, y) | _ -> assert false in
     List.iter (fun k ->
         let q = match Checker.after_flip (number k) claim d.names.(k) with Some q -> q | None -> undecided line "the edges do not fit" in
-        leave d k; d.names.(k) <- q; d.born.(k) <- hi) ks;
+        leave d k; d.names.(k) <- q; d.born.(k) <- lo) ks;
     List.iter (enter d) ks;
     claim
   in
