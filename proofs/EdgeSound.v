@@ -177,11 +177,17 @@ Proof.
 Qed.
 
 Lemma fan_strict_true i a b c : fan_there i a b c = true -> fan_strict i a b c = true ->
-  exists o, vertex_circle o (at_z i 0) (at_z a 0) (at_z b 0) /\ ~ touches o (at_z c 0).
+  (exists o, vertex_circle o (at_z i 0) (at_z a 0) (at_z b 0) /\ ~ touches o (at_z c 0)) \/
+  (exists o, vertex_circle o (at_z i 0) (at_z b 0) (at_z c 0) /\ ~ touches o (at_z a 0)).
 Proof.
-  intros There H. destruct (fan_parts _ _ _ _ There) as (_ & _ & _ & _ & _ & C1 & _).
+  intros There H. destruct (fan_parts _ _ _ _ There) as (_ & _ & _ & _ & _ & C1 & C2).
   pose proof (there_gamma _ _ _ C1 0 (Rle_refl 0)) as G1. pose proof (there_norm _ _ _ C1 0 (Rle_refl 0)) as N1.
-  destruct (fan_circles _ _ _ _ There 0 (Rle_refl 0)) as [(o & V & _ & _ & _ & X) _].
-  exists o. split; [exact V|]. apply X. rewrite start_incircle.
-  apply (sum_positive_at_true _ _ _ _ _ (sqrt_lt_R0 _ G1) N1 (start_product i a b c _ _ G1) H).
+  pose proof (there_gamma _ _ _ C2 0 (Rle_refl 0)) as G2. pose proof (there_norm _ _ _ C2 0 (Rle_refl 0)) as N2.
+  destruct (fan_circles _ _ _ _ There 0 (Rle_refl 0)) as [(o & V & _ & _ & _ & X) (o' & V' & _ & _ & _ & X')].
+  unfold fan_strict in H. cbv zeta in H. apply orb_prop in H as [H|H].
+  - left. exists o. split; [exact V|]. apply X. rewrite start_incircle.
+    apply (sum_positive_at_true _ _ _ _ _ (sqrt_lt_R0 _ G1) N1 (start_product i a b c _ _ G1) H).
+  - right. exists o'. split; [exact V'|]. apply X'. rewrite start_incircle.
+    destruct (turned_ints (zrow i a) (zrow i b) (zrow i c)) as (Ea & Eb & Ec). rewrite <- Ea, <- Eb, <- Ec in H.
+    apply (sum_positive_at_true _ _ _ _ _ (sqrt_lt_R0 _ G2) N2 (start_product i b c a _ _ G2) H).
 Qed.

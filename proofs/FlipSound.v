@@ -98,7 +98,7 @@ Section Bracket.
     apply andb_prop in H1 as [T1 E1]. apply andb_prop in H2 as [T2 E2].
     destruct (fan_empty_true _ _ _ _ T1 0 (Rle_refl 0) E1) as [Q1 Q2]. rewrite !(span_start P) in Q1 by assumption. rewrite !(span_start P) in Q2 by assumption.
     destruct (fan_entered_true _ _ _ _ T2 E2) as [N1 N2]. 
-    destruct (fan_circles _ _ _ _ T2 0 (Rle_refl 0)) as [(o1 & V1 & _ & _ & X1 & _) (o2 & V2 & _ & _ & X2)].
+    destruct (fan_circles _ _ _ _ T2 0 (Rle_refl 0)) as [(o1 & V1 & _ & _ & X1 & _) (o2 & V2 & _ & _ & X2 & _)].
     specialize (X1 N1). specialize (X2 N2). 
     rewrite !(span_start P) in V1 by assumption. rewrite !(span_start P) in V2 by assumption. rewrite !(span_start P) in X1 by assumption. rewrite !(span_start P) in X2 by assumption. rewrite !(span_start P) in N1 by assumption. rewrite !(span_start P) in N2 by assumption.
     assert (Hlt : IZR lo < IZR hi) by (apply IZR_lt, order).

@@ -96,9 +96,12 @@ Proof.
   assert (At : forall g, at_z (span g (known_mover past g) v v) 0 = on_leg P g (last_leg P g past) (IZR v))
     by (intros g; apply (span_start g (known_mover past g)); reflexivity).
   unfold by_fan, fan_strict_at in T. unfold not_cotangent. destruct (mwall (span (el q) (known_mover past (el q)) v v));
-    apply andb_prop in T as [T1 T2]; destruct (fan_strict_true _ _ _ _ T1 T2) as (o & V & X); rewrite !At in V; rewrite !At in X.
-  - right. exists o. split; [apply vertex_turn, vertex_turn, V|]. exact X.
-  - left. exists o. split; [exact V|]. exact X.
+    apply andb_prop in T as [T1 T2]; destruct (fan_strict_true _ _ _ _ T1 T2) as [(o & V & X)|(o & V & X)];
+    rewrite !At in V; rewrite !At in X.
+  - right. exists o. split; [apply vertex_turn, vertex_turn, V|exact X].
+  - left. exists o. split; [apply vertex_turn, V|exact X].
+  - left. exists o. split; [exact V|exact X].
+  - right. exists o. split; [exact V|exact X].
 Qed.
 
 Lemma place_on_leg past t g : IZR (since (last_leg P g past)) <= t -> place P past t g = on_leg P g (last_leg P g past) t.

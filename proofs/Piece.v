@@ -109,13 +109,15 @@ Definition fan_entered (i a b c : moving) : bool :=
   sum_negative_at f (with_sign (mwall a) (z_g zb zc ga gb)) (with_sign (xorb (mwall a) (mwall b || mwall c)) gc).
 Definition edge_entered : moving -> moving -> moving -> moving -> bool := by_fan fan_entered.
 
-(* At the interval's beginning: the first circle of the fan does not touch c. *)
+(* At the interval's beginning: the first circle of the fan does not touch c, or the second not a. *)
 Definition sum_positive_at (f x y : Z) : bool :=
   ((0 <? f) && (0 <? x)) || ((f <? 0) && (0 <? y)) || ((0 <? x) && (0 <=? y)) || ((0 <=? x) && (0 <? y)).
 Definition fan_strict (i a b c : moving) : bool :=
   let za := zrow i a in let zb := zrow i b in let zc := zrow i c in
   let ga := z_a za zb zc in let gb := z_b za zb zc in let gc := z_c za zb zc in
-  sum_positive_at (z_f ga gb gc) (with_sign (mwall c) (z_g za zb ga gb)) (with_sign (xorb (mwall c) (mwall a || mwall b)) gc).
+  let f := z_f ga gb gc in
+  sum_positive_at f (with_sign (mwall c) (z_g za zb ga gb)) (with_sign (xorb (mwall c) (mwall a || mwall b)) gc) ||
+  sum_positive_at f (with_sign (mwall a) (z_g zb zc ga gb)) (with_sign (xorb (mwall a) (mwall b || mwall c)) gc).
 
 (* Two generators do not overlap. *)
 Definition pair_gap (i j : moving) : poly :=

@@ -241,7 +241,8 @@ Section Fan.
     (exists k, vertex_circle k (at_z i z) (at_z b z) (at_z c z) /\
       (0 <= incircle (at_z i z) (at_z b z) (at_z c z) (at_z a z) -> empty_of k (at_z a z)) /\
       (incircle (at_z i z) (at_z b z) (at_z c z) (at_z a z) = 0 -> touches k (at_z a z)) /\
-      (incircle (at_z i z) (at_z b z) (at_z c z) (at_z a z) < 0 -> ~ empty_of k (at_z a z))).
+      (incircle (at_z i z) (at_z b z) (at_z c z) (at_z a z) < 0 -> ~ empty_of k (at_z a z)) /\
+      (0 < incircle (at_z i z) (at_z b z) (at_z c z) (at_z a z) -> ~ touches k (at_z a z))).
   Proof.
     intros Hz. destruct fan_parts as (Hi & Pi & Pa & Pb & Pc & C1 & C2).
     destruct (there_parts _ _ _ C1 z Hz) as (W1 & Ra & Rb & Rab).
@@ -251,7 +252,7 @@ Section Fan.
       destruct (E (at_z c z) (proper_at _ _ Hz Pc) (proper_at _ _ Hz Pi) (or_introl Rc)) as (E1 & E2 & E3 & E4).
       exists k. repeat split; try tauto; apply V.
     - destruct (vertex_exists (at_z i z) (at_z b z) (at_z c z) Hi W2 Rb Rc Rbc (there_true _ _ _ C2 z Hz)) as (k & V & E).
-      destruct (E (at_z a z) (proper_at _ _ Hz Pa) (proper_at _ _ Hz Pi) (or_introl Ra)) as (E1 & E2 & E3).
+      destruct (E (at_z a z) (proper_at _ _ Hz Pa) (proper_at _ _ Hz Pi) (or_introl Ra)) as (E1 & E2 & E3 & E4).
       exists k. repeat split; try tauto; apply V.
   Qed.
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the project needs and that are not there yet.
 #
-# usage: scripts/install-deps.sh [test] [bench] [plots] [python] [ci] [browser] [packages]
+# usage: scripts/install-deps.sh [test] [bench] [plots] [python] [ci] [browser] [packages] [proofs]
 #   without arguments: what building and running the program takes
 #   test:  what building the tests takes besides
 #   bench: what the benchmarks and the peers they measure take besides
@@ -9,6 +9,7 @@
 #   python: what building the Python module takes, and its tests with notebooks
 #   ci:    the second compiler, the formatter, the counter of instructions, doxygen, man and shells besides
 #   packages: what scripts/check-packages.sh takes besides
+#   proofs: Coq, OCaml and the libraries of voroproof-proved
 #   browser: what testing pages and photographing that of `movie` takes besides (large)
 #
 # Where nothing is missing it neither asks for root nor uses the network.
@@ -40,8 +41,11 @@ for group in "$@"; do
     packages)
       packages+=(debhelper dh-python lintian mmdebstrap pybind11-dev python3-dev python3-numpy)
       ;;
+    proofs)
+      packages+=(coq libcoq-stdlib ocaml ocaml-findlib libzarith-ocaml-dev libyojson-ocaml-dev libsha-ocaml-dev)
+      ;;
     *)
-      echo "install-deps: unknown group '$group' (test, bench, plots, python, ci, browser, packages)" >&2
+      echo "install-deps: unknown group '$group' (test, bench, plots, python, ci, browser, packages, proofs)" >&2
       exit 2
       ;;
   esac
