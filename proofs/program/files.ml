@@ -6,12 +6,15 @@ let invalid format = Printf.ksprintf (fun text -> raise (Invalid text)) format
 
 type json = Yojson.Raw.t
 
-let fields ~required ~optional = function
+(* The fields of an object. One that may have extensions (section 14) may have others whose names begin with "x-". *)
+let fields ?(extended = false) ~required ~optional = function
   | `Assoc list ->
-      let names = List.map fst list in
+      let all = List.map fst list in
+      if List.length (List.sort_uniq compare all) <> List.length all then invalid "a field occurs twice";
+      let extension name = extended && String.length name > 1 && String.sub name 0 2 = "x-" in
+      let names = List.filter (fun name -> not (extension name)) all in
       List.iter (fun n -> if not (List.mem n names) then invalid "the field '%s' is missing" n) required;
       List.iter (fun n -> if not (List.mem n (required @ optional)) then invalid "an unknown field '%s'" n) names;
-      if List.length (List.sort_uniq compare names) <> List.length names then invalid "a field occurs twice";
       fun name -> List.assoc_opt name list
   | _ -> invalid "not a JSON object"
 
@@ -48,12 +51,19 @@ let decimal word =
   Q.mul (Q.of_bigint (Z.of_string whole)) (power (Z.of_int 10) (exponent - places))
 
 let exact word =
+  let only letters text = String.for_all (String.contains letters) text in
   try
     match String.index_opt word '/' with
-    | Some k -> Q.make (Z.of_string (String.sub word 0 k)) (Z.of_string (String.sub word (k + 1) (String.length word - k - 1)))
+    | Some k when only "0123456789+-/" word ->
+        let denominator = Z.of_string (String.sub word (k + 1) (String.length word - k - 1)) in
+        if Z.sign denominator = 0 then raise Division_by_zero;
+        Q.make (Z.of_string (String.sub word 0 k)) denominator
+    | Some _ -> raise Not_found
     | None ->
-        if String.contains word 'x' || String.contains word 'X' then Q.of_float (float_of_string word) else decimal word
-  with Invalid_argument _ | Failure _ | Division_by_zero -> invalid "not a number: \"%s\"" word
+        if String.contains word 'x' || String.contains word 'X' then Q.of_float (float_of_string word)
+        else if only "0123456789+-.eE" word then decimal word
+        else raise Not_found
+  with Invalid_argument _ | Failure _ | Division_by_zero | Not_found -> invalid "not a number: \"%s\"" word
 
 (* A JSON number is the binary64 nearest to it, a string what it says. *)
 let number = function
@@ -90,19 +100,19 @@ type history = { horizon : Q.t; sha : string; initial : int array list option; e
 let format_is get name = if text (required get "format") <> name || whole (required get "version") <> 1 then invalid "another format or version"
 
 let scene json =
-  let get = fields json ~required:[ "format"; "version"; "container"; "horizon"; "disks" ]
+  let get = fields json ~extended:true ~required:[ "format"; "version"; "container"; "horizon"; "disks" ]
       ~optional:[ "name"; "comment"; "seed"; "container_law"; "restitution"; "maneuvers" ] in
   format_is get "voroproof-scene";
   let wall = fields (required get "container") ~required:[ "center"; "radius" ] ~optional:[ "restitution" ] in
   let or_one = function Some value -> number value | None -> Q.one in
   let disk item =
-    let get = fields item ~required:[ "center"; "radius"; "velocity" ] ~optional:[ "mass" ] in
+    let get = fields item ~extended:true ~required:[ "center"; "radius"; "velocity" ] ~optional:[ "mass" ] in
     let radius = number (required get "radius") in
     { center = vector (required get "center"); radius; velocity = vector (required get "velocity");
       mass = (match get "mass" with Some m -> number m | None -> Q.mul radius radius) }
   in
   let maneuver item =
-    let get = fields item ~required:[ "t"; "disk"; "velocity" ] ~optional:[] in
+    let get = fields item ~extended:true ~required:[ "t"; "disk"; "velocity" ] ~optional:[] in
     { time = number (required get "t"); disk = whole (required get "disk"); turned = vector (required get "velocity") }
   in
   { origin = vector (required wall "center"); size = number (required wall "radius"); restitution = or_one (get "restitution");
@@ -115,10 +125,12 @@ let scene json =
 
 let quadruple item = match List.map whole (list item) with [ _; _; _; _ ] as ids -> Array.of_list ids | _ -> invalid "not a quadruple"
 
+let has json name = match json with `Assoc list -> List.mem_assoc name list | _ -> false
+
 let event json =
-  let has name = match json with `Assoc l -> List.mem_assoc name l | _ -> false in
+  let has = has json in
   let kind = if has "flip" then "flip" else if has "collide" then "collide" else "maneuver" in
-  let get = fields json ~required:[ "t"; kind ] ~optional:(if kind = "flip" then [] else [ "v"; "p" ]) in
+  let get = fields json ~extended:true ~required:[ "t"; kind ] ~optional:(if kind = "flip" then [] else [ "v"; "p" ]) in
   let both = Option.map (fun item -> pair item Fun.id) in
   let what = required get kind in
   ( number (required get "t"),
@@ -133,21 +145,22 @@ let history lines =
   match lines with
   | [] -> invalid "an empty file"
   | head :: rest ->
-      let get = fields (Yojson.Raw.from_string head) ~required:[ "format"; "version"; "scene_sha256"; "horizon"; "producer" ] ~optional:[ "initial" ] in
+      let get = fields (Yojson.Raw.from_string head) ~extended:true ~required:[ "format"; "version"; "scene_sha256"; "horizon"; "producer" ] ~optional:[ "initial" ] in
       format_is get "voroproof-history";
       let horizon = number (required get "horizon") in
       let rec follow line events = function
         | [] -> invalid "the file ends without its last line"
         | one :: rest -> (
             let json = try Yojson.Raw.from_string one with Yojson.Json_error e -> invalid "line %d: %s" line e in
-            match json with
-            | `Assoc [ (("end" | "stopped") as word, last) ] ->
+            match List.find_opt (has json) [ "end"; "stopped" ] with
+            | Some word ->
+                let last = required (fields json ~extended:true ~required:[ word ] ~optional:[]) word in
                 if rest <> [] then invalid "line %d: something follows the last line" line;
                 let counts = if word = "stopped" then [] else
                     let get = fields last ~required:[ "t"; "flips"; "collisions"; "maneuvers" ] ~optional:[] in
                     List.map (fun n -> whole (required get n)) [ "flips"; "collisions"; "maneuvers" ] in
                 (List.rev events, word = "stopped", counts)
-            | json ->
+            | None ->
                 let t, what = try event json with Invalid e -> invalid "line %d: %s" line e in
                 let before = match events with (_, t, _) :: _ -> t | [] -> Q.zero in
                 if Q.lt t before then invalid "line %d: the times decrease" line;

@@ -6,8 +6,8 @@ exception Undecided of int * string
 
 let undecided line format = Printf.ksprintf (fun text -> raise (Undecided (line, text))) format
 
-(* Generators: the container 1, disk k is k + 2. *)
-let gen k = Z.of_int (k + 2)
+(* Generators: the container 1, disk k is k + 2. The checker's positive numbers must be positive. *)
+let gen k = if k < -1 then invalid "an id below -1" else Z.of_int (k + 2)
 let edge q = { Checker.el = gen q.(0); er = gen q.(1); es = gen q.(2); ee = gen q.(3) }
 
 let velocities line = function

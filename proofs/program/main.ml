@@ -28,7 +28,7 @@ let read name =
   Fun.protect ~finally:(fun () -> close_in file) (fun () -> really_input_string file (in_channel_length file))
 
 let rec options files tolerance law = function
-  | "--tolerance" :: value :: rest -> options files (Some (Files.exact value)) law rest
+  | "--tolerance" :: value :: rest -> options files (Files.exact value) law rest
   | "--law-tolerance" :: value :: rest -> options files tolerance (Files.exact value) rest
   | word :: _ when String.length word > 1 && String.sub word 0 2 = "--" -> None
   | file :: rest -> options (file :: files) tolerance law rest
@@ -51,8 +51,9 @@ let judge scene_text history_text tolerance law =
   if counts <> history.counts then Hints.undecided 0 "the last line has other counts";
   if history.initial = None then Hints.undecided 0 "no initial diagram is given";
   if Array.length scene.disks < 2 then Hints.undecided 0 "fewer than two disks";
-  let least = Q.of_float 1e-6 in
-  let tolerance = match tolerance with Some t -> t | None -> Q.min least history.horizon in
+  let most = Q.max (Q.of_float 1e-6) history.horizon in
+  if Q.sign tolerance < 0 || Q.gt tolerance most then Files.invalid "a tolerance is from 0 to the horizon, or to 1e-6";
+  if Q.sign law < 0 || Q.gt law Q.one then Files.invalid "a tolerance of velocities is from 0 to 1";
   let units = Hints.units scene history tolerance in
   let problem = Hints.problem scene history tolerance law units in
   let claims = Hints.claims problem units history in
@@ -64,7 +65,7 @@ let judge scene_text history_text tolerance law =
 
 let () =
   let finish code line = print_string ("s " ^ line ^ "\n"); exit code in
-  match options [] None (Q.of_float 1e-9) (List.tl (Array.to_list Sys.argv)) with
+  match options [] (Q.of_float 1e-6) (Q.of_float 1e-9) (List.tl (Array.to_list Sys.argv)) with
   | None -> prerr_string usage; exit 2
   | exception Files.Invalid e -> prerr_string (e ^ "\n"); exit 2
   | Some (scene, history, tolerance, law) -> (
@@ -73,4 +74,6 @@ let () =
       | exception (Files.Invalid e | Yojson.Json_error e | Sys_error e) -> Printf.printf "c %s\n" e; finish 2 "INVALID"
       | exception Hints.Undecided (line, e) ->
           if line > 0 then Printf.printf "c line %d: %s\n" line e else Printf.printf "c %s\n" e;
-          finish 3 "UNDECIDED")
+          finish 3 "UNDECIDED"
+      | exception (Stack_overflow | Out_of_memory) -> prerr_string "out of memory\n"; exit 5
+      | exception e -> prerr_string (Printexc.to_string e ^ "\n"); exit 4)
