@@ -285,4 +285,17 @@ Record true_history (past : list claim) : Prop := {
     (apart (place past t (el q)) (place past t (er q)) \/
      near_collision past (el q) (er q) t \/ near_collision past (er q) (el q) t)
 }.
+
+(* At time t, in no bracket, the circle of each vertex is there and empty of all generators: the edges are those of the
+   Voronoi diagram. *)
+Definition voronoi_at (past : list claim) (t : R) : Prop :=
+  forall k q a b c, edge_at k past t = Some q -> side_of q a b c ->
+    exists o, vertex_circle o (place past t a) (place past t b) (place past t c) /\
+      forall g, PositiveMap.find g (bodies P) <> None -> empty_of o (place past t g).
+
+(* What is not proved here (docs/proved.md, section 1): a diagram that is right at 0 and locally legal since, flips aside, is
+   right. *)
+Definition local_legality_is_global (past : list claim) : Prop :=
+  true_initial -> true_history past ->
+  forall t, (0 <= t < IZR (horizon P))%R -> (forall k, ~ bracketed k past t) -> voronoi_at past t.
 End History.

@@ -1,5 +1,28 @@
-(* The theorem. Geometry.v and History.v define every word of it; docs/proved.md says it in prose. *)
-From Coq Require Import ZArith List Bool FMapPositive.
+(* The theorem. Geometry.v and History.v define every word of it; docs/proved.md says it at length.
+
+   Disks move in a circular container. Each runs on a line until a claimed collision or maneuver turns it. The Voronoi
+   diagram of disks and container is given by its edges: [l,r,s,e] lies between l and r and leads from the vertex [l,s,r] to
+   the vertex [l,r,e]. A vertex is a point at one distance from three generators, the contacts of its circle being
+   counterclockwise in the order of its name.
+
+   A history claims what the edges are at time 0, which of them flip and when, which disks collide when and with what
+   velocities, and which maneuvers take place. All numbers are whole multiples of some units. [rev claims] is the history with
+   the last claim first; the program has found, for each flip, a bracket around its time.
+
+   The theorem: if the program accepts, then
+
+   - true_initial: at time 0 the edges fit together, there are as many as there should be, and the circle of each vertex is
+     there and enters no generator at all;
+   - true_history, claims_true: each claim is true after those before it. A flip's edge is legal when its bracket begins and
+     illegal when it ends, the bracket lies within the tolerance of the claimed time, and in between the circle of a vertex
+     touches all four generators. A collision is of two neighbours that come into contact within the tolerance, and obeys
+     the law. A maneuver is the scene's next of that disk;
+   - maneuvers_done: no maneuver is left out;
+   - edges_legal: at every real time from 0 on, before the horizon, each edge outside its brackets has both circles, neither
+     enters the generator at the edge's other end, and its two generators do not overlap but near a claimed collision.
+
+   The second theorem goes on to the whole diagram. It has a hypothesis, by name, that is not proved here. *)
+From Coq Require Import ZArith List Bool Reals FMapPositive.
 From Voroproof Require Import History Replay Initial Checker StepSound InitialSound.
 Import ListNotations.
 
@@ -15,3 +38,8 @@ Proof.
   destruct (run_sound P T claims [] (first_state P) 0 s done_ (first_good P)) as [G A]; [intros [|? ?] ? ? X; discriminate|exact R|].
   rewrite app_nil_r in *. apply (ending_sound P _ s); assumption.
 Qed.
+
+Theorem diagram_is_voronoi : forall (P : problem) (claims : list claim) (n : Z),
+  check P claims = (Good tt, n) -> local_legality_is_global P (rev claims) ->
+  forall t : R, (0 <= t < IZR (horizon P))%R -> (forall k, ~ bracketed k (rev claims) t) -> voronoi_at P (rev claims) t.
+Proof. intros P claims n H G. destruct (certified_is_true P claims n H) as [I T]. exact (G I T). Qed.
