@@ -6,34 +6,6 @@
 
 namespace voroproof::internal {
 
-namespace {
-
-// Visits the half-edges from l to r, until `visit` returns true.
-template <class Visit>
-void each_between(const Diagram& diagram, GenId l, GenId r, Visit&& visit) {
-  if (diagram.edges() == 0) return;
-  // Around a disk: the container has many neighbours.
-  const bool wall = l == container_id;
-  const GenId other = wall ? l : r;
-  const Diagram::HalfEdge first = diagram.anchor(wall ? r : l);
-  Diagram::HalfEdge h = first;
-  do {
-    if (diagram.dest(h) == other && visit(wall ? Diagram::twin(h) : h)) return;
-    h = diagram.rotate(h);
-  } while (h != first);
-}
-
-}  // namespace
-
-Diagram::HalfEdge find_edge(const Diagram& diagram, const Quad& q) {
-  Diagram::HalfEdge found = -1;
-  each_between(diagram, q.l, q.r, [&](Diagram::HalfEdge h) {
-    if (diagram.quad(h) == q) found = h;
-    return found >= 0;
-  });
-  return found;
-}
-
 Replay::Replay(const Scene& scene, const CertifyOptions& options)
     : scene_(&scene),
       options_(&options),

@@ -14,9 +14,6 @@
 
 namespace voroproof::internal {
 
-// The half-edge of a diagram with this quadruplet, or -1.
-Diagram::HalfEdge find_edge(const Diagram& diagram, const Quad& q);
-
 class Replay : public GivenMotion {
  public:
   using HalfEdge = Diagram::HalfEdge;

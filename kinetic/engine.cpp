@@ -16,6 +16,10 @@ Engine::Engine(MotionInput input, std::vector<ManeuverInput> maneuvers, EngineOp
 Engine::~Engine() = default;
 
 Outcome Engine::run(EventSink& sink) { return implementation_->run(sink); }
+Outcome Engine::resume(const std::function<void(EventSink&)>& told, const Rational& t0,
+                       EventSink& sink) {
+  return implementation_->resume(told, t0, sink);
+}
 const EngineStats& Engine::stats() const { return implementation_->stats(); }
 const Diagram& Engine::diagram() const { return implementation_->diagram(); }
 const Motion& Engine::motion() const { return implementation_->motion(); }

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -58,6 +59,12 @@ constexpr const char* name_of(Outcome::Kind kind) {
   return "interrupted";
 }
 
+// What is told of a run that was begun cannot be of a run of this engine.
+class OtherRun : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 class Engine {
  public:
   // The maneuvers in order of their times; those after the horizon of `input` are left out.
@@ -66,6 +73,14 @@ class Engine {
 
   // Runs from 0 to the horizon, events at the horizon included. Once only.
   Outcome run(EventSink& sink);
+  // Takes up a run of the same input that did not come to its end, in place of run(): `told` tells
+  // its history up to some event as run() told it, or only the first diagram. t0 > 0 is a time
+  // after that event and before the next one. The sink is told the whole history.
+  //
+  // Throws OtherRun where a collision or maneuver, which are computed anew, is not what was told, a
+  // flip is of no edge, or an edge is illegal at t0. Nothing is searched for before t0: what is
+  // told must be of a history that this engine computed.
+  Outcome resume(const std::function<void(EventSink&)>& told, const Rational& t0, EventSink& sink);
 
   const EngineStats& stats() const;
   // The diagram and the motion at the end of the run.

@@ -14,6 +14,7 @@
 #include "kinetic/flip_kind.h"
 #include "kinetic/inelastic_collapse.h"
 #include "kinetic/instant_record.h"
+#include "kinetic/resumption.h"
 #include "kinetic/schedule.h"
 #include "kinetic/static_diagram.h"
 
@@ -39,6 +40,23 @@ class EngineOver {
 
   // Does what Engine::run() says.
   Outcome run(EventSink& sink) {
+    return run_from(sink, [this] { start(); });
+  }
+  // Does what Engine::resume() says.
+  template <class Tell>
+  Outcome resume(const Tell& told, const Rational& t0, EventSink& sink) {
+    return run_from(sink, [&] { take_up(told, t0); });
+  }
+
+  const EngineStats& stats() const { return stats_; }
+  const Diagram& diagram() const { return diagram_; }
+  Motion& motion() { return motion_; }
+
+ private:
+  using HalfEdge = Diagram::HalfEdge;
+
+  template <class Start>
+  Outcome run_from(EventSink& sink, const Start& start) {
     sink_ = &sink;
     Outcome outcome;
     std::optional<Patience> patience;
@@ -71,13 +89,6 @@ class EngineOver {
     return outcome;
   }
 
-  const EngineStats& stats() const { return stats_; }
-  const Diagram& diagram() const { return diagram_; }
-  Motion& motion() { return motion_; }
-
- private:
-  using HalfEdge = Diagram::HalfEdge;
-
   bool goes_on() const { return options_.monitor(arithmetic_.now().lo, instant_.told()); }
 
   // Completes the states for the statistics of a run that has stopped, possibly for want of bits.
@@ -104,9 +115,31 @@ class EngineOver {
     sink_->begin(diagram_.quads());
     begun_ = true;
     degrees_ = Degrees(diagram_, motion_.size());
+    search_all();
+    instant_.tell(*sink_);
+  }
+
+  // ---- The start at t0, after all that is told. ----
+  template <class Tell>
+  void take_up(const Tell& told, const Rational& t0) {
+    Resumption<Arithmetic> resumption({motion_, diagram_, degrees_, arithmetic_, schedule_,
+                                       instant_, collapse_watch_, stats_, *sink_, [this] {
+                                         stamp_.assign(diagram_.edges(), 0);
+                                         schedule_.start(first_window(), motion_.size());
+                                         begun_ = true;
+                                       }});
+    told(resumption);
+    resumption.finish(t0);
+    schedule_.start(first_window(), motion_.size(), round_down(t0));
+    search_all();
+    if (schedule_.take_due_flip() || schedule_.take_due_contact()) {
+      throw OtherRun("something that is not told happens before the run can go on");
+    }
+  }
+
+  void search_all() {
     for (int e = 0; e < diagram_.edges(); ++e) schedule_.search_flip_from_now(e);
     for (int e = 0; e < schedule_.slots(); ++e) schedule_.search_contact(e);
-    instant_.tell(*sink_);
   }
 
   // A quarter of the time in which the fastest disk goes as far as from one disk to the next.

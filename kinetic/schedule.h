@@ -50,9 +50,10 @@ class Schedule {
         queue_(1) {}
 
   // Begins anew for the diagram as it is, with nothing known but maneuvers and horizon. `window`:
-  // how far the first searches look ahead.
-  void start(double window, int disks) {
+  // how far the first searches look ahead. `since`: when they begin.
+  void start(double window, int disks, double since = 0) {
     window_ = window;
+    since_ = since;
     // A lone disk has no V-edge but meets the container all the same: one slot.
     slots_ = disks == 1 ? 1 : diagram_.edges();
     queue_ = EventQueue(items());
@@ -160,6 +161,11 @@ class Schedule {
   }
   void make_first_maneuvers_due() {
     due_maneuvers_ = maneuvers_.has_next() && sgn(maneuvers_.next_time()) == 0;
+  }
+  // The next maneuvers of the scene, if they are at a time that is rounded to t.
+  std::optional<Event> maneuvers_at(double t) const {
+    if (!maneuvers_.has_next() || round_nearest(maneuvers_.next_time()) != t) return std::nullopt;
+    return event_of(maneuver_item());
   }
   std::optional<std::pair<GenId, GenId>> take_due_contact() {
     if (due_contacts_.empty()) return std::nullopt;
@@ -314,8 +320,9 @@ class Schedule {
   // The look-ahead follows the mean life of a search's result.
   void count_search() {
     ++stats_.flip_searches;
-    if ((stats_.flip_searches & 0xfff) == 0 && now() > 0) {
-      const double life = now() * diagram_.edges() / static_cast<double>(stats_.flip_searches);
+    if ((stats_.flip_searches & 0xfff) == 0 && now() > since_) {
+      const double life =
+          (now() - since_) * diagram_.edges() / static_cast<double>(stats_.flip_searches);
       window_ = std::fmax(2 * life, 1e-9 * horizon_up_);
     }
   }
@@ -348,6 +355,7 @@ class Schedule {
   std::unordered_map<int, std::shared_ptr<const RootInterval>> fine_;  // of edges
   double quiet_until_ = 0;
   double window_ = 0;
+  double since_ = 0;
   double frontier_ = 0;
   std::set<std::pair<Quad, int>> due_flips_;
   std::set<std::pair<GenId, GenId>> due_contacts_;

@@ -136,6 +136,15 @@ bool Diagram::is_valid(std::string* why) const {
   return true;
 }
 
+Diagram::HalfEdge find_edge(const Diagram& diagram, const Quad& q) {
+  Diagram::HalfEdge found = -1;
+  each_between(diagram, q.l, q.r, [&](Diagram::HalfEdge h) {
+    if (diagram.quad(h) == q) found = h;
+    return found >= 0;
+  });
+  return found;
+}
+
 Diagram diagram_of(int disks, const std::vector<Quad>& edges) {
   Diagram d(disks);
   const auto fail = [](const std::string& reason) { throw std::invalid_argument(reason); };

@@ -84,6 +84,24 @@ class Diagram {
   std::vector<HalfEdge> anchor_;
 };
 
+// Visits the half-edges from l to r, until `visit` returns true. Precondition: l and r are
+// generators of the diagram.
+template <class Visit>
+void each_between(const Diagram& diagram, GenId l, GenId r, Visit&& visit) {
+  if (diagram.edges() == 0) return;
+  // Around a disk: the container has many neighbours.
+  const bool wall = l == container_id;
+  const GenId other = wall ? l : r;
+  const Diagram::HalfEdge first = diagram.anchor(wall ? r : l);
+  Diagram::HalfEdge h = first;
+  do {
+    if (diagram.dest(h) == other && visit(wall ? Diagram::twin(h) : h)) return;
+    h = diagram.rotate(h);
+  } while (h != first);
+}
+// The half-edge of this quadruplet, or -1. Precondition: l and r are generators of the diagram.
+Diagram::HalfEdge find_edge(const Diagram& diagram, const Quad& q);
+
 // Rebuilds the incidences from the quads of all edges (as in a history's
 // header or a diagram file). Throws std::invalid_argument, with the reason, where
 // they are not those of a diagram of `disks` disks.

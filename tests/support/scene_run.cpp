@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "history/error.h"
+#include "history/resumption_point.h"
 #include "library/maneuver_input.h"
 
 namespace voroproof::internal::testing {
@@ -34,6 +35,22 @@ class Recorder : public EventSink {
  private:
   RecordedRun& run_;
 };
+
+void tell_event(const Event& e, EventSink& sink) {
+  switch (e.kind) {
+    case Event::Kind::flip:
+      return sink.flip(e.t, e.edge);
+    case Event::Kind::collision:
+      return sink.collide(e.t, e.i, e.j, e.first, e.second);
+    case Event::Kind::maneuver:
+      return sink.maneuver(e.t, e.i, e.first);
+  }
+}
+
+void note_end(const Engine& engine, RecordedRun& run) {
+  run.stats = engine.stats();
+  run.final_diagram = engine.diagram().quads();
+}
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -137,8 +154,26 @@ RecordedRun run(const Scene& scene, const MotionOptions& options,
   engine_options.monitor = std::move(monitor);
   Engine engine(motion_input(scene), maneuver_input(scene), engine_options);
   result.outcome = engine.run(recorder);
-  result.stats = engine.stats();
-  result.final_diagram = engine.diagram().quads();
+  note_end(engine, result);
+  return result;
+}
+
+RecordedRun resume(const Scene& scene, const RecordedRun& begun, std::size_t events,
+                   const MotionOptions& options) {
+  RecordedRun result;
+  Recorder recorder(result);
+  EngineOptions engine_options;
+  engine_options.motion = options;
+  Engine engine(motion_input(scene), maneuver_input(scene), engine_options);
+  ResumptionPoint point;
+  for (std::size_t k = 0; k < events; ++k) point.see(begun.events[k].t);
+  const auto tell = [&](EventSink& sink) {
+    sink.begin(begun.initial);
+    for (std::size_t k = 0; k < point.events(); ++k) tell_event(begun.events[k], sink);
+  };
+  result.outcome = point.t0() == 0 ? engine.run(recorder)
+                                   : engine.resume(tell, to_rational(point.t0()), recorder);
+  note_end(engine, result);
   return result;
 }
 

@@ -54,6 +54,11 @@ struct RecordedRun {
 RecordedRun run(const Scene& scene, const MotionOptions& options = {},
                 std::function<bool(double t, std::uint64_t events)> monitor = {});
 
+// A run that takes up the first `events` of another of the same scene, as if nothing else of it
+// were there.
+RecordedRun resume(const Scene& scene, const RecordedRun& begun, std::size_t events,
+                   const MotionOptions& options = {});
+
 // "flip [..]" or "collide i j" in order, without times: what two runs must share.
 std::vector<std::string> names(const RecordedRun& run);
 
