@@ -60,7 +60,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
   struct stat status {};
   const bool replaces = stat(target_.c_str(), &status) == 0;
   if (replaces && !S_ISREG(status.st_mode)) throw OutputError(path, "is not a regular file");
-  remove_abandoned();
+  each_abandoned(target_, [](const std::string& abandoned) { unlink(abandoned.c_str()); });
 
   static std::atomic<unsigned> counter{0};
   do {
@@ -95,12 +95,12 @@ void AtomicFile::forget_temporary() {
   temporary_.clear();
 }
 
-// What processes that were killed had begun of this target.
-void AtomicFile::remove_abandoned() const {
+void each_abandoned(const std::string& target,
+                    const std::function<void(const std::string& path)>& visit) {
   namespace fs = std::filesystem;
-  const fs::path target(target_);
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  const std::string name = target.filename().string();
+  const fs::path path(target);
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const std::string name = path.filename().string();
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
@@ -108,7 +108,7 @@ void AtomicFile::remove_abandoned() const {
     if (!is_temporary_of(found.filename().string(), name)) continue;
     const int descriptor = open(found.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (descriptor < 0) continue;
-    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) unlink(found.c_str());
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) visit(found.string());
     close(descriptor);
   }
 }

@@ -48,7 +48,6 @@ class AtomicFile {
 
   struct Unfinished;
 
-  void remove_abandoned() const;
   void forget_temporary();
 
   std::string path_;
@@ -58,5 +57,10 @@ class AtomicFile {
   int descriptor_ = -1;
   bool full_ = false;  // no room was left for a write
 };
+
+// Visits the files that killed processes had begun to write in place of the target, which no living
+// process writes to. A file is locked while it is visited.
+void each_abandoned(const std::string& target,
+                    const std::function<void(const std::string& path)>& visit);
 
 }  // namespace voroproof::internal

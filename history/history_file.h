@@ -66,6 +66,9 @@ class HistoryWriter {
   void maneuver(const ManeuverEvent& event, const Extensions& extensions = {});
   void write(const Event& event, const Extensions& extensions = {});
 
+  // The events so far outlive the process, as OutputFile says.
+  void flush() { file_.flush(); }
+
   // The run covered the whole horizon. The counts are those of the events written.
   void end(const Extensions& extensions = {});
 

@@ -36,6 +36,9 @@ class OutputFile {
   }
   void advance(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.get()); }
 
+  // What was written so far outlives the process, but for what a compressor still holds.
+  void flush();
+
   // Whether the bytes go into a stream.
   bool is_stream() const { return stream_ >= 0; }
 
@@ -51,7 +54,6 @@ class OutputFile {
  private:
   static constexpr std::size_t buffer_size = std::size_t{1} << 18;
 
-  void flush();
   void finish();                          // all but the name
   void compress(std::string_view bytes);  // where that is asked for
   void write_through(std::string_view bytes);

@@ -66,6 +66,12 @@ void BackgroundHistorySink::begin(const std::vector<Quad>& initial) {
   thread_ = std::thread([this] { write_batches(); });
 }
 
+void BackgroundHistorySink::checkpoint() {
+  if (!thread_.joinable()) return;
+  if (!batch_.empty()) hand_on();
+  hand_on();
+}
+
 void BackgroundHistorySink::finish() {
   if (!thread_.joinable()) return;
   if (!batch_.empty()) hand_on();
@@ -108,6 +114,7 @@ void BackgroundHistorySink::write_batches() {
       }
       changed_.notify_all();
       for (const Event& event : batch) writer_.write(event);
+      if (batch.empty()) writer_.flush();
     }
   } catch (...) {
     {

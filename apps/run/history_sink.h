@@ -39,6 +39,8 @@ class HistorySink : public EventSink {
   bool has_begun() const { return begun_; }
   double last_time() const { return last_time_; }  // of the last event; 0 without any
 
+  // The events so far are to outlive the process, soon.
+  virtual void checkpoint() { writer_.flush(); }
   // Afterwards all events have reached the writer, which is the caller's again.
   virtual void finish() {}
 
@@ -72,10 +74,11 @@ class BackgroundHistorySink final : public HistorySink {
   ~BackgroundHistorySink() override;
 
   void begin(const std::vector<Quad>& initial) override;
+  void checkpoint() override;
   void finish() override;
 
  private:
-  using Batch = std::vector<Event>;
+  using Batch = std::vector<Event>;  // an empty one asks for a checkpoint
   static constexpr std::size_t batch_size = 1024;
   static constexpr std::size_t max_batches = 64;
 

@@ -1,5 +1,6 @@
 // voroproof simulate: from a scene to its history.
 #include <chrono>
+#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,12 +10,14 @@
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
 #include "apps/cli/progress.h"
+#include "apps/run/begun_history.h"
 #include "apps/run/history_sink.h"
 #include "apps/run/self_check.h"
 #include "apps/run/stats_file.h"
 #include "apps/verbs/list.h"
 #include "apps/verbs/verbs.h"
 #include "certify/report.h"
+#include "history/descriptor.h"
 #include "history/error.h"
 #include "history/file_bytes.h"
 #include "history/json_text.h"
@@ -31,6 +34,8 @@ struct Request {
   std::string filters = "on";
   bool self_check = false;
   bool replace = false;
+  bool resume = false;
+  std::uint64_t checkpoint = 10;  // seconds
   bool quiet = false;
 };
 
@@ -102,11 +107,22 @@ void require_checked(const Certificate& certificate, bool complete) {
   }
 }
 
+Outcome run_or_resume(Engine& engine, HistorySink& sink, const std::optional<BegunHistory>& begun) {
+  if (!begun) return engine.run(sink);
+  try {
+    return engine.resume([&](EventSink& told) { begun->tell(told); }, to_rational(begun->t0()),
+                         sink);
+  } catch (const OtherRun& other) {
+    throw InputError(begun->path(), 0, "", other.what());
+  }
+}
+
 // The engine's run; one that a limit of the user's ends is one that stopped.
-Outcome run(Engine& engine, HistorySink& sink, const CooperativeInterruption& interruption) {
+Outcome run(Engine& engine, HistorySink& sink, const std::optional<BegunHistory>& begun,
+            const CooperativeInterruption& interruption) {
   Outcome outcome;
   try {
-    outcome = engine.run(sink);
+    outcome = run_or_resume(engine, sink, begun);
   } catch (const std::bad_alloc&) {
     if (!has_memory_limit()) throw;
     lift_memory_limit();
@@ -163,6 +179,39 @@ void finish(HistoryWriter& writer, std::optional<SelfCheck>& check, const Outcom
   }
 }
 
+// What an earlier run has left, if that is asked for.
+std::optional<BegunHistory> find_begun(const Request& request, const HistoryHeader& header,
+                                       int disks) {
+  if (!request.resume) return std::nullopt;
+  if (is_stream(request.history) || is_standard_output(request.history)) {
+    throw UsageError("--resume: what was written into a stream cannot be taken up");
+  }
+  const auto begun = BegunHistory::find(request.history, header, disks);
+  if (begun && !request.quiet && !begun->complete(request.history)) {
+    std::cerr << "voroproof: takes up " << printable(begun->path(), 4096)
+              << " at t = " << number_text(begun->t0()) << ", after " << begun->events()
+              << " events\n";
+  }
+  return begun;
+}
+
+// Tells now and then that events are to outlive the process.
+class Checkpoints {
+ public:
+  explicit Checkpoints(std::uint64_t seconds) : interval_(seconds) {}
+  bool due() {
+    const Clock::time_point now = Clock::now();
+    if (now < last_ + interval_) return false;
+    last_ = now;
+    return true;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::chrono::seconds interval_;
+  Clock::time_point last_ = Clock::now();
+};
+
 // Gives the history its name.
 void close(HistoryWriter& writer, const Request& request) {
   if (request.replace) {
@@ -174,6 +223,11 @@ void close(HistoryWriter& writer, const Request& request) {
   std::cerr << "voroproof: " << printable(request.history, 4096)
             << ": is complete and stays; the history that stopped is in "
             << printable(written, 4096) << '\n';
+}
+
+// Once there is a history that goes farther, what was left beside it is of no use.
+void forget(const BegunHistory& begun, const Request& request) {
+  if (begun.path() != request.history) std::remove(begun.path().c_str());
 }
 
 // Where a disk is full the history so far is kept, as one that stopped.
@@ -196,16 +250,21 @@ ExitCode simulate(const Request& request) {
   if (!request.horizon.empty()) scene.horizon = time_argument("--horizon", request.horizon);
   const int disks = static_cast<int>(scene.disks.size());
 
+  HistoryHeader header{.scene_sha256 = scene.sha256,
+                       .horizon = scene.horizon,
+                       .producer = producer(),
+                       .initial = {}};
+  const std::optional<BegunHistory> begun = find_begun(request, header, disks);
+  if (begun && begun->complete(request.history)) {
+    if (!request.quiet) std::cout << request.history << " is complete\n";
+    return ExitCode::ok;
+  }
+
   // Both outputs are begun first, so that a path that cannot be written is known before the run.
   std::optional<OutputFile> stats_file;
   if (!request.stats.empty()) stats_file.emplace(request.stats);
   HistoryWriter writer(request.history);
-  std::unique_ptr<HistorySink> sink = make_sink(request.threads, writer,
-                                                {.scene_sha256 = scene.sha256,
-                                                 .horizon = scene.horizon,
-                                                 .producer = producer(),
-                                                 .initial = {}},
-                                                disks);
+  std::unique_ptr<HistorySink> sink = make_sink(request.threads, writer, std::move(header), disks);
 
   std::optional<SelfCheck> check;
   if (request.self_check) begin(check, scene, request, *sink);
@@ -213,21 +272,24 @@ ExitCode simulate(const Request& request) {
   EngineOptions options = engine_options(request);
   std::optional<Progress> progress;
   progress.emplace(round_nearest(scene.horizon), request.quiet);
+  Checkpoints checkpoints(request.checkpoint);
   options.monitor = [&](double t, std::uint64_t events) {
     progress->report(t, events);
+    if (sink->has_begun() && checkpoints.due()) sink->checkpoint();
     return !interruption.requested() && !(check && check->over());
   };
   Engine engine(motion_input(scene), maneuver_input(scene), options);
   if (!check) scene.disks = std::vector<DiskInput>();  // the engine has its own
   Outcome outcome;
   try {
-    outcome = run(engine, *sink, interruption);
+    outcome = run(engine, *sink, begun, interruption);
     progress.reset();
     // A stream may wait for ever for its reader.
     if (!writer.is_stream()) interruption.wind_up();
     sink->finish();
     finish(writer, check, outcome);
     close(writer, request);
+    if (begun) forget(*begun, request);
   } catch (const OutputError& error) {
     progress.reset();
     sink.reset();
@@ -293,6 +355,13 @@ void add_simulate(Verb& program) {
   verb.flag("--replace", request->replace,
             "Let a history that stops replace a complete one of its name, too, instead of going to "
             "that name with .partial at its end.");
+  verb.flag("--resume", request->resume,
+            "Take up what a run that stopped, was interrupted or killed has left of this history; "
+            "the result is the same as without the break. Where there is nothing to take up the "
+            "run begins at 0, and where the history is complete nothing is done.");
+  verb.whole("--checkpoint", request->checkpoint, 1, 1'000'000,
+             "After so many seconds at the latest events are safe from the end of the process: "
+             "--resume finds them.");
   verb.flag(
       "--self-check", request->self_check,
       "A second thread certifies every event (certify --strict). A history that is not proved "
