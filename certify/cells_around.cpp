@@ -49,12 +49,22 @@ void CellsAround::collect(GenId i, GenId j) {
 }
 
 void CellsAround::end(GenId i, GenId j, const Moment& m) {
+  if (!s_.options.judges_flips()) {
+    turning_.clear();
+    for (const GenId g : {i, j}) {
+      if (g == container_id || !front_.begun) continue;
+      turning_.push_back(g);
+      pairs_.end_around(g, m);
+    }
+    return;
+  }
   collect(i, j);
   pairs_.end(spokes_, m, PairEnd::turn);
   edges_.end(all_, m);
 }
 
 void CellsAround::begin(const Moment& m) {
+  for (const GenId g : turning_) pairs_.begin_around(g, m);
   for (const int e : spokes_) pairs_.begin(e, m.lo);
   edges_.postpone(all_, m);
 }

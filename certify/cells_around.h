@@ -1,5 +1,5 @@
 // The lives around disks that turn: those of the spokes of their cells, which are lives of pairs,
-// too, and of the rims.
+// too, and of the rims. Where flips are not judged: those of all their pairs.
 #pragma once
 
 #include <vector>
@@ -33,6 +33,7 @@ class CellsAround {
   const Front& front_;
   EdgeLives& edges_;
   PairLives& pairs_;
+  std::vector<GenId> turning_;     // flips are not judged: the disks that turn
   std::vector<int> spokes_, all_;  // of the last collection; all: with the rims
   std::vector<long> collected_;    // by edge: the last collection it is in
   long collection_ = 0;

@@ -101,6 +101,8 @@ struct Certificate {
   std::int64_t left_out = 0;             // events there that are not claimed
   std::int64_t proved_anew = 0;          // pairs of which one lay inside the other for a moment
   std::int64_t computed_velocities = 0;  // collisions without velocities: by the law
+  // With EventKinds::collisions: flips of the history, which nobody has looked at.
+  std::int64_t flips_not_judged = 0;
   // The history's horizon and the scene's, where they are not one.
   std::optional<std::array<Rational, 2>> other_horizon;
   // Errors of the claimed times, in units in the last place of the claim.

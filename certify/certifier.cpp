@@ -61,7 +61,7 @@ Certificate certify(const Scene& scene, HistorySource& history, const CertifyOpt
   if (other && asked.strict) return refuted_for(*other);
   const MotionInput input = motion_input(scene);
   Certificate c;
-  if (options.truth == Truth::recorded) {
+  if (options.truth == Truth::recorded && options.judges_flips()) {
     c = certify_in_parts(scene, input, history, options);
   } else {
     Motion motion(checked_input(input, history.header()), options.motion);

@@ -24,15 +24,23 @@ enum class Truth {
   recorded,  // the motion that the claimed collision times and velocities define
 };
 
+// Which events of a history are judged.
+enum class EventKinds {
+  all,
+  collisions,  // with the maneuvers: flips and diagrams are passed over
+};
+
 struct CertifyOptions {
   Truth truth = Truth::exact;
+  EventKinds events = EventKinds::all;
   Rational tolerance{1, 1000000};         // of times
   Rational law_tolerance{1, 1000000000};  // of velocities, relative to the speeds involved
   bool strict = false;      // swaps, unoriented quadruplets and another horizon are refuted
   bool unoriented = false;  // quadruplets may exchange their third generators, as in .evtsq files
-  int threads = 1;          // for the recorded truth; the certificate is the same
-  // Recorded truth: the history is certified in parts of so many claims at least, and of one in
-  // 512 of that for each disk.
+  int threads = 1;          // for all events of the recorded truth; the certificate is the same
+  bool judges_flips() const { return events == EventKinds::all; }
+  // Recorded truth, all events: the history is certified in parts of so many claims at least, and
+  // of one in 512 of that for each disk.
   std::size_t least_part = 4096;
   // How many of the claims within twice the tolerance are looked at together, to find their order.
   std::size_t most_near = 16384;

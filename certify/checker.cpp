@@ -49,7 +49,7 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
                  std::vector<Replay::Place> places)
     : s_(scene, motion, history.header(), options, std::move(replay)),
       begin_(begin),
-      claims_(history, s_.tolerance_up, options.most_near, std::move(places)),
+      claims_(history, s_.tolerance_up, options.most_near, options.events, std::move(places)),
       refuter_(s_, claims_, front_),
       edges_(s_, front_, refuter_),
       pairs_(s_, front_, refuter_),
@@ -86,6 +86,7 @@ Certificate Checker::run(const PartEnd* end) {
     prefix_until(front_.moment.lo);
   }
   c.highest_bits = s_.motion.highest_bits();
+  c.flips_not_judged = claims_.passed_over();
   c.rounding_overlaps = pairs_.recorded().contacts().rounded();
   c.left_out += pairs_.recorded().contacts().left_out();
   c.ulps_mean = flips_.ulps_mean();
@@ -130,7 +131,7 @@ void Checker::prove(const PartEnd* end) {
 
 bool Checker::refill() {
   return claims_.refill([this] {
-    if (front_.begun) read_ahead(s_, claims_, edges_, pairs_);
+    if (front_.begun && s_.options.judges_flips()) read_ahead(s_, claims_, edges_, pairs_);
   });
 }
 
@@ -166,7 +167,7 @@ void Checker::start() {
     refill();
   }
   claims_.stand_at(1);
-  take_initial_diagram();
+  if (s_.options.judges_flips()) take_initial_diagram();
   edges_.assign();
   around_.assign();
   pairs_.assign(0);
@@ -230,7 +231,7 @@ void Checker::resume(double t) {
 
 // `closed`: nothing may be left that has to happen at m itself either.
 void Checker::end_all_lives(const Moment& m, bool closed) {
-  pairs_.end(first_integers(pairs_.size()), m, closed ? PairEnd::end : PairEnd::turn);
+  pairs_.end_all(m, closed ? PairEnd::end : PairEnd::turn);
   edges_.end(first_integers(s_.diagram.edges()), m, closed);
 }
 

@@ -75,7 +75,8 @@ std::size_t ClaimOrder::earliest() {
     first = moment_of(near[best]);
   }
   // Nothing precedes the present instant, at which more may turn.
-  if (edges_.any_pending() && first->lo <= front_.moment.hi &&
+  const bool may_turn = edges_.any_pending() || !s_.options.judges_flips();
+  if (may_turn && first->lo <= front_.moment.hi &&
       s_.chronology.compare(*first, front_.moment) <= 0) {
     return best;
   }
@@ -162,7 +163,7 @@ std::optional<Moment> ClaimOrder::probe(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) return probe_flip(*f);
   if (s_.options.truth == Truth::recorded) return Moment::at(exact_time(event));
   if (const auto* c = std::get_if<CollideEvent>(&event)) {
-    if (s_.replay.adjacency(c->i, c->j) < 0) return std::nullopt;
+    if (s_.options.judges_flips() && s_.replay.adjacency(c->i, c->j) < 0) return std::nullopt;
     const NextContact next = pairs_.exact().next_contact(c->i, c->j);
     if (next.kind == NextContact::Kind::none) return std::nullopt;
     return pairs_.exact().moment_of(c->i, c->j, next);

@@ -29,6 +29,10 @@ bool Claims::wants_more() const {
 
 bool Claims::read() {
   std::optional<Event> event = history_.next();
+  while (event && kinds_ == EventKinds::collisions && std::holds_alternative<FlipEvent>(*event)) {
+    ++passed_over_;
+    event = history_.next();
+  }
   if (!event) {
     ended_ = true;
     return false;

@@ -46,12 +46,13 @@ class Claims {
 
   // `most_near` claims that are near each other are looked at together, at most. `places`: for the
   // claims in their order, as far as somebody knows, what a claim is about. Whoever is wrong there
-  // makes the checker slower.
-  Claims(HistorySource& history, double tolerance, std::size_t most_near,
+  // makes the checker slower. `kinds`: others are passed over.
+  Claims(HistorySource& history, double tolerance, std::size_t most_near, EventKinds kinds,
          std::vector<Replay::Place> places)
       : history_(history),
         tolerance_(tolerance),
         most_near_(most_near),
+        kinds_(kinds),
         places_(std::move(places)) {}
 
   const HistorySource& history() const { return history_; }
@@ -102,6 +103,8 @@ class Claims {
     line_ = line;
   }
   std::int64_t processed() const { return processed_; }
+  // Claims read that are not of the kinds asked for.
+  std::int64_t passed_over() const { return passed_over_; }
 
   // ---- What the lines say. ----
   // The line of the first claim later than t, or the last line read.
@@ -118,6 +121,8 @@ class Claims {
   HistorySource& history_;
   double tolerance_;
   std::size_t most_near_;
+  EventKinds kinds_;
+  std::int64_t passed_over_ = 0;
   std::vector<Claim> near_;
   bool ended_ = false;                 // no more to read
   bool full_ = false;                  // when a claim was taken last as many were near as can be,

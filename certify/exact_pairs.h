@@ -11,8 +11,9 @@
 
 namespace voroproof::internal {
 
-// Why the life of a pair ends: one of the two turns; its edge flips; the history ends, or a part.
-enum class PairEnd { turn, flip, end };
+// Why the life of a pair ends: one of the two turns; its edge flips; a window of one of the two
+// ends, and the next begins; the history ends, or a part.
+enum class PairEnd { turn, flip, window, end };
 
 class ExactPairs {
  public:

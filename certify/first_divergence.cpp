@@ -18,11 +18,10 @@ bool FirstDivergence::turns_one_of(std::initializer_list<GenId> generators) cons
 void FirstDivergence::refute_missing_contacts() {
   if (!front_.begun) return;
   const double now = claims_.settled();
-  for (int e = 0; e < pairs_.size(); ++e) {
-    const auto [i, j] = s_.replay.pair_of(e);
-    if (!(pairs_.since(e) < now) || turns_one_of({i, j})) continue;
+  for (const PairLives::Open& life : pairs_.open(now)) {
+    if (!(life.since < now) || turns_one_of({life.i, life.j})) continue;
     try {
-      pairs_.end(e, Moment::at(now), PairEnd::turn);
+      pairs_.end(life, Moment::at(now), PairEnd::turn);
     } catch (const Undecided&) {
       // Another may tell.
     }
@@ -43,15 +42,14 @@ Divergence FirstDivergence::first_event_missing(const Divergence& found) {
 }
 
 void FirstDivergence::look_for_contacts(Earliest& first, double margin) {
-  for (int e = 0; e < pairs_.size(); ++e) {
-    const auto [i, j] = s_.replay.pair_of(e);
+  for (const auto& [i, j, since, edge] : pairs_.open(first.limit)) {
     if (s_.replay.partners(i, j) || turns_one_of({i, j}) ||
-        proved_apart(s_.motion, i, j, pairs_.since(e), first.limit)) {
+        proved_apart(s_.motion, i, j, since, first.limit)) {
       continue;
     }
     const Instant begin = s_.options.truth == Truth::exact
                               ? pairs_.exact().since(i, j)
-                              : s_.chronology.instant(Moment::at(pairs_.since(e)));
+                              : s_.chronology.instant(Moment::at(since));
     const NextContact c = s_.contacts.from(i, j, begin, first.limit);
     if (c.kind == NextContact::Kind::none || c.hi >= first.limit - margin - s_.tolerance_up) {
       continue;

@@ -30,6 +30,7 @@ void Instants::advance(const Moment& m) {
   if (order > 0 || tied) tie_ = tied ? claims_.tie().number : 0;
   if (order > 0) {
     leave();
+    pairs_.reach(m, claims_.settled());
     if (m.lo <= revealed_) {
       throw Undecided("something happens while a generator may lie inside another");
     }
@@ -42,6 +43,7 @@ void Instants::advance(const Moment& m) {
     s_.chronology.note_present(m);
     return;
   }
+  pairs_.reach(m, claims_.settled());
   s_.chronology.note_present(m);
   if (claims_.processed() > 0) ++s_.certificate.simultaneous;
   if (m.kind != Moment::Kind::flip) front_.moment = m;
@@ -53,6 +55,7 @@ void Instants::leave() {
 }
 
 void Instants::begin_pending_lives() {
+  if (!s_.options.judges_flips() && front_.begun) s_.chronology.note_collisions(front_.moment);
   if (!edges_.any_pending()) return;
   s_.chronology.note_collisions(front_.moment);
   const std::vector<int> edges = edges_.take_pending();

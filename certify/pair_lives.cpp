@@ -1,15 +1,31 @@
 #include "certify/pair_lives.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
+
+#include "filtered/numbers/next_double.h"
 
 namespace voroproof::internal {
 
-void PairLives::end(int edge, const Moment& m, PairEnd why, bool apart) {
+void PairLives::assign(double t) {
+  if (s_.options.judges_flips()) {
+    since_.assign(s_.motion.size() == 1 ? 1 : s_.diagram.edges(), t);
+  } else {
+    near_.assign(t);
+  }
+}
+
+PairLives::Open PairLives::life_of(int edge) const {
   const auto [i, j] = s_.replay.pair_of(edge);
+  return {i, j, since_[edge], edge};
+}
+
+void PairLives::end(const Open& life, const Moment& m, PairEnd why, bool apart) {
+  const GenId i = life.i, j = life.j;
   const bool partners = s_.replay.partners(i, j);
   if (!partners) ++s_.certificate.pair_lives;
-  const double from = since_[edge];
+  const double from = life.since;
   if (s_.options.truth == Truth::recorded) {
     if (!recorded_.contacts().carries({i, j}) &&
         (partners ? recorded_.certainly_part(i, j, from)
@@ -18,7 +34,7 @@ void PairLives::end(int edge, const Moment& m, PairEnd why, bool apart) {
     }
     if (!partners) ++s_.certificate.beyond_filter;
     require_no_meeting(i, j, m);
-    pass_recorded(edge, Moment(m), why);
+    pass_recorded(life, Moment(m), why);
     return;
   }
   if (partners || apart || proved_apart(s_.motion, i, j, from, m.hi)) return;
@@ -42,6 +58,7 @@ void PairLives::require_no_meeting(GenId i, GenId j, const Moment& m) {
     }
   };
   require(i, j);
+  if (!s_.options.judges_flips()) return;  // all pairs have lives
   for (const GenId g : s_.diagram.neighbours(j)) require(i, g);
   for (const GenId g : s_.diagram.neighbours(i)) require(j, g);
 }
@@ -58,6 +75,68 @@ void PairLives::end(std::span<const int> edges, const Moment& m, PairEnd why) {
       end(edges[k], m, why, apart_.apart(k));
     }
   }
+}
+
+void PairLives::reach(const Moment& m, double settled) {
+  if (!near_.assigned()) return;
+  while (const auto g = near_.first_to_end_before(m.hi)) {
+    const double begin = near_.begin_of(*g);
+    const double now = std::max(begin, std::min(near_.end_of(*g), settled));
+    if (now > begin) end_near(near_.around(*g), Moment::at(now), PairEnd::window);
+    near_.begin(*g, now, now > begin ? now : m.hi);
+  }
+}
+
+void PairLives::end_around(GenId g, const Moment& m) {
+  end_near(near_.around(g), m, PairEnd::turn);
+}
+
+void PairLives::end_near(const std::vector<NearPairs::Pair>& pairs, const Moment& m, PairEnd why) {
+  apart_.clear();
+  for (const NearPairs::Pair& p : pairs) apart_.add(p.i, p.j, p.since);
+  apart_.prove(m.hi);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const NearPairs::Pair& p = pairs[k];
+    // Another window of the two has begun meanwhile: up to there they are proved.
+    if (why == PairEnd::window && p.since >= m.lo) continue;
+    if (why == PairEnd::turn && front_.colliding == std::pair(p.i, p.j)) continue;
+    end({p.i, p.j, p.since, -1}, m, why, apart_.apart(k));
+  }
+}
+
+std::vector<PairLives::Open> PairLives::open(double t) {
+  std::vector<Open> lives;
+  if (near_.assigned()) {
+    near_.extend(t);
+    for (const NearPairs::Pair& p : near_.all()) lives.push_back({p.i, p.j, p.since, -1});
+  }
+  for (int e = 0; e < static_cast<int>(since_.size()); ++e) lives.push_back(life_of(e));
+  return lives;
+}
+
+void PairLives::end_all(const Moment& m, PairEnd why) {
+  if (!near_.assigned()) {
+    std::vector<int> edges(since_.size());
+    std::iota(edges.begin(), edges.end(), 0);
+    end(edges, m, why);
+    return;
+  }
+  reach(m, next_below(m.lo));
+  end_near(near_.all(), m, why);
+  // Those whose boxes have come apart since they overlapped.
+  for (const auto& [i, j] : recorded_.contacts().carried()) {
+    end({i, j, near_.since(i, j), -1}, m, why);
+  }
+}
+
+void PairLives::check_contact(const CollideEvent& claim, int edge, const BallPair& at) {
+  double since = 0;
+  if (near_.assigned()) {
+    since = near_.since(claim.i, claim.j);
+  } else if (front_.begun) {
+    since = since_[watching(edge)];
+  }
+  recorded_.check_contact(claim, since, at);
 }
 
 // Two generators may be neighbours along several V-edges: the one that has been there for longest
@@ -79,14 +158,15 @@ int PairLives::watching(int edge, int besides) const {
   return oldest;
 }
 
-void PairLives::pass_recorded(int edge, const Moment& m, PairEnd why) {
-  if (watching(edge) != edge) return;
-  const auto [i, j] = s_.replay.pair_of(edge);
-  const auto lines = recorded_.lines(i, j, since_[edge]);
+void PairLives::pass_recorded(const Open& life, const Moment& m, PairEnd why) {
+  const int edge = life.edge;
+  if (edge >= 0 && watching(edge) != edge) return;
+  const GenId i = life.i, j = life.j;
+  const auto lines = recorded_.lines(i, j, life.since);
   const Rational end = m.kind == Moment::Kind::rational ? m.exact() : to_rational(m.hi);
   const int next = why == PairEnd::flip ? watching(edge, edge) : -1;
-  if (const auto missing =
-          recorded_.contacts().pass(lines, end, why == PairEnd::turn || next >= 0)) {
+  const bool watched = why == PairEnd::turn || why == PairEnd::window || next >= 0;
+  if (const auto missing = recorded_.contacts().pass(lines, end, watched)) {
     throw Refuted{refuter_.missing_contact(i, j, missing->lo, missing->hi)};
   }
   if (next >= 0) since_[next] = std::max(since_[next], m.hi);

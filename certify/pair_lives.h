@@ -1,6 +1,7 @@
 // Lives of pairs of neighbours (docs/certificate.md, section 5): of the pair of each V-edge, since
 // when it is adjacent and on its present lines. To end a life is to prove that the pair has not
-// touched in it.
+// touched in it. Where flips are not judged there are no edges, and all pairs have lives, by the
+// windows of their disks (section 12).
 #pragma once
 
 #include <span>
@@ -9,6 +10,7 @@
 #include "certify/contact_proof.h"
 #include "certify/exact_pairs.h"
 #include "certify/front.h"
+#include "certify/near_pairs.h"
 #include "certify/recorded_pairs.h"
 #include "certify/refuter.h"
 #include "certify/setting.h"
@@ -23,29 +25,54 @@ class PairLives {
         exact_(s, front, refuter),
         recorded_(s, front, refuter),
         refuter_(refuter),
-        apart_(s.motion) {}
+        apart_(s.motion),
+        near_(s.motion, s.search_end) {}
 
   ExactPairs& exact() { return exact_; }
   RecordedPairs& recorded() { return recorded_; }
   const RecordedPairs& recorded() const { return recorded_; }
 
-  // The pairs of the diagram's edges; of one disk, that with the container. All begin at t.
-  void assign(double t) { since_.assign(s_.motion.size() == 1 ? 1 : s_.diagram.edges(), t); }
-  int size() const { return static_cast<int>(since_.size()); }
-  // Since when the pair of the edge is adjacent and on its present lines, or a little later.
-  double since(int edge) const { return since_[edge]; }
+  // The pairs of the diagram's edges; of one disk, that with the container. Or all pairs. All begin
+  // at t.
+  void assign(double t);
+
+  // ---- Of the diagram's edges. ----
   void begin(int edge, double t) { since_[edge] = t; }
 
   // The pair's adjacency, or its motion, ends at m without a collision of the two; `apart`: the two
   // are proved to be apart from their birth until m.hi.
-  void end(int edge, const Moment& m, PairEnd why, bool apart = false);
+  void end(int edge, const Moment& m, PairEnd why, bool apart = false) {
+    end(life_of(edge), m, why, apart);
+  }
   // Ends the lives of the pairs of all these edges but the pair that collides.
   void end(std::span<const int> edges, const Moment& m, PairEnd why);
-  // Recorded truth: the claimed collision of the pair of this edge, enclosed by `at` at the claimed
-  // time, is one, or is refuted.
-  void check_contact(const CollideEvent& claim, int edge, const BallPair& at) {
-    recorded_.check_contact(claim, front_.begun ? since_[watching(edge)] : 0, at);
-  }
+
+  // ---- Of all pairs, where flips are not judged. ----
+  // The front is to move on to m. `settled`: an event before this time is claimed by none of the
+  // claims that are left. Afterwards all windows last until m.
+  void reach(const Moment& m, double settled);
+  // The lives of all pairs of disk g end at m, at which it turns, but that of the pair that
+  // collides.
+  void end_around(GenId g, const Moment& m);
+  // The disk has turned at m.
+  void begin_around(GenId g, const Moment& m) { near_.begin(g, m.lo, m.hi); }
+
+  // ---- Of either. ----
+  // A life that is open: since when the pair is adjacent, or watched, and on its present lines, or
+  // a little later.
+  struct Open {
+    GenId i, j;
+    double since;
+    int edge;  // or -1
+  };
+  // All that are open, and that may end with a contact by t.
+  std::vector<Open> open(double t);
+  void end(const Open& life, const Moment& m, PairEnd why, bool apart = false);
+  // All lives end, as the history does, or a part of it.
+  void end_all(const Moment& m, PairEnd why);
+  // Recorded truth: the claimed collision, of a pair that has an open life, is one, or is refuted.
+  // `edge`: of the pair, or -1; `at` encloses the two at the claimed time.
+  void check_contact(const CollideEvent& claim, int edge, const BallPair& at);
 
   // Asks for the memory of a life.
   void prefetch(int edge) const { __builtin_prefetch(&since_[edge]); }
@@ -53,7 +80,9 @@ class PairLives {
  private:
   void require_no_meeting(GenId i, GenId j, const Moment& m);
   int watching(int edge, int besides = -1) const;
-  void pass_recorded(int edge, const Moment& m, PairEnd why);
+  Open life_of(int edge) const;
+  void end_near(const std::vector<NearPairs::Pair>& pairs, const Moment& m, PairEnd why);
+  void pass_recorded(const Open& life, const Moment& m, PairEnd why);
 
   Setting& s_;
   const Front& front_;
@@ -62,6 +91,7 @@ class PairLives {
   const Refuter& refuter_;
   std::vector<double> since_;  // by edge
   ApartBatch apart_;
+  NearPairs near_;  // unassigned where there are edges
 };
 
 }  // namespace voroproof::internal

@@ -4,6 +4,12 @@
 
 namespace voroproof::internal {
 
+std::vector<RecordedContacts::Pair> RecordedContacts::carried() const {
+  std::vector<Pair> pairs;
+  for (const auto& [pair, overlap] : carried_) pairs.push_back(pair);
+  return pairs;
+}
+
 bool RecordedContacts::hidden(const Pair& pair) const {
   const auto it = carried_.find(pair);
   return it != carried_.end() && it->second.hidden;
@@ -45,7 +51,7 @@ std::optional<RecordedContacts::Missing> RecordedContacts::pass(const Lines& lin
       // On the lines on which it was revealed, parting, nothing is hidden again.
       const bool known = o.at_start && c.revealed && *c.revealed >= lines.from &&
                          !lines.gap.approach_at(*c.revealed);
-      c.hidden = c.hidden || (o.hidden && !known);
+      c.hidden = c.hidden || (diagrams_ && o.hidden && !known);
       c.over = !o.to_end;
       if (c.answered && !c.shallow && o.end.compare(*c.answered + tolerance_) > 0) {
         return missing(c);
@@ -129,7 +135,7 @@ RecordedContacts::Answer RecordedContacts::answer(const Lines& lines, const Rati
     it->second.answered = t;
     forget_if_done(it);
   } else if (answered && gap.overlap_at(t)) {
-    carried_.emplace(lines.pair, Carried{*answered, false, false, gap.hidden_at(t), t, {}});
+    carried_.emplace(lines.pair, Carried{*answered, false, false, diagrams_ && gap.hidden_at(t), t, {}});
   }
   return {contact};
 }

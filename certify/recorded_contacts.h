@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "certify/gap.h"
 #include "exact/generators.h"
@@ -20,9 +21,9 @@ namespace voroproof::internal {
 class RecordedContacts {
  public:
   // `tolerance`: of times. `window`: an entry at this time or later, near the horizon, needs no
-  // answer.
-  RecordedContacts(const Rational& tolerance, const Rational& window)
-      : tolerance_(tolerance), window_(window) {}
+  // answer. `diagrams`: it matters whether a generator lies inside another.
+  RecordedContacts(const Rational& tolerance, const Rational& window, bool diagrams)
+      : tolerance_(tolerance), window_(window), diagrams_(diagrams) {}
 
   using Pair = std::pair<GenId, GenId>;
 
@@ -56,6 +57,7 @@ class RecordedContacts {
   // Whether anything is carried over from earlier lines, of any pair, and of this one.
   bool carries_any() const { return !carried_.empty(); }
   bool carries(const Pair& pair) const { return !carried_.empty() && carried_.contains(pair); }
+  std::vector<Pair> carried() const;
   // Whether the tangency of the pair has had the wrong sign since its last entry, and nothing has
   // been proved since. What has been at the time t, on the lines of then, is noted.
   bool hidden(const Pair& pair) const;
@@ -84,6 +86,7 @@ class RecordedContacts {
   static Missing missing(const Carried& c);
 
   const Rational &tolerance_, &window_;
+  bool diagrams_;
   Pairs carried_;  // pairs that overlap, or have, and owe an answer or a proof
   std::int64_t rounded_ = 0, left_out_ = 0;
 };

@@ -141,7 +141,8 @@ void RecordedPairs::check_contact(const CollideEvent& claim, double from, const 
     answer.lo = missing->lo;
     answer.hi = missing->hi;
   } else {
-    answer = contacts_.answer(on, t);
+    // Where flips are not judged, the two are watched for as long as they are on their lines.
+    answer = contacts_.answer(s_.options.judges_flips() ? on : lines(i, j, 0), t);
   }
   switch (answer.contact) {
     case Contact::right:

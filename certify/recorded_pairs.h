@@ -14,7 +14,10 @@ namespace voroproof::internal {
 class RecordedPairs {
  public:
   RecordedPairs(Setting& s, const Front& front, const Refuter& refuter)
-      : s_(s), front_(front), refuter_(refuter), contacts_(s.options.tolerance, s.horizon_window) {}
+      : s_(s),
+        front_(front),
+        refuter_(refuter),
+        contacts_(s.options.tolerance, s.horizon_window, s.options.judges_flips()) {}
 
   RecordedContacts& contacts() { return contacts_; }
   const RecordedContacts& contacts() const { return contacts_; }

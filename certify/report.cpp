@@ -96,6 +96,12 @@ std::string_view verdict_line(Verdict verdict) {
   return "s UNDECIDED";
 }
 
+std::string scope_line(const CertifyOptions& options, const Certificate& c) {
+  if (options.judges_flips()) return {};
+  return "flips were not judged (" + std::to_string(c.flips_not_judged) +
+         " in the history), and no diagram is claimed";
+}
+
 std::string reason_line(const Certificate& c) {
   if (c.divergence) {
     const Divergence& d = *c.divergence;
@@ -142,6 +148,8 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
   j["disks"] = run.disks;
   j["horizon"] = run.horizon.get_str();
   j["truth"] = options.truth == Truth::exact ? "exact" : "recorded";
+  j["events"] = options.judges_flips() ? "all" : "collisions";
+  if (!options.judges_flips()) j["flips_not_judged"] = c.flips_not_judged;
   j["tolerance"] = options.tolerance.get_str();
   j["law_tolerance"] = options.law_tolerance.get_str();
   j["strict"] = options.strict;

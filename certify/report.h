@@ -34,6 +34,9 @@ struct Leniency {
 };
 std::vector<Leniency> leniencies(const Certificate& certificate);
 
+// What a verdict is not about, where only collisions were judged; else empty.
+std::string scope_line(const CertifyOptions& options, const Certificate& certificate);
+
 // "horizon 5 of the scene's 1000", where the history has another; else empty.
 std::string horizon_line(const Certificate& certificate);
 

@@ -7,8 +7,9 @@ namespace voroproof::internal {
 
 void Turns::collide(const CollideEvent& claim) {
   front_.colliding = {claim.i, claim.j};
-  const int edge = front_.begun ? s_.replay.adjacency(claim.i, claim.j) : 0;
-  if (edge < 0) {
+  const bool adjacent = front_.begun && s_.options.judges_flips();
+  const int edge = adjacent ? s_.replay.adjacency(claim.i, claim.j) : -1;
+  if (adjacent && edge < 0) {
     refuter_.refute(Fault::wrong_pair,
                     "generators " + text_of(claim.i, claim.j) +
                         " are not adjacent in the diagram, so they do not touch");

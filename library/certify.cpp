@@ -31,6 +31,8 @@ CertifyOptions options_of(const voroproof::CertifyOptions& asked) {
   if (asked.threads < 1) throw std::invalid_argument("threads: less than 1");
   CertifyOptions options;
   options.truth = asked.truth == voroproof::Truth::recorded ? Truth::recorded : Truth::exact;
+  options.events =
+      asked.events == voroproof::EventKinds::collisions ? EventKinds::collisions : EventKinds::all;
   options.tolerance = rational(asked.tolerance);
   options.law_tolerance = rational(asked.law_tolerance);
   if (options.tolerance < 0) throw std::invalid_argument("tolerance: negative");
@@ -72,6 +74,7 @@ voroproof::Report judged(Claim&& claim, const std::string& scene_name,
   out.flips = c.flips;
   out.collisions = c.collisions;
   out.maneuvers = c.maneuvers;
+  out.flips_not_judged = c.flips_not_judged;
   for (const Leniency& l : leniencies(c)) {
     if (l.count > 0) out.leniency.push_back({std::string(l.name), std::string(l.words), l.count});
   }

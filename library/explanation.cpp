@@ -68,6 +68,10 @@ class Explainer {
     found_.scene_sha256 = report_["scene_sha256"].text();
     out_ << shown(report_["history"]) << " against " << shown(report_["scene"]) << ", truth "
          << shown(report_["truth"]) << ": " << shown(verdict) << ".\n";
+    // Reports of before there was a choice lack it.
+    if (report_.has("events") && report_["events"].text() == "collisions") {
+      out_ << "Flips were not judged, and no diagram is claimed.\n";
+    }
     const JsonField prefix = report_["certified_prefix"];
     found_.prefix_events = prefix["events"].integer();
     found_.prefix_t = prefix["t"].number();

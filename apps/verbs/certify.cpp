@@ -25,7 +25,8 @@ namespace voroproof::internal {
 namespace {
 
 struct Request {
-  std::string scene, history, report, truth = "exact", tolerance = "1e-6", law_tolerance = "1e-9";
+  std::string scene, history, report, truth = "exact", events = "all", tolerance = "1e-6",
+                                      law_tolerance = "1e-9";
   CertifyOptions options;
   std::uint64_t max_events = 0;
   bool quiet = false, kernel = false;
@@ -63,10 +64,11 @@ void tell(const Request& request, const Certificate& certificate, const std::str
   }
   std::ostream& out = words_beside({request.report});
   if (!request.quiet) {
-    out << "c " << certificate.flips << " flips, " << certificate.collisions << " collisions, "
-        << certificate.maneuvers << " maneuvers proved; certified prefix "
-        << certificate.prefix_events << " events, t = " << certificate.prefix_t << "; swaps "
-        << certificate.swaps << '\n';
+    out << "c ";
+    if (request.options.judges_flips()) out << certificate.flips << " flips, ";
+    out << certificate.collisions << " collisions, " << certificate.maneuvers
+        << " maneuvers proved; certified prefix " << certificate.prefix_events
+        << " events, t = " << certificate.prefix_t << "; swaps " << certificate.swaps << '\n';
     for (const Leniency& l : leniencies(certificate)) {
       if (l.count > 0) out << "c leniency: " << l.count << " " << l.words << '\n';
     }
@@ -76,6 +78,9 @@ void tell(const Request& request, const Certificate& certificate, const std::str
     if (!evidence.empty()) out << "c evidence: " << evidence << '\n';
   }
   if (const std::string line = horizon_line(certificate); !line.empty()) {
+    out << "c " << line << '\n';
+  }
+  if (const std::string line = scope_line(request.options, certificate); !line.empty()) {
     out << "c " << line << '\n';
   }
   out << verdict_line(certificate.verdict) << '\n';
@@ -100,6 +105,9 @@ Certificate certify_claim(Claim& claim, const CertifyOptions& options,
 }
 
 ExitCode certify_files(Request& request) {
+  if (request.kernel && request.events != "all") {
+    throw UsageError("--kernel: the kernel judges all events (--events all)");
+  }
   require_distinct({request.scene, request.history}, {request.report});
   require_order(request.scene, request.history);
   CooperativeInterruption interruption;
@@ -113,6 +121,7 @@ ExitCode certify_files(Request& request) {
   const HistoryHeader& header = claim.history->header();
   CertifyOptions& options = request.options;
   options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
+  options.events = request.events == "all" ? EventKinds::all : EventKinds::collisions;
   options.tolerance = time_argument("--tolerance", request.tolerance);
   options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
   try {
@@ -181,6 +190,9 @@ void add_certify(Verb& program) {
       "Which motion the history must describe: the true motion of the scene, or the one that "
       "the history's own collision times and velocities define (for long floating-point "
       "runs).");
+  verb.choice("--events", {"all", "collisions"}, request->events,
+              "What to judge: all events, or collisions and maneuvers alone, of a program that "
+              "knows no flips. Flips and the initial diagram are passed over then.");
   verb.text("--tolerance", request->tolerance, "TIME",
             "How far a claimed time may be from the exact one; at most the horizon, or 1e-6 where "
             "the horizon is less.");

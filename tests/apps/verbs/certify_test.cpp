@@ -23,6 +23,37 @@ TEST_F(CertifyCli, OwnHistoriesUnderBothTruths) {
             lines_of(read_file(path)).size() - 2);
 }
 
+// The verdict on collisions alone cannot be taken for the whole claim: stdout and report say so
+// whatever the options.
+TEST_F(CertifyCli, CollisionsAlone) {
+  const std::string scene = reference(30, "40"), path = history(scene);
+  const std::string bare = edited(path, [](std::vector<std::string>& lines) {
+    std::erase_if(lines, [](const std::string& l) { return l.find("\"flip\"") < l.size(); });
+    lines.front().replace(lines.front().find(",\"initial\""), std::string::npos, "}");
+    std::string& end = lines.back();
+    const std::size_t count = end.find("\"flips\":") + 8;
+    end.replace(count, end.find(',', count) - count, "0");
+  });
+  EXPECT_EQ(verdict({scene, bare}), "s REFUTED");
+  for (const char* truth : {"exact", "recorded"}) {
+    const Result out = must({"certify", scene, bare, "--truth", truth, "--events", "collisions",
+                             "--quiet", "--report", file("r.json")});
+    EXPECT_EQ(out.out,
+              "c flips were not judged (0 in the history), and no diagram is claimed\n"
+              "s CERTIFIED\n");
+    const Json report = json("r.json");
+    EXPECT_EQ(report["events"], "collisions");
+    EXPECT_EQ(report["flips_not_judged"], 0);
+    EXPECT_EQ(report["proved"]["flips"], 0);
+    EXPECT_GT(report["proved"]["collisions"], 0);
+    EXPECT_NE(must({"explain", file("r.json")}).out.find("Flips were not judged"),
+              std::string::npos);
+  }
+  const std::string missing = edited(bare, [](auto& lines) { lines.erase(lines.begin() + 1); });
+  EXPECT_EQ(verdict({scene, missing, "--events", "collisions"}), "s REFUTED");
+  EXPECT_EQ(run({"certify", scene, path, "--events", "collisions", "--kernel"}).code, 2);
+}
+
 TEST_F(CertifyCli, SmallestScenes) {
   for (const char* n : {"0", "1", "2", "3"}) {
     const std::string scene = reference(std::stoi(n), "20"), path = history(scene);
