@@ -37,6 +37,7 @@ void describe(Verb& program) {
   add_page(program);
   add_validate(program);
   add_certify(program);
+  add_clearance(program);
   add_explain(program);
   add_convert(program);
   add_corpus(program);

@@ -17,15 +17,6 @@ struct Ball2 {
   DoubleBall x, y;
 };
 
-// The nearest to the origin on the segment from a to b, as a part of it, and its square.
-std::pair<Rational, Rational> nearest_to_origin(const Point2& a, const Point2& b) {
-  const Rational u = b.x - a.x, v = b.y - a.y, length2 = u * u + v * v;
-  Rational part = 0;
-  if (length2 != 0) part = std::clamp<Rational>(-(a.x * u + a.y * v) / length2, 0, 1);
-  const Rational x = a.x + part * u, y = a.y + part * v;
-  return {part, Rational(x * x + y * y)};
-}
-
 // Starts and ways of the vehicles for the filter.
 class BallPlan {
  public:
@@ -88,6 +79,14 @@ class BallPlan {
 };
 
 }  // namespace
+
+std::pair<Rational, Rational> nearest_to_origin(const Point2& a, const Point2& b) {
+  const Rational u = b.x - a.x, v = b.y - a.y, length2 = u * u + v * v;
+  Rational part = 0;
+  if (length2 != 0) part = std::clamp<Rational>(-(a.x * u + a.y * v) / length2, 0, 1);
+  const Rational x = a.x + part * u, y = a.y + part * v;
+  return {part, Rational(x * x + y * y)};
+}
 
 Approach nearest_approach(const Plan& plan, int i, int j) {
   return nearest_approach(plan.task, i, plan.timetables[i], j, plan.timetables[j]);
@@ -168,19 +167,21 @@ std::strong_ordering compare_gaps(const Approach& a, const Approach& b) {
                                  sign(Rational(u * u - b.distance2 * v * v))));
 }
 
-Enclosure gap(const Approach& approach) {
-  if (approach.distance2 == 0) return enclosure(Rational(-approach.reach));
+Enclosure gap(const Approach& approach) { return root_less(approach.distance2, approach.reach); }
+
+Enclosure root_less(const Rational& square, const Rational& less) {
+  if (square == 0) return enclosure(Rational(-less));
   // sqrt(p / q) = sqrt(p q) / q, and the integer root of p q 4^k is right to 1.
-  const Integer &p = approach.distance2.get_num(), &q = approach.distance2.get_den();
+  const Integer &p = square.get_num(), &q = square.get_den();
   const Integer scaled = (p * q) << 160;
   const Integer root = sqrt(scaled);
-  const auto less_reach = [&](const Integer& r) {
+  const auto lessened = [&](const Integer& r) {
     Rational value(r, Integer(q << 80));
     value.canonicalize();
-    return Rational(value - approach.reach);
+    return Rational(value - less);
   };
   const Integer above = root * root == scaled ? root : Integer(root + 1);
-  return {round_down(less_reach(root)), round_up(less_reach(above))};
+  return {round_down(lessened(root)), round_up(lessened(above))};
 }
 
 }  // namespace voroproof::internal

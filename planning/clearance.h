@@ -6,6 +6,7 @@
 
 #include <compare>
 #include <optional>
+#include <utility>
 
 #include "exact/enclosure.h"
 #include "planning/plan.h"
@@ -36,6 +37,13 @@ bool keeps_clear(const Approach& approach, const Rational& clearance);
 
 // Compares the approaches by their gaps.
 std::strong_ordering compare_gaps(const Approach& a, const Approach& b);
+
+// The nearest to the origin on the segment from a to b: the first point of it that is as near, as a
+// part of the way from a to b, and the square of its distance.
+std::pair<Rational, Rational> nearest_to_origin(const Point2& a, const Point2& b);
+
+// The root of `square` >= 0 less `less`, to about 2^-80 of the root, rounded outwards.
+Enclosure root_less(const Rational& square, const Rational& less);
 
 // The gap to about 2^-80 of the distance, rounded outwards.
 Enclosure gap(const Approach& approach);

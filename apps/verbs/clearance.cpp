@@ -1,0 +1,55 @@
+// voroproof clearance: how near disks come to each other on given paths.
+#include <memory>
+
+#include "apps/answers/clearance_answer.h"
+#include "apps/cli/command_line.h"
+#include "apps/cli/interruption.h"
+#include "apps/verbs/verbs.h"
+
+namespace voroproof::internal {
+namespace {
+
+struct Request {
+  std::string paths, radius, below, required, output;
+};
+
+std::optional<Rational> distance(const std::string& option, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return time_argument(option, text);
+}
+
+ExitCode tell_clearance(const Request& request) {
+  require_distinct({request.paths}, {request.output});
+  const CooperativeInterruption interruption;
+  const GivenPaths given = read_paths(request.paths, distance("--radius", request.radius));
+  const ClearanceAnswer told = answer_clearance(
+      {request.paths, distance("--below", request.below), distance("--required", request.required)},
+      given, [&] { return !interruption.requested(); });
+  give(told.answer, request.output, words_beside({request.output}));
+  return told.refuted ? ExitCode::refuted : ExitCode::ok;
+}
+
+}  // namespace
+
+void add_clearance(Verb& program) {
+  auto request = std::make_shared<Request>();
+  Verb& verb = program.add_verb(
+      "clearance", "The exact least gap of all pairs of disks on given paths (docs/others.md)");
+  verb.input("paths", request->paths,
+             "A table of waypoints (disk,t,x,y and perhaps radius), or the log of a CCBS plan (XML).")
+      .required();
+  verb.text("--radius", request->radius, "LENGTH",
+            "The radius of every disk, where the file does not give it.");
+  verb.text("--below", request->below, "LENGTH",
+            "List every interval in which a gap is less than this.");
+  verb.text("--required", request->required, "LENGTH",
+            "Prove that every gap is at least this, and positive, or refute it.");
+  verb.output("-o,--output", request->output, "Write the answer here, as JSON, besides the lines.");
+  verb.note(
+      "Judged are the piecewise linear paths between the waypoints. A negative gap is an overlap. "
+      "With --required the last line is s FREE (exit code 0) or s REFUTED (1).");
+  verb.example("voroproof clearance plan_log.xml --radius 0.25 --required 0 --below 0.1");
+  verb.does([request] { return tell_clearance(*request); });
+}
+
+}  // namespace voroproof::internal

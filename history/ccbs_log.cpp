@@ -1,0 +1,153 @@
+// The log of a continuous-time multi-agent path finder: root/log/agent/path/section, a section with
+// start_i, start_j, goal_i, goal_j and duration.
+#include <expat.h>
+
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "history/error.h"
+#include "history/paths_file.h"
+
+namespace voroproof::internal {
+
+namespace {
+
+// What expat calls; an error is kept until it has returned.
+class LogReader {
+ public:
+  LogReader(const std::string& file, const Rational& radius)
+      : file_(file), radius_(radius), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
+    if (!parser_) throw std::bad_alloc();
+    XML_SetUserData(parser_.get(), this);
+    XML_SetElementHandler(parser_.get(), &begin, &end);
+    // Logs declare no entities.
+    XML_SetEntityDeclHandler(parser_.get(), &entity);
+  }
+
+  GivenPaths read(const std::string& bytes) {
+    const XML_Status status =
+        XML_Parse(parser_.get(), bytes.data(), static_cast<int>(bytes.size()), XML_TRUE);
+    if (error_) throw *error_;
+    if (status != XML_STATUS_OK) {
+      throw InputError(file_, line(), "", XML_ErrorString(XML_GetErrorCode(parser_.get())));
+    }
+    if (!has_log_) throw InputError(file_, 0, "root/log", "missing: this file has no plan");
+    return std::move(read_);
+  }
+
+ private:
+  static LogReader& self(void* data) { return *static_cast<LogReader*>(data); }
+
+  static void XMLCALL begin(void* data, const XML_Char* name, const XML_Char** attributes) {
+    LogReader& reader = self(data);
+    reader.place_ += "/" + std::string(name);
+    reader.guarded([&] { reader.take(attributes); });
+  }
+  static void XMLCALL end(void* data, const XML_Char*) {
+    LogReader& reader = self(data);
+    reader.guarded([&] { reader.leave(); });
+    reader.place_.erase(reader.place_.rfind('/'));
+  }
+  static void XMLCALL entity(void* data, const XML_Char*, int, const XML_Char*, int,
+                             const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*) {
+    LogReader& reader = self(data);
+    reader.guarded([&] { reader.fail("", "declares an entity"); });
+  }
+
+  // No exception may pass through expat.
+  template <class Work>
+  void guarded(Work&& work) {
+    if (error_) return;
+    try {
+      work();
+    } catch (const InputError& e) {
+      error_ = std::make_unique<InputError>(e);
+      XML_StopParser(parser_.get(), XML_FALSE);
+    }
+  }
+
+  void take(const XML_Char** attributes) {
+    if (place_ == "/root/log") {
+      if (std::exchange(has_log_, true)) fail("log", "a second one");
+    } else if (place_ == "/root/log/agent") {
+      read_.paths.push_back({attribute(attributes, "number"), radius_, {}});
+    } else if (place_ == "/root/log/agent/path/section") {
+      take_section(attributes);
+    }
+  }
+
+  void leave() {
+    if (place_ == "/root/log/agent" && read_.paths.back().waypoints.empty()) {
+      fail("agent", "no section tells where it is");
+    }
+  }
+
+  void take_section(const XML_Char** attributes) {
+    std::vector<Waypoint>& way = read_.paths.back().waypoints;
+    if (++sections_ > max_waypoints) fail("section", "too many");
+    const Point2 start{number(attributes, "start_i"), number(attributes, "start_j")};
+    const Point2 goal{number(attributes, "goal_i"), number(attributes, "goal_j")};
+    const Rational duration = number(attributes, "duration");
+    if (sgn(duration) < 0) fail("duration", "negative");
+    if (way.empty()) way.push_back({0, start});
+    if (start.x != way.back().at.x || start.y != way.back().at.y) {
+      fail("start_i", "the section starts elsewhere than the one before ends");
+    }
+    if (sgn(duration) == 0) {
+      if (goal.x != start.x || goal.y != start.y) fail("duration", "0, and the agent moves");
+      return;
+    }
+    way.push_back({Rational(way.back().t + duration), goal});
+  }
+
+  std::string attribute(const XML_Char** attributes, const char* name) const {
+    for (; *attributes != nullptr; attributes += 2) {
+      if (std::string(attributes[0]) == name) return attributes[1];
+    }
+    fail(name, "missing");
+  }
+
+  Rational number(const XML_Char** attributes, const char* name) const {
+    std::string reason;
+    const auto value = path_number(attribute(attributes, name), reason);
+    if (!value) fail(name, reason);
+    return *value;
+  }
+
+  std::int64_t line() const {
+    return static_cast<std::int64_t>(XML_GetCurrentLineNumber(parser_.get()));
+  }
+  [[noreturn]] void fail(const std::string& field, const std::string& reason) const {
+    throw InputError(file_, line(), field, reason);
+  }
+
+  const std::string& file_;
+  const Rational& radius_;
+  std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
+  std::unique_ptr<InputError> error_;
+  std::string place_;
+  bool has_log_ = false;
+  std::size_t sections_ = 0;
+  GivenPaths read_;
+};
+
+}  // namespace
+
+GivenPaths parse_ccbs_log(const std::string& bytes, const std::string& file,
+                          const std::optional<Rational>& radius) {
+  if (!radius) {
+    throw InputError(file, 0, "radius", "a plan does not give that of its agents: give it");
+  }
+  GivenPaths read = LogReader(file, *radius).read(bytes);
+  Rational last = 0;
+  for (const GivenPath& p : read.paths) last = std::max(last, p.waypoints.back().t);
+  for (GivenPath& p : read.paths) {
+    if (p.waypoints.back().t < last) p.waypoints.push_back({last, p.waypoints.back().at});
+  }
+  read.remarks.push_back("an agent stays at its goal until the last has arrived");
+  read.remarks.push_back("obstacles of the map are not in the plan, and not judged");
+  return read;
+}
+
+}  // namespace voroproof::internal

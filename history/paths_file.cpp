@@ -1,0 +1,136 @@
+#include "history/paths_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include "history/error.h"
+#include "history/file_bytes.h"
+#include "history/line_source.h"
+
+namespace voroproof::internal {
+
+namespace {
+
+constexpr std::size_t kLongestLine = std::size_t{1} << 16;
+constexpr std::string_view kBlanks = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::vector<std::string> cells(std::string_view line) {
+  std::vector<std::string> all;
+  while (true) {
+    const std::size_t comma = line.find(',');
+    all.emplace_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) return all;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+// A table of waypoints, line by line.
+class TableReader {
+ public:
+  TableReader(const std::string& path, const std::optional<Rational>& radius)
+      : path_(path), radius_(radius), lines_(path) {}
+
+  GivenPaths read() {
+    while (const auto line = lines_.next(kLongestLine)) {
+      const std::string_view text = trimmed(*line);
+      if (text.empty() || text.front() == '#') continue;
+      if (columns_.empty()) {
+        take_heading(cells(text));
+      } else {
+        take_row(cells(text));
+      }
+    }
+    if (columns_.empty()) fail("", "no heading; it is disk,t,x,y or disk,t,x,y,radius");
+    return std::move(read_);
+  }
+
+ private:
+  void take_heading(const std::vector<std::string>& names) {
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const bool known = names[k] == "disk" || names[k] == "t" || names[k] == "x" ||
+                         names[k] == "y" || names[k] == "radius";
+      if (!known) fail(printable(names[k]), "no such column; they are disk, t, x, y and radius");
+      if (!columns_.emplace(names[k], k).second) fail(names[k], "this column occurs twice");
+    }
+    for (const char* needed : {"disk", "t", "x", "y"}) {
+      if (!columns_.contains(needed)) fail(needed, "this column is missing");
+    }
+    if (!columns_.contains("radius") && !radius_) {
+      fail("radius", "the file has no such column, and no radius is given");
+    }
+  }
+
+  void take_row(const std::vector<std::string>& row) {
+    if (row.size() != columns_.size()) {
+      fail("", std::to_string(row.size()) + " fields, not the " + std::to_string(columns_.size()) +
+                   " of the heading");
+    }
+    if (++rows_ > max_waypoints) fail("", "too many waypoints");
+    const std::string& name = row[columns_["disk"]];
+    if (name.empty()) fail("disk", "no name");
+    Waypoint w{number(row, "t"), {number(row, "x"), number(row, "y")}};
+    const Rational radius = columns_.contains("radius") ? number(row, "radius") : *radius_;
+    if (sgn(radius) < 0) fail("radius", "negative");
+    const auto [known, is_new] = index_.emplace(name, read_.paths.size());
+    if (is_new) read_.paths.push_back({name, radius, {}});
+    GivenPath& path = read_.paths[known->second];
+    if (path.radius != radius) fail("radius", "another than before for this disk");
+    if (!path.waypoints.empty() && w.t <= path.waypoints.back().t) {
+      fail("t", "no later than the waypoint before of this disk");
+    }
+    path.waypoints.push_back(std::move(w));
+  }
+
+  Rational number(const std::vector<std::string>& row, const char* column) {
+    std::string reason;
+    const auto value = path_number(row[columns_[column]], reason);
+    if (!value) fail(column, reason);
+    return *value;
+  }
+
+  [[noreturn]] void fail(const std::string& field, const std::string& reason) const {
+    throw InputError(path_, lines_.number(), field, reason);
+  }
+
+  const std::string& path_;
+  const std::optional<Rational>& radius_;
+  LineSource lines_;
+  std::map<std::string, std::size_t> columns_, index_;
+  std::size_t rows_ = 0;
+  GivenPaths read_;
+};
+
+}  // namespace
+
+std::optional<Rational> path_number(const std::string& text, std::string& reason) {
+  auto value = parse_rational(text, &reason);
+  if (!value) return std::nullopt;
+  static const Rational least = to_rational(min_scene_value), most = to_rational(max_scene_value);
+  const Rational magnitude = abs(*value);
+  if (magnitude != 0 && (magnitude < least || magnitude > most)) {
+    reason = "not zero, and not from 1e-100 to 1e100 in magnitude";
+    return std::nullopt;
+  }
+  return value;
+}
+
+GivenPaths read_waypoint_table(const std::string& path, const std::optional<Rational>& radius) {
+  return TableReader(path, radius).read();
+}
+
+GivenPaths read_paths(const std::string& path, const std::optional<Rational>& radius) {
+  const std::string head = file_bytes(path, 4096, true);
+  const std::size_t first = head.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos || head[first] != '<') return read_waypoint_table(path, radius);
+  return parse_ccbs_log(file_bytes(path, max_scene_bytes), path, radius);
+}
+
+}  // namespace voroproof::internal

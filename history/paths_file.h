@@ -1,0 +1,47 @@
+// Files of given paths: tables of waypoints, and plans of continuous-time multi-agent path finders.
+//
+// Such files have no events. What is said of them is said of the piecewise linear paths between
+// their waypoints: from each to the next with constant velocity (docs/others.md).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "history/scene.h"
+
+namespace voroproof::internal {
+
+struct Waypoint {
+  Rational t;
+  Point2 at;
+};
+
+// A disk is there from the time of its first waypoint to that of its last.
+struct GivenPath {
+  std::string name;  // as in the file
+  Rational radius;
+  std::vector<Waypoint> waypoints;  // one at least, of increasing times
+};
+
+struct GivenPaths {
+  std::vector<GivenPath> paths;      // in the order of their first lines
+  std::vector<std::string> remarks;  // what the file cannot say, and what was assumed
+};
+
+inline constexpr std::size_t max_waypoints = 20'000'000;
+
+// Reads a file of either kind: XML where its first character but for white space is '<', else a
+// table. Numbers are exact: a decimal means what it says. `radius`: of all disks whose radius the
+// file does not give. Throws InputError.
+GivenPaths read_paths(const std::string& path, const std::optional<Rational>& radius);
+
+// The two kinds, of bytes in memory; `file` is for messages. Throw InputError.
+GivenPaths read_waypoint_table(const std::string& path, const std::optional<Rational>& radius);
+GivenPaths parse_ccbs_log(const std::string& bytes, const std::string& file,
+                          const std::optional<Rational>& radius);
+
+// A number of such a file, within the limits of scenes; nothing, with the reason, where it is none.
+std::optional<Rational> path_number(const std::string& text, std::string& reason);
+
+}  // namespace voroproof::internal

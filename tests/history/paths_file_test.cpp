@@ -1,0 +1,100 @@
+// Files of given paths, and what is wrong with them.
+#include "history/paths_file.h"
+
+#include <gtest/gtest.h>
+
+#include "history/error.h"
+#include "tests/history/temporary_directory.h"
+
+namespace voroproof::internal {
+namespace {
+
+class PathsFile : public ::testing::Test {
+ protected:
+  GivenPaths read(const std::string& text, std::optional<Rational> radius = 1) {
+    directory_.write("a", text);
+    return read_paths(directory_.file("a"), radius);
+  }
+  void refused(const std::string& text, std::int64_t line, const std::string& field,
+               std::optional<Rational> radius = 1) {
+    try {
+      read(text, radius);
+      ADD_FAILURE() << "accepted: " << text;
+    } catch (const InputError& e) {
+      EXPECT_EQ(e.line(), line) << e.what() << text;
+      EXPECT_EQ(e.field(), field) << e.what() << text;
+    }
+  }
+  static std::string log(const std::string& inner) {
+    return "<root><log>" + inner + "</log></root>";
+  }
+  static std::string section(const std::string& from, const std::string& to,
+                             const std::string& duration) {
+    return "<section start_i='" + from + "' start_j='0' goal_i='" + to + "' goal_j='0' duration='" +
+           duration + "'/>";
+  }
+  static std::string agent(const std::string& sections) {
+    return "<agent number='7'><path>" + sections + "</path></agent>";
+  }
+
+  TemporaryDirectory directory_;
+};
+
+TEST_F(PathsFile, NumbersOfATableAreExact) {
+  const GivenPaths g =
+      read("# made by hand\r\n\n y , x,t,disk \r\n0.1,1/3,0,a b\n2,3,0,c\n1,1,1e-1,a b");
+  ASSERT_EQ(g.paths.size(), 2u);
+  EXPECT_EQ(g.paths[0].name, "a b");
+  EXPECT_EQ(g.paths[0].radius, 1);
+  ASSERT_EQ(g.paths[0].waypoints.size(), 2u);
+  EXPECT_EQ(g.paths[0].waypoints[0].at.x, Rational(1, 3));
+  EXPECT_EQ(g.paths[0].waypoints[0].at.y, Rational(1, 10));
+  EXPECT_EQ(g.paths[0].waypoints[1].t, Rational(1, 10));
+  EXPECT_EQ(read("disk,t,x,y,radius\na,0,0,0,2\n", std::nullopt).paths[0].radius, 2);
+  EXPECT_TRUE(read("disk,t,x,y\n").paths.empty());
+}
+
+TEST_F(PathsFile, BrokenTables) {
+  refused("", 0, "");
+  refused("disk,t,x\n", 1, "y");
+  refused("disk,t,x,y,z\n", 1, "z");
+  refused("disk,t,x,y,x\n", 1, "x");
+  refused("disk,t,x,y\n", 1, "radius", std::nullopt);
+  refused("disk,t,x,y\na,0,0\n", 2, "");
+  refused("disk,t,x,y\n,0,0,0\n", 2, "disk");
+  refused("disk,t,x,y\na,0,zero,0\n", 2, "x");
+  refused("disk,t,x,y\na,0,0,1e101\n", 2, "y");
+  refused("disk,t,x,y\na,1,0,0\nb,0,0,0\na,1,0,1\n", 4, "t");
+  refused("disk,t,x,y,radius\na,1,0,0,-1\n", 2, "radius");
+  refused("disk,t,x,y,radius\na,1,0,0,1\na,2,0,0,2\n", 3, "radius");
+}
+
+TEST_F(PathsFile, SectionsOfAPlanFollowEachOther) {
+  const GivenPaths g =
+      read(log(agent(section("0", "1", "0.1") + section("1", "1", "0") + section("1", "3", "0.2")) +
+               agent(section("9", "9", "1"))));
+  ASSERT_EQ(g.paths.size(), 2u);
+  ASSERT_EQ(g.paths[0].waypoints.size(), 4u);
+  EXPECT_EQ(g.paths[0].waypoints[2].t, Rational(3, 10));
+  EXPECT_EQ(g.paths[0].waypoints[2].at.x, 3);
+  EXPECT_EQ(g.paths[0].waypoints[3].t, 1);  // it stays
+  EXPECT_EQ(g.paths[0].waypoints[3].at.x, 3);
+  EXPECT_EQ(g.remarks.size(), 2u);
+}
+
+TEST_F(PathsFile, BrokenPlans) {
+  refused(log(""), 0, "radius", std::nullopt);
+  refused("<root/>", 0, "root/log");
+  refused("<root>\n<log>", 2, "");
+  refused(log("</log><log>"), 1, "log");
+  refused(log("<agent number='0'/>"), 1, "agent");
+  refused(log("<agent/>"), 1, "number");
+  refused(log(agent("\n" + section("0", "1", "1") + "\n" + section("2", "1", "1"))), 3, "start_i");
+  refused(log(agent(section("0", "1", "-1"))), 1, "duration");
+  refused(log(agent(section("0", "1", "0"))), 1, "duration");
+  refused(log(agent(section("0", "one", "1"))), 1, "goal_i");
+  refused("<!DOCTYPE root [<!ENTITY a 'aaaa'>]>" + log(""), 1, "");
+}
+
+}  // namespace
+}  // namespace voroproof::internal

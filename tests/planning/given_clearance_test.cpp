@@ -1,0 +1,136 @@
+// Clearance of given paths, against fine sampling and by hand.
+#include "planning/given_clearance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "exact/patience.h"
+
+namespace voroproof::internal {
+namespace {
+
+const auto always = [] { return true; };
+
+GivenPath path(const char* name, Rational radius, std::vector<Waypoint> waypoints) {
+  return {name, radius, std::move(waypoints)};
+}
+
+double sampled_gap(const GivenPath& a, const GivenPath& b, double t) {
+  const auto at = [t](const GivenPath& p) -> std::pair<double, double> {
+    const auto& w = p.waypoints;
+    std::size_t k = 1;
+    while (k + 1 < w.size() && w[k].t.get_d() < t) ++k;
+    const double s = (t - w[k - 1].t.get_d()) / (w[k].t.get_d() - w[k - 1].t.get_d());
+    return {w[k - 1].at.x.get_d() * (1 - s) + w[k].at.x.get_d() * s,
+            w[k - 1].at.y.get_d() * (1 - s) + w[k].at.y.get_d() * s};
+  };
+  const auto [x, y] = at(a);
+  const auto [u, v] = at(b);
+  return std::hypot(x - u, y - v) - a.radius.get_d() - b.radius.get_d();
+}
+
+// Random paths of other starts, ends and waypoints, overlaps among them.
+std::vector<GivenPath> random_paths(std::mt19937_64& random, int n) {
+  const auto integer = [&](int low, int high) {
+    return static_cast<int>(std::uniform_int_distribution<int>(low, high)(random));
+  };
+  std::vector<GivenPath> paths;
+  for (int g = 0; g < n; ++g) {
+    GivenPath p = path("p", Rational(integer(0, 8), 4), {});
+    p.radius.canonicalize();
+    Rational t(integer(0, 12));
+    for (int k = integer(2, 6); k > 0; --k) {
+      p.waypoints.push_back({t, {Rational(integer(-20, 20)), Rational(integer(-20, 20))}});
+      t += Rational(integer(1, 9)) / 3;
+    }
+    paths.push_back(p);
+  }
+  return paths;
+}
+
+TEST(GivenClearance, AsSamplingFinds) {
+  std::mt19937_64 random(5);
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<GivenPath> paths = random_paths(random, 2 + round % 7);
+    const GivenClearance clearance(paths, always);
+    double lowest = HUGE_VAL;
+    std::vector<NearSpell> spells = clearance.spells_below(3);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      for (std::size_t j = i + 1; j < paths.size(); ++j) {
+        const double from =
+            std::max(paths[i].waypoints.front().t.get_d(), paths[j].waypoints.front().t.get_d());
+        const double to =
+            std::min(paths[i].waypoints.back().t.get_d(), paths[j].waypoints.back().t.get_d());
+        for (int k = 0; k <= 2000 && from <= to; ++k) {
+          const double t = from + (to - from) * k / 2000, gap = sampled_gap(paths[i], paths[j], t);
+          lowest = std::min(lowest, gap);
+          const bool inside = std::any_of(spells.begin(), spells.end(), [&](const NearSpell& s) {
+            return s.nearest.i == static_cast<int>(i) && s.nearest.j == static_cast<int>(j) &&
+                   s.from.lo <= t && t <= s.to.hi;
+          });
+          if (std::fabs(gap - 3) < 1e-6) continue;  // doubles do not tell
+          EXPECT_EQ(inside, gap < 3) << t << " " << gap;
+        }
+      }
+    }
+    const auto least = clearance.least();
+    EXPECT_EQ(least.has_value(), lowest < HUGE_VAL);
+    if (!least) continue;
+    EXPECT_LE(gap(*least).lo, lowest + 1e-9);
+    EXPECT_GT(gap(*least).hi, lowest - 0.5);  // speeds are below 170, steps below 0.01 / 2
+    const Point2 a = place_at(paths[static_cast<std::size_t>(least->i)], least->t),
+                 b = place_at(paths[static_cast<std::size_t>(least->j)], least->t);
+    const Rational x = a.x - b.x, y = a.y - b.y;
+    EXPECT_EQ(Rational(x * x + y * y), least->distance2);
+  }
+}
+
+// Two cross at the origin half a second apart, through a waypoint of one: one spell, its ends
+// known.
+TEST(GivenClearance, SpellsGoOnOverWaypoints) {
+  const std::vector<GivenPath> paths{path("a", 1, {{-10, {-10, 0}}, {0, {0, 0}}, {10, {10, 0}}}),
+                                     path("b", 1, {{-10, {0, 0}}, {10, {0, 0}}})};
+  const GivenClearance clearance(paths, always);
+  const auto spells = clearance.spells_below(1);
+  ASSERT_EQ(spells.size(), 1u);
+  EXPECT_EQ(spells[0].from.lo, -3);
+  EXPECT_EQ(spells[0].from.hi, -3);
+  EXPECT_EQ(spells[0].to.lo, 3);
+  EXPECT_EQ(spells[0].to.hi, 3);
+  EXPECT_EQ(spells[0].nearest.t, 0);
+  EXPECT_EQ(gap(spells[0].nearest).hi, -2);
+  // At a gap of exactly the distance nothing is below it.
+  const std::vector<GivenPath> apart{path("a", 1, {{0, {0, 0}}, {1, {1, 0}}}),
+                                     path("b", 1, {{0, {0, 3}}, {1, {1, 3}}})};
+  EXPECT_TRUE(GivenClearance(apart, always).spells_below(1).empty());
+  EXPECT_EQ(GivenClearance(apart, always).spells_below(Rational(11, 10)).size(), 1u);
+}
+
+TEST(GivenClearance, FewAndShortPaths) {
+  EXPECT_FALSE(GivenClearance({}, always).least());
+  const std::vector<GivenPath> one{path("a", 1, {{0, {0, 0}}})};
+  EXPECT_FALSE(GivenClearance(one, always).least());
+  // There at one time only, for a moment; and never.
+  const std::vector<GivenPath> moment{path("a", 1, {{0, {0, 0}}, {1, {1, 0}}}),
+                                      path("b", 1, {{1, {4, 0}}, {2, {0, 0}}}),
+                                      path("c", 0, {{3, {4, 0}}})};
+  const auto least = GivenClearance(moment, always).least();
+  ASSERT_TRUE(least);
+  EXPECT_EQ(least->t, 1);
+  EXPECT_EQ(gap(*least).lo, 1);
+  const auto spells = GivenClearance(moment, always).spells_below(2);
+  ASSERT_EQ(spells.size(), 1u);
+  EXPECT_EQ(spells[0].from.lo, 1);
+  EXPECT_EQ(spells[0].to.hi, 1);
+}
+
+TEST(GivenClearance, Interrupted) {
+  const std::vector<GivenPath> one{path("a", 1, {{0, {0, 0}}})};
+  EXPECT_THROW(GivenClearance(one, [] { return false; }).least(), Interrupted);
+}
+
+}  // namespace
+}  // namespace voroproof::internal
