@@ -35,8 +35,9 @@ void add_clearance(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb(
       "clearance", "The exact least gap of all pairs of disks on given paths (docs/others.md)");
-  verb.input("paths", request->paths,
-             "A table of waypoints (disk,t,x,y and perhaps radius), or the log of a CCBS plan (XML).")
+  verb.input(
+          "paths", request->paths,
+          "A table of waypoints (disk,t,x,y and perhaps radius), or the log of a CCBS plan (XML).")
       .required();
   verb.text("--radius", request->radius, "LENGTH",
             "The radius of every disk, where the file does not give it.");

@@ -1,4 +1,4 @@
-// voroproof convert: between this project's formats and those of the paper's authors.
+// voroproof convert: between this project's formats and those of other programs.
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -14,13 +14,16 @@
 #include "history/disk_file.h"
 #include "history/error.h"
 #include "history/evtsq_file.h"
+#include "history/json_text.h"
 #include "history/output_file.h"
+#include "history/paths_scene.h"
+#include "planning/given_clearance.h"
 
 namespace voroproof::internal {
 namespace {
 
 struct Request {
-  std::string input, output, scene, horizon, restitution, format;
+  std::string input, output, scene, horizon, restitution, format, radius;
   std::string numbers = "hexadecimal", version = "1.1";
 };
 
@@ -46,7 +49,9 @@ void write_text(const std::string& path, const std::string& text) {
 // A disk file has no horizon and no restitution: they come from the command line.
 void disks_to_scene(const Request& request) {
   if (!is_disk_file(request.input)) {
-    throw UsageError(printable(request.input) + ": no disk file: only these are made into scenes");
+    throw UsageError(
+        printable(request.input) +
+        ": neither a disk file nor paths (.csv, .xml): only these are made into scenes");
   }
   DiskFile disks = read_disk_file(request.input);
   if (request.horizon.empty()) {
@@ -73,6 +78,38 @@ void disks_to_scene(const Request& request) {
   if (!disks.ids.empty() && disks.ids.back() != static_cast<std::int64_t>(disks.ids.size()) - 1) {
     words_beside({request.output}) << "the disks are renumbered from 0 in the order of their ids\n";
   }
+}
+
+// Given paths keep to themselves: where two touch, the disks of a scene would bounce.
+void require_apart(const Request& request, const GivenPaths& given) {
+  const CooperativeInterruption interruption;
+  const GivenClearance clearance(given.paths, [&] { return !interruption.requested(); });
+  const auto least = clearance.least();
+  if (!least || keeps_clear(*least, 0)) return;
+  const auto name = [&](int g) { return printable(given.paths[static_cast<std::size_t>(g)].name); };
+  throw InputError(request.input, 0, "disks " + name(least->i) + " and " + name(least->j),
+                   "touch or overlap at t = " + number_text(round_nearest(least->t)) +
+                       ": the disks of a scene would collide");
+}
+
+void paths_to_scene(const Request& request) {
+  if (!request.horizon.empty() || !request.restitution.empty()) {
+    throw UsageError("paths have their own horizon, and no collisions");
+  }
+  std::optional<Rational> radius;
+  if (!request.radius.empty()) radius = time_argument("--radius", request.radius);
+  const GivenPaths given = read_paths(request.input, radius);
+  const Scene scene = scene_of_paths(given, request.input);
+  require_apart(request, given);
+  std::ostringstream text;
+  write_scene(text, scene);
+  parse_scene(text.str(), request.output);  // within the limits of scenes
+  write_text(request.output, text.str());
+  std::ostream& out = words_beside({request.output});
+  out << "the disks follow the piecewise linear paths between the waypoints exactly, and "
+         "touch nothing\n"
+         "disk k is the k-th of the file, from 0; the container is made up\n";
+  for (const std::string& remark : given.remarks) out << remark << '\n';
 }
 
 void scene_to_disks(const Request& request) {
@@ -162,9 +199,13 @@ ExitCode convert(const Verb& verb, const Request& request) {
   require_use(verb, "--scene", to_history || to_sequence, "a history or event sequence");
   require_use(verb, "--horizon", to_json, "a scene");
   require_use(verb, "--restitution", to_json, "a scene");
+  require_use(verb, "--radius", to_json, "a scene");
   require_use(verb, "--numbers", to_sequence, "an event sequence");
   require_use(verb, "--evtsq-version", to_sequence, "an event sequence");
-  if (to_json) {
+  const std::string_view input = without_compression(request.input);
+  if (to_json && (input.ends_with(".csv") || input.ends_with(".xml"))) {
+    paths_to_scene(request);
+  } else if (to_json) {
     disks_to_scene(request);
   } else if (to_disks) {
     scene_to_disks(request);
@@ -181,8 +222,11 @@ ExitCode convert(const Verb& verb, const Request& request) {
 void add_convert(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb(
-      "convert", "Translate between this project's formats and those of the paper's authors");
-  verb.input("input", request->input, "A scene, disk file, history or event sequence.").required();
+      "convert", "Translate between this project's formats and those of other programs");
+  verb.input(
+          "input", request->input,
+          "A scene, disk file, history or event sequence, or paths (.csv, .xml: docs/others.md).")
+      .required();
   verb.output(request->output,
               "The file to write. Its ending says what it is: .scene.json, .disks.txt, "
               ".history.jsonl or .evtsq.")
@@ -193,12 +237,15 @@ void add_convert(Verb& program) {
   verb.text("--horizon", request->horizon, "TIME", "The horizon of the scene that is written.");
   verb.text("--restitution", request->restitution, "E",
             "The restitution of the scene that is written; 1 where it is not given.");
+  verb.text("--radius", request->radius, "LENGTH",
+            "The radius of every disk, where a file of paths does not give it.");
   verb.choice(
       "--numbers", {"hexadecimal", "decimal"}, request->numbers,
       "How an .evtsq has its numbers: with all 64 bits, or with 15 digits after the point.");
   verb.choice("--evtsq-version", {"1.0", "1.1"}, request->version,
               "The version of an .evtsq; 1.0 has no centres at collisions.");
   verb.example("voroproof convert a.disks.txt --horizon 1000 -o a.scene.json")
+      .example("voroproof convert plan_log.xml --radius 0.25 -o a.scene.json")
       .example("voroproof convert a.evtsq --scene a.scene.json -o a.history.jsonl");
   verb.does([request, &verb] { return convert(verb, *request); });
 }

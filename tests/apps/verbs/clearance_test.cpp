@@ -25,6 +25,29 @@ TEST_F(CertifyCli, ClearanceOfATable) {
   EXPECT_EQ(json("o.json")["approaches"][0]["least"]["t"], 1);
 }
 
+// The scene of given paths meets their waypoints exactly, at times that are no binary64.
+TEST_F(CertifyCli, ScenesOfPaths) {
+  const std::string table = written(
+      "p.csv",
+      "disk,t,x,y,radius\na,1,0,0,1/3\nb,1,9,9,0\na,4/3,0.1,0.7,1/3\na,2,3,1,1/3\nb,2,9,9,0\n");
+  const std::string scene = file("p.scene.json"), path = file("p.history.jsonl");
+  must({"convert", table, "-o", scene});
+  EXPECT_EQ(json("p.scene.json")["horizon"], 1);
+  must({"simulate", scene, "-o", path});
+  EXPECT_EQ(verdict({scene, path, "--kernel"}), "s CERTIFIED");
+  must({"snapshot", scene, "--at", "1/3", "-o", file("d.json")});
+  EXPECT_EQ(json("d.json")["disks"][0]["center"], Json::array({0.1, 0.7}));
+  must({"snapshot", scene, "--at", "1", "-o", file("d.json")});
+  EXPECT_EQ(json("d.json")["disks"][0]["center"], Json::array({3, 1}));
+  EXPECT_EQ(json("d.json")["disks"][1]["center"], Json::array({9, 9}));
+  const auto convert = [&](const char* text) -> Arguments {
+    return {"convert", written("q.csv", text), "--radius", "1", "-o", file("q.scene.json")};
+  };
+  refused(convert("disk,t,x,y\na,0,0,0\na,1,4,0\nb,0,3,1\nb,1,3,1\n"), "disks a and b: touch");
+  refused(convert("disk,t,x,y\na,0,0,0\na,1,4,0\nb,0,3,9\nb,2,3,1\n"),
+          "disk b: is there from 0 to 2");
+}
+
 TEST_F(CertifyCli, ClearanceRefusesBadInput) {
   refused({"clearance", written("b.csv", "disk,t,x,y\na,0,0,0\n")}, "no radius is given");
   refused({"clearance", written("b.csv", "disk,t,x,y\na,0,0\n"), "--radius", "1"}, "b.csv:2");
