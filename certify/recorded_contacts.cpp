@@ -135,7 +135,8 @@ RecordedContacts::Answer RecordedContacts::answer(const Lines& lines, const Rati
     it->second.answered = t;
     forget_if_done(it);
   } else if (answered && gap.overlap_at(t)) {
-    carried_.emplace(lines.pair, Carried{*answered, false, false, diagrams_ && gap.hidden_at(t), t, {}});
+    carried_.emplace(lines.pair,
+                     Carried{*answered, false, false, diagrams_ && gap.hidden_at(t), t, {}});
   }
   return {contact};
 }

@@ -26,7 +26,8 @@ enum class Truth {
 // Which events of a history are judged.
 enum class EventKinds {
   all,
-  collisions,  // with the maneuvers: flips and diagrams are passed over, and nothing is said of them
+  collisions,  // with the maneuvers: flips and diagrams are passed over, and nothing is said of
+               // them
 };
 
 struct CertifyOptions {
@@ -35,7 +36,7 @@ struct CertifyOptions {
   Number tolerance{1e-6};      // of times
   Number law_tolerance{1e-9};  // of velocities, relative to the speeds involved
   bool strict = false;         // swaps, unoriented edges and another horizon are refuted
-  int threads = 1;  // for all events of the recorded truth; the report is the same
+  int threads = 1;             // for all events of the recorded truth; the report is the same
   int max_bits = 32768;
   // Called now and then with the time and the number of events judged; false interrupts.
   std::function<bool(double t, std::int64_t events)> monitor;
@@ -97,7 +98,7 @@ struct Report {
   double prefix_t = 0;
   std::int64_t flips = 0, collisions = 0, maneuvers = 0;  // that were proved
   std::int64_t flips_not_judged = 0;  // with EventKinds::collisions: the flips of the history
-  std::vector<Leniency> leniency;                         // with count > 0
+  std::vector<Leniency> leniency;     // with count > 0
   std::vector<std::string> remarks;
   std::string json;  // the whole report as `voroproof certify --report` writes it, witness included
 };

@@ -30,7 +30,8 @@ TEST_F(CertifyCli, ConversionsThatCannotBe) {
   refused({"convert", scene, "-o", file("a.svg")}, "--output");
   must({"convert", scene, "-o", file("a.disks.txt")});
   refused({"convert", file("a.disks.txt"), "-o", file("b.scene.json")}, "--horizon");
-  refused({"convert", path, "-o", file("b.scene.json"), "--horizon", "1"}, "neither a disk file nor paths");
+  refused({"convert", path, "-o", file("b.scene.json"), "--horizon", "1"},
+          "neither a disk file nor paths");
 }
 
 TEST_F(CertifyCli, WhatADiskFileCannotSayIsToldAsLeftOut) {
