@@ -41,13 +41,14 @@ class LogReader {
 
   static void XMLCALL begin(void* data, const XML_Char* name, const XML_Char** attributes) {
     LogReader& reader = self(data);
-    reader.place_ += "/" + std::string(name);
+    reader.place_ += std::string(name) + ">";
     reader.guarded([&] { reader.take(attributes); });
   }
   static void XMLCALL end(void* data, const XML_Char*) {
     LogReader& reader = self(data);
     reader.guarded([&] { reader.leave(); });
-    reader.place_.erase(reader.place_.rfind('/'));
+    reader.place_.pop_back();
+    reader.place_.erase(reader.place_.rfind('>') + 1);
   }
   static void XMLCALL entity(void* data, const XML_Char*, int, const XML_Char*, int,
                              const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*) {
@@ -68,17 +69,17 @@ class LogReader {
   }
 
   void take(const XML_Char** attributes) {
-    if (place_ == "/root/log") {
+    if (place_ == "root>log>") {
       if (std::exchange(has_log_, true)) fail("log", "a second one");
-    } else if (place_ == "/root/log/agent") {
+    } else if (place_ == "root>log>agent>") {
       read_.paths.push_back({attribute(attributes, "number"), radius_, {}});
-    } else if (place_ == "/root/log/agent/path/section") {
+    } else if (place_ == "root>log>agent>path>section>") {
       take_section(attributes);
     }
   }
 
   void leave() {
-    if (place_ == "/root/log/agent" && read_.paths.back().waypoints.empty()) {
+    if (place_ == "root>log>agent>" && read_.paths.back().waypoints.empty()) {
       fail("agent", "no section tells where it is");
     }
   }
@@ -126,7 +127,7 @@ class LogReader {
   const Rational& radius_;
   std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
   std::unique_ptr<InputError> error_;
-  std::string place_;
+  std::string place_;  // the elements around, each with a ">"
   bool has_log_ = false;
   std::size_t sections_ = 0;
   GivenPaths read_;
