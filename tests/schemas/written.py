@@ -2,13 +2,15 @@
 """That all JSON which the program writes, and all of corpus/, is of the schemas.
 
 Fields that a schema does not describe are errors here, though readers are to pass over new fields of
-reports: so no field is without a description. Each format must be written at least once.
+reports: so no field is without a description. Each format must be written at least once, and each that the
+sources name has a schema.
 
 usage: written.py PROGRAM EXAMPLE      (build/voroproof, build/plain-double)
 """
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -19,7 +21,9 @@ except ImportError as error:
     print(f"skipped: {error}")
     sys.exit(77)
 
-CORPUS = pathlib.Path(__file__).resolve().parents[2] / "corpus"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CORPUS = ROOT / "corpus"
+ROOMS = ["apps", "certify", "history", "library", "planning"]
 
 # Two starts too near each other, and two that nobody separates: reports without a plan.
 CROWDED = {"format": "voroproof-plan", "version": 1, "container": {"center": [0, 0], "radius": 50},
@@ -55,9 +59,13 @@ def write_some(folder, program, example):
     (folder / "crowded.json").write_text(json.dumps(CROWDED))
     go("plan crowded.json -o q.scene.json --report q.plan.json")
     go("experiment speed --scale 0.01 --members 1 --horizon 5 -o e.experiment.json")
-    (folder / "list").write_text("a.scene.json\ta.history.jsonl\na.scene.json\tb.history.jsonl\n")
-    go("certify --list list --json a.table.json")
+    (folder / "paths.csv").write_text("disk,t,x,y,radius\na,0,0,0,1\na,10,20,0,1\nb,0,10,1.5,1\nb,10,10,-3,1\n")
+    go("clearance paths.csv --below 1 --required 1/2 -o paths.clearance.json")
     (folder / "help.json").write_text(subprocess.check_output([program, "help", "--json"], text=True))
+    (folder / "list").write_text("a.scene.json\ta.history.jsonl\na.scene.json\tb.history.jsonl\n")
+    go("certify --list list --json c.table.json")
+    (folder / "list").write_text("a.scene.json\tc.history.jsonl\n")
+    go("simulate --list list --json s.table.json")
     go("corpus run --family few --json own.corpus.json")
     go("corpus run --family few --json their.corpus.json --against", f"'{example}' {{scene}} {{history}}")
     for line in (CORPUS / "cases.txt").read_text().splitlines():
@@ -66,6 +74,12 @@ def write_some(folder, program, example):
             report = f"{pathlib.Path(file).stem}.{truth}.report.json"
             go(f"certify {CORPUS}/scenes/{scene}.scene.json {CORPUS / file} --truth {truth} --report {report}",
                *([] if options == "-" else options.split()))
+
+
+def named_in_sources():
+    """The formats that the sources name, each as a string of its own or at the beginning of a file."""
+    return {name for room in ROOMS for path in (ROOT / room).rglob("*.cpp")
+            for name in re.findall(r'voroproof-([a-z]+(?:-[a-z]+)*)\\?"', path.read_text())}
 
 
 def main():
@@ -86,6 +100,9 @@ def main():
             if fault is not None:
                 print(f"{path.name}: {fault}")
                 failed += 1
+    for stranger in named_in_sources() - set(NAMES):
+        print(f"no schema of the format voroproof-{stranger}")
+        failed += 1
     for missing in {f"voroproof-{name}" for name in NAMES} - formats:
         print(f"nothing of the format {missing} was written")
         failed += 1
