@@ -26,6 +26,7 @@ class PlainDoubles {
     return plain_.contact(i, j, now_.lo, end);
   }
   bool has_points() const { return false; }
+  bool is_point(GenId) const { return false; }
   void require_area(GenId, const std::vector<GenId>&) const {}
   // Nothing is told to happen within an instant.
   bool certainly_apart(GenId, GenId) const { return true; }

@@ -46,6 +46,7 @@ class Certified {
 
   // ---- Points, as PointCells says. ----
   bool has_points() const { return points_.any(); }
+  bool is_point(GenId g) const { return points_.is_point(g); }
   // Nothing is asked of generators that are no points.
   void require_area(GenId g, const std::vector<GenId>& neighbours) const {
     if (points_.is_point(g)) points_.require_area(g, neighbours, now());

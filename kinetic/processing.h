@@ -14,6 +14,7 @@
 #include "kinetic/flip_kind.h"
 #include "kinetic/inelastic_collapse.h"
 #include "kinetic/instant_record.h"
+#include "kinetic/meetings.h"
 #include "kinetic/resumption.h"
 #include "kinetic/schedule.h"
 #include "kinetic/static_diagram.h"
@@ -34,6 +35,7 @@ class EngineOver {
                   motion_.input().horizon),
         instant_(options_.max_events),
         collapse_watch_(motion_),
+        meetings_(motion_),
         fetch_(diagram_, motion_) {}
   EngineOver(const EngineOver&) = delete;
   EngineOver& operator=(const EngineOver&) = delete;
@@ -76,7 +78,7 @@ class EngineOver {
     } catch (const Undecided& u) {
       if (!begun_) sink_->begin({});
       outcome.kind = Outcome::Kind::stopped;
-      outcome.t = instant_.right_before(schedule_.frontier());
+      outcome.t = instant_.right_before(std::min(schedule_.frontier(), meetings_.before()));
       outcome.reason = u.what();
       if (u.flip) outcome.events.emplace_back(*u.flip);
       if (u.contact) outcome.events.emplace_back(*u.contact);
@@ -139,7 +141,21 @@ class EngineOver {
 
   void search_all() {
     for (int e = 0; e < diagram_.edges(); ++e) schedule_.search_flip_from_now(e);
-    for (int e = 0; e < schedule_.slots(); ++e) schedule_.search_contact(e);
+    for (int e = 0; e < schedule_.slots(); ++e) search_contact(e);
+  }
+
+  // Looks also for points that meet at a disk which they do not collide with.
+  void search_contact(int edge) {
+    schedule_.search_contact(edge);
+    if (!arithmetic_.has_points()) return;
+    const auto [i, j] = schedule_.pair_of(edge);
+    if (i == container_id || arithmetic_.is_point(i) == arithmetic_.is_point(j)) return;
+    const GenId point = arithmetic_.is_point(i) ? i : j;
+    for (const GenId g : diagram_.neighbours(point == i ? j : i)) {
+      if (g == point || g == container_id || !arithmetic_.is_point(g)) continue;
+      const auto [a, b] = std::minmax(point, g);
+      meetings_.note(a, b, arithmetic_.contact_from_now(a, b, schedule_.horizon_up()));
+    }
   }
 
   // A quarter of the time in which the fastest disk goes as far as from one disk to the next.
@@ -158,6 +174,7 @@ class EngineOver {
   bool step() {
     if (!schedule_.next_instant(ties_)) return false;
     const TimedEvent& first = ties_.front();
+    meetings_.require_none_until(first.hi);
     if (diagram_.edges() > 0) {
       if (first.event.exactly == nullptr) fetch_.around_edge(first.event.item & ~1);
       schedule_.fetch_ahead(fetch_);
@@ -269,7 +286,7 @@ class EngineOver {
     const HalfEdge first = diagram_.anchor(g);
     if (first >= 0) fetch_.around_cell(first);
     for_each_half_edge_of(g, [&](HalfEdge h) {
-      schedule_.search_contact(h / 2);
+      search_contact(h / 2);
       if (first < 0) return;
       search_flip_once(h / 2);
       search_flip_once(diagram_.next(h) / 2);
@@ -328,7 +345,7 @@ class EngineOver {
         search(around[k]);
       }
     }
-    schedule_.search_contact(edge);
+    search_contact(edge);
   }
 
   EngineStats stats_;
@@ -339,6 +356,7 @@ class EngineOver {
   Schedule<Arithmetic> schedule_;
   InstantRecord instant_;
   InelasticCollapse collapse_watch_;
+  Meetings meetings_;
   Fetch fetch_;
   Degrees degrees_;
   EventSink* sink_ = nullptr;

@@ -71,6 +71,8 @@ class Schedule {
   }
   // No maneuver is to come before this time.
   double quiet_until() const { return quiet_until_; }
+  // The horizon, rounded up.
+  double horizon_up() const { return horizon_up_; }
   // Every event before this time has been told by next_instant(), or is due.
   double frontier() const { return frontier_; }
 
