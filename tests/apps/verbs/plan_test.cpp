@@ -86,7 +86,7 @@ TEST_F(PlanCli, ReportsAreDrawn) {
   };
   bad("container", {}, "bad.json: container: missing");
   bad("vehicles", "none", "bad.json: vehicles: not an array");
-  bad("version", 2, "bad.json: version: not 1");
+  bad("version", 2, "bad.json: version: the file is of version 2");
   bad("minimum_gap", Json::parse(R"({"pair": [0, 2], "t": 1})"),
       "minimum_gap.pair[1]: no vehicle 2");
   bad("avoided", Json::parse(R"([{"place": ["x", 0]}])"), "avoided[0].place[0]: not a number: x");
