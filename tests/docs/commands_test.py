@@ -1,10 +1,14 @@
 #!/usr/bin/env python3
-"""Runs the commands of a document, in one folder and in their order.
+"""Runs the commands of documents: of each in a fresh folder, in their order.
 
-Every block that is marked `sh` is run by bash; where the next block is marked `text`, that is what
-it must print. Commands may be refuted: their exit codes are printed by the document itself.
+Every block that is marked `sh` is run by bash, as `voroproof` and as `build/voroproof`; where the next
+block is marked `text`, that is what it must print. The files in a document's own folder of pictures
+(start/ of start.md) must have the bytes that it draws.
 
-usage: commands_test.py PROGRAM DOCUMENT
+A block that is not marked and has a line with a command is one that is not run. It must be named in
+NOT_RUN, with the reason; a name there without a block is an error as well.
+
+usage: commands_test.py PROGRAM DOCUMENT...
 """
 import os
 import pathlib
@@ -13,24 +17,110 @@ import subprocess
 import sys
 import tempfile
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+# How the line of a command begins, in a block that is not marked.
+COMMAND = re.compile(r"^(\$ )?(((sudo|apt|apt-get|make|cmake|cpack|git|tar|c\+\+|pip|python3|man|cat|sed) "
+                     r"|(scripts|tests|bench)/|PYTHONPATH=)|(build/)?(proofs/)?voroproof(-kernel|-proved)? )", re.M)
+
+# Document: the first line of a block that is not run, and why.
+NOT_RUN = {
+    "README.md": {
+        "make demo": "installs packages and builds",
+        "$ build/voroproof simulate demo/scene.json -o demo/scene.history.jsonl --stats demo/stats.json":
+            "shows what make demo prints",
+    },
+    "docs/start.md": {
+        "voroproof movie a.scene.json a.history.jsonl -o a.html": "the page is for looking at; make site makes one",
+    },
+    "docs/howto.md": {
+        "scripts/install-deps.sh python": "installs packages",
+        "cmake --install build --prefix PREFIX": "installs; the test of the library's consumer does so",
+        "build/voroproof corpus run --against 'mysim {scene} {history}' --html corpus.html":
+            "takes an engine of the reader's",
+        "make packages": "installs packages and needs root",
+    },
+    "docs/install.md": {
+        "make packages": "installs packages and needs root",
+        "apt install ./packages/*.deb": "installs packages",
+        "tar -xf voroproof-0.1.0-linux-x86_64.tar.gz": "takes an archive, which scripts/check-packages.sh makes and tries",
+        "cmake -B build -G Ninja && cmake --build build && cmake --install build --prefix PREFIX": "builds and installs",
+    },
+    "docs/library.md": {
+        "cmake --install build --prefix PREFIX": "installs; the test of the library's consumer does so",
+        "find_package(voroproof 0.1 REQUIRED)": "needs an installed library; as above",
+    },
+    "docs/python.md": {
+        "scripts/install-deps.sh python": "installs packages and builds",
+    },
+}
+
+
+def blocks_of(text):
+    """The blocks of code: their kind ("" for none, "indented") and their lines."""
+    found = []
+    for match in re.finditer(r"^```(\w*)\n(.*?)^```$|(?:(?<=\n\n)|\A)((?:    [^\n]*\n|\n(?=    ))+)", text, re.M | re.S):
+        if match[3] is None:
+            found.append((match[1], match[2]))
+        else:
+            found.append(("indented", re.sub(r"^    ", "", match[3], flags=re.M)))
+    return found
+
+
+def check_named(name, blocks):
+    """That each block of commands that is not run is named, and the other way round."""
+    unmarked = {body.split("\n", 1)[0] for kind, body in blocks
+                if kind in ("", "indented") and COMMAND.search(body)}
+    reasons = NOT_RUN.get(name, {})
+    for line in sorted(unmarked - set(reasons)):
+        sys.exit(f"{name}: this block is neither run nor named in NOT_RUN: {line}")
+    for line in sorted(set(reasons) - unmarked):
+        sys.exit(f"{name}: NOT_RUN names a block that is not there: {line}")
+
+
+def run_blocks(name, blocks, folder, environment):
+    for k, (kind, body) in enumerate(blocks):
+        if kind != "sh":
+            continue
+        done = subprocess.run(["bash", "-euc", body], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"{name}: exit code {done.returncode}\n{body}\n{done.stderr}")
+        expected = blocks[k + 1] if k + 1 < len(blocks) else ("", "")
+        if expected[0] == "text" and done.stdout != expected[1]:
+            sys.exit(f"{name}: prints\n{done.stdout}\ninstead of\n{expected[1]}\n{body}")
+
+
+def check_pictures(name, document, folder):
+    """That the document's pictures are what it draws."""
+    for kept in sorted(document.with_suffix("").glob("*")):
+        drawn = folder / kept.name
+        if not drawn.exists() or drawn.read_bytes() != kept.read_bytes():
+            sys.exit(f"{name}: {kept.relative_to(ROOT)} is not what its commands draw")
+
+
+def check(program, document):
+    name = str(document.relative_to(ROOT))
+    blocks = blocks_of(document.read_text())
+    check_named(name, blocks)
+    environment = dict(os.environ, PATH=f"{program.parent}{os.pathsep}{os.environ['PATH']}")
+    with tempfile.TemporaryDirectory() as made:
+        folder = pathlib.Path(made)
+        (folder / "build").symlink_to(program.parent)
+        run_blocks(name, blocks, folder, environment)
+        check_pictures(name, document, folder)
+    print(f"{name}: {sum(kind == 'sh' for kind, _ in blocks)} blocks")
+
 
 def main():
-    program, document = (pathlib.Path(p).resolve() for p in sys.argv[1:3])
-    blocks = re.findall(r"^```(\w*)\n(.*?)^```$", document.read_text(), re.M | re.S)
-    commands = [k for k, (kind, _) in enumerate(blocks) if kind == "sh"]
-    if not commands:
-        sys.exit(f"{document.name}: no commands")
-    environment = dict(os.environ, PATH=f"{program.parent}{os.pathsep}{os.environ['PATH']}")
-    with tempfile.TemporaryDirectory() as folder:
-        for k in commands:
-            done = subprocess.run(["bash", "-euc", blocks[k][1]], cwd=folder, env=environment,
-                                  capture_output=True, text=True)
-            if done.returncode != 0:
-                sys.exit(f"{document.name}: exit code {done.returncode}\n{blocks[k][1]}\n{done.stderr}")
-            expected = blocks[k + 1] if k + 1 < len(blocks) else ("", "")
-            if expected[0] == "text" and done.stdout != expected[1]:
-                sys.exit(f"{document.name}: prints\n{done.stdout}\ninstead of\n{expected[1]}\n{blocks[k][1]}")
-    print(f"{document.name}: {len(commands)} blocks")
+    program, *documents = (pathlib.Path(p).resolve() for p in sys.argv[1:])
+    for document in documents:
+        check(program, document)
+    names = {str(d.relative_to(ROOT)) for d in documents}
+    marked = {str(d.relative_to(ROOT)) for d in [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")]
+              if re.search(r"^```sh$", d.read_text(), re.M)}
+    for name in sorted((marked | set(NOT_RUN)) - names):
+        sys.exit(f"{name} has commands, and is not looked at")
 
 
 main()

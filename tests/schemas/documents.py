@@ -84,8 +84,8 @@ def main():
                         faults.append(f"{where}: {block[:40]!r}: {fault}")
                     if where.name == "formats.md":
                         examples[kind] = block
-            # An example without a mark would not be looked at.
-            unmarked = BLOCK.sub(lambda m: "" if m[1].startswith("json") else m[2], text)
+            # An example without a mark would not be looked at. What commands write is (docs/commands_test.py).
+            unmarked = BLOCK.sub(lambda m: "" if m[1].startswith(("json", "sh")) else m[2], text)
             for line in unmarked.splitlines():
                 if re.search(r'^\s*\{"format": ?"voroproof-', line):
                     faults.append(f"{where}: not marked as json: {line[:60]}")
