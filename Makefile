@@ -5,7 +5,7 @@ MAKEFLAGS += --no-print-directory
 SOURCES = $(shell find exact filtered topology history kinetic queries planning certify corpus evidence kernel library include python apps bench tests \
   -name '*.h' -o -name '*.cpp')
 
-.PHONY: build demo test bench api packages format clean
+.PHONY: build demo test bench api site packages format clean
 
 build:
 	cmake --preset release
@@ -31,6 +31,11 @@ bench:
 # The reference of the library, in build/api/html; needs doxygen.
 api:
 	scripts/api-reference.sh
+
+# The documents as a site, in build/site, with a player, a certifier and the references; see CONTRIBUTING.md.
+site:
+	scripts/install-deps.sh site
+	scripts/site.sh
 
 # Debian packages and an archive, made and checked, in packages/; needs root. See docs/install.md.
 packages:

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the project needs and that are not there yet.
 #
-# usage: scripts/install-deps.sh [test] [bench] [plots] [python] [ci] [browser] [packages] [proofs]
+# usage: scripts/install-deps.sh [test] [bench] [plots] [python] [ci] [browser] [packages] [proofs] [site]
 #   without arguments: what building and running the program takes
 #   test:  what building the tests takes besides
 #   bench: what the benchmarks and the peers they measure take besides
@@ -10,6 +10,7 @@
 #   ci:    the second compiler, the formatter, the counter of instructions, doxygen, man and shells besides
 #   packages: what scripts/check-packages.sh takes besides
 #   proofs: Coq, OCaml and the libraries of voroproof-proved
+#   site:  Sphinx with its theme, and what runs the notebooks and makes the references
 #   browser: what testing pages and photographing that of `movie` takes besides (large)
 #
 # Where nothing is missing it neither asks for root nor uses the network.
@@ -38,6 +39,10 @@ for group in "$@"; do
       ;;
     ci) packages+=(clang clang-format valgrind doxygen man-db fish zsh) ;;
     browser) packages+=(chromium) ;;
+    site)
+      packages+=(python3-sphinx python3-myst-parser furo doxygen git python3-numpy python3-matplotlib python3-pandas)
+      packages+=(python3-nbclient python3-nbconvert python3-ipykernel)
+      ;;
     packages)
       packages+=(debhelper dh-python lintian mmdebstrap pybind11-dev python3-dev python3-numpy)
       ;;
@@ -45,7 +50,7 @@ for group in "$@"; do
       packages+=(coq libcoq-stdlib ocaml ocaml-findlib libzarith-ocaml-dev libyojson-ocaml-dev libsha-ocaml-dev)
       ;;
     *)
-      echo "install-deps: unknown group '$group' (test, bench, plots, python, ci, browser, packages, proofs)" >&2
+      echo "install-deps: unknown group '$group' (test, bench, plots, python, ci, browser, packages, proofs, site)" >&2
       exit 2
       ;;
   esac
