@@ -5,12 +5,13 @@
 #
 # usage: scripts/site.sh [PROGRAM]     (build/voroproof)
 #
-# What it takes: scripts/install-deps.sh site. The notebooks run where the Python module is built
-# (build/python) for the system's python3, and are shown without results elsewhere.
+# What it takes: scripts/install-deps.sh site. The notebooks run where the Python module is built beside the
+# program for the system's python3, and are shown without results elsewhere.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 program=$(realpath "${1:-build/voroproof}")
+modules=$(dirname "$program")/python
 python=/usr/bin/python3
 out=build/site
 source=build/site-source
@@ -34,12 +35,12 @@ for page in index python-reference cpp-reference; do ln -s "$PWD/docs/site/$page
 ln -s "$PWD/docs/site/notebooks.md" "$source/docs/notebooks/index.md"
 
 execute=()
-if PYTHONPATH=$PWD/build/python "$python" -c "import voroproof, nbclient, ipykernel" 2>/dev/null; then
+if PYTHONPATH=$modules "$python" -c "import voroproof, nbclient, ipykernel" 2>/dev/null; then
   execute=(--execute)
 else
   echo "site: without the Python module the notebooks are shown without results"
 fi
-PYDEVD_DISABLE_FILE_VALIDATION=1 PYTHONPATH=$PWD/build/python "$python" -m nbconvert --to markdown "${execute[@]}" --log-level WARN \
+PYDEVD_DISABLE_FILE_VALIDATION=1 PYTHONPATH=$modules "$python" -m nbconvert --to markdown "${execute[@]}" --log-level WARN \
   --output-dir "$PWD/$source/docs/notebooks" docs/notebooks/*.ipynb
 
 version=$("$program" --version)
