@@ -4,7 +4,8 @@
 #   - the right histories of the corpus are accepted, but for those of tests/proofs/undecided.txt, for the reason given there;
 #   - its wrong histories are not accepted, but for those of tests/proofs/wrong-under-exact-only.txt, which are wrong under
 #     the exact truth and right under the recorded one: the kernel must certify these;
-#   - histories of simulated scenes of several kinds are accepted, and not accepted with a line left out.
+#   - histories of simulated scenes of several kinds are accepted, and not accepted with a line left out;
+#   - of files made by hand each has the verdict that tests/proofs/attempts.py says.
 #
 # usage: scripts/check-proofs.sh VOROPROOF [BUILD]      (build/voroproof, with voroproof-kernel beside it; build/proofs)
 #        scripts/check-proofs.sh --record VOROPROOF [BUILD]   writes the two lists anew
@@ -130,6 +131,8 @@ done <<'END'
 --n 60 --seed 6 --horizon 40 --restitution 0.8
 END
 
+by_hand=$(python3 tests/proofs/attempts.py "$proved" "$scratch/attempts") || complain "$by_hand"
+
 [ "$failed" = 0 ] && echo "proved; $right right histories of the corpus, $(wc -l <"$lists/undecided.txt") of them undecided; none of $wrong wrong ones" \
-  "accepted that is wrong under the recorded truth; $simulated simulated scenes"
+  "accepted that is wrong under the recorded truth; $simulated simulated scenes; $by_hand"
 exit "$failed"

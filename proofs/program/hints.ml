@@ -1,5 +1,6 @@
 (* Brings a scene and a history to whole numbers, and finds the hints of the claims. What is wrong here cannot make the
    checker accept a claim that is false of the whole numbers; but these must be those of the files. *)
+open Numbers
 open Files
 
 exception Undecided of int * string
@@ -14,20 +15,22 @@ let velocities line = function
   | None -> undecided line "velocities are not given"
   | Some v -> v
 
-let optional_vector = function `Null -> None | item -> Some (vector item)
-
 (* All numbers of one kind, to find a unit of which they are multiples. *)
 let turns (_, t, what) =
   match what with
   | Flipped _ -> (t, [], [])
   | Collided (_, _, v, p) ->
-      let both = function None -> [] | Some (a, b) -> List.filter_map optional_vector [ a; b ] in
+      let both = function None -> [] | Some (a, b) -> Option.to_list a @ [ b ] in
       (t, both v, both p)
   | Maneuvered (_, v, p) -> (t, Option.to_list v, Option.to_list p)
 
 let denominator unit x = Z.lcm unit (Q.den x)
 let denominators = List.fold_left (fun unit (x, y) -> denominator (denominator unit x) y)
-let to_unit unit x = Q.num (Q.mul x (Q.of_bigint unit))
+
+(* A number in such a unit. *)
+let to_unit unit x =
+  let multiple = Q.mul x (Q.of_bigint unit) in
+  if Z.equal (Q.den multiple) Z.one then Q.num multiple else failwith "a number is no multiple of its unit"
 
 type units = { time : Z.t; speed : Z.t; length : Z.t }
 
@@ -141,11 +144,11 @@ let claims (p : Checker.problem) u history =
     let after = match List.find_opt overlap [ last; nearest ] with Some h -> h | None -> last in
     let vi, vj = velocities line v in
     let zero = (Z.zero, Z.zero) in
-    let velocity_of item = match optional_vector item with Some v -> velocity v | None -> zero in
-    let ps = match ps with None -> [] | Some (x, y) -> centres [ (i, optional_vector x); (j, optional_vector y) ] in
+    let vi = match vi with Some v -> velocity v | None -> zero in
+    let ps = match ps with None -> [] | Some (x, y) -> centres [ (i, x); (j, Some y) ] in
     let gens = if i < 0 then [ gj ] else [ gi; gj ] in
     let near = List.map number (edges_around d gens) in
-    turn line (Checker.Collision (t, gi, gj, velocity_of vi, velocity_of vj, ps, before, after, number_, near)) gens t
+    turn line (Checker.Collision (t, gi, gj, vi, velocity vj, ps, before, after, number_, near)) gens t
   in
   let maneuver line t k v ps =
     let v = match v with Some v -> v | None -> undecided line "the velocity is not given" in

@@ -28,8 +28,8 @@ let read name =
   Fun.protect ~finally:(fun () -> close_in file) (fun () -> really_input_string file (in_channel_length file))
 
 let rec options files tolerance law = function
-  | "--tolerance" :: value :: rest -> options files (Files.exact value) law rest
-  | "--law-tolerance" :: value :: rest -> options files tolerance (Files.exact value) rest
+  | "--tolerance" :: value :: rest -> options files (Numbers.exact value) law rest
+  | "--law-tolerance" :: value :: rest -> options files tolerance (Numbers.exact value) rest
   | word :: _ when String.length word > 1 && String.sub word 0 2 = "--" -> None
   | file :: rest -> options (file :: files) tolerance law rest
   | [] -> ( match files with [ history; scene ] -> Some (scene, history, tolerance, law) | _ -> None)
@@ -38,9 +38,9 @@ let lines text = match List.rev (String.split_on_char '\n' text) with "" :: rest
 
 (* The verdict, and the lines before it. *)
 let judge scene_text history_text tolerance law =
-  let scene = Files.scene (Yojson.Raw.from_string scene_text) in
-  let history = Files.history (lines history_text) in
-  if history.sha <> Sha256.to_hex (Sha256.string scene_text) then Files.invalid "the history is that of another scene";
+  let scene = Files.scene (Files.json scene_text) in
+  let history = Files.history (Array.length scene.disks) (lines history_text) in
+  if history.sha <> Sha256.to_hex (Sha256.string scene_text) then Numbers.invalid "the history is that of another scene";
   let count kind = List.length (List.filter (fun (_, _, e) -> kind e) history.events) in
   let counts = List.map count [ (function Files.Flipped _ -> true | _ -> false); (function Files.Collided _ -> true | _ -> false);
       (function Files.Maneuvered _ -> true | _ -> false) ] in
@@ -52,8 +52,8 @@ let judge scene_text history_text tolerance law =
   if history.initial = None then Hints.undecided 0 "no initial diagram is given";
   if Array.length scene.disks < 2 then Hints.undecided 0 "fewer than two disks";
   let most = Q.max (Q.of_float 1e-6) history.horizon in
-  if Q.sign tolerance < 0 || Q.gt tolerance most then Files.invalid "a tolerance is from 0 to the horizon, or to 1e-6";
-  if Q.sign law < 0 || Q.gt law Q.one then Files.invalid "a tolerance of velocities is from 0 to 1";
+  if Q.sign tolerance < 0 || Q.gt tolerance most then Numbers.invalid "a tolerance is from 0 to the horizon, or to 1e-6";
+  if Q.sign law < 0 || Q.gt law Q.one then Numbers.invalid "a tolerance of velocities is from 0 to 1";
   let units = Hints.units scene history tolerance in
   let problem = Hints.problem scene history tolerance law units in
   let claims = Hints.claims problem units history in
@@ -64,14 +64,19 @@ let judge scene_text history_text tolerance law =
       Hints.undecided (if reason = BadInitial then 1 else line) "%s" (why reason)
 
 let () =
-  let finish code line = print_string ("s " ^ line ^ "\n"); exit code in
+  (* No verdict's exit code without its line. *)
+  let finish code line =
+    match print_string ("s " ^ line ^ "\n"); flush stdout with
+    | () -> exit code
+    | exception Sys_error e -> prerr_string ("standard output: " ^ e ^ "\n"); exit 2
+  in
   match options [] (Q.of_float 1e-6) (Q.of_float 1e-9) (List.tl (Array.to_list Sys.argv)) with
   | None -> prerr_string usage; exit 2
-  | exception Files.Invalid e -> prerr_string (e ^ "\n"); exit 2
+  | exception Numbers.Invalid e -> prerr_string (e ^ "\n"); exit 2
   | Some (scene, history, tolerance, law) -> (
       match judge (read scene) (read history) tolerance law with
       | () -> finish 0 "CERTIFIED"
-      | exception (Files.Invalid e | Yojson.Json_error e | Sys_error e) -> Printf.printf "c %s\n" e; finish 2 "INVALID"
+      | exception (Numbers.Invalid e | Yojson.Json_error e | Sys_error e) -> Printf.printf "c %s\n" e; finish 2 "INVALID"
       | exception Hints.Undecided (line, e) ->
           if line > 0 then Printf.printf "c line %d: %s\n" line e else Printf.printf "c %s\n" e;
           finish 3 "UNDECIDED"
