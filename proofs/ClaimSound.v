@@ -85,6 +85,18 @@ Proof.
     match type of A with context [length ?a ?b] => pose proof (length_square a b) as Q; pose proof (length_nonneg a b) end; nra.
 Qed.
 
+(* They overlap at t. *)
+Lemma overlap_true past i j t before after :
+  touch P i j (known_mover P past i) (known_mover P past j) t before after = true ->
+  (gap_at i j (known_mover P past i) (known_mover P past j) t < 0)%Z -> ~ apart (on past (IZR t) i) (on past (IZR t) j).
+Proof.
+  intros H G. unfold touch in H. apply andb_prop in H as [H _]. apply andb_prop in H as [H _]. apply andb_prop in H as [_ Hr].
+  apply IZR_lt in G. rewrite gap_at_real in G. simpl path in *. simpl size_ in *. cbv zeta in G.
+  unfold apart, on, on_leg; cbn [cx cy radius wall].
+  destruct (Pos.eqb i container || Pos.eqb j container); apply Z.leb_le, IZR_le in Hr; rewrite plus_IZR in Hr; intros A;
+    match type of A with context [length ?a ?b] => pose proof (length_square a b) as Q; pose proof (length_nonneg a b) end; nra.
+Qed.
+
 (* The law is the statement's. *)
 Lemma within_law_true vi vj off scale : within_law_b P vi vj off scale = true -> within_law P vi vj off scale.
 Proof. unfold within_law_b, within_law. destruct (law_tolerance P). apply Z.leb_le. Qed.

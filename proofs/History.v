@@ -148,9 +148,11 @@ Fixpoint edge_at (k : positive) (past : list claim) (t : R) : option edge :=
 Definition bracketed (k : positive) (past : list claim) (t : R) : Prop :=
   exists c lo hi, In c past /\ bracket_of k c = Some (lo, hi) /\ IZR lo <= t < IZR hi.
 
-(* A collision of the two is claimed at a time within the tolerance of t. *)
+(* A collision of the two is claimed at a time u within the tolerance of t: not before t, or the two overlap at u. *)
 Definition near_collision (past : list claim) (i j : gen) (t : R) : Prop :=
-  exists u vi vj ps b a k n, In (Collision u i j vi vj ps b a k n) past /\ Rabs (t - IZR u) <= IZR (tolerance P).
+  exists later earlier u vi vj ps b a k n, past = later ++ Collision u i j vi vj ps b a k n :: earlier /\
+    Rabs (t - IZR u) <= IZR (tolerance P) /\
+    (t <= IZR u \/ ~ apart (on_leg i (last_leg i earlier) (IZR u)) (on_leg j (last_leg j earlier) (IZR u))).
 
 (* Maneuvers: a claim is of the first of its disk that has not been claimed. *)
 Fixpoint take (g : gen) (ms : list maneuver) : option (maneuver * list maneuver) :=
@@ -210,8 +212,9 @@ Definition centre_true (past : list claim) (c : claim) (t : Z) (gp : gen * (Z * 
 Definition claim_true (past : list claim) (c : claim) : Prop :=
   match c with
   | Flip t f lo hi k k1 k2 k3 k4 =>
-      (* the edge is there; its bracket lies within the tolerance of the claimed time *)
+      (* the edge is there, those beside it are four others; its bracket lies within the tolerance of the claimed time *)
       (last_edge k past = Some f \/ last_edge k past = Some (reversed f)) /\
+      NoDup [k; k1; k2; k3; k4] /\
       (t - tolerance P <= lo < hi /\ hi <= t + tolerance P /\ 0 <= lo) /\
       let at_ u g := on_leg g (last_leg g past) u in
       (forall g, In g [el f; er f; es f; ee f] -> since (last_leg g past) <= lo) /\
@@ -223,7 +226,8 @@ Definition claim_true (past : list claim) (c : claim) : Prop :=
       exists (u : R) o, (IZR lo <= u <= IZR hi)%R /\
         (vertex_circle o (at_ u (el f)) (at_ u (es f)) (at_ u (er f)) /\ touches o (at_ u (ee f)))
   | Collision t i j wi wj centres before after k around =>
-      (* the two are neighbours: the edge number k lies between them *)
+      (* the two are neighbours: the edge number k lies between them; the second is a disk *)
+      j <> container /\
       (exists q, last_edge k past = Some q /\ ((el q = i /\ er q = j) \/ (el q = j /\ er q = i))) /\
       (* they come into contact within the tolerance of the claimed time, on the lines on which they are, and on these would
          overlap after that *)
@@ -249,7 +253,7 @@ Definition side_of (q : edge) (a b c : gen) : Prop :=
   (a = el q /\ b = er q /\ c = ee q) \/ (a = er q /\ b = el q /\ c = es q).
 
 (* The initial diagram, at time 0: as many edges as n + 1 generators have; at each vertex of an edge three edges meet, on
-   each side one; and the circle of each vertex is there, with its contacts counterclockwise, and empty of all
+   each side one; they name generators of the scene; and the circle of each vertex is there, with its contacts counterclockwise, and empty of all
    generators. *)
 Record true_initial : Prop := {
   edge_count : Z.of_nat (List.length (PositiveMap.elements (edges P))) =
@@ -258,6 +262,8 @@ Record true_initial : Prop := {
     side_of q a b c -> side_of q' a b c -> k = k';
   sides_closed : forall k q a b c, PositiveMap.find k (edges P) = Some q -> side_of q a b c ->
     exists k' q', PositiveMap.find k' (edges P) = Some q' /\ side_of q' b c a;
+  generators_there : forall k q a b c, PositiveMap.find k (edges P) = Some q -> side_of q a b c ->
+    PositiveMap.find a (bodies P) <> None /\ PositiveMap.find b (bodies P) <> None /\ PositiveMap.find c (bodies P) <> None;
   vertices_empty : forall k q a b c, PositiveMap.find k (edges P) = Some q -> side_of q a b c ->
     exists o, vertex_circle o (place [] 0%R a) (place [] 0%R b) (place [] 0%R c) /\
       forall g, PositiveMap.find g (bodies P) <> None -> empty_of o (place [] 0%R g)
@@ -276,6 +282,8 @@ Record true_history (past : list claim) : Prop := {
   claims_true : forall later c earlier, past = later ++ c :: earlier -> claim_true earlier c;
   (* Nothing scheduled up to the horizon is left out. *)
   maneuvers_done : exists ms, pending past = Some ms /\ forall m, In m ms -> horizon P < due m;
+  (* No edge is lost: at all times each number names an edge. *)
+  edges_remain : forall k t, PositiveMap.find k (edges P) <> None -> edge_at k past t <> None;
   (* From 0 to the horizon, outside the brackets of its flips and of those beside it, every edge is legal at every
      instant: both circles exist, with their contacts counterclockwise, and neither is entered by the generator opposite;
      ties that last are broken by the rule; and its two generators do not overlap but near a claimed collision of the two. *)

@@ -77,6 +77,17 @@ Proof.
   - apply (empty_circle_true _ _ _ _ _ _ Fa Fb Fc H).
 Qed.
 
+(* Its generators are the scene's. *)
+Definition there (a b c : gen) : Prop :=
+  PositiveMap.find a (bodies P) <> None /\ PositiveMap.find b (bodies P) <> None /\ PositiveMap.find c (bodies P) <> None.
+
+Lemma vertex_ok_there a b c : vertex_ok (all_still P) (find_still P) (a, b, c) = true -> there a b c.
+Proof.
+  unfold vertex_ok, find_still, there. destruct (PositiveMap.find a (bodies P)); [|discriminate].
+  destruct (PositiveMap.find b (bodies P)); [|discriminate]. destruct (PositiveMap.find c (bodies P)); [|discriminate].
+  intros _. repeat split; discriminate.
+Qed.
+
 Lemma canonical_turns a b c : canonical (a, b, c) = (a, b, c) \/ canonical (a, b, c) = (b, c, a) \/ canonical (a, b, c) = (c, a, b).
 Proof. unfold canonical. destruct (_ && _); [tauto|]. destruct (_ && _); tauto. Qed.
 
@@ -96,6 +107,12 @@ Proof.
     owned P owner k (a, b, c) = true /\ numbered names numbers (a, b, c) = true).
   { intros k q a b c F S. specialize (HE (k, q) (PositiveMap.elements_correct _ _ F)). cbn [fst snd] in HE.
     rewrite forallb_forall in HE. specialize (HE (a, b, c) (proj1 (side_in q a b c) S)). apply andb_prop in HE. exact HE. }
+  assert (Vertex : forall k q a b c, PositiveMap.find k (edges P) = Some q -> side_of q a b c ->
+    vertex_ok (all_still P) (find_still P) (canonical (a, b, c)) = true).
+  { intros k q a b c F S. destruct (Each _ _ _ _ _ F S) as [_ N]. unfold numbered in N.
+    destruct (find3 numbers (canonical (a, b, c))) as [v|]; [|discriminate].
+    destruct (PositiveMap.find v names) as [u|] eqn:Fv; [|discriminate]. apply triple_eqb_true in N. subst u.
+    exact (HV (v, canonical (a, b, c)) (PositiveMap.elements_correct _ _ Fv)). }
   split.
   - apply Z.eqb_eq in HC. unfold all_still in HC. rewrite map_length in HC. exact HC.
   - intros k k' q q' a b c F F' S S'. destruct (Each _ _ _ _ _ F S) as [O _]. destruct (Each _ _ _ _ _ F' S') as [O' _].
@@ -107,15 +124,13 @@ Proof.
     apply andb_prop in O as [_ O]. destruct (PositiveMap.find k1 (edges P)) as [q1|] eqn:F1; [|discriminate].
     apply existsb_exists in O as (t & I & E). apply triple_eqb_true in E. subst t.
     exists k1, q1. split; [exact F1|]. apply side_in, I.
-  - intros k q a b c F S. destruct (Each _ _ _ _ _ F S) as [_ N]. unfold numbered in N.
-    destruct (find3 numbers (canonical (a, b, c))) as [v|]; [|discriminate].
-    destruct (PositiveMap.find v names) as [u|] eqn:Fv; [|discriminate]. apply triple_eqb_true in N. subst u.
-    specialize (HV (v, canonical (a, b, c)) (PositiveMap.elements_correct _ _ Fv)). cbn [snd] in HV.
-    change (empty_vertex a b c).
-    destruct (canonical_turns a b c) as [E|[E|E]]; rewrite E in HV; apply vertex_ok_true in HV.
-    + exact HV.
-    + apply empty_vertex_turn, empty_vertex_turn, HV.
-    + apply empty_vertex_turn, HV.
+  - intros k q a b c F S. specialize (Vertex _ _ _ _ _ F S). change (there a b c).
+    destruct (canonical_turns a b c) as [E|[E|E]]; rewrite E in Vertex; apply vertex_ok_there in Vertex; unfold there in *; tauto.
+  - intros k q a b c F S. specialize (Vertex _ _ _ _ _ F S) as HV'. change (empty_vertex a b c).
+    destruct (canonical_turns a b c) as [E|[E|E]]; rewrite E in HV'; apply vertex_ok_true in HV'.
+    + exact HV'.
+    + apply empty_vertex_turn, empty_vertex_turn, HV'.
+    + apply empty_vertex_turn, HV'.
 Qed.
 
 Theorem initial_sound : initial_ok P = true -> true_initial P.

@@ -47,7 +47,8 @@ Qed.
 
 Lemma near_more c near t q : near_pair near t q -> near_pair (c :: near) t q.
 Proof.
-  intros [H|H]; [left|right]; destruct H as (u & vi & vj & ps & b & a & k & n & I & B); exists u, vi, vj, ps, b, a, k, n; (split; [right|]; assumption).
+  intros [H|H]; [left|right]; destruct H as (later & earlier & u & vi & vj & ps & b & a & k & n & -> & B);
+    exists (c :: later), earlier, u, vi, vj, ps, b, a, k, n; (split; [reflexivity|exact B]).
 Qed.
 
 Lemma slot_more c past near t k sl : slot_true past near t k sl -> slot_true past (c :: near) t k sl.
@@ -58,14 +59,14 @@ Proof.
 Qed.
 
 (* A life that ends in a turn. *)
-Lemma slot_turns past near s own t k sl :
+Lemma slot_turns past near s own t slack k sl : (0 <= slack)%Z ->
   knows P past s -> slot_true past near t k sl ->
-  (forall q u, own q = true -> IZR t - IZR (tolerance P) <= u <= IZR t + IZR (tolerance P) -> near_pair near u q) ->
+  (forall q u, own q = true -> IZR t - IZR (tolerance P) <= u <= IZR t + IZR slack -> near_pair near u q) ->
   settle s sl t (if own (name sl) then t - tolerance P else t)%Z = Good tt ->
   slot_true past near t k (Slot (name sl) (if (proved sl <? t)%Z then t else opened sl) (Z.max (proved sl) t)
-    (Z.max (pair_proved sl) (if own (name sl) then t + tolerance P else t))).
+    (Z.max (pair_proved sl) (if own (name sl) then t + slack else t))).
 Proof.
-  intros K [N A B L S Q O R] Own H. destruct (settled P past s sl _ _ K H) as [HL HP].
+  intros Slack. apply IZR_le in Slack as Slack'. intros K [N A B L S Q O R] Own H. destruct (settled P past s sl _ _ K H) as [HL HP].
   assert (M : Z.max (proved sl) t = t) by lia.
   split; cbn [name opened proved pair_proved]; try assumption; try lia.
   - destruct (own (name sl)); lia.
@@ -79,13 +80,13 @@ Proof.
     subst q. destruct (own (name sl)) eqn:OW.
     + destruct (Rlt_or_le u (IZR (t - tolerance P))) as [H1|H1]; [left; apply HP; lra|].
       rewrite minus_IZR in H1. right. apply Own; [exact OW|].
-      apply IZR_le in tolerance_nonneg. lra.
+      lra.
     + left. apply HP. lra.
   - rewrite M. intros u Hu. destruct (proved sl <? t)%Z eqn:E; [lra|]. apply O. apply Z.ltb_ge, IZR_le in E. lra.
   - intros u [Hu1 Hu2]. destruct (Rlt_or_le u (IZR (pair_proved sl))) as [Hl|Hl]; [apply R; lra|].
     destruct (own (name sl)) eqn:OW.
-    + apply Own; [exact OW|]. destruct (Z.max_spec (pair_proved sl) (t + tolerance P)) as [[_ X]|[_ X]]; rewrite X in Hu2; [|lra].
-      rewrite plus_IZR in Hu2. apply IZR_le in tolerance_nonneg. lra.
+    + apply Own; [exact OW|]. destruct (Z.max_spec (pair_proved sl) (t + slack)) as [[_ X]|[_ X]]; rewrite X in Hu2; [|lra].
+      rewrite plus_IZR in Hu2. pose proof tolerance_nonneg as TN. apply IZR_le in TN. lra.
     + destruct (Z.max_spec (pair_proved sl) t) as [[_ X]|[_ X]]; rewrite X in Hu2; lra.
 Qed.
 
@@ -96,12 +97,11 @@ Proof.
   apply try_good in E as (s1 & E1 & E). apply (IH s1 s'); [|exact E]. apply (H k s); assumption.
 Qed.
 
-Lemma turns_keep past near own t : 
-  (forall q u, own q = true -> IZR t - IZR (tolerance P) <= u <= IZR t + IZR (tolerance P) -> near_pair near u q) ->
-  forall ks s s', invariant past near s /\ now s = t -> each (turn_one P own t) ks s = Good s' -> 
-    (invariant past near s' /\ now s' = t) .
+Lemma turns_keep past near own t slack : (0 <= slack)%Z ->
+  (forall q u, own q = true -> IZR t - IZR (tolerance P) <= u <= IZR t + IZR slack -> near_pair near u q) ->
+  forall ks s s', invariant past near s /\ now s = t -> each (turn_one P own t slack) ks s = Good s' -> invariant past near s' /\ now s' = t.
 Proof.
-  intros Own. apply each_keeps. intros k s s' [[K T A] N] E. unfold turn_one in E.
+  intros Slack Own. apply each_keeps. intros k s s' [[K T A] N] E. unfold turn_one in E.
   apply try_good in E as (sl & F & E). apply try_good in E as (u & H & E). injection E as <-. destruct u.
   apply known_good in F. split; [|exact N]. split; [exact K| |].
   - intros k' sl' F'. cbn [slots put now] in *. destruct (Pos.eq_dec k' k) as [->|D].

@@ -98,12 +98,13 @@ Definition flip (s : state) (c : claim) (t : Z) (f : edge) (lo hi : Z) (k k1 k2 
 Definition is_pair (i j : gen) (q : edge) : bool :=
   (Pos.eqb (el q) i && Pos.eqb (er q) j) || (Pos.eqb (el q) j && Pos.eqb (er q) i).
 
-(* The edge k ends its life at t, where a generator of it turns; at a collision its pair is not looked at near t. *)
-Definition turn_one (own : edge -> bool) (t : Z) (k : positive) (s : state) : outcome state :=
+(* The edge k ends its life at t, where a generator of it turns; at a collision its pair is not looked at from t - tau on, and
+   for [slack] after t. *)
+Definition turn_one (own : edge -> bool) (t slack : Z) (k : positive) (s : state) : outcome state :=
   do sl <- slot_of s k;
   do _ <- settle s sl t (if own (name sl) then t - tolerance P else t);
   Good (put s k (Slot (name sl) (if proved sl <? t then t else opened sl) (Z.max (proved sl) t)
-     (Z.max (pair_proved sl) (if own (name sl) then t + tolerance P else t)))).
+     (Z.max (pair_proved sl) (if own (name sl) then t + slack else t)))).
 
 (* The generator g turns. *)
 Definition turn (c : claim) (g : gen) (s : state) : outcome state :=
@@ -170,13 +171,13 @@ Definition collide (s : state) (c : claim) (t : Z) (i j : gen) (wi wj : Z * Z) (
     (before after : Z) (k : positive) (around : list positive) : outcome state :=
   need (now s <=? t) OutOfOrder (
   do sl <- slot_of s k;
-  need (is_pair i j (name sl) && negb (Pos.eqb i j)) NotNeighbours (
+  need (is_pair i j (name sl) && negb (Pos.eqb i j) && negb (Pos.eqb j container)) NotNeighbours (
   do a <- mover_of s i;
   do b <- mover_of s j;
   need (touch i j a b t before after) NoContact (
   need (law i j a b t wi wj) NotTheLaw (
   need (forallb (centre_ok s c t) centres) CentreElsewhere (
-  do s <- each (turn_one (is_pair i j) t) around s;
+  do s <- each (turn_one (is_pair i j) t (if 0 <=? gap_at i j a b t then 0 else tolerance P)) around s;
   do s <- turn c i s;
   do s <- turn c j s;
   Good (at_time s t)))))).
@@ -189,7 +190,7 @@ Definition manoeuvre (s : state) (c : claim) (t : Z) (g : gen) (v : Z * Z) (cent
   need ((Z.abs (due m - t) <=? tolerance P) && (due m <=? horizon P) &&
         within_law_b (dvx m, dvy m) (0, 0) (minus v (dvx m, dvy m)) 1) NoSuchManeuver (
   need (forallb (centre_ok s c t) centres) CentreElsewhere (
-  do s <- each (turn_one (fun _ => false) t) around s;
+  do s <- each (turn_one (fun _ => false) t 0) around s;
   do s <- turn c g s;
   Good (State (movers s) (slots s) t rest)))).
 

@@ -58,15 +58,15 @@ Lemma invariant_more c past near s : invariant P past near s -> invariant P past
 Proof. intros [K T A]. split; [exact K| |exact A]. intros k sl F. apply slot_more, T, F. Qed.
 
 (* The knowledge of movers does not depend on slots or time. *)
-Lemma each_turn_movers own t ks : forall s s', each (turn_one P own t) ks s = Good s' -> movers s' = movers s /\ todo s' = todo s.
+Lemma each_turn_movers own t slack ks : forall s s', each (turn_one P own t slack) ks s = Good s' -> movers s' = movers s /\ todo s' = todo s.
 Proof.
   induction ks as [|k ks IH]; simpl; intros s s' E; [injection E as <-; split; reflexivity|].
   apply try_good in E as (s1 & E1 & E). destruct (IH _ _ E) as [M T]. unfold turn_one in E1.
   apply try_good in E1 as (sl & F & E1). apply try_good in E1 as (u & H & E1). injection E1 as <-. split; assumption.
 Qed.
 
-Lemma each_at_time own t ks : forall s u, 
-  each (turn_one P own t) ks (at_time s u) = match each (turn_one P own t) ks s with Good s' => Good (at_time s' u) | Bad w => Bad w end.
+Lemma each_at_time own t slack ks : forall s u, 
+  each (turn_one P own t slack) ks (at_time s u) = match each (turn_one P own t slack) ks s with Good s' => Good (at_time s' u) | Bad w => Bad w end.
 Proof.
   induction ks as [|k ks IH]; simpl; intros s u; [reflexivity|].
   unfold turn_one at 1 3. unfold slot_of. change (slots (at_time s u)) with (slots s).
@@ -77,21 +77,21 @@ Proof.
 Qed.
 
 (* A claim that turns i and j (which may be one) at time t, after the lives around it have been settled. *)
-Lemma turning c past s own t around s1 s2 s3 i j :
+Lemma turning c past s own t slack around s1 s2 s3 i j : (0 <= slack)%Z ->
   invariant P past past s -> (now s <= t)%Z -> i <> j ->
   (forall g, turn_of c g <> None -> g = i \/ g = j) -> (forall g u v, turn_of c g = Some (u, v) -> u = t) ->
   (forall k, bracket_of k c = None) -> (forall k q, after_flip k c q = Some q) ->
-  (forall q u, own q = true -> IZR t - IZR (tolerance P) <= u <= IZR t + IZR (tolerance P) -> near_pair P (c :: past) u q) ->
-  each (turn_one P own t) around s = Good s1 -> turn c i s1 = Good s2 -> turn c j s2 = Good s3 ->
+  (forall q u, own q = true -> IZR t - IZR (tolerance P) <= u <= IZR t + IZR slack -> near_pair P (c :: past) u q) ->
+  each (turn_one P own t slack) around s = Good s1 -> turn c i s1 = Good s2 -> turn c j s2 = Good s3 ->
   invariant P (c :: past) (c :: past) (at_time s3 t) /\ todo s3 = todo s.
 Proof.
-  intros I N D Only When B F Own E1 E2 E3.
-  destruct (each_turn_movers _ _ _ _ _ E1) as [M1 T1].
+  intros Slack I N D Only When B F Own E1 E2 E3.
+  destruct (each_turn_movers _ _ _ _ _ _ E1) as [M1 T1].
   destruct (turn_movers _ _ _ _ E2) as (S2 & N2 & T2 & _). destruct (turn_movers _ _ _ _ E3) as (S3 & N3 & T3 & _).
   split; [|congruence].
   pose proof (invariant_more c _ _ _ (invariant_at_time _ _ _ _ N I)) as I0.
-  pose proof (each_at_time own t around s t) as X. rewrite E1 in X.
-  destruct (turns_keep P tolerance_nonneg past (c :: past) own t Own around _ _ (conj I0 eq_refl) X) as [[K T A] _].
+  pose proof (each_at_time own t slack around s t) as X. rewrite E1 in X.
+  destruct (turns_keep P tolerance_nonneg past (c :: past) own t slack Slack Own around _ _ (conj I0 eq_refl) X) as [[K T A] _].
   split.
   - intros g m Fm. change (PositiveMap.find g (movers s3) = Some m) in Fm.
     apply (turned_known c past s1 s2 s3 i j D Only); try assumption.

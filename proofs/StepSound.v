@@ -30,7 +30,7 @@ Proof.
   - unfold c. cbn [claim_true]. split.
     + destruct (slots_true _ _ _ _ I k sl F) as [N _ _ _ _ _ _ _]. rewrite N.
       apply orb_prop in Name as [Name|Name]; apply edge_eqb_true in Name; rewrite Name; tauto.
-    + split; [lia|]. split; [exact C1|]. split; [exact C2|]. split; [exact C3|]. split; [exact C4|exact C5].
+    + split; [apply distinct_true, Ds|]. split; [lia|]. split; [exact C1|]. split; [exact C2|]. split; [exact C3|]. split; [exact C4|exact C5].
   - destruct (flip_keeps P past s t f lo hi k k1 k2 k3 k4 s1 H1 Ds I E1) as [I1 T]. split.
     + destruct I1 as [K S A]. split; assumption.
     + cbn [pending c todo]. rewrite T. exact W.
@@ -41,25 +41,31 @@ Lemma collision_sound past s t i j wi wj ps b a k around s' (c := Collision t i 
 Proof.
   intros [I W] E. cbn [step c] in E. unfold collide in E. fold c in E.
   apply need_good in E as [N E]. apply Z.leb_le in N. apply try_good in E as (sl & F & E). apply known_good in F.
-  apply need_good in E as [Pair E]. apply andb_prop in Pair as [Pair D]. apply negb_true_iff, Pos.eqb_neq in D.
+  apply need_good in E as [Pair E]. apply andb_prop in Pair as [Pair Disk]. apply andb_prop in Pair as [Pair D].
+  apply negb_true_iff, Pos.eqb_neq in D, Disk.
   apply try_good in E as (mi & Fi & E). apply try_good in E as (mj & Fj & E). apply known_good in Fi, Fj.
   apply need_good in E as [T E]. apply need_good in E as [L E]. apply need_good in E as [Ps E].
   apply try_good in E as (s1 & E1 & E). apply try_good in E as (s2 & E2 & E). apply try_good in E as (s3 & E3 & E). injection E as <-.
-  rewrite (mover_known P past s i mi (movers_known _ _ _ _ I) Fi) in T, L.
-  rewrite (mover_known P past s j mj (movers_known _ _ _ _ I) Fj) in T, L. split.
-  - unfold c. cbn [claim_true]. split; [|split; [|split]].
+  pose proof (mover_known P past s i mi (movers_known _ _ _ _ I) Fi) as Mi.
+  pose proof (mover_known P past s j mj (movers_known _ _ _ _ I) Fj) as Mj. rewrite Mi, Mj in T, L. split.
+  - unfold c. cbn [claim_true]. split; [exact Disk|]. split; [|split; [|split]].
     + exists (name sl). split; [apply (named _ _ _ _ _ _ (slots_true _ _ _ _ I k sl F))|apply is_pair_true, Pair].
     + apply (touch_true P past i j t b a T).
     + apply (law_true P past i j t wi wj L).
     + apply (centres_true P past s); [apply (movers_known _ _ _ _ I)|exact Ps].
-  - destruct (turning P tolerance_nonneg c past s (is_pair i j) t around s1 s2 s3 i j) as [I1 T1]; try assumption; try reflexivity.
+  - set (slack := if (0 <=? gap_at i j mi mj t)%Z then 0%Z else tolerance P) in E1.
+    assert (Slack : (0 <= slack)%Z) by (unfold slack; destruct (0 <=? gap_at i j mi mj t)%Z; lia).
+    destruct (turning P tolerance_nonneg c past s (is_pair i j) t slack around s1 s2 s3 i j) as [I1 T1]; try assumption; try reflexivity.
     + intros g. unfold c. cbn [turn_of]. destruct (Pos.eqb g container); [congruence|].
       destruct (Pos.eqb g i) eqn:Ei; [apply Pos.eqb_eq in Ei; tauto|]. destruct (Pos.eqb g j) eqn:Ej; [apply Pos.eqb_eq in Ej; tauto|congruence].
     + intros g u v. unfold c. cbn [turn_of]. destruct (Pos.eqb g container); [discriminate|].
       destruct (Pos.eqb g i); [congruence|]. destruct (Pos.eqb g j); congruence.
     + intros q u Q Hu.
       assert (Near : near_collision P (c :: past) i j u).
-      { exists t, wi, wj, ps, b, a, k, around. split; [left; reflexivity|]. apply Rabs_le. lra. }
+      { exists [], past, t, wi, wj, ps, b, a, k, around. split; [reflexivity|]. apply IZR_le in tolerance_nonneg as TN.
+        unfold slack in Hu. destruct (0 <=? gap_at i j mi mj t)%Z eqn:Gap.
+        - split; [apply Rabs_le; lra|left; lra].
+        - split; [apply Rabs_le; lra|right]. apply Z.leb_gt in Gap. rewrite Mi, Mj in Gap. apply (overlap_true P past i j t b a T Gap). }
       destruct (is_pair_true i j q Q) as [[E4 E5]|[E4 E5]]; [left|right]; rewrite E4, E5; exact Near.
     + split; [exact I1|]. cbn [pending c]. change (todo (at_time s3 t)) with (todo s3). rewrite T1. exact W.
 Qed.
@@ -81,7 +87,7 @@ Proof.
     assert (None_ : turn_of c h = None).
     { unfold c. cbn [turn_of]. destruct (Pos.eqb h container); [reflexivity|]. destruct (Pos.eqb h g) eqn:E; [|reflexivity].
       apply Pos.eqb_eq in E. congruence. }
-    destruct (turning P tolerance_nonneg c past s (fun _ => false) t around s1 s2 s2 g h) as [I1 T1]; try assumption; try reflexivity.
+    destruct (turning P tolerance_nonneg c past s (fun _ => false) t 0 around s1 s2 s2 g h) as [I1 T1]; try assumption; try reflexivity; try apply Z.le_refl.
     + intros g'. unfold c. cbn [turn_of]. destruct (Pos.eqb g' container); [congruence|].
       destruct (Pos.eqb g' g) eqn:Ei; [apply Pos.eqb_eq in Ei; tauto|congruence].
     + intros g' u w. unfold c. cbn [turn_of]. destruct (Pos.eqb g' container); [discriminate|]. destruct (Pos.eqb g' g); congruence.
@@ -133,11 +139,22 @@ Proof.
   destruct (Rle_dec (IZR hi) t); [exact L|apply IH2].
 Qed.
 
+Lemma edge_there k past : last_edge P k past <> None -> forall t, edge_at P k past t <> None.
+Proof.
+  intros L t. induction past as [|c past IH]; [exact L|].
+  assert (L1 : last_edge P k past <> None) by (intros E; apply L; cbn [last_edge]; rewrite E; reflexivity).
+  cbn [edge_at]. destruct (bracket_of k c) as [[lo hi]|]; [|apply IH, L1].
+  destruct (Rle_dec (IZR hi) t); [exact L|apply IH, L1].
+Qed.
+
 Theorem ending_sound past s : good past s -> all_true past -> ending P s = Good tt -> true_history P past.
 Proof.
   intros [[K T A] W] C E. unfold ending in E. apply need_good in E as [M E]. split.
   - exact C.
   - exists (todo s). split; [exact W|]. intros m Hm. rewrite forallb_forall in M. apply Z.ltb_lt, M, Hm.
+  - intros k t N. apply edge_there. destruct (PositiveMap.find k (slots s)) as [sl|] eqn:F.
+    + rewrite (named _ _ _ _ _ _ (T k sl F)). discriminate.
+    + apply A in F. congruence.
   - intros k q t Ht Eq Nb.
     destruct (PositiveMap.find k (slots s)) as [sl|] eqn:F.
     2: { apply A in F. destruct (no_edge k past F) as [_ N]. rewrite N in Eq. discriminate. }

@@ -251,6 +251,17 @@ undecided("a collision of two that are far apart", history=both(insert(HIT, {"t"
                                                                  put(6, "end", "collisions", 3)))
 undecided("the collision at the wall left out", history=both(delete(WALL), put(4, "end", "collisions", 1)))
 
+# Two pass through each other, as the tolerance lets them; the claim is of the time when they have. The law then turns them
+# back, and they pass through each other once more, within the tolerance after the claim.
+undecided("twice through each other with one claim",
+          scene=lambda s: s.update(horizon=17, maneuvers=[], disks=[{"center": [-5, 0], "radius": 1, "velocity": [1, 0]},
+                                                                     {"center": [5, 0.5], "radius": 1, "velocity": [0, 0]}]),
+          history=lambda h: h.__setitem__(slice(0, None), [
+              {**h[HEADER], "horizon": 17, "initial": [[-1, 0, 1, 1], [-1, 1, 0, 0], [0, 1, -1, -1]]},
+              {"t": 12.25, "collide": [0, 1], "v": [["4/85", "18/85"], ["81/85", "-18/85"]]},
+              {"end": {"t": 17, "flips": 0, "collisions": 1, "maneuvers": 0}}]),
+          options=["--tolerance", "4.5"])
+
 # Maneuvers.
 undecided("a maneuver left out", history=both(delete(MANEUVER), put(4, "end", "maneuvers", 0)))
 undecided("a maneuver twice", history=both(insert(MANEUVER, HISTORY[MANEUVER]), put(6, "end", "maneuvers", 2)))
