@@ -11,15 +11,17 @@
 
    The theorem: if the program accepts, then
 
-   - true_initial: at time 0 the edges fit together, there are as many as there should be, and the circle of each vertex is
-     there and enters no generator at all;
+   - true_initial: at time 0 the edges fit together, there are as many as there should be, they name generators of the scene,
+     and the circle of each vertex is there and enters no generator at all;
    - true_history, claims_true: each claim is true after those before it. A flip's edge is legal when its bracket begins and
      illegal when it ends, the bracket lies within the tolerance of the claimed time, and in between the circle of a vertex
      touches all four generators. A collision is of two neighbours that come into contact within the tolerance, and obeys
      the law. A maneuver is the scene's next of that disk;
    - maneuvers_done: no maneuver is left out;
+   - edges_remain: each number of an edge names an edge at all times;
    - edges_legal: at every real time from 0 on, before the horizon, each edge outside its brackets has both circles, neither
-     enters the generator at the edge's other end, and its two generators do not overlap but near a claimed collision.
+     enters the generator at the edge's other end, and its two generators do not overlap but near a claimed collision of
+     the two: within the tolerance before its time, or after it where they overlap at its time.
 
    The second theorem goes on to the whole diagram. It has a hypothesis, by name, that is not proved here. *)
 From Coq Require Import ZArith List Bool Reals FMapPositive.

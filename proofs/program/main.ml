@@ -64,12 +64,7 @@ let judge scene_text history_text tolerance law =
       Hints.undecided (if reason = BadInitial then 1 else line) "%s" (why reason)
 
 let () =
-  (* No verdict's exit code without its line. *)
-  let finish code line =
-    match print_string ("s " ^ line ^ "\n"); flush stdout with
-    | () -> exit code
-    | exception Sys_error e -> prerr_string ("standard output: " ^ e ^ "\n"); exit 2
-  in
+  let finish code line = print_string ("s " ^ line ^ "\n"); exit code in
   match options [] (Q.of_float 1e-6) (Q.of_float 1e-9) (List.tl (Array.to_list Sys.argv)) with
   | None -> prerr_string usage; exit 2
   | exception Numbers.Invalid e -> prerr_string (e ^ "\n"); exit 2
