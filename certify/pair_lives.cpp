@@ -167,7 +167,7 @@ void PairLives::pass_recorded(const Open& life, const Moment& m, PairEnd why) {
   const int next = why == PairEnd::flip ? watching(edge, edge) : -1;
   const bool watched = why == PairEnd::turn || why == PairEnd::window || next >= 0;
   if (const auto missing = recorded_.contacts().pass(lines, end, watched)) {
-    throw Refuted{refuter_.missing_contact(i, j, missing->lo, missing->hi)};
+    throw Refuted{refuter_.missing_contact(i, j, *missing)};
   }
   if (next >= 0) since_[next] = std::max(since_[next], m.hi);
 }

@@ -42,7 +42,9 @@ std::optional<RecordedContacts::Missing> RecordedContacts::pass(const Lines& lin
           // The two have been apart, and meet again.
           if (const auto m = give_up(it)) return m;
         }
-        it = carried_.emplace(lines.pair, Carried{o.begin, false, true, false, {}, {}}).first;
+        it = carried_
+                 .emplace(lines.pair, Carried{o.begin, lines.motions, false, true, false, {}, {}})
+                 .first;
         // What their own collision has left of an overlap, too little to have been carried over.
         if (o.at_start && lines.collided) it->second.answered = lines.from;
       }
@@ -88,7 +90,7 @@ std::optional<RecordedContacts::Missing> RecordedContacts::give_up(Pairs::iterat
 
 RecordedContacts::Missing RecordedContacts::missing(const Carried& c) {
   const auto [lo, hi] = c.entry.enclosure();
-  return {lo, hi};
+  return {lo, hi, c.motions};
 }
 
 RecordedContacts::Answer RecordedContacts::answer(const Lines& lines, const Rational& t) {
@@ -120,25 +122,23 @@ RecordedContacts::Answer RecordedContacts::answer(const Lines& lines, const Rati
   // What the two have passed through before is not answered by a claim of the next entry.
   const bool passed = it != carried_.end() && it->second.over && !it->second.answered &&
                       !it->second.shallow && !(answered && answered->compare(t) <= 0);
-  if (passed) {
-    const Missing m = missing(it->second);
-    return {Contact::elsewhere, m.lo, m.hi};
-  }
+  if (passed) return {Contact::elsewhere, missing(it->second)};
   if (contact == Contact::none) {
     if (entry) {
       const auto [lo, hi] = entry->enclosure();
-      return {Contact::elsewhere, lo, hi};
+      return {Contact::elsewhere, Missing{lo, hi, lines.motions}};
     }
-    return {in_progress && !gap.approach_at(t) ? Contact::parting : Contact::none};
+    return {in_progress && !gap.approach_at(t) ? Contact::parting : Contact::none, {}};
   }
   if (it != carried_.end()) {
     it->second.answered = t;
     forget_if_done(it);
   } else if (answered && gap.overlap_at(t)) {
-    carried_.emplace(lines.pair,
-                     Carried{*answered, false, false, diagrams_ && gap.hidden_at(t), t, {}});
+    carried_.emplace(
+        lines.pair,
+        Carried{*answered, lines.motions, false, false, diagrams_ && gap.hidden_at(t), t, {}});
   }
-  return {contact};
+  return {contact, {}};
 }
 
 }  // namespace voroproof::internal

@@ -15,6 +15,7 @@
 
 #include "certify/gap.h"
 #include "exact/generators.h"
+#include "exact/predicates.h"
 
 namespace voroproof::internal {
 
@@ -27,6 +28,12 @@ class RecordedContacts {
 
   using Pair = std::pair<GenId, GenId>;
 
+  // The two on their lines, whose places are those at the time `at`.
+  struct Motions {
+    Rational at;
+    MovingSite<Rational> first, second;
+  };
+
   // A pair on its present lines, from the time since which the two are watched on these.
   struct Lines {
     Pair pair;
@@ -35,11 +42,13 @@ class RecordedContacts {
     Rational reach;
     Rational rounding;  // what roundings may have moved the two, a length
     bool collided;      // the last thing that happened to them was their own collision, at `from`
+    Motions motions;
   };
 
   // An overlap that nothing excuses.
   struct Missing {
-    double lo, hi;  // an enclosure of its entry
+    double lo, hi;    // an enclosure of its entry
+    Motions motions;  // then
   };
   // The two go on as the lines say until `end`; each time of a pair is passed once. `watched`: the
   // pair is still watched after that. Throws Undecided.
@@ -48,7 +57,7 @@ class RecordedContacts {
   enum class Contact { right, graze, none, elsewhere, parting };
   struct Answer {
     Contact contact;
-    double lo = 0, hi = 0;  // elsewhere: an enclosure of the entry
+    std::optional<Missing> entry;  // elsewhere
   };
   // Whether a collision claimed at t, no earlier than `from`, answers an entry. pass() comes first,
   // up to t.
@@ -70,6 +79,7 @@ class RecordedContacts {
  private:
   struct Carried {
     GapTime entry;
+    Motions motions;      // at the entry: one of the two may have turned since
     bool over = false;    // the two overlap no more
     bool shallow = true;  // never deeper than the rounding
     bool hidden = false;

@@ -63,8 +63,7 @@ bool RecordedPairs::certainly_clear(GenId i, GenId j, double from, const Moment&
          (s_.replay.hit_container(j) && certainly_shallow(i, j, from));
 }
 
-// |offset + w s|^2 - reach^2, s from the time `at`: all rational.
-Contact<Rational> RecordedPairs::contact_at(GenId i, GenId j, const Rational& at) const {
+RecordedContacts::Motions RecordedPairs::motions(GenId i, GenId j, const Rational& at) const {
   const auto site = [&](GenId g) -> MovingSite<Rational> {
     if (g == container_id) {
       return {s_.scene.cx, s_.scene.cy, 0, 0, Rational(-s_.scene.container_radius)};
@@ -72,7 +71,7 @@ Contact<Rational> RecordedPairs::contact_at(GenId i, GenId j, const Rational& at
     const ExactVec2 p = s_.replay.path(g).at(at), v = s_.replay.velocity(g).value();
     return {p[0], p[1], v[0], v[1], s_.scene.disks[g].radius};
   };
-  return {site(i), site(j)};
+  return {at, site(i), site(j)};
 }
 
 RecordedContacts::Lines RecordedPairs::lines(GenId i, GenId j, double adjacent_since) const {
@@ -83,13 +82,17 @@ RecordedContacts::Lines RecordedPairs::lines(GenId i, GenId j, double adjacent_s
   const Rational r_i =
       wall ? Rational(-s_.scene.container_radius) : Rational(s_.scene.disks[i].radius);
   const Rational reach = s_.law.reach(i, j), hidden_reach2 = square(Rational(r_i - r_j));
+  const RecordedContacts::Motions both = motions(i, j, from);
+  // |offset + w s|^2 - reach^2, s from the time `from`: all rational.
+  const Contact<Rational> contact{both.first, both.second};
   return {{i, j},
-          Gap(contact_at(i, j, from), wall, from, reach, hidden_reach2),
+          Gap(contact, wall, from, reach, hidden_reach2),
           from,
           reach,
           rounding(i, j),
           (wall ? s_.replay.hit_container(j) : s_.replay.partners(i, j)) &&
-              from == s_.replay.path(j).since()};
+              from == s_.replay.path(j).since(),
+          both};
 }
 
 // Whether the two, whose paths are at `at` at the claimed time, certainly come into contact within
@@ -136,11 +139,8 @@ void RecordedPairs::check_contact(const CollideEvent& claim, double from, const 
   const Rational t = exact_time(claim);
   const RecordedContacts::Lines on = lines(i, j, from);
   using Contact = RecordedContacts::Contact;
-  RecordedContacts::Answer answer{Contact::elsewhere};
-  if (const auto missing = contacts_.pass(on, t, true)) {
-    answer.lo = missing->lo;
-    answer.hi = missing->hi;
-  } else {
+  RecordedContacts::Answer answer{Contact::elsewhere, contacts_.pass(on, t, true)};
+  if (!answer.entry) {
     // Where flips are not judged, the two are watched for as long as they are on their lines.
     answer = contacts_.answer(s_.options.judges_flips() ? on : lines(i, j, 0), t);
   }
@@ -151,17 +151,16 @@ void RecordedPairs::check_contact(const CollideEvent& claim, double from, const 
       ++s_.certificate.grazes;
       return;
     case Contact::elsewhere: {
+      const RecordedContacts::Missing& entry = *answer.entry;
       const bool near =
-          std::fabs(answer.lo - round_nearest(t)) <= mistimed_tolerances * s_.tolerance_up;
-      if (!near && t > to_rational(answer.hi)) {
-        throw Refuted{refuter_.missing_contact(i, j, answer.lo, answer.hi)};
-      }
+          std::fabs(entry.lo - round_nearest(t)) <= mistimed_tolerances * s_.tolerance_up;
+      if (!near && t > to_rational(entry.hi)) throw Refuted{refuter_.missing_contact(i, j, entry)};
       Divergence d = refuter_.at_claim(
           near ? Fault::wrong_time : Fault::spurious_event,
-          "generators " + text_of(i, j) + " touch " + between(answer.lo, answer.hi));
+          "generators " + text_of(i, j) + " touch " + between(entry.lo, entry.hi));
       d.true_contact = {i, j};
-      d.true_time = {answer.lo, answer.hi};
-      d.witness = contact_witness(s_.motion, i, j, to_rational(answer.lo), to_rational(answer.hi));
+      d.true_time = {entry.lo, entry.hi};
+      d.witness = contact_witness(entry.motions, i, j, entry.lo, entry.hi);
       throw Refuted{d};
     }
     case Contact::parting:

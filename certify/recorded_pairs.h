@@ -41,7 +41,7 @@ class RecordedPairs {
   Rational rounding(GenId i, GenId j) const;
   bool certainly_shallow(GenId i, GenId j, double t) const;
   bool certainly_in_contact(const CollideEvent& claim, double from, const BallPair& at) const;
-  Contact<Rational> contact_at(GenId i, GenId j, const Rational& at) const;
+  RecordedContacts::Motions motions(GenId i, GenId j, const Rational& at) const;
 
   Setting& s_;
   const Front& front_;

@@ -46,6 +46,13 @@ Divergence Refuter::missing_contact(GenId i, GenId j, double lo, double hi) cons
   return d;
 }
 
+Divergence Refuter::missing_contact(GenId i, GenId j,
+                                    const RecordedContacts::Missing& missing) const {
+  Divergence d = missing_contact(i, j, missing.lo, missing.hi);
+  d.witness = contact_witness(missing.motions, i, j, missing.lo, missing.hi);
+  return d;
+}
+
 Divergence Refuter::missing_maneuver(std::size_t k) const {
   const Maneuver& m = s_.scene.maneuvers[k];
   Divergence d;

@@ -6,6 +6,7 @@
 #include "certify/certificate.h"
 #include "certify/claims.h"
 #include "certify/front.h"
+#include "certify/recorded_contacts.h"
 #include "certify/setting.h"
 
 namespace voroproof::internal {
@@ -27,6 +28,8 @@ class Refuter {
   // An event that the history lacks.
   Divergence missing_flip(const Quad& q, const Collapse& root) const;
   Divergence missing_contact(GenId i, GenId j, double lo, double hi) const;
+  // Under the recorded truth, on the lines of then.
+  Divergence missing_contact(GenId i, GenId j, const RecordedContacts::Missing& missing) const;
   // The k-th maneuver of the scene.
   Divergence missing_maneuver(std::size_t k) const;
 

@@ -40,6 +40,16 @@ EvidenceNumber number(const Ball& b) {
   return n;
 }
 
+EvidenceMotion motion_of(GenId g, const Rational& t0, const MovingSite<Rational>& q) {
+  return {g, t0, number(q.x), number(q.y), number(q.vx), number(q.vy), number(q.r)};
+}
+
+// The path of a generator as polynomials in t; its place is that at t0.
+Site<Polynomial<Rational>> path_of(const Rational& t0, const MovingSite<Rational>& q) {
+  return {Polynomial<Rational>{Rational(q.x - q.vx * t0), q.vx},
+          Polynomial<Rational>{Rational(q.y - q.vy * t0), q.vy}, Polynomial<Rational>{q.r}};
+}
+
 // The exact states where they are rational and not too long.
 class Evidence {
  public:
@@ -62,7 +72,7 @@ class Evidence {
   EvidenceMotion motion(GenId g) {
     MovingSite<Rational> q;
     if (rational(g, q)) {
-      return {g, t0_, number(q.x), number(q.y), number(q.vx), number(q.vy), number(q.r)};
+      return motion_of(g, t0_, q);
     }
     const MovingSite<Ball> b = motion_.moving_site(g, Ball(t0_, motion_.goal_bits() + 32));
     return {g, t0_, number(b.x), number(b.y), number(b.vx), number(b.vy), number(b.r)};
@@ -78,8 +88,7 @@ class Evidence {
   bool path(GenId g, Site<Polynomial<Rational>>& out) {
     MovingSite<Rational> q;
     if (!rational(g, q)) return false;
-    out = {Polynomial<Rational>{Rational(q.x - q.vx * t0_), q.vx},
-           Polynomial<Rational>{Rational(q.y - q.vy * t0_), q.vy}, Polynomial<Rational>{q.r}};
+    out = path_of(t0_, q);
     return true;
   }
 
@@ -109,6 +118,15 @@ void locate_contact(Witness& w, const Polynomial<Rational>& f, bool wall) {
   w.root.reset();
 }
 
+// The contact of two on these paths, in the interval that the witness has.
+void add_contact(Witness& w, const Site<Polynomial<Rational>>& a,
+                 const Site<Polynomial<Rational>>& b, bool wall) {
+  const auto dx = b.x - a.x, dy = b.y - a.y, reach = a.r + b.r;
+  const Polynomial<Rational> f = dx * dx + dy * dy - reach * reach;
+  add_polynomial(w, "contact", f);
+  locate_contact(w, f, wall);
+}
+
 }  // namespace
 
 Witness collapse_witness(const Motion& motion, const Quad& q, const Rational& lo,
@@ -134,12 +152,17 @@ Witness contact_witness(const Motion& motion, GenId i, GenId j, const Rational& 
   Witness w = evidence.of({i, j});
   w.root = {lo, hi};
   Site<Polynomial<Rational>> a, b;
-  if (evidence.path(i, a) && evidence.path(j, b)) {
-    const auto dx = b.x - a.x, dy = b.y - a.y, reach = a.r + b.r;
-    const Polynomial<Rational> f = dx * dx + dy * dy - reach * reach;
-    add_polynomial(w, "contact", f);
-    locate_contact(w, f, i == container_id || j == container_id);
-  }
+  if (evidence.path(i, a) && evidence.path(j, b)) add_contact(w, a, b, i == container_id);
+  return w;
+}
+
+Witness contact_witness(const RecordedContacts::Motions& motions, GenId i, GenId j, double lo,
+                        double hi) {
+  const auto& [at, first, second] = motions;
+  Witness w;
+  w.generators = {motion_of(i, at, first), motion_of(j, at, second)};
+  w.root = {to_rational(lo), to_rational(hi)};
+  add_contact(w, path_of(at, first), path_of(at, second), i == container_id);
   return w;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "certify/certificate.h"
+#include "certify/recorded_contacts.h"
 #include "filtered/motion/motion.h"
 
 namespace voroproof::internal {
@@ -14,6 +15,10 @@ Witness collapse_witness(const Motion& motion, const Quad& q, const Rational& lo
 // come into contact then, a time of [lo, hi] at which they overlap.
 Witness contact_witness(const Motion& motion, GenId i, GenId j, const Rational& lo,
                         const Rational& hi);
+
+// The same for two on lines that they may have left since.
+Witness contact_witness(const RecordedContacts::Motions& motions, GenId i, GenId j, double lo,
+                        double hi);
 
 // The generators of a claim alone, near time t.
 Witness motion_witness(const Motion& motion, const std::vector<GenId>& generators,

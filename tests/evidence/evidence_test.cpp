@@ -271,6 +271,32 @@ TEST(Evidence, RootWithoutPolynomialIsSeen) {
   }
 }
 
+// A disk passes through another, and turns before the tolerance is over: the overlap is one of the
+// lines before. With `claimed` the two have a line there for another entry.
+TEST(Evidence, OverlapsBeforeATurnAreConfirmed) {
+  const Scene scene =
+      scene_of(10, to_rational(1.2e-6), {disk(0, 0, 1, 0, 0), disk(4, 0, 1, -2e7, 0)});
+  for (const bool claimed : {false, true}) {
+    ClaimedHistory wrong = claimed_history(scene, run(scene));
+    wrong.events = {
+        CollideEvent{.t = 6.5e-7, .i = container_id, .j = 1, .v = {std::nullopt, Vec2{2e7, 0}}}};
+    if (claimed) {
+      wrong.events.emplace_back(
+          CollideEvent{.t = 7.5e-7, .i = 0, .j = 1, .v = {Vec2{2e7, 0}, Vec2{0, 0}}});
+    }
+    wrong.count();
+    for (const EventKinds events : {EventKinds::all, EventKinds::collisions}) {
+      CertifyOptions options;
+      options.truth = Truth::recorded;
+      options.events = events;
+      const Certificate c = certify(scene, wrong, options);
+      ASSERT_EQ(c.verdict, Verdict::refuted);
+      const EvidenceCheck check = check_evidence(*c.divergence);
+      EXPECT_EQ(check.evidence, Evidence::confirmed) << c.divergence->truth << check.sentence;
+    }
+  }
+}
+
 // An internal error of the program, which names the files to report.
 TEST(Evidence, ContradictionIsAnError) {
   Certificate c;
