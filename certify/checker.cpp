@@ -281,6 +281,7 @@ void Checker::finish() {
                         std::to_string(history.counts().collisions) + " collisions and " +
                         std::to_string(history.counts().maneuvers) + " maneuvers");
   }
+  edges_.require_none_after_left_out();
   const bool left_out = s_.certificate.left_out + pairs_.recorded().contacts().left_out() > 0;
   right_until(left_out ? std::max(0.0, s_.horizon_window_down) : round_down(end));
 }

@@ -144,7 +144,14 @@ bool EdgeLives::left_out(const Moment& m) {
     return false;
   }
   ++s_.certificate.left_out;
+  if (!first_left_out_ || s_.chronology.compare(m, *first_left_out_) < 0) first_left_out_ = m;
   return true;
+}
+
+void EdgeLives::require_none_after_left_out() {
+  if (!first_left_out_ || !last_flip_) return;
+  if (s_.chronology.compare(*first_left_out_, *last_flip_) >= 0) return;
+  throw Undecided("a flip is claimed after one that is left out at the horizon");
 }
 
 EdgeRing::EdgeRing(const Diagram& diagram, Diagram::HalfEdge h) : q(diagram.quad(h)) {

@@ -90,6 +90,13 @@ class EdgeLives {
   // Whether an event at m may be left out: under the recorded truth roundings move what happens
   // within the tolerance of the horizon to either side of it. Counts it.
   bool left_out(const Moment& m);
+  // A claimed flip has been proved at m, no earlier than those before it.
+  void note_flip(const Moment& m) {
+    if (m.hi >= s_.horizon_window_down) last_flip_ = m;
+  }
+  // At the end: no flip is claimed later than a collapse that is left out. From that on the claimed
+  // diagram is another than the true one. Throws Undecided.
+  void require_none_after_left_out();
 
   // Asks for the memory of a life.
   void prefetch(int edge) const { __builtin_prefetch(&lives_[edge]); }
@@ -105,6 +112,7 @@ class EdgeLives {
   std::unordered_map<int, Collapse> due_;  // the roots of edges whose lives are due, and old ones
   std::vector<int> illegal_;               // edges that have to flip at this instant
   std::vector<int> pending_;               // edges whose lives are pending
+  std::optional<Moment> first_left_out_, last_flip_;
   RootlessBatch batch_;
 };
 

@@ -66,6 +66,7 @@ void Flips::flip(const FlipEvent& claim) {
   }
   if (s_.options.truth == Truth::exact && found.own) count_ulps(m, claim.t);
   ++s_.certificate.flips;
+  edges_.note_flip(m);
   const EdgeRing ring(s_.diagram, h);
   order_.note_flip(ring.q);
   pairs_.end(edge, m, PairEnd::flip);

@@ -20,6 +20,7 @@ struct Stop {
   Verdict verdict;
   std::string reason;
   std::int64_t line = 0;
+  bool last = false;  // no rule holds after it, so that no later line is refuted
 };
 [[noreturn]] inline void refute(std::string why) { throw Stop{Verdict::refuted, std::move(why)}; }
 [[noreturn]] inline void undecided(std::string why) {

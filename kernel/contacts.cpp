@@ -109,6 +109,7 @@ class Contacts {
     counts_.unoriented += mirrored;
     walk_.apply(c);
     if (walk_.diagram->adjacent(two.first, two.second)) return;
+    require_no_meeting(two, c.t + slack_);
     end_lines(two, c.t, nullptr);
     followed_[two] = c.t;
     const auto open = open_.find(two);
@@ -177,7 +178,26 @@ class Contacts {
       const bool own = claim != nullptr && Two(claim->id[0], claim->id[1]) == two;
       // Each pair is looked at once: its larger disk does it.
       if ((own || at_end_) && disk == two.first) continue;
+      require_no_meeting(two, t);
       end_lines(two, t, own ? claim : nullptr);
+    }
+  }
+
+  // Two points that meet have no law, and change places at a disk by no flip. Before that they are
+  // neighbours, or both are neighbours of that disk (certificate.md, Lemma 3.31).
+  void require_no_meeting(Two two, const Rat& t) const {
+    const auto require = [&](int i, int j) {
+      if (i == j || p_.radius(j) != 0) return;
+      const Gap g = gap({i, j});
+      const Rat nearest = g.a > 0 ? Rat(g.start - g.b / g.a) : g.start;
+      if (nearest < g.start || nearest > t || g.value(nearest) != 0) return;
+      const std::string why = "points " + std::to_string(i) + " and " + std::to_string(j) + " meet";
+      throw Stop{Verdict::undecided, why, 0, true};
+    };
+    for (const auto& [i, k] : {two, Two(two.second, two.first)}) {
+      if (p_.radius(i) != 0) continue;
+      require(i, k);
+      for (const auto& [a, b] : pairs(k)) require(i, a == k ? b : a);
     }
   }
 

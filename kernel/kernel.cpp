@@ -15,12 +15,13 @@ namespace {
 struct Found {
   Verdict verdict = Verdict::undecided;
   std::int64_t line = 0;
+  bool last = false;
   Counts counts;
   char reason[256] = "a process ended early";
-  // The first refuted claim counts, else the first that is undecided.
+  // The first refuted claim counts, unless no rule holds by then; else the first undecided one.
   auto rank() const {
     const bool refuted = verdict == Verdict::refuted, certified = verdict == Verdict::certified;
-    return std::pair(refuted ? 0 : certified ? 2 : 1, line);
+    return std::pair(refuted || last ? 0 : certified ? 2 : 1, line);
   }
 };
 
@@ -44,6 +45,7 @@ void work(const Problem& p, const std::vector<Part>& parts, std::size_t task, Fo
   }
   std::snprintf(found.reason, sizeof found.reason, "%s", stop.reason.c_str());
   found.verdict = stop.verdict;
+  found.last = stop.last;
 }
 
 // The tasks k, k + jobs, ... in each of several processes.

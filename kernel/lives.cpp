@@ -45,6 +45,9 @@ class Lives {
       if (compare(*births_[k].at, *end) > 0) continue;
       if (const auto found = missed(k, end, last && p_.exact())) unclaimed(k, *found);
     }
+    if (left_out_ && last_flip_ && compare(*left_out_, *last_flip_) < 0) {
+      undecided("a flip is claimed after one that is left out");
+    }
     check_cells(part_.end);
     counts_.fresh_proofs += notes_.fresh_proofs;
   }
@@ -147,6 +150,7 @@ class Lives {
     if (!found || compare(found->at, *end) >= (last ? 1 : 0)) return {};
     if (p_.exact() || compare(found->at, p_.history.horizon - p_.tolerance) < 0) return found;
     ++counts_.horizon_events;
+    if (!left_out_ || compare(found->at, *left_out_) < 0) left_out_ = found->at;
     return {};
   }
 
@@ -205,6 +209,7 @@ class Lives {
       if (const auto missing = missed(e, now)) unclaimed(e, *missing);
     }
     note_order(now);
+    if (!last_flip_ || compare(*now, *last_flip_) > 0) last_flip_ = now;
     walk_.diagram->flip(k);
     for (const int e : near) births_[e] = {now, false, q};
     births_[k] = {now, true, q};
@@ -285,7 +290,8 @@ class Lives {
   std::vector<Birth> births_;
   std::vector<bool> taken_;
   std::size_t first_open_;  // no claim of the part before it is open
-  Shared latest_;
+  Shared latest_, last_flip_;
+  std::optional<Instant> left_out_;  // the first collapse that the horizon leaves out
   Notes notes_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "tests/adversary/wrong_world.h"
 #include "tests/support/scene_run.h"
@@ -133,6 +134,17 @@ std::string words(const std::string& reason) {
   return w.substr(0, 90);
 }
 
+// Whether all velocities and centres are numbers: two points that collide have no normal.
+bool has_numbers(const History& h) {
+  return std::all_of(h.lines.begin(), h.lines.end(), [](const Line& line) {
+    double sum = 0;
+    for (const std::size_t side : {0, 1}) {
+      sum += line.v[side][0] + line.v[side][1] + line.p[side][0] + line.p[side][1];
+    }
+    return std::isfinite(sum);
+  });
+}
+
 void count(Count& c, const Judgement& j) {
   ++c.certifier[static_cast<std::size_t>(j.certifier.verdict)];
   ++c.kernel[static_cast<std::size_t>(j.kernel.verdict)];
@@ -151,7 +163,7 @@ Recipe recipe_of(std::uint64_t seed, std::optional<Family> family, std::optional
   Random random(seed * 0x9e3779b97f4a7c15u + 1);
   Recipe r{.seed = seed};
   const int families = static_cast<int>(Family::count);
-  // A large scene now and then.
+  // A large scene, the last family, now and then.
   r.family = static_cast<Family>(random.integer(0, families - 2));
   if (random.chance(0.003)) r.family = Family::large;
   if (family) r.family = *family;
@@ -188,6 +200,7 @@ std::optional<Made> make(const Recipe& recipe, SceneData scene) {
   if (!result) return std::nullopt;
   made.struck = result->struck;
   if (recipe.fault.kind != FaultKind::none && !made.struck) return std::nullopt;
+  if (!has_numbers(result->history)) return std::nullopt;
   made.history = std::move(result->history);
   made.hints = std::move(result->hints);
   if (recipe.by_engine) {

@@ -187,6 +187,50 @@ void add_resting_point(SceneData& s, Random& random) {
   if (t < s.horizon) s.maneuvers.push_back({t, s.size() - 1, v[0], v[1]});
 }
 
+// Points that meet, at binary numbers: where both graze a disk, where they hit it or the wall, or
+// in the open. Some meet at the horizon, and some where one of them or the disk has a maneuver.
+void add_meeting_points(SceneData& s, Random& random) {
+  s.cx = s.cy = 0;
+  s.radius = 16;
+  const double t = random.chance(0.1) ? 0 : random.integer(1, 8) / 4.0;
+  s.horizon = t == 0 || random.chance(0.4) ? t + random.integer(1, 4) / 2.0 : t;
+  if (t > 0 && random.chance(0.2)) s.horizon = t + random.uniform(-2, 2) * tolerance;
+  const auto quarter = [&] { return random.integer(-4, 4) / 4.0; };
+  const bool wall = random.chance(0.15), open = !wall && random.chance(0.25);
+  const double side = random.chance(0.5) ? 1 : -1, r = wall ? 16 : random.integer(1, 4);
+  DiskData k{static_cast<double>(random.integer(-6, 6)),
+             static_cast<double>(random.integer(-6, 6)),
+             r,
+             quarter(),
+             quarter(),
+             1};
+  if (wall) k = {0, 0, r, 0, 0, 1};
+  const auto place = [&](DiskData d) {
+    d.x -= t * d.vx;
+    d.y -= t * d.vy;
+    s.disks.push_back(d);
+  };
+  if (!wall && !open) place(k);
+  const bool grazes = !wall && random.chance(0.7);
+  for (int n = random.chance(0.2) ? 3 : 2; n > 0; --n) {
+    // The normal at the meeting leads along x, away from the disk.
+    const double along = quarter(), towards = grazes ? 0 : (wall ? 1 : -1) * random.integer(1, 4);
+    place({k.x + side * r, k.y, 0, k.vx + side * towards / 4, k.vy + along, 1});
+  }
+  if (random.chance(0.3)) {
+    s.maneuvers.push_back({t, random.integer(0, s.size() - 1), quarter(), quarter()});
+  }
+  for (int attempt = 0, more = s.size() + random.integer(0, 3); attempt < 50; ++attempt) {
+    const DiskData d{static_cast<double>(random.integer(-12, 12)),
+                     static_cast<double>(random.integer(-12, 12)),
+                     random.integer(0, 4) / 2.0,
+                     quarter(),
+                     quarter(),
+                     1};
+    if (s.size() < more && is_free(s, d, 0.25)) s.disks.push_back(d);
+  }
+}
+
 }  // namespace
 
 SceneData scene_of(Family family, Random& random) {
@@ -333,6 +377,9 @@ SceneData scene_of(Family family, Random& random) {
                 [](const ManeuverData& a, const ManeuverData& b) { return a.t < b.t; });
       break;
     }
+    case Family::meeting:
+      add_meeting_points(s, random);
+      break;
     case Family::count:
       break;
   }

@@ -63,10 +63,43 @@ Sites Motion::sites_at(Wide t) const {
   return sites;
 }
 
-std::vector<Overlap> Motion::overlaps(int i, int j, Wide end) const {
+template <class Visit>
+void Motion::on_lines(int i, int j, Wide end, const Visit& visit) const {
   const std::vector<Piece> alone{container()};
   const std::vector<Piece>& first = i < 0 ? alone : paths[static_cast<std::size_t>(i)].pieces();
   const std::vector<Piece>& second = paths[static_cast<std::size_t>(j)].pieces();
+  std::size_t a = 0, b = 0;
+  Wide since = 0;
+  while (since < end) {
+    while (a + 1 < first.size() && first[a + 1].since <= since) ++a;
+    while (b + 1 < second.size() && second[b + 1].since <= since) ++b;
+    Wide until = end;
+    if (a + 1 < first.size() && first[a + 1].since < until) until = first[a + 1].since;
+    if (b + 1 < second.size() && second[b + 1].since < until) until = second[b + 1].since;
+    visit(first[a], second[b], since, until);
+    since = until;
+  }
+}
+
+bool Motion::points_meet(Wide end) const {
+  bool meet = false;
+  const int n = static_cast<int>(paths.size());
+  for (int i = 0; i < n; ++i) {
+    for (int j = i + 1; j < n; ++j) {
+      if (reach(i, j) != 0) continue;
+      on_lines(i, j, end, [&](const Piece& a, const Piece& b, Wide since, Wide until) {
+        if (a.since > 0 || b.since > 0) return;
+        const Gap g = gap(i, a, b, since, 0);
+        const Wide nearest = g.a > 0 ? -g.b / g.a : Wide(0);
+        meet |= nearest >= 0 && nearest <= until - since &&
+                (g.a > 0 ? g.a * g.c == g.b * g.b : g.c == 0);
+      });
+    }
+  }
+  return meet;
+}
+
+std::vector<Overlap> Motion::overlaps(int i, int j, Wide end) const {
   const Wide r = reach(i, j);
   const Wide hair =
       (std::fabs(scene->cx) + std::fabs(scene->cy) + scene->radius) * static_cast<Wide>(1e-30);
@@ -80,15 +113,8 @@ std::vector<Overlap> Motion::overlaps(int i, int j, Wide end) const {
       found.push_back({from, to, false, depth});
     }
   };
-  std::size_t a = 0, b = 0;
-  Wide since = 0;
-  while (since < end) {
-    while (a + 1 < first.size() && first[a + 1].since <= since) ++a;
-    while (b + 1 < second.size() && second[b + 1].since <= since) ++b;
-    Wide until = end;
-    if (a + 1 < first.size() && first[a + 1].since < until) until = first[a + 1].since;
-    if (b + 1 < second.size() && second[b + 1].since < until) until = second[b + 1].since;
-    const Gap g = gap(i, first[a], second[b], since, r);
+  on_lines(i, j, end, [&](const Piece& a, const Piece& b, Wide since, Wide until) {
+    const Gap g = gap(i, a, b, since, r);
     const Wide span = until - since;
     const auto depth_at = [&](Wide t) {
       const Wide value = g(t);
@@ -111,8 +137,7 @@ std::vector<Overlap> Motion::overlaps(int i, int j, Wide end) const {
       const Wide middle = std::clamp(-g.b / g.a, lo, hi);
       note(since + lo, since + hi, depth_at(middle));
     }
-    since = until;
-  }
+  });
   if (!found.empty() && found.back().to >= end) found.back().open = true;
   return found;
 }

@@ -73,6 +73,14 @@ struct Motion {
   Piece container() const { return {0, {scene->cx, scene->cy}, {0, 0}}; }
   Sites sites_at(Wide t) const;
   std::vector<Overlap> overlaps(int i, int j, Wide end) const;
+  // Whether two points that have not turned have one place at some time up to `end`: no history of
+  // that is certified. (Their lines are those of the scene, so that nothing has been rounded.)
+  bool points_meet(Wide end) const;
+
+ private:
+  // Calls visit(a, b, since, until) for each span of time in which i and j are on the lines a, b.
+  template <class Visit>
+  void on_lines(int i, int j, Wide end, const Visit& visit) const;
 };
 
 }  // namespace voroproof::internal::adversary

@@ -53,6 +53,7 @@ class TrueMotion {
     for (std::size_t k = 0; k < lines_.size(); ++k) judge_line(k);
     if (finding_ == Finding::wrong) return wrong(why_);
     if (const auto o = overlaps()) return *o;
+    if (motion_.points_meet(history_.horizon)) return wrong("points meet, which has no law");
     const Opinion diagrams = judge_diagrams(motion_, history_, history_.horizon, turns_, hints);
     return diagrams.finding != Finding::right ? diagrams : Opinion{finding_, why_};
   }

@@ -56,9 +56,12 @@ class Recorded {
         }
       }
     }
+    // What may be left out after that may be what makes them neighbours.
+    const Wide certain = history_.horizon - 1.01 * tolerance;
+    if (motion_.points_meet(certain)) return wrong("points meet, which has no law");
     looks_.insert(looks_.end(), hints.begin(), hints.end());
     const Opinion diagrams =
-        judge_diagrams(motion_, history_, history_.horizon - 1.01 * tolerance, turns_, looks_);
+        judge_diagrams(motion_, history_, static_cast<double>(certain), turns_, looks_);
     return diagrams.finding == Finding::right ? opinion_ : diagrams;
   }
 

@@ -91,6 +91,36 @@ TEST(Rules, FlipsBeforeTheHorizonLeftOut) {
   judge_at_the_horizon(1e-7, true, &Certificate::left_out);
 }
 
+// Rule 3.32: two edges far from each other flip one shortly after the other, both within the
+// tolerance of the horizon. From a flip that is left out on the claimed diagram is another than the
+// true one, so that a later flip is not proved.
+TEST(Rules, NoFlipAfterOneThatIsLeftOut) {
+  std::vector<DiskInput> disks;
+  for (const auto& [x, y] : {std::pair(-20.0, -4.0), std::pair(20.5, -3.9999999)}) {
+    for (const DiskInput& d : {disk(x, 5, 1, 0, 0, 1), disk(x + 5, 0, 1, 0, 0, 1),
+                               disk(x - 5, 0, 1, 0, 0, 1), disk(x, y, 1, 0, -1, 1)}) {
+      disks.push_back(d);
+    }
+  }
+  const Scene scene = scene_of(50, 1.0000005, disks);
+  const ClaimedHistory whole = claimed_history(scene, run(scene));
+  const std::size_t n = whole.events.size();
+  ASSERT_GE(n, 2u);
+  ASSERT_GT(time(whole.events[n - 2]), 0.99999999);
+  // Of the last two flips, which are claimed.
+  for (const auto& [first, second] : {std::pair(true, true), std::pair(true, false),
+                                      std::pair(false, false), std::pair(false, true)}) {
+    ClaimedHistory h = whole;
+    if (!second) h.events.pop_back();
+    if (!first) h.events.erase(h.events.begin() + static_cast<std::ptrdiff_t>(n) - 2);
+    h.count();
+    const Certificate c = judged(scene, h, Truth::recorded);
+    EXPECT_EQ(c.verdict, second && !first ? Verdict::undecided : Verdict::certified)
+        << told(scene, h, c);
+    EXPECT_EQ(c.left_out, (first ? 0 : 1) + (second ? 0 : 1));
+  }
+}
+
 // Rule 3.16: a disk is hit from both sides, one after the other, within the tolerance. Whoever
 // reads the lines in another order takes another velocity for its last one.
 TEST(Rules, TurnsOfOneDiskAreNotExchanged) {

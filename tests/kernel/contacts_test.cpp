@@ -28,6 +28,44 @@ TEST(KernelContacts, TinyDisksThatStayInEachOther) {
   expect(Verdict::refuted, scene_of(two, "3", ",\"restitution\":0"), {t + R"("v":[[0,0],[0,0]]})"});
 }
 
+// Two points that graze a disk from two sides meet there at t = 1: before that all is right, and
+// from then on nothing is decided, whatever the edges do.
+TEST(KernelContacts, PointsThatMeetAtADisk) {
+  const std::string scenes = disk("-1", "0", "0", "1", "0") + "," + disk("1", "0", "0", "-1", "0") +
+                             "," + disk("0", "2", "2", "0", "0") + "," +
+                             disk("0", "7", "0.5", "0", "0");
+  const std::string initial =
+      "[[-1,0,2,2],[-1,1,2,2],[-1,2,0,3],[-1,2,1,0],[-1,2,3,1],[-1,3,2,2],[0,2,-1,-1],"
+      "[1,2,-1,-1],[2,3,-1,-1]]";
+  for (const Truth truth : {Truth::recorded, Truth::exact}) {
+    EXPECT_EQ(verdict(scene_of(scenes, "0.5"), {}, truth, "0.5", initial), Verdict::certified);
+    for (const std::string horizon : {"1", "1.5", "3"}) {
+      EXPECT_EQ(verdict(scene_of(scenes, horizon), {}, truth, horizon, initial),
+                Verdict::undecided);
+    }
+    const std::string turned =
+        scene_of(scenes, "3", R"(,"maneuvers":[{"t":1,"disk":0,"velocity":[1,-1]}])");
+    EXPECT_EQ(verdict(turned, {R"({"t":1,"maneuver":0,"v":[1,-1]})"}, truth, "3", initial),
+              Verdict::undecided);
+  }
+}
+
+// Two points that meet as neighbours, in the open and at the wall.
+TEST(KernelContacts, PointsThatMeet) {
+  const std::string open =
+      scene_of(disks(disk("-1", "0", "0", "1", "0"), disk("1", "0", "0", "-1", "0")), "1");
+  const std::string wall =
+      scene_of(disks(disk("49", "-1", "0", "1", "1"), disk("49", "1", "0", "1", "-1")), "1");
+  for (const Truth truth : {Truth::recorded, Truth::exact}) {
+    EXPECT_EQ(verdict(open, {}, truth, "1"), Verdict::undecided);
+    EXPECT_EQ(verdict(wall,
+                      {R"({"t":1,"collide":[-1,0],"v":[null,[-1,1]]})",
+                       R"({"t":1,"collide":[-1,1],"v":[null,[-1,-1]]})"},
+                      truth, "1"),
+              Verdict::undecided);
+  }
+}
+
 // Claimed late, without restitution: what they have come into each other stays.
 TEST(KernelContacts, AnsweredAndOn) {
   const std::string scene =

@@ -53,5 +53,36 @@ TEST(KernelOrder, NoTurnAfterAFlipOfTheSameInstant) {
   }
 }
 
+// Two such circles far from each other, whose edges flip one shortly after the other, and both
+// within the tolerance of the horizon. The last one may be left out. After the first one the
+// diagram is another than the claimed one, so that a flip which is told without it is not proved.
+TEST(KernelOrder, NoFlipAfterOneThatIsLeftOut) {
+  const auto four = [](const std::string& west, const std::string& middle, const std::string& east,
+                       const std::string& y) {
+    return disk(middle, "5", "1", "0", "0") + "," + disk(east, "0", "1", "0", "0") + "," +
+           disk(west, "0", "1", "0", "0") + "," + disk(middle, y, "1", "0", "-1");
+  };
+  const std::string horizon = "1.0000005";
+  const std::string scene = scene_of(
+      four("-25", "-20", "-15", "-4") + "," + four("15.5", "20.5", "25.5", "-3.9999999"), horizon);
+  const std::string initial =
+      "[[-1,0,2,4],[-1,1,6,3],[-1,2,3,0],[-1,3,1,2],[-1,4,0,5],[-1,5,4,7],[-1,6,7,1],[-1,7,5,6],"
+      "[0,1,3,6],[0,2,-1,3],[0,3,2,1],[0,4,6,-1],[0,6,1,4],[1,3,0,-1],[1,6,-1,0],[2,3,-1,0],"
+      "[4,5,7,-1],[4,6,0,7],[4,7,6,5],[5,7,4,-1],[6,7,-1,4]]";
+  const std::vector<std::string> before = {R"({"t":0.20258607730012068,"flip":[-1,1,6,3]})",
+                                           R"({"t":0.20258616191226472,"flip":[-1,6,7,3]})"};
+  const std::string first = R"({"t":1,"flip":[0,3,2,1]})";
+  const std::string second = R"({"t":1.0000000999999998,"flip":[4,7,6,5]})";
+  const auto judged = [&](const std::vector<std::string>& last) {
+    std::vector<std::string> claims = before;
+    claims.insert(claims.end(), last.begin(), last.end());
+    return verdict(scene, claims, Truth::recorded, horizon, initial);
+  };
+  EXPECT_EQ(judged({first, second}), Verdict::certified);
+  EXPECT_EQ(judged({first}), Verdict::certified);
+  EXPECT_EQ(judged({}), Verdict::certified);
+  EXPECT_EQ(judged({second}), Verdict::undecided);
+}
+
 }  // namespace
 }  // namespace voroproof_kernel

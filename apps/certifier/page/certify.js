@@ -93,12 +93,12 @@ class Certification {
     }
   }
 
-  // The first refuted line counts, else the first that is undecided.
+  // The first refuted line counts, unless no rule holds by then; else the first that is undecided.
   runTasks() {
     const { problem } = this, checks = [new ContactCheck(problem, this.counts)];
     if (problem.disks >= 2) for (const part of partsOf(problem)) checks.push(new LifeCheck(problem, part, this.counts));
     let first = null;
-    const rank = (stop) => (stop.verdict === "REFUTED" ? 0 : 1);
+    const rank = (stop) => (stop.verdict === "REFUTED" || stop.isLast ? 0 : 1);
     for (let k = 0; k < checks.length; ++k) {
       const check = checks[k];
       checks[k] = null;  // its diagram takes room

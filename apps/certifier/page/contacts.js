@@ -120,6 +120,7 @@ class ContactCheck {
     if (isMirrored) ++this.counts.unoriented;
     this.walk.apply(claim);
     if (this.walk.diagram.adjacent(l, r)) return;
+    this.requireNoMeeting(two, claim.t.plus(this.slack));
     this.endLines(two, claim.t, null);
     const key = this.key(two), overlap = this.open.get(key);
     this.followed.set(key, claim.t);
@@ -182,8 +183,26 @@ class ContactCheck {
       const isOwn = claim !== null && claim.ids[0] === two[0] && claim.ids[1] === two[1];
       // Each pair is looked at once: its larger disk does it.
       if ((isOwn || this.atEnd) && disk === two[0]) continue;
+      this.requireNoMeeting(two, t);
       this.endLines(two, t, isOwn ? claim : null);
     }
+  }
+
+  // Two points that meet have no law, and change places at a disk by no flip. Before that they are neighbours, or
+  // both are neighbours of that disk.
+  requireNoMeeting([i, j], t) {
+    for (const [point, other] of [[i, j], [j, i]]) {
+      if (this.problem.radius(point).sign !== 0) continue;
+      const around = this.pairs(other).map(([a, b]) => (a === other ? b : a));
+      for (const g of [other, ...around]) this.requireApart(point, g, t);
+    }
+  }
+
+  requireApart(i, j, t) {
+    if (i === j || this.problem.radius(j).sign !== 0) return;
+    const gap = this.gap([i, j]), time = gap.a.sign > 0 ? gap.nearest : gap.start;
+    if (time.less(gap.start) || t.less(time) || gap.value(time).sign !== 0) return;
+    throw new Stop("UNDECIDED", `points ${i} and ${j} meet`, { witness: { t: time, pair: [i, j] }, isLast: true });
   }
 
   // The overlaps on the whole lines, as pairs of instants.

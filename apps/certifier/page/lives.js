@@ -38,6 +38,8 @@ class LifeCheck {
     this.notes = new Notes();
     this.taken = new Uint8Array(part.end - part.first);
     this.firstOpen = part.first;  // no claim of the part before it waits
+    this.lastFlip = null;
+    this.leftOut = null;  // the first collapse that the horizon leaves out
   }
 
   run(progress) {
@@ -66,6 +68,9 @@ class LifeCheck {
       if (birth.at.against(end) > 0) return;
       this.requireNoCollapse(k, end, isLast && problem.isExact);
     });
+    if (this.leftOut && this.lastFlip && this.leftOut.against(this.lastFlip) < 0) {
+      undecided("a flip is claimed after one that is left out", { t: this.leftOut.drawn() });
+    }
     this.checkCells(part.to);
   }
 
@@ -181,6 +186,7 @@ class LifeCheck {
         { t: found.at.drawn(), quad });
     }
     ++this.counts.horizonEvents;
+    if (!this.leftOut || found.at.against(this.leftOut) < 0) this.leftOut = found.at;
   }
 
   flip(number) {
@@ -206,6 +212,7 @@ class LifeCheck {
     this.checkFlip(this.walk.edge(k), found, now, isSimple, witness);
     for (const e of near) this.requireNoCollapse(e, now);
     this.noteOrder(now);
+    if (!this.lastFlip || now.against(this.lastFlip) > 0) this.lastFlip = now;
     this.walk.diagram.flip(k);
     for (const e of near) this.births[e] = new Birth(now, edge.quad);
     this.births[k] = new Birth(now, edge.quad, true);

@@ -2,13 +2,15 @@
 // How a verdict ends the work.
 
 // `line` is that of the history, from 1, or 0; `file`, `fileLine` and `field` say where a file is not of its
-// format; `witness` says what a drawing of the fault shows.
+// format; `witness` says what a drawing of the fault shows; `isLast` says that no rule holds after it, so that no
+// later line is refuted.
 class Stop extends Error {
   constructor(verdict, reason, more = {}) {
     super(reason);
     this.verdict = verdict;
     this.reason = reason;
     this.line = 0;
+    this.isLast = false;
     Object.assign(this, more);
   }
 }
