@@ -14,7 +14,9 @@ namespace voroproof::internal {
 namespace {
 
 constexpr std::size_t kLongestLine = std::size_t{1} << 16;
+constexpr std::size_t kLongestRemark = 1000;
 constexpr std::string_view kBlanks = " \t\r";
+constexpr std::string_view kRemark = "# remark:";
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(kBlanks);
@@ -41,6 +43,7 @@ class TableReader {
   GivenPaths read() {
     while (const auto line = lines_.next(kLongestLine)) {
       const std::string_view text = trimmed(*line);
+      if (text.starts_with(kRemark)) take_remark(text.substr(kRemark.size()));
       if (text.empty() || text.front() == '#') continue;
       if (columns_.empty()) {
         take_heading(cells(text));
@@ -53,6 +56,12 @@ class TableReader {
   }
 
  private:
+  // What whoever made the table says of it: repeated wherever something is said of the paths.
+  void take_remark(std::string_view text) {
+    if (read_.remarks.size() == max_remarks) fail("remark", "too many");
+    read_.remarks.push_back(printable(trimmed(text), kLongestRemark));
+  }
+
   void take_heading(const std::vector<std::string>& names) {
     for (std::size_t k = 0; k < names.size(); ++k) {
       const bool known = names[k] == "disk" || names[k] == "t" || names[k] == "x" ||

@@ -30,10 +30,11 @@ struct GivenPaths {
 };
 
 inline constexpr std::size_t max_waypoints = 20'000'000;
+inline constexpr std::size_t max_remarks = 100;
 
 // Reads a file of either kind: XML where its first character but for white space is '<', else a
 // table. Numbers are exact: a decimal means what it says. `radius`: of all disks whose radius the
-// file does not give. Throws InputError.
+// file does not give. Lines "# remark: ..." of a table are among the remarks. Throws InputError.
 GivenPaths read_paths(const std::string& path, const std::optional<Rational>& radius);
 
 // The two kinds, of bytes in memory; `file` is for messages. Throw InputError.

@@ -54,6 +54,16 @@ TEST_F(PathsFile, NumbersOfATableAreExact) {
   EXPECT_TRUE(read("disk,t,x,y\n").paths.empty());
 }
 
+TEST_F(PathsFile, RemarksOfATable) {
+  const GivenPaths g = read(
+      "# remark: walls are left out \r\n# no remark\n#remark: nor this\ndisk,t,x,y\na,0,0,0\n"
+      "# remark: \x1b[1m\n");
+  EXPECT_EQ(g.remarks, (std::vector<std::string>{"walls are left out", "\\x1b[1m"}));
+  std::string many = "disk,t,x,y\n";
+  for (std::size_t k = 0; k <= max_remarks; ++k) many += "# remark: a\n";
+  refused(many, static_cast<std::int64_t>(max_remarks) + 2, "remark");
+}
+
 TEST_F(PathsFile, BrokenTables) {
   refused("", 0, "");
   refused("disk,t,x\n", 1, "y");

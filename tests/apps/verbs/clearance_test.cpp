@@ -25,6 +25,18 @@ TEST_F(CertifyCli, ClearanceOfATable) {
   EXPECT_EQ(json("o.json")["approaches"][0]["least"]["t"], 1);
 }
 
+// What a table says of itself is said wherever something is said of its paths.
+TEST_F(CertifyCli, RemarksOfATableAreRepeated) {
+  const std::string table =
+      written("r.csv", "# remark: walls are left out\ndisk,t,x,y,radius\na,0,0,0,1\na,1,0,1,1\n");
+  EXPECT_EQ(
+      must({"clearance", table, "-o", file("o.json")}).out,
+      std::string(kInterpolation) + "c walls are left out\nc no two disks are there at one time\n");
+  EXPECT_EQ(json("o.json")["remarks"][1], "walls are left out");
+  const std::string told = must({"convert", table, "-o", file("r.scene.json")}).out;
+  EXPECT_NE(told.find("\nwalls are left out\n"), std::string::npos) << told;
+}
+
 // The scene of given paths meets their waypoints exactly, at times that are no binary64.
 TEST_F(CertifyCli, ScenesOfPaths) {
   const std::string table = written(
