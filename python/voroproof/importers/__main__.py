@@ -1,0 +1,128 @@
+"""The command: python3 -m voroproof.importers FORMAT FILE -o TABLE."""
+
+import argparse
+import os
+import sys
+from fractions import Fraction
+from typing import Any, Callable, Dict, List
+
+from ..errors import InputError, OutputError
+from . import ais, boxes, bluesky, geography, gsd_file, jupedsim, lammps_data, lammps_dump, numbers
+
+BAD_INPUT, INTERNAL, MEMORY, INTERRUPTED = 2, 4, 5, 6  # as the program's
+
+
+def positive(text: str) -> Fraction:
+    value = number(text)
+    if value <= 0:
+        raise argparse.ArgumentTypeError("not positive")
+    return value
+
+
+def not_negative(text: str) -> Fraction:
+    value = number(text)
+    if value < 0:
+        raise argparse.ArgumentTypeError("negative")
+    return value
+
+
+def number(text: str) -> Fraction:
+    try:
+        return numbers.decimal(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
+
+
+def origin(text: str) -> geography.Projection:
+    parts = text.split(",")
+    if len(parts) != 2:
+        raise argparse.ArgumentTypeError("not LATITUDE,LONGITUDE")
+    try:
+        return geography.Projection(number(parts[0]), number(parts[1]))
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
+
+
+def columns(text: str) -> Dict[str, str]:
+    named = {}
+    for pair in text.split(","):
+        what, equals, name = pair.partition("=")
+        if not equals or what not in ais.KNOWN or not name or what in named:
+            raise argparse.ArgumentTypeError(f"not as in id=ship,time=when,lat=y,lon=x, with {', '.join(ais.KNOWN)}")
+        named[what] = name
+    return named
+
+
+OPTIONS: Dict[str, Dict[str, Any]] = {
+    "radius": dict(type=not_negative, metavar="R", help="the radius of every disk; without it those of the file"),
+    "timestep": dict(type=positive, metavar="DT", help="how long a step takes; without it t is counted in steps"),
+    "periodic": dict(choices=[boxes.UNWRAP, boxes.AS_IS], help="how coordinates of a periodic box are taken: "
+                     "unwrapped by image flags, or as they stand, where no disk crosses a side"),
+    "flatten": dict(action="store_true", help="leave heights out where they differ"),
+    "style": dict(choices=list(lammps_data.STYLES), help="the atom style, where the file does not say it"),
+    "until": dict(type=positive, metavar="T", help="the end of motion"),
+    "origin": dict(type=origin, metavar="LAT,LON", help="the point about which the Earth is taken for a plane"),
+    "columns": dict(type=columns, metavar="WHAT=NAME,...", help="the names of columns: id, time, lat, lon"),
+    "longest_gap": dict(type=positive, metavar="S", help="cut a track where it has no message for so many seconds"),
+}
+
+READERS = {
+    lammps_dump: ("text dumps of LAMMPS (atom, custom)", ["radius", "timestep", "periodic", "flatten"]),
+    lammps_data: ("data files of LAMMPS", ["radius", "style", "until", "flatten"]),
+    gsd_file: ("GSD files of HOOMD-blue", ["radius", "timestep", "periodic", "flatten"]),
+    jupedsim: ("SQLite trajectories of JuPedSim", ["radius"]),
+    bluesky: ("scenarios of BlueSky (.scn)", ["radius", "origin", "until"]),
+    ais: ("tables of AIS messages", ["radius", "columns", "origin", "longest_gap"]),
+}
+
+
+def parser() -> argparse.ArgumentParser:
+    top = argparse.ArgumentParser(
+        prog="python3 -m voroproof.importers", allow_abbrev=False,
+        description="Make tables of waypoints, which voroproof clearance and convert read, of other programs' files. "
+        "What the file cannot say is said, and stands in the table.")
+    formats = top.add_subparsers(metavar="FORMAT", required=True)
+    for module, (what, options) in READERS.items():
+        one = formats.add_parser(module.NAME, help=what, description=what, allow_abbrev=False)
+        one.add_argument("file", metavar="FILE", help='"-" is standard input, where the format is text')
+        one.add_argument("-o", "--output", required=True, metavar="TABLE", help='"-" is standard output')
+        for name in options:
+            spelled = "atom-style" if name == "style" else name.replace("_", "-")
+            one.add_argument("--" + spelled, dest=name, **OPTIONS[name])
+        one.set_defaults(read=module.read, options=options)
+    return top
+
+
+def run(arguments: List[str]) -> int:
+    given = parser().parse_args(arguments)
+    if given.file != "-" and os.path.exists(given.output) and os.path.exists(given.file) and os.path.samefile(
+            given.file, given.output):
+        raise OutputError(f"{given.output}: would replace the file that is read")
+    reader: Callable[..., Any] = given.read
+    table = reader(given.file, **{name: getattr(given, name) for name in given.options})
+    table.write(given.output)
+    beside = sys.stderr if given.output == "-" else sys.stdout
+    print("\n".join(table.summary()), file=beside)
+    return 0
+
+
+def main() -> int:
+    def complain(code: int, reason: object) -> int:
+        print(f"voroproof.importers: {reason}", file=sys.stderr)
+        return code
+    try:
+        return run(sys.argv[1:])
+    except (InputError, OutputError) as error:
+        return complain(BAD_INPUT, error)
+    except OSError as error:  # of the file of rows that grows meanwhile
+        return complain(BAD_INPUT, f"temporary file: {error.strerror or error}")
+    except MemoryError:
+        return complain(MEMORY, "out of memory")
+    except KeyboardInterrupt:
+        return complain(INTERRUPTED, "interrupted")
+    except Exception as error:  # the last resort: one line, and its own code
+        return complain(INTERNAL, f"internal error: {type(error).__name__}: {error}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

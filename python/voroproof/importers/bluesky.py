@@ -1,0 +1,318 @@
+"""Scenarios of the air traffic simulator BlueSky, as plans: straight flight at constant speed.
+
+Followed are CRE, ADDWPT and DEST with places in degrees or of DEFWPT, HDG, SPD, DEL and CASMACHTHR. Whoever
+flies by another command is followed up to there.
+"""
+
+import math
+from collections import Counter
+from fractions import Fraction
+from typing import Dict, Iterator, List, Optional, Tuple
+
+from . import geography, numbers, scenario
+from .faults import Refused, printable
+from .lines import Lines
+from .scenario import Command, argument
+from .table import Place, Table
+
+NAME = "bluesky"
+TIME_PLACES = 6  # of seconds: the times at waypoints are rounded to these
+# Commands of an aircraft that leave its way over ground as it is, or as if it were (heights).
+HARMLESS = {"ALT", "VS", "ORIG", "TYPE", "COLOR", "COLOUR", "LABEL", "PAN", "POS", "SSD", "TRAIL", "TRAILS", "ECHO"}
+TURNS = {"FLYBY", "FLYOVER", "FLYTURN"}
+
+
+class _Aircraft:
+    """One that is there from its creation until `ended`; `rows` are its waypoints so far."""
+
+    def __init__(self, line: int, t: Fraction, at: Place, heading: Fraction, height: "scenario.Decimal",
+                 speed: Fraction):
+        self.line = line
+        self.t, self.at = t, at
+        self.height = height
+        self.speed = speed
+        self.turn(heading)
+        self.route: List[Optional[Tuple[Place, Optional[Fraction]]]] = []  # None: it goes on to where nobody knows
+        self.goal: Optional[Place] = None  # where it goes after its route
+        self.goal_unknown = False          # it goes on to a place that has a name only
+        self.ended = self.cut = False
+        self.rows: List[Tuple[Fraction, Place]] = [(t, at)]
+
+    def turn(self, heading: Fraction) -> None:
+        self.direction = geography.sine_and_cosine(heading)
+
+    def note(self) -> None:
+        """Makes where it is a waypoint."""
+        if self.rows[-1][0] < self.t:
+            self.rows.append((self.t, self.at))
+
+    def end(self, cut: bool) -> None:
+        self.note()
+        self.ended, self.cut = True, cut
+
+    def fly(self, until: Optional[Fraction]) -> None:
+        """Until a time, or to the end of its route."""
+        while not self.ended and self.has_way(until):
+            if self.route[0] is None:
+                self.end(cut=True)
+                return
+            (target, next_speed), arrival = self.route[0], self.arrival()
+            if until is not None and (arrival is None or arrival > until):
+                self.go(target, arrival, until)
+                return
+            if arrival is None:
+                raise Refused("SPD", "it stands still on its route, and no --until is given")
+            self.t, self.at = arrival, target
+            self.note()
+            self.speed = self.speed if next_speed is None else next_speed
+            if self.route.pop(0) == (self.goal, None):
+                self.goal = None
+            if not self.route and self.goal is None:
+                self.end(cut=self.goal_unknown)
+        if self.goal_unknown and not self.ended and (until is None or until > self.t):
+            self.end(cut=True)
+        if self.ended:
+            return
+        if until is None:
+            raise Refused("HDG", "it flies on a heading for ever: give --until")
+        speed = [numbers.rounded(geography.as_decimal(self.speed) * part, geography.PLACES) for part in self.direction]
+        self.at = (self.at[0] + speed[0] * (until - self.t), self.at[1] + speed[1] * (until - self.t))
+        self.t = until
+
+    def has_way(self, until: Optional[Fraction]) -> bool:
+        """Whether a place is next; its goal is, when it flies on without another."""
+        if not self.route and self.goal is not None and (until is None or until > self.t):
+            self.route.append((self.goal, None))
+        return bool(self.route)
+
+    def insert(self, target: Place, speed: Optional[Fraction]) -> None:
+        """A place before the goal."""
+        if self.route == [(self.goal, None)]:
+            self.route.clear()
+        if not self.route:
+            self.note()
+        self.route.append((target, speed))
+
+    def arrival(self) -> Optional[Fraction]:
+        """At the next waypoint; None for one that stands still elsewhere."""
+        (x, y), _ = self.route[0]
+        square = (x - self.at[0])**2 + (y - self.at[1])**2
+        if square == 0:
+            return self.t
+        if self.speed == 0:
+            return None
+        # Rounded up, so that it is later.
+        scale = 10**TIME_PLACES
+        return self.t + Fraction(math.isqrt(int(square * scale**2 / self.speed**2)) + 1, scale)
+
+    def go(self, target: Place, arrival: Optional[Fraction], until: Fraction) -> None:
+        if arrival is not None and until > self.t:
+            part = (until - self.t) / (arrival - self.t)
+            self.at = tuple(Fraction(round((a + part * (b - a)) * 10**geography.PLACES), 10**geography.PLACES)
+                            for a, b in zip(self.at, target))
+        self.t = max(until, self.t)
+
+
+class _Reader:
+    def __init__(self, path: str, radius: Optional[Fraction], origin: Optional[geography.Projection],
+                 until: Optional[Fraction]):
+        self.lines = Lines(path)
+        self.radius = radius
+        self.plane = origin
+        self.until = until
+        self.fleet: Dict[str, _Aircraft] = {}
+        self.latitudes: List[Fraction] = []
+        self.left_out: List[str] = []
+        self.not_followed: Counter = Counter()
+        self.mach_below = Fraction(2)
+        self.points: Dict[str, Tuple[Fraction, Fraction]] = {}  # of DEFWPT
+
+    def read(self) -> Table:
+        read = scenario.read(self.lines)
+        self.choose_plane(read.commands)
+        for command in read.commands:
+            if self.until is None or command.t <= self.until:
+                self.obey(command)
+        table = Table(self.radius is not None)
+        for name, aircraft in self.fleet.items():
+            self.finish(table, name, aircraft)
+        if len(table) == 0:
+            self.lines.number = 0
+            self.lines.fail("CRE", "of no aircraft a motion is known in degrees, feet and knots")
+        table.remarks += self.remarks(read.ignored)
+        return table
+
+    def choose_plane(self, commands: List[Command]) -> None:
+        created = []
+        for command in commands:
+            if command.words[0] == "CRE" and len(command.words) > 4:
+                try:
+                    created.append((scenario.latitude(command.words[3]), scenario.longitude(command.words[4])))
+                except ValueError:
+                    pass
+        if not created:
+            self.lines.number = 0
+            self.lines.fail("CRE", "no aircraft is created at a place in degrees")
+        if self.plane is None:
+            self.plane = geography.around([latitude for latitude, _ in created], created[0][1])
+
+    def obey(self, command: Command) -> None:
+        words = command.words
+        if words[0] in self.fleet and len(words) > 1:
+            words = [words[1], words[0], *words[2:]]
+        name = argument(words, 1)
+        if words[0] == "CRE":
+            self.create(command)
+        elif words[0] == "DEFWPT" and self.define(words):
+            pass
+        elif words[0] == "CASMACHTHR":
+            try:
+                self.mach_below = numbers.decimal(argument(words, 1) or "")
+            except ValueError as error:
+                self.lines.number = command.line
+                self.lines.fail("CASMACHTHR", str(error))
+        elif name in self.fleet and not self.fleet[name].ended and words[0] not in HARMLESS:
+            aircraft = self.fleet[name]
+            self.fly(name, aircraft, command.t)
+            if not aircraft.ended and not self.steer(aircraft, words):
+                aircraft.end(cut=True)
+                self.not_followed[words[0]] += 1
+        elif words[0] not in HARMLESS:
+            self.not_followed[words[0]] += 1
+
+    def create(self, command: Command) -> None:
+        words = command.words
+        name = argument(words, 1) or ""
+        try:
+            if name in self.fleet:
+                raise ValueError("it is there already")
+            latitude, longitude = scenario.latitude(words[3]), scenario.longitude(words[4])
+            heading = numbers.decimal(words[5])
+            height = scenario.height(words[6])
+            speed = scenario.true_airspeed(words[7], height, self.mach_below)
+        except (ValueError, IndexError):
+            self.left_out.append(name)
+            return
+        self.latitudes.append(latitude)
+        self.fleet[name] = _Aircraft(command.line, command.t, self.plane.place(latitude, longitude), heading, height,
+                                     speed)
+
+    def steer(self, aircraft: _Aircraft, words: List[str]) -> bool:
+        """Whether the command can be followed; it is, then."""
+        try:
+            if words[0] == "DEL":
+                aircraft.end(cut=False)
+            elif words[0] == "HDG":
+                heading = numbers.decimal(words[2])
+                aircraft.note()
+                aircraft.route.clear()
+                aircraft.goal, aircraft.goal_unknown = None, False
+                aircraft.turn(heading)
+            elif words[0] == "SPD":
+                speed = scenario.true_airspeed(words[2], aircraft.height, self.mach_below)
+                aircraft.note()
+                aircraft.speed = speed
+            elif words[0] == "ADDWPT":
+                self.add_waypoint(aircraft, words)
+            elif words[0] == "DEST":
+                self.head_for(aircraft, words)
+            elif words[0] in ("LNAV", "VNAV"):
+                return argument(words, 2) == "ON"
+            else:
+                return False
+        except (ValueError, IndexError):
+            return False
+        return True
+
+    def add_waypoint(self, aircraft: _Aircraft, words: List[str]) -> None:
+        if argument(words, 2) in TURNS:
+            return
+        if aircraft.route and aircraft.route[-1] is None:
+            return
+        try:
+            latitude, longitude, rest = self.spot(words)
+        except (ValueError, IndexError):
+            if not aircraft.route:
+                raise
+            aircraft.route.append(None)
+            return
+        spoken = argument(words, rest + 1)
+        speed = None if spoken is None else scenario.true_airspeed(spoken, aircraft.height, self.mach_below)
+        self.latitudes.append(latitude)
+        aircraft.insert(self.plane.place(latitude, longitude), speed)
+
+    def head_for(self, aircraft: _Aircraft, words: List[str]) -> None:
+        try:
+            latitude, longitude, _ = self.spot(words)
+        except (ValueError, IndexError):
+            aircraft.goal_unknown = True
+            return
+        self.latitudes.append(latitude)
+        aircraft.goal = self.plane.place(latitude, longitude)
+
+    def spot(self, words: List[str]) -> Tuple[Fraction, Fraction, int]:
+        """The place that a command names, in degrees, and which word follows."""
+        if words[2] in self.points:
+            return (*self.points[words[2]], 3)
+        return scenario.latitude(words[2]), scenario.longitude(words[3]), 4
+
+    def define(self, words: List[str]) -> bool:
+        try:
+            self.points[words[1]] = (scenario.latitude(words[2]), scenario.longitude(words[3]))
+        except (ValueError, IndexError):
+            return False
+        return True
+
+    def fly(self, name: str, aircraft: _Aircraft, until: Optional[Fraction]) -> None:
+        try:
+            aircraft.fly(until)
+        except Refused as refused:
+            self.lines.number = aircraft.line
+            self.lines.fail(f"{printable(name)} {refused.field}", refused.reason)
+
+    def finish(self, table: Table, name: str, aircraft: _Aircraft) -> None:
+        if not aircraft.ended:
+            self.fly(name, aircraft, self.until)
+            aircraft.note()
+        if len(aircraft.rows) == 1 and aircraft.cut:
+            self.left_out.append(name)
+            return
+        try:
+            for t, at in aircraft.rows:
+                table.add(name, t, at, self.radius)
+        except Refused as refused:
+            self.lines.number = aircraft.line
+            self.lines.fail(f"{printable(name)} {refused.field}", refused.reason)
+
+    def remarks(self, ignored: int) -> Iterator[str]:
+        yield "t is counted in seconds, lengths in metres"
+        yield from self.plane.remarks(self.latitudes)
+        yield ("a plan, and no flight: each aircraft goes straight, turns at once, and keeps the true airspeed that it has "
+               "at the height where it is created; climbs, wind, accelerations, resolutions of conflicts and what its type "
+               "can do are not followed")
+        yield "heights are left out: aircraft that are near in the plane may be apart in height"
+        yield (f"speeds are rounded to {scenario.SPEED_PLACES} decimals of m/s, their parts to the east and north to "
+               f"{geography.PLACES}, times at waypoints up to {TIME_PLACES} of s, places where a command is given on the way "
+               f"to {geography.PLACES} of m; no other digit is lost but by the plane")
+        if self.radius is None:
+            yield "give --radius where the table is read: half of a separation makes that a contact"
+        else:
+            yield f"the radius of every disk is {numbers.text(self.radius)}, as given"
+        cut = sum(aircraft.cut and len(aircraft.rows) > 1 for aircraft in self.fleet.values())
+        if cut:
+            yield f"{cut} aircraft are followed only up to a command or place that is not understood"
+        if self.left_out:
+            some = ", ".join(printable(name, 20) for name in self.left_out[:5])
+            yield (f"{len(self.left_out)} aircraft are left out, of which no motion is known in degrees, feet and knots: "
+                   f"{some}{', ...' if len(self.left_out) > 5 else ''}")
+        if self.not_followed:
+            told = ", ".join(f"{printable(word, 20)} {count}" for word, count in sorted(self.not_followed.items())[:40])
+            yield f"commands that are not followed: {told}"
+        if ignored:
+            yield f"{ignored} lines have no time, and are left out, as BlueSky does"
+
+
+def read(path: str, *, radius: Optional[Fraction] = None, origin: Optional[geography.Projection] = None,
+         until: Optional[Fraction] = None) -> Table:
+    """The plans of a scenario until a time in seconds, or to the ends of all routes. Raises InputError."""
+    return _Reader(path, radius, origin, until).read()

@@ -1,0 +1,26 @@
+"""What is wrong with a file, said in one line, as the program says it."""
+
+from typing import NoReturn
+
+from ..errors import InputError
+
+
+class Refused(Exception):
+    """A value that a table of paths cannot hold; the reader says where it stands."""
+
+    def __init__(self, field: str, reason: str):
+        super().__init__(field, reason)
+        self.field = field
+        self.reason = reason
+
+
+def printable(given: str, limit: int = 80) -> str:
+    """The text fit to stand in a message of one line."""
+    cut = given if len(given) <= limit else given[:limit] + "..."
+    return "".join(c if c.isprintable() else f"\\x{ord(c):02x}" for c in cut)
+
+
+def fail(file: str, line: int, field: str, reason: str) -> NoReturn:
+    """Raises InputError; the line is 0 where the file as a whole is meant."""
+    parts = [printable(file, 4096) + (f":{line}" if line else ""), printable(field), reason]
+    raise InputError(": ".join(part for part in parts if part), file, line, field, reason)

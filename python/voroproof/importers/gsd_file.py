@@ -1,0 +1,124 @@
+"""GSD files with the schema of HOOMD-blue, by Debian's python3-gsd."""
+
+import warnings
+from fractions import Fraction
+from typing import Any, List, Optional
+
+from . import boxes, numbers
+from .faults import Refused, fail
+from .table import Table
+
+NAME = "gsd"
+
+
+def _open(path: str) -> Any:
+    try:
+        import gsd.hoomd
+    except ImportError:
+        fail(path, 0, "", "a GSD file is read by the module gsd, which is not there (Debian: python3-gsd)")
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of names that newer versions of gsd have changed
+            return gsd.hoomd.open(path, "rb")
+    except (OSError, RuntimeError, ValueError, KeyError) as error:
+        fail(path, 0, "", f"no GSD file of HOOMD-blue: {error}")
+
+
+class _Reader:
+    def __init__(self, path: str, radius: Optional[Fraction], timestep: Optional[Fraction],
+                 periodic: Optional[str], flatten: bool):
+        self.path = path
+        self.radius = radius
+        self.timestep = timestep
+        self.treatment = periodic
+        self.plane = boxes.Plane(flatten)
+        self.count: Optional[int] = None
+
+    def read(self) -> Table:
+        frames = _open(self.path)
+        try:
+            if len(frames) == 0:
+                fail(self.path, 0, "", "no frame")
+            self.has_sizes = frames.file.chunk_exists(frame=0, name="particles/diameter")
+            table = Table(self.radius is not None or self.has_sizes)
+            for k in range(len(frames)):
+                self.frame(table, frames, k)
+        except (OSError, RuntimeError, IndexError, KeyError) as error:
+            fail(self.path, 0, "", f"no frame can be read: {error}")
+        finally:
+            frames.close()
+        table.remarks += self.remarks()
+        return table
+
+    def frame(self, table: Table, frames: Any, k: int) -> None:
+        snapshot = frames[k]
+        particles, configuration = snapshot.particles, snapshot.configuration
+        place = f"frame {k}"
+        if self.count not in (None, particles.N):
+            fail(self.path, 0, f"{place} particles/N", "another number of particles than before: they have no names, so "
+                 "that nothing tells which are gone or new")
+        self.count = particles.N
+        lengths = self.box(configuration.box, place)
+        t = int(configuration.step) * (self.timestep if self.timestep is not None else 1)
+        has_images = frames.file.chunk_exists(frame=k, name="particles/image")
+        for i in range(particles.N):
+            self.particle(table, particles, i, k, t, lengths, has_images)
+
+    def box(self, box: Any, place: str) -> List[Fraction]:
+        field = f"{place} configuration/box"
+        try:
+            lengths = [numbers.binary(float(value)) for value in box[:2]]
+            tilt = [numbers.binary(float(value)) for value in box[3:6]]
+            for axis in "xy":
+                boxes.side(axis, True, self.treatment)
+        except ValueError as error:
+            fail(self.path, 0, field, str(error))
+        if any(tilt):
+            fail(self.path, 0, field, "a tilted box; only boxes along the axes are read")
+        if min(lengths) <= 0:
+            fail(self.path, 0, field, "no positive length")
+        return lengths
+
+    def particle(self, table: Table, particles: Any, i: int, k: int, t: Fraction, lengths: List[Fraction],
+                 has_images: bool) -> None:
+        name = str(i)
+        field = f"frame {k} particles/position[{i}]"
+        try:
+            x, y, z = (numbers.binary(float(value)) for value in particles.position[i])
+            self.plane.take(z)
+            at = [x, y]
+            if self.treatment == boxes.UNWRAP:
+                at = [at[a] + int(particles.image[i][a]) * lengths[a] for a in (0, 1)]
+            last = table.last(name)
+            # Flags that never change are not written: where one is missing, the place must tell.
+            if last is not None and not (self.treatment == boxes.UNWRAP and has_images):
+                for a, axis in enumerate("xy"):
+                    boxes.require_no_jump(axis, last[1][a], at[a], lengths[a])
+            radius = self.radius
+            if radius is None and self.has_sizes:
+                radius = numbers.binary(float(particles.diameter[i])) / 2
+            table.add(name, t, (at[0], at[1]), radius, k)
+        except ValueError as error:
+            fail(self.path, 0, field, str(error))
+        except Refused as refused:
+            fail(self.path, 0, f"frame {k} particle {i} {refused.field}", refused.reason)
+
+    def remarks(self) -> List[str]:
+        said = ["t is counted in steps: the file does not say how long one takes" if self.timestep is None
+                else f"a step takes {numbers.text(self.timestep)}, as given: the file does not say so",
+                "what happens between two frames is not in the file; forces and walls are not, either"]
+        if self.radius is not None:
+            said.append(f"the radius of every disk is {numbers.text(self.radius)}, as given")
+        elif self.has_sizes:
+            said.append("radii are half of the diameters of the file, which need not be those at which particles touch")
+        else:
+            said.append("the file does not give diameters: give --radius where the table is read")
+        return said + [boxes.REMARK, *self.plane.remarks(),
+                       "no digit of the file is lost: positions are binary32 numbers, written exactly; HOOMD-blue may "
+                       "have rounded them when it wrote them"]
+
+
+def read(path: str, *, radius: Optional[Fraction] = None, timestep: Optional[Fraction] = None,
+         periodic: Optional[str] = None, flatten: bool = False) -> Table:
+    """The paths of a GSD file. Raises InputError."""
+    return _Reader(path, radius, timestep, periodic, flatten).read()

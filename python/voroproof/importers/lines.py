@@ -1,0 +1,52 @@
+"""The lines of a text file, plain or compressed by gzip, in bounded memory."""
+
+import contextlib
+import gzip
+import io
+import sys
+import zlib
+from typing import Iterator, NoReturn
+
+from .faults import fail
+
+LONGEST_LINE = 1 << 16
+
+
+class Lines:
+    """Iterates over the lines without their ends; `number` is that of the last, from 1.
+
+    A line ends with "\\n", "\\r\\n" or "\\r". Bytes that are no UTF-8 stay as replacement characters.
+    Raises InputError.
+    """
+
+    def __init__(self, path: str):
+        self.path = path
+        self.number = 0
+
+    def __iter__(self) -> Iterator[str]:
+        with contextlib.ExitStack() as stack:
+            try:
+                yield from self._lines(stack)
+            except (OSError, EOFError, zlib.error) as error:
+                fail(self.path, self.number, "", getattr(error, "strerror", None) or str(error))
+
+    def _lines(self, stack: contextlib.ExitStack) -> Iterator[str]:
+        raw = sys.stdin.buffer if self.path == "-" else stack.enter_context(open(self.path, "rb"))
+        buffered = raw if hasattr(raw, "peek") else io.BufferedReader(raw)
+        if buffered.peek(2)[:2] == b"\x1f\x8b":
+            buffered = gzip.GzipFile(fileobj=buffered)
+        text = io.TextIOWrapper(buffered, encoding="utf-8-sig", errors="replace", newline=None)
+        if self.path == "-":
+            stack.callback(text.detach)
+        while True:
+            line = text.readline(LONGEST_LINE + 1)
+            if not line:
+                return
+            self.number += 1
+            if len(line) > LONGEST_LINE:
+                fail(self.path, self.number, "", f"a line of more than {LONGEST_LINE} characters")
+            yield line.rstrip("\n")
+
+    def fail(self, field: str, reason: str) -> NoReturn:
+        """Raises InputError for the last line."""
+        fail(self.path, self.number, field, reason)

@@ -1,0 +1,140 @@
+"""The table of waypoints that an importer writes, and what it says beside it."""
+
+import os
+import stat
+import sys
+import tempfile
+from fractions import Fraction
+from typing import Dict, IO, List, NamedTuple, Optional, Tuple
+
+from ..errors import OutputError
+from . import numbers
+from .faults import Refused, printable
+
+MOST_WAYPOINTS = 20_000_000  # what `clearance` and `convert` read
+Place = Tuple[Fraction, Fraction]
+
+
+class _Disk(NamedTuple):
+    t: Fraction
+    at: Place
+    radius: Optional[Fraction]
+    frame: Optional[int]
+
+
+class Table:
+    """Waypoints, each written as it comes; of a disk only the last is kept in memory.
+
+    `with_radius`: the table has a column of radii.
+    """
+
+    def __init__(self, with_radius: bool):
+        self._with_radius = with_radius
+        self._rows: IO[str] = tempfile.TemporaryFile("w+", encoding="utf-8", newline="\n")
+        self._disks: Dict[str, _Disk] = {}
+        self._waypoints = 0
+        self._bridged = 0
+        self._span: Optional[Tuple[Fraction, Fraction]] = None
+        self._longest: Tuple[Fraction, str, Fraction] = (Fraction(0), "", Fraction(0))
+        self._farthest: Tuple[float, str, Fraction] = (0.0, "", Fraction(0))
+        self.remarks: List[str] = []
+
+    def __len__(self) -> int:
+        return len(self._disks)
+
+    def last(self, name: str) -> Optional[Tuple[Fraction, Place]]:
+        """The time and place of the disk's last waypoint; None where it has none."""
+        known = self._disks.get(name)
+        return known and (known.t, known.at)
+
+    def add(self, name: str, t: Fraction, at: Place, radius: Optional[Fraction] = None,
+            frame: Optional[int] = None) -> None:
+        """A waypoint. `frame`: its number in files of frames, to count what is missing between.
+
+        Raises Refused where the table cannot hold it.
+        """
+        self._waypoints += 1
+        if self._waypoints > MOST_WAYPOINTS:
+            raise Refused("", f"more than {MOST_WAYPOINTS} waypoints")
+        if not name or not name.isprintable() or name.strip() != name or "," in name or name[0] == "#":
+            raise Refused("disk", "its name is empty, or has a comma or other characters that no table can hold")
+        if radius is not None and radius < 0:
+            raise Refused("radius", "negative")
+        known = self._disks.get(name)
+        if known is not None:
+            self._follow(name, known, t, at, radius, frame)
+        self._disks[name] = _Disk(t, at, radius, frame)
+        self._span = (min(self._span[0], t), max(self._span[1], t)) if self._span else (t, t)
+        cells = [name, *map(numbers.text, (t, *at))]
+        if self._with_radius:
+            cells.append(numbers.text(radius if radius is not None else Fraction(0)))
+        self._rows.write(",".join(cells) + "\n")
+
+    def _follow(self, name: str, known: _Disk, t: Fraction, at: Place, radius: Optional[Fraction],
+                frame: Optional[int]) -> None:
+        if t <= known.t:
+            raise Refused("t", f"no later than the sample before of disk {printable(name)}")
+        if radius != known.radius:
+            raise Refused("radius", f"another than before for disk {printable(name)}: a disk keeps its radius")
+        if frame is not None and known.frame is not None and frame > known.frame + 1:
+            self._bridged += 1
+        self._longest = max(self._longest, (t - known.t, name, known.t), key=lambda leg: leg[0])
+        length = float((at[0] - known.at[0])**2 + (at[1] - known.at[1])**2)**0.5
+        self._farthest = max(self._farthest, (length, name, known.t), key=lambda leg: leg[0])
+
+    def summary(self) -> List[str]:
+        """All remarks: what is in the table, and then those of the reader."""
+        said = [f"{len(self._disks)} disks, {self._waypoints} waypoints"
+                + (f", t from {_short(self._span[0])} to {_short(self._span[1])}" if self._span else "")]
+        if self._longest[1]:
+            said.append("between its waypoints each disk is taken to move uniformly: at most for a time of "
+                        f"{_short(self._longest[0])} (disk {self._longest[1]}, from t = {_short(self._longest[2])}), "
+                        f"over {self._farthest[0]:.6g} at most")
+        if self._bridged:
+            said.append(f"{self._bridged} times a disk is missing from frames between two of its own, and is taken to "
+                        "move uniformly meanwhile")
+        return said + self.remarks
+
+    def write(self, output: str) -> None:
+        """Writes the table with its remarks, whole or not at all; "-" is standard output.
+
+        Raises OutputError.
+        """
+        heading = "".join(f"# remark: {printable(remark, 1000)}\n" for remark in self.summary())
+        heading += "disk,t,x,y,radius\n" if self._with_radius else "disk,t,x,y\n"
+        self._rows.seek(0)
+        try:
+            if output == "-":
+                _copy(heading, self._rows, sys.stdout)
+                sys.stdout.flush()
+            elif os.path.exists(output) and not stat.S_ISREG(os.stat(output).st_mode):
+                with open(output, "w", encoding="utf-8", newline="\n") as there:  # a pipe or a device
+                    _copy(heading, self._rows, there)
+            else:
+                self._replace(heading, os.path.realpath(output))
+        except OSError as error:
+            raise OutputError(f"{printable(output, 4096)}: {error.strerror or error}") from error
+
+    def _replace(self, heading: str, path: str) -> None:
+        with tempfile.NamedTemporaryFile("w", encoding="utf-8", newline="\n", dir=os.path.dirname(path),
+                                         delete=False) as made:
+            try:
+                _copy(heading, self._rows, made)
+                made.flush()
+                mask = os.umask(0)
+                os.umask(mask)
+                os.chmod(made.name, 0o666 & ~mask)
+                os.replace(made.name, path)
+            except BaseException:
+                os.unlink(made.name)
+                raise
+
+
+def _copy(heading: str, rows: IO[str], to: IO[str]) -> None:
+    to.write(heading)
+    while chunk := rows.read(1 << 20):
+        to.write(chunk)
+
+
+def _short(value: Fraction) -> str:
+    return f"{float(value):.9g}"

@@ -1,0 +1,221 @@
+"""What importers make of the files of other programs: exact numbers, and every loss told."""
+
+import gzip
+import math
+import pathlib
+from decimal import Decimal
+from fractions import Fraction
+
+import pytest
+from importer_files import (AMERICAN, DANISH, DATA, DUMP, SCENARIO, command, imported, periodic_dump, program, single,
+                            write_gsd, write_jupedsim)
+
+from voroproof.importers import airspeed, geography, numbers
+
+
+@pytest.fixture
+def given(tmp_path):
+    def write(text, name="given"):
+        (tmp_path / name).write_text(text)
+        return tmp_path / name
+    return write
+
+
+def told(remarks, text):
+    return any(text in remark for remark in remarks)
+
+
+def test_numbers_keep_every_digit():
+    assert numbers.decimal("-1.50e-3") == Fraction(-15, 10000)
+    assert numbers.text(Fraction(-15, 10000)) == "-0.0015"
+    assert numbers.text(Fraction(1, 30)) == "1/30" and numbers.text(Fraction(7)) == "7"
+    assert Fraction(numbers.text(numbers.binary(0.1))) == Fraction(0.1) != Fraction(1, 10)
+    for least in (2.0**-149, 1e-99, -1.5e99):
+        assert Fraction(numbers.text(numbers.binary(least))) == Fraction(least)
+    for bad in ("", ".", "1e", "nan", "inf", "0x1", "1_0", "1e101", "1e999999999", "1" * 401, "\u0661", "1e-101"):
+        with pytest.raises(ValueError):
+            numbers.decimal(bad)
+    for bad in (math.nan, math.inf, 1e101, 5e-324):
+        with pytest.raises(ValueError):
+            numbers.binary(bad)
+
+
+def test_a_dump_of_lammps(given, tmp_path):
+    rows, remarks = imported("lammps-dump", given(DUMP), tmp_path)
+    quarter, half = Fraction(1, 4), Fraction(1, 2)
+    assert rows == {"2": [(0, Fraction(91, 10), 0, half), (100, Fraction(91, 10), Fraction(-3, 4), half)],
+                    "1": [(0, Fraction(1, 10), Fraction(1, 5), quarter), (100, Fraction(13, 10), Fraction(1, 5), quarter)]}
+    assert told(remarks, "t is counted in steps") and told(remarks, "(lj)") and not told(remarks, "periodic")
+    rows, remarks = imported("lammps-dump", given(DUMP), tmp_path, timestep=Fraction("0.005"), radius=Fraction(2))
+    assert [row[0] for row in rows["1"]] == [0, half] and rows["1"][0][3] == 2
+    assert told(remarks, "a step takes 0.005")
+
+
+@pytest.mark.parametrize("columns, atoms", [
+    ("xs ys ix iy", ["0.875 0.5 0 0", "0.125 0.5 1 -1"]),
+    ("x y iy ix", ["2.5 4 0 0", "-0.5 4 -1 1"]),
+    ("xu yu x y", ["2.5 4 9 9", "3.5 -4 9 9"]),
+    ("xsu ysu", ["0.875 0.5", "1.125 -0.5"]),
+])
+def test_coordinates_are_unwrapped_and_unscaled(given, tmp_path, columns, atoms):
+    rows, remarks = imported("lammps-dump", given(periodic_dump(columns, *atoms)), tmp_path, periodic="unwrap")
+    assert rows == {"7": [(0, Fraction(5, 2), 4), (1, Fraction(7, 2), -4)]}
+    assert told(remarks, "periodic images of others")
+
+
+def test_a_data_file_of_lammps(given, tmp_path):
+    rows, remarks = imported("lammps-data", given(DATA), tmp_path)
+    assert rows["3"] == [(0, Fraction(3, 2), Fraction(5, 2), Fraction(1, 2))] and len(rows) == 3
+    assert told(remarks, "one instant")
+    rows, _ = imported("lammps-data", given(DATA), tmp_path, until=Fraction(2))
+    assert rows["1"][1] == (2, 6, 3, Fraction(1, 4)) and rows["2"][1][:3] == (2, 4, Fraction(37, 4))
+    bare = DATA.replace("Atoms  # sphere", "Atoms")
+    assert imported("lammps-data", given(bare), tmp_path, style="sphere")[0].keys() == rows.keys()
+
+
+def test_a_gsd_file(tmp_path):
+    path = tmp_path / "a.gsd"
+    places = [[[0.1, 0.2, 0], [4.5, 0, 0]], [[0.3, 0.2, 0], [-4.5, 0, 0]]]
+    write_gsd(path, [(0, places[0], {"diameter": [0.5, 0.7]}),
+                     (10, places[1], {"diameter": [0.5, 0.7], "image": [[0, 0, 0], [1, 0, 0]]})])
+    rows, remarks = imported("gsd", path, tmp_path, periodic="unwrap", timestep=Fraction(1, 2))
+    assert rows["0"] == [(0, single(0.1), single(0.2), Fraction(1, 4)), (5, single(0.3), single(0.2), Fraction(1, 4))]
+    assert rows["1"] == [(0, Fraction(9, 2), 0, single(0.7) / 2), (5, Fraction(11, 2), 0, single(0.7) / 2)]
+    assert told(remarks, "binary32") and told(remarks, "half of the diameters")
+    # Without diameters there is no radius, and flags that never change are not in the file.
+    write_gsd(path, [(0, places[0], {}), (10, places[0], {})])
+    rows, remarks = imported("gsd", path, tmp_path, periodic="unwrap")
+    assert len(rows["1"][0]) == 3 and rows["1"][1][1] == Fraction(9, 2)
+    assert told(remarks, "does not give diameters")
+
+
+def test_trajectories_of_jupedsim(tmp_path):
+    write_jupedsim(tmp_path / "a.sqlite")
+    rows, remarks = imported("jupedsim", tmp_path / "a.sqlite", tmp_path)
+    assert rows == {"1": [(0, Fraction(0.1), Fraction(0.2)), (Fraction(1, 30), Fraction(0.3), Fraction(0.2))],
+                    "2": [(0, 1, 0), (Fraction(2, 30), 1, Fraction(-1, 2))]}
+    assert told(remarks, "walls are left out: 1 geometry") and told(remarks, "does not give the size of an agent")
+    assert told(remarks, "1 times a disk is missing from frames")
+
+
+def test_the_plane_of_a_map():
+    plane = geography.Projection(Fraction("51.9"), Fraction("4.1"))
+    assert plane.place(Fraction("51.9"), Fraction("4.1")) == (0, 0)
+    # Against the haversine formula near the point, in floats.
+    for lat, lon in (("51.95", "4.15"), ("51.85", "4.1"), ("51.9", "4.0")):
+        x, y = map(float, plane.place(Fraction(lat), Fraction(lon)))
+        a, b = math.radians(51.9), math.radians(float(lat))
+        half = math.sin((b - a) / 2)**2 + math.cos(a) * math.cos(b) * math.sin(math.radians(float(lon) - 4.1) / 2)**2
+        assert math.hypot(x, y) == pytest.approx(2 * 6371008.8 * math.asin(math.sqrt(half)), rel=2e-3)
+    # The short way around the Earth.
+    pacific = geography.Projection(Fraction(0), Fraction(180))
+    assert pacific.place(Fraction(0), Fraction(-179))[0] == -pacific.place(Fraction(0), Fraction(179))[0] == pacific.east
+    assert pacific.place(Fraction(0), Fraction(181)) == pacific.place(Fraction(0), Fraction(-179))
+    assert told(plane.remarks([Fraction("52.9")]), "off by 2.3 %")  # cos 51.9 / cos 52.9 = 1.0229
+    for degrees in (0, 30, 90, 123, 270, 359):
+        sine, cosine = geography.sine_and_cosine(Fraction(degrees))
+        assert float(sine) == pytest.approx(math.sin(math.radians(degrees)), abs=1e-15)
+        assert float(cosine) == pytest.approx(math.cos(math.radians(degrees)), abs=1e-15)
+
+
+def test_the_standard_atmosphere():
+    """Against its tables, and where calibrated and true airspeed are one."""
+    for height, pressure, temperature in ((0, 101325, 288.15), (5000, 54019.9, 255.65), (11000, 22632.06, 216.65),
+                                          (20000, 5474.889, 216.65)):
+        p, kelvins = airspeed.atmosphere(Decimal(height))
+        assert float(p) == pytest.approx(pressure, rel=3e-6) and float(kelvins) == temperature
+    assert float(airspeed.of_calibrated(Decimal(100), Decimal(0))) == pytest.approx(100, rel=1e-7)
+    assert float(airspeed.of_mach(Decimal("0.8"), Decimal(11000))) == pytest.approx(236.06, abs=0.01)
+    # What pilots know: 272 knots at 35,000 feet are Mach 0.8, and 461 knots of true airspeed.
+    true = airspeed.of_calibrated(272 * airspeed.KNOT, Decimal(10668))
+    assert float(true / airspeed.KNOT) == pytest.approx(461, abs=1)
+    assert float(true / airspeed.of_mach(Decimal(1), Decimal(10668))) == pytest.approx(0.8, abs=2e-3)
+    with pytest.raises(ValueError):
+        airspeed.atmosphere(Decimal(20001))
+
+
+def test_a_scenario_of_bluesky(given, tmp_path):
+    rows, remarks = imported("bluesky", given(SCENARIO), tmp_path, until=Fraction(600), radius=Fraction(4630))
+    assert [row[0] for row in rows["KL1"]] == [0, 60, 600]
+    start, turn, end, *_ = rows["KL1"]
+    east = turn[1] - start[1]
+    # 250 knots at 10,000 feet: by the density there, less 2 knots for compressibility.
+    assert turn[2] == start[2] and float(east) / 60 == pytest.approx(248 * 1852 / 3600 / math.sqrt(0.7385), abs=0.2)
+    assert end[1] == turn[1] and float(turn[2] - end[2]) / 540 == pytest.approx(float(east) / 60, abs=1e-5)
+    assert float(rows["KL2"][0][1] - rows["KL2"][1][1]) == pytest.approx(600 * 0.5 * 328.39, rel=1e-3)  # Mach 1 there
+    # At 100 knots to the first place, at 50 from there on; there it is at once a microsecond late at most.
+    route = rows["KL3"]
+    plane = geography.Projection(Fraction("52.05"), Fraction("4.0"))
+    spots = [plane.place(Fraction(lat), Fraction(lon)) for lat, lon in (("52.1", "4.1"), ("52.2", "4.1"), ("52.2", "4.3"))]
+    assert [row[1:3] for row in route[:3]] == spots and route[3][0] == 600 and route[3][2] < route[2][2]
+    leg = float(plane.north) / 10 / (100 * 1852 / 3600)
+    assert 0 <= float(route[1][0]) - 10 - leg < 3e-3  # its speed is rounded to thousandths
+    assert told(remarks, "heights are left out") and told(remarks, "commands that are not followed: HOLD 1")
+
+
+def test_routes_end_where_nobody_knows_the_way(given, tmp_path):
+    head = "00:00:00.00>CRE A,B744,52,4,90,0,100\n00:00:00.00>CRE B,B744,50,4,90,0,100\n"
+    rows, remarks = imported("bluesky", given(
+        head + "00:00:00.00>DEFWPT HERE,52.01,4\n00:00:00.00>ADDWPT A HERE\n00:00:00.00>DEST A EHAM\n"
+        "00:00:00.00>ADDWPT B SUGOL\n"), tmp_path, radius=Fraction(0))
+    assert list(rows) == ["A"] and len(rows["A"]) == 2
+    assert told(remarks, "1 aircraft are followed only up to") and told(remarks, "1 aircraft are left out")
+    # Commands that nobody follows end the path where they are given.
+    rows, remarks = imported("bluesky", given(head + "00:01:00.00>DIRECT A HERE\n00:02:00.00>DEL B\n"), tmp_path)
+    assert [row[0] for row in rows["A"]] == [0, 60] and [row[0] for row in rows["B"]] == [0, 120]
+    assert told(remarks, "DIRECT 1")
+
+
+def test_american_tracks_of_ships(given, tmp_path):
+    rows, remarks = imported("ais", given(AMERICAN), tmp_path)
+    plane = geography.Projection(Fraction("29.55"), Fraction("-90.1"))
+    assert [row[0] for row in rows["367000001"]] == [0, 60]
+    assert [row[0] for row in rows["367000002"]] == [30, Fraction(181, 2)]
+    assert rows["367000001"][0][1:] == plane.place(Fraction("29.5"), Fraction("-90.104"))
+    assert told(remarks, "from 2020-01-01T00:00:00 UTC")
+    for loss in ("1 messages without a position", "1 messages repeat", "1 messages give another place", "length, width"):
+        assert told(remarks, loss)
+    rows, remarks = imported("ais", given(AMERICAN), tmp_path, longest_gap=Fraction(60))
+    assert list(rows) == ["367000001", "367000002", "367000002/2"] and told(remarks, "cut 1 times")
+
+
+def test_danish_and_other_tracks_of_ships(given, tmp_path):
+    rows, _ = imported("ais", given(DANISH), tmp_path)
+    assert [row[0] for row in rows["219000001"]] == [0, 10] and rows["2190068"][0][0] == 5
+    other = "ship;x\n".replace(";", ",").replace("x", "lon,lat,when") + "a,4,52,1.5\na,5,52,2.5\n"
+    rows, remarks = imported("ais", given(other), tmp_path, columns={"id": "ship", "time": "when"})
+    assert [row[0] for row in rows["a"]] == [0, 1] and told(remarks, "the number 1.5 of the file")
+
+
+def test_tables_are_judged_and_their_remarks_repeated(tmp_path):
+    """From the file to the verdict, by the commands."""
+    write_jupedsim(tmp_path / "a.sqlite", rows=[(0, 1, 0, 0), (10, 1, 4, 0), (0, 2, 4, 0.5), (10, 2, 0, 0.5)], fps="10")
+    done = command("jupedsim", tmp_path / "a.sqlite", "--radius", "0.25", "-o", tmp_path / "a.csv")
+    assert done.returncode == 0 and done.stderr == "" and "walls are left out" in done.stdout
+    judged = program("clearance", tmp_path / "a.csv", "--required", "0")
+    assert judged.returncode == 1 and "c least gap 0, of 1 2 at t = 0.5\ns REFUTED\n" in judged.stdout
+    assert "c judged are the piecewise linear paths" in judged.stdout and "c walls are left out: 1 geometry" in judged.stdout
+    command("jupedsim", tmp_path / "a.sqlite", "--radius", "0.24999999999999999999", "-o", tmp_path / "a.csv")
+    assert program("clearance", tmp_path / "a.csv", "--required", "0").stdout.endswith("s FREE\n")
+    scene, history = tmp_path / "a.scene.json", tmp_path / "a.history.jsonl"
+    assert "walls are left out" in program("convert", tmp_path / "a.csv", "-o", scene).stdout
+    assert program("simulate", scene, "-o", history).returncode == 0
+    assert program("certify", scene, history).stdout.endswith("s CERTIFIED\n")
+
+
+def test_streams_and_compression(given, tmp_path):
+    plain = command("lammps-dump", given(DUMP), "-o", tmp_path / "a.csv")
+    (tmp_path / "a.gz").write_bytes(gzip.compress(DUMP.encode()))
+    packed = command("lammps-dump", tmp_path / "a.gz", "-o", "-")
+    piped = command("lammps-dump", "-", "-o", "-", input=DUMP.replace("\n", "\r\n"))
+    assert packed.stdout == piped.stdout == pathlib.Path(tmp_path / "a.csv").read_text() != ""
+    assert packed.stderr == piped.stderr == plain.stdout
+
+
+def test_nobody(given, tmp_path):
+    write_jupedsim(tmp_path / "a.sqlite", rows=[], walls=[])
+    assert imported("jupedsim", tmp_path / "a.sqlite", tmp_path)[0] == {}
+    assert imported("ais", given(AMERICAN.splitlines()[0]), tmp_path)[0] == {}
+    empty = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ATOMS id x y\n"
+    assert imported("lammps-dump", given(empty), tmp_path)[0] == {}
+    assert program("clearance", tmp_path / "table.csv", "--radius", "1", "--required", "0").stdout.endswith("s FREE\n")
