@@ -93,6 +93,9 @@ inside sh -ec '
   voroproof corpus run --family few
   VOROPROOF_VARIANT=baseline voroproof corpus run --family few
   python3 -c "import voroproof as v; s = v.Scene.read(\"a.scene.json\"); assert v.certify(s, v.simulate(s)).certified"
+  printf "mmsi,timestamp,lat,lon\n1,0,52,4\n1,10,52,4.01\n2,0,52.1,4\n2,10,52.1,4\n" |
+    python3 -m voroproof.importers ais - --radius 50 -o tracks.csv
+  voroproof clearance tracks.csv --required 0
   test -f /usr/share/doc/voroproof/docs/formats.md
   rm -r "$PWD"'
 

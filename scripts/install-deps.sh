@@ -35,6 +35,7 @@ for group in "$@"; do
     plots) packages+=(python3-matplotlib) ;;
     python)
       packages+=(pybind11-dev python3-dev python3-numpy python3-matplotlib python3-pandas python3-pytest)
+      packages+=(python3-gsd)  # one of the formats that are imported
       packages+=(python3-nbclient python3-nbconvert python3-ipykernel)
       ;;
     ci) packages+=(clang clang-format valgrind doxygen man-db fish zsh) ;;

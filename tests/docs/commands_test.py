@@ -8,7 +8,10 @@ block is marked `text`, that is what it must print. The files in a document's ow
 A block that is not marked and has a line with a command is one that is not run. It must be named in
 NOT_RUN, with the reason; a name there without a block is an error as well.
 
-usage: commands_test.py PROGRAM DOCUMENT...
+Blocks with the Python module's commands take --python, its interpreter and the folder of the module; without that they are
+passed over, and counted.
+
+usage: commands_test.py [--python PYTHON FOLDER] PROGRAM DOCUMENT...
 """
 import os
 import pathlib
@@ -50,10 +53,19 @@ NOT_RUN = {
         "cmake --install build --prefix PREFIX": "installs; the test of the library's consumer does so",
         "find_package(voroproof 0.1 REQUIRED)": "needs an installed library; as above",
     },
+    "docs/others.md": {
+        "python3 -m voroproof.importers jupedsim trajectories.sqlite --radius 0.2 -o a.csv && "
+        "voroproof clearance a.csv --required 0":
+            "takes files of other repositories",
+    },
     "docs/python.md": {
         "scripts/install-deps.sh python": "installs packages and builds",
     },
 }
+
+
+# What a block has that takes the Python module.
+PYTHON = "python3 -m voroproof"
 
 
 def blocks_of(text):
@@ -78,10 +90,16 @@ def check_named(name, blocks):
         sys.exit(f"{name}: NOT_RUN names a block that is not there: {line}")
 
 
-def run_blocks(name, blocks, folder, environment):
+def run_blocks(name, blocks, folder, environment, python):
+    """Returns how many were run, and how many passed over."""
+    run = passed = 0
     for k, (kind, body) in enumerate(blocks):
         if kind != "sh":
             continue
+        if PYTHON in body and python is None:
+            passed += 1
+            continue
+        run += 1
         done = subprocess.run(["bash", "-euc", body], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
                               capture_output=True, text=True)
         if done.returncode != 0:
@@ -89,6 +107,7 @@ def run_blocks(name, blocks, folder, environment):
         expected = blocks[k + 1] if k + 1 < len(blocks) else ("", "")
         if expected[0] == "text" and done.stdout != expected[1]:
             sys.exit(f"{name}: prints\n{done.stdout}\ninstead of\n{expected[1]}\n{body}")
+    return run, passed
 
 
 def check_pictures(name, document, folder):
@@ -99,7 +118,17 @@ def check_pictures(name, document, folder):
             sys.exit(f"{name}: {kept.relative_to(ROOT)} is not what its commands draw")
 
 
-def check(program, document):
+def make_python(folder, python):
+    """A folder with a python3 that is the module's interpreter, and finds the module."""
+    interpreter, module = python
+    folder.mkdir()
+    wrapper = folder / "python3"
+    wrapper.write_text(f"#!/bin/sh\nPYTHONPATH='{module}' exec '{interpreter}' -B \"$@\"\n")
+    wrapper.chmod(0o755)
+    return folder
+
+
+def check(program, document, python):
     name = str(document.relative_to(ROOT))
     blocks = blocks_of(document.read_text())
     check_named(name, blocks)
@@ -107,15 +136,20 @@ def check(program, document):
     with tempfile.TemporaryDirectory() as made:
         folder = pathlib.Path(made)
         (folder / "build").symlink_to(program.parent)
-        run_blocks(name, blocks, folder, environment)
+        if python is not None:
+            environment["PATH"] = f"{make_python(folder / '.python', python)}{os.pathsep}{environment['PATH']}"
+        run, passed = run_blocks(name, blocks, folder, environment, python)
         check_pictures(name, document, folder)
-    print(f"{name}: {sum(kind == 'sh' for kind, _ in blocks)} blocks")
+    print(f"{name}: {run} blocks" + (f", {passed} passed over: no Python module" if passed else ""))
 
 
 def main():
-    program, *documents = (pathlib.Path(p).resolve() for p in sys.argv[1:])
+    arguments, python = sys.argv[1:], None
+    if arguments[0] == "--python":
+        python, arguments = arguments[1:3], arguments[3:]
+    program, *documents = (pathlib.Path(p).resolve() for p in arguments)
     for document in documents:
-        check(program, document)
+        check(program, document, python)
     names = {str(d.relative_to(ROOT)) for d in documents}
     marked = {str(d.relative_to(ROOT)) for d in [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")]
               if re.search(r"^```sh$", d.read_text(), re.M)}

@@ -20,6 +20,9 @@ import voroproof as vp
 assert vp.__file__.startswith('$work'), vp.__file__
 scene = vp.Scene.reference(10, horizon=20)
 assert vp.certify(scene, vp.simulate(scene)).certified"
+printf 'mmsi,timestamp,lat,lon\n1,0,52,4\n1,10,52,4.01\n' |
+  PYTHONPATH=$(dirname "$package") "$python" -B -m voroproof.importers ais - -o tracks.csv > /dev/null
+grep -q '^1,10,' tracks.csv
 
 echo "== the system's own places"
 DESTDIR=$work/root cmake --install "$build" --prefix /usr > /dev/null

@@ -150,7 +150,23 @@ def test_a_scenario_of_bluesky(given, tmp_path):
     assert [row[1:3] for row in route[:3]] == spots and route[3][0] == 600 and route[3][2] < route[2][2]
     leg = float(plane.north) / 10 / (100 * 1852 / 3600)
     assert 0 <= float(route[1][0]) - 10 - leg < 3e-3  # its speed is rounded to thousandths
+    # The speed that is given with a place holds from there on.
+    leg = float(spots[2][0] - spots[1][0])
+    assert float(route[2][0] - route[1][0]) == pytest.approx(leg / (100 * 1852 / 3600), abs=5e-3)
+    speed = float(route[2][2] - route[3][2]) / float(600 - route[2][0])
+    assert speed == pytest.approx(50 * 1852 / 3600, abs=1e-3)
     assert told(remarks, "heights are left out") and told(remarks, "commands that are not followed: HOLD 1")
+
+
+def test_spellings_of_scenarios(given, tmp_path):
+    """Lines that end as on old Macintoshes, lines that go on, Mach numbers, times without a command."""
+    text = ("00:00:00.00>CRE A,B744,52,4,90,0,M.80\r00:00:00.00>CRE B,B744,52,4,\\\r90,0,M80\rno time\r"
+            "00:00:00.00>CRE C,B744,52,4,90,0,0.8\r00:00:00.00>CASMACHTHR 0\r00:00:00.00>CRE D,B744,52,4,90,0,0.8\r")
+    (tmp_path / "a").write_bytes(text.encode())
+    rows, remarks = imported("bluesky", tmp_path / "a", tmp_path, until=Fraction(10))
+    assert rows["A"] == rows["B"] == rows["C"] != rows["D"] and told(remarks, "1 lines have no time")
+    assert float(rows["A"][1][1] - rows["A"][0][1]) == pytest.approx(0.8 * 3402.94, abs=0.1)
+    assert float(rows["D"][1][1] - rows["D"][0][1]) == pytest.approx(0.8 * 5.14444, abs=1e-2)
 
 
 def test_routes_end_where_nobody_knows_the_way(given, tmp_path):

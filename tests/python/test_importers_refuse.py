@@ -105,6 +105,9 @@ def test_gsd_files(tmp_path):
         write_gsd(path, frames, *([box] if box else []))
         error = refusal("gsd", path, periodic="as-is")
         assert error.field == field and reason in error.reason, str(error)
+    # Image flags that are not kept up.
+    write_gsd(path, [(0, at, {}), (1, [[0, 0, 0], [-4.5, 1, 0]], {})])
+    assert "crossed a side" in refusal("gsd", path, periodic="unwrap").reason
     path.write_bytes(path.read_bytes()[:100])
     assert "no GSD file" in refusal("gsd", path).reason
 
@@ -197,6 +200,17 @@ def test_commands_leave_what_was_there(tmp_path):
     (tmp_path / "link.csv").symlink_to(table)
     assert command("lammps-dump", dump, "-o", tmp_path / "link.csv").returncode == 0
     assert (tmp_path / "link.csv").is_symlink() and table.read_text().startswith("# remark: ")
+
+
+def test_nothing_is_left_where_writing_fails(tmp_path, monkeypatch):
+    (tmp_path / "a").write_text(DUMP)
+    table = FORMATS["lammps-dump"].read(str(tmp_path / "a"))
+    def fail(*_):
+        raise OSError(28, "No space left on device")
+    monkeypatch.setattr(os, "replace", fail)
+    with pytest.raises(vp.OutputError, match="t.csv: No space left on device"):
+        table.write(str(tmp_path / "t.csv"))
+    assert os.listdir(tmp_path) == ["a"]
 
 
 def broken(random_source, data):
