@@ -76,6 +76,9 @@ def test_periodic_boxes(tmp_path, columns, atoms, treatment, line, field, reason
     ("2 0 0 0 0 0 0\n", "", 0, "Velocities", "not those of the atoms"),
     ("2 0 0 0 0 0 0\n", "2 0 0\n", 23, "Velocities", "3 values"),
     ("Atoms", "Atom", 0, "Atoms", "no such section"),
+    ("3 atoms", "2 atoms", 18, "Atoms", "more than the 2"),
+    ("3 atoms\n", "", 13, "Atoms", "does not say how many"),
+    ("1 -1 0.5 0", "1 -1 1e100 0", 0, "y", "magnitude"),
 ])
 def test_data_files(tmp_path, old, new, line, field, reason):
     path = tmp_path / "a.data"
@@ -119,6 +122,7 @@ def test_databases(tmp_path):
         ({"fps": "fast"}, "metadata fps", "not a decimal"),
         ({"rows": [(0, 1, "here", 0)]}, "trajectory_data frame 0 id 1 pos_x", "no number"),
         ({"rows": [(0, 1, 0, float("inf"))]}, "trajectory_data frame 0 id 1", "finite"),
+        ({"rows": [(10**9, 1, 0, 0)], "fps": "1e-99"}, f"trajectory_data frame {10**9} id 1 t", "magnitude"),
         ({"rows": [("a", 1, 0, 0)]}, "trajectory_data frame a id 1", "no integer"),
         ({"rows": [(0, 1, 0, 0), (0, 1, 1, 0)]}, "trajectory_data frame 0 id 1 t", "no later"),
     ]):
@@ -126,6 +130,10 @@ def test_databases(tmp_path):
         write_jupedsim(path, **given)
         error = refusal("jupedsim", path)
         assert error.field == field and reason in error.reason, str(error)
+    with sqlite3.connect(tmp_path / "view.sqlite") as database:
+        database.execute("CREATE VIEW trajectory_data AS WITH RECURSIVE n(frame) AS (SELECT 0 UNION ALL SELECT frame + 1 FROM "
+                         "n) SELECT frame, 1 AS id, 0.0 AS pos_x, 0.0 AS pos_y FROM n")
+    assert "no table" in refusal("jupedsim", tmp_path / "view.sqlite").reason
     sqlite3.connect(tmp_path / "empty.sqlite").execute("CREATE TABLE other (a)").connection.commit()
     assert "no such table" in refusal("jupedsim", tmp_path / "empty.sqlite").reason
     (tmp_path / "no.sqlite").write_text(DUMP * 10)
@@ -141,6 +149,7 @@ def test_databases(tmp_path):
     ("0:0:0>CRE A,B744,52,4,90,0,0\n0:0:0>ADDWPT A 53 4\n", 1, "A SPD", "stands still"),
     ("0:0:0>CRE A,B744,52,4\n", 0, "CRE", "of no aircraft"),
     ("0:0:0>CRE A,B744,52,4,90,70000,100\n", 0, "CRE", "of no aircraft"),
+    ("0:0:0>CRE A,B744,52,4,90,0,1e90\n", 0, "CRE", "of no aircraft"),
     ("0:0:0>CASMACHTHR no\n0:0:0>CRE A,B744,52,4,90,0,1\n", 1, "CASMACHTHR", "not a decimal"),
 ])
 def test_scenarios(tmp_path, text, line, field, reason):

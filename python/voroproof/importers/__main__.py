@@ -61,7 +61,8 @@ OPTIONS: Dict[str, Dict[str, Any]] = {
     "flatten": dict(action="store_true", help="leave heights out where they differ"),
     "style": dict(choices=list(lammps_data.STYLES), help="the atom style, where the file does not say it"),
     "until": dict(type=positive, metavar="T", help="the end of motion"),
-    "origin": dict(type=origin, metavar="LAT,LON", help="the point about which the Earth is taken for a plane"),
+    "origin": dict(type=origin, metavar="LAT,LON", help="the point about which the Earth is taken for a plane, as in "
+                   "--origin=-33.9,151.2"),
     "columns": dict(type=columns, metavar="WHAT=NAME,...", help="the names of columns: id, time, lat, lon"),
     "longest_gap": dict(type=positive, metavar="S", help="cut a track where it has no message for so many seconds"),
 }

@@ -38,7 +38,15 @@ class _Reader:
             self.fail(f"metadata {key}", "missing")
         return str(found[0])
 
+    def require_tables(self, database: sqlite3.Connection) -> None:
+        """Views would be programs of the file."""
+        for name in ("trajectory_data", "metadata", "geometry"):
+            found = database.execute("SELECT type FROM sqlite_master WHERE name = ?", (name,)).fetchone()
+            if found is None or found[0] != "table":
+                self.fail(name, "no such table" if found is None else "no table")
+
     def table(self, database: sqlite3.Connection) -> Table:
+        self.require_tables(database)
         version = self.metadata(database, "version")
         if version not in VERSIONS:
             self.fail("metadata version", f"{printable(version)}; versions {' and '.join(VERSIONS)} are read")

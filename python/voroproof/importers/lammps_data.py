@@ -78,6 +78,8 @@ class _Reader:
                                       "no style is said behind a #: give --atom-style")
                             + f"; {', '.join(STYLES)} are")
         self.style = STYLES[name]
+        if self.atoms is None:
+            self.lines.fail("Atoms", "the head of the file does not say how many")
 
     def name(self, words: List[str], known: Dict[str, Place], section: str) -> str:
         try:
@@ -92,6 +94,8 @@ class _Reader:
         x = self.style.x
         if len(words) not in (x + 3, x + 6):
             self.lines.fail("Atoms", f"{len(words)} values, not {x + 3}, or {x + 6} with image flags")
+        if len(self.places) == self.atoms:
+            self.lines.fail("Atoms", f"more than the {self.atoms} that the head of the file says")
         name = self.name(words, self.places, "Atoms")
         at = [self.number(words[x + k], f"Atoms {axis}") for k, axis in enumerate("xyz")]
         try:

@@ -9,6 +9,8 @@ from . import airspeed, geography, numbers
 from .lines import Lines
 
 SPEED_PLACES = 3  # of metres a second: speeds are rounded to these
+FASTEST = 10_000  # knots, or Mach numbers; nothing in an atmosphere is faster
+MOST_COMMANDS = 5_000_000  # they are put in order in memory
 
 _LINE = re.compile(r"\s*([0-9]{1,4}):([0-9]{1,2}):([0-9]{1,2}(?:\.[0-9]{1,9})?)\s*>\s*(.*)")
 _SEPARATOR = re.compile(r"\s*,\s*|\s+")
@@ -42,6 +44,8 @@ def read(lines: Lines) -> Scenario:
             ignored += 1
             continue
         t = int(match[1]) * 3600 + int(match[2]) * 60 + Fraction(match[3])
+        if len(commands) == MOST_COMMANDS:
+            lines.fail("", f"more than {MOST_COMMANDS} commands")
         words = [word.strip("'\"").upper() for word in _SEPARATOR.split(match[4].strip())]
         commands.append(Command(t, lines.number, words))
     return Scenario(sorted(commands, key=lambda command: command.t), ignored)
@@ -67,8 +71,8 @@ def true_airspeed(word: str, at: Decimal, mach_below: Fraction) -> Fraction:
     airspeeds in knots. Raises ValueError.
     """
     number = numbers.decimal(word[1:] if word.startswith("M") else word)
-    if number < 0:
-        raise ValueError("a negative speed")
+    if not 0 <= number <= FASTEST:
+        raise ValueError(f"a speed that is not from 0 to {FASTEST}")
     value = geography.as_decimal(number)
     if word.startswith("M") and number >= 20:
         value /= 100  # M80 is Mach 0.8

@@ -58,6 +58,11 @@ class Table:
             raise Refused("", f"more than {MOST_WAYPOINTS} waypoints")
         if not name or not name.isprintable() or name.strip() != name or "," in name or name[0] == "#":
             raise Refused("disk", "its name is empty, or has a comma or other characters that no table can hold")
+        for field, value in (("t", t), ("x", at[0]), ("y", at[1]), ("radius", radius or Fraction(0))):
+            try:
+                numbers.within(value)
+            except ValueError as error:
+                raise Refused(field, str(error)) from error
         if radius is not None and radius < 0:
             raise Refused("radius", "negative")
         known = self._disks.get(name)
