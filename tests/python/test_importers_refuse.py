@@ -108,6 +108,9 @@ def test_gsd_files(tmp_path):
         write_gsd(path, frames, *([box] if box else []))
         error = refusal("gsd", path, periodic="as-is")
         assert error.field == field and reason in error.reason, str(error)
+    # Diameters of 1 are not written: these change in frame 1.
+    write_gsd(path, [(0, at, {}), (1, at[::-1], {"diameter": [1, 3]})])
+    assert "another than before" in refusal("gsd", path, periodic="as-is").reason
     # Image flags that are not kept up.
     write_gsd(path, [(0, at, {}), (1, [[0, 0, 0], [-4.5, 1, 0]], {})])
     assert "crossed a side" in refusal("gsd", path, periodic="unwrap").reason

@@ -166,7 +166,7 @@ class _Reader:
             yield "give --radius where the table is read"
         else:
             yield f"the radius of every disk is {numbers.text(self.radius)}, as given"
-        yield "coasts and depths are not in the file"
+        yield "what a ship does between two messages is not in the file, nor are coasts and depths"
         if self.unavailable:
             yield f"{self.unavailable} messages without a position are left out (latitude 91 or longitude 181)"
         if self.repeated:

@@ -39,7 +39,8 @@ class _Reader:
         try:
             if len(frames) == 0:
                 fail(self.path, 0, "", "no frame")
-            self.has_sizes = frames.file.chunk_exists(frame=0, name="particles/diameter")
+            # A frame without them has those of the first frame, or else 1.
+            self.has_sizes = any(frames.file.chunk_exists(frame=k, name="particles/diameter") for k in range(len(frames)))
             table = Table(self.radius is not None or self.has_sizes)
             for k in range(len(frames)):
                 self.frame(table, frames, k)

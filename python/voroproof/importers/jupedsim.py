@@ -67,7 +67,7 @@ class _Reader:
             f"t is the frame divided by the {numbers.text(rate)} frames per second of the file; lengths are metres",
             f"walls are left out: {walls} {'geometry' if walls == 1 else 'geometries'} of the file",
             "orientations and the ways that agents meant to go are left out",
-            "an agent is there from its first frame to its last",
+            "an agent is there from its first frame to its last; what happens between two frames is not in the file",
             "the file does not give the size of an agent: give --radius where the table is read" if self.radius is None
             else f"the radius of every disk is {numbers.text(self.radius)}, as given: JuPedSim's agents need not be disks",
             "no digit is lost: positions are binary64 numbers, written exactly",
