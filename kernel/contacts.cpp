@@ -183,8 +183,8 @@ class Contacts {
     }
   }
 
-  // Two points that meet have no law, and change places at a disk by no flip. Before that they are
-  // neighbours, or both are neighbours of that disk (certificate.md, Lemma 3.31).
+  // Two points that meet have no law, and change places at a disk by no flip. Before that both are
+  // neighbours of that disk, or of each other and so of a third (certificate.md, Lemma 3.31).
   void require_no_meeting(Two two, const Rat& t) const {
     const auto require = [&](int i, int j) {
       if (i == j || p_.radius(j) != 0) return;
@@ -196,7 +196,6 @@ class Contacts {
     };
     for (const auto& [i, k] : {two, Two(two.second, two.first)}) {
       if (p_.radius(i) != 0) continue;
-      require(i, k);
       for (const auto& [a, b] : pairs(k)) require(i, a == k ? b : a);
     }
   }

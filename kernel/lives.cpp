@@ -178,8 +178,10 @@ class Lives {
         const std::size_t next = walk_.leg_of[g + 1] + 1;
         if (next == p_.legs[g + 1].size()) continue;
         const Leg& leg = p_.legs[g + 1][next];
-        if (!open(leg.claim) || leg.start > hi || !can_turn(leg.claim)) continue;
-        const std::pair turn(leg.start, leg.claim);
+        if (!open(leg.claim) || leg.start > hi) continue;
+        const std::size_t due = next_turn(leg.claim);
+        if (!open(due)) continue;  // it waits for this flip
+        const std::pair turn(claims_[due].t, due);
         if (!first || turn < *first) first = turn;
       }
       if (first) {
@@ -215,14 +217,16 @@ class Lives {
     births_[k] = {now, true, q};
   }
 
-  // Whether this is the next turn of all its disks.
-  bool can_turn(std::size_t claim) const {
+  // The turn that has to come first for this one to be next of all its disks: itself, or another.
+  std::size_t next_turn(std::size_t claim) const {
     const Claim& c = claims_[claim];
     for (int k = c.first; k < 2; ++k) {
-      if (p_.legs[c.id[k] + 1][walk_.leg_of[c.id[k] + 1] + 1].claim != claim) return false;
+      const std::size_t next = p_.legs[c.id[k] + 1][walk_.leg_of[c.id[k] + 1] + 1].claim;
+      if (next != claim) return next_turn(next);
     }
-    return true;
+    return claim;
   }
+  bool can_turn(std::size_t claim) const { return next_turn(claim) == claim; }
 
   // The edges that have a turning disk among their four.
   std::set<int> edges_about(const Claim& c) const {

@@ -188,13 +188,12 @@ class ContactCheck {
     }
   }
 
-  // Two points that meet have no law, and change places at a disk by no flip. Before that they are neighbours, or
-  // both are neighbours of that disk.
+  // Two points that meet have no law, and change places at a disk by no flip. Before that both are neighbours of that
+  // disk, or of each other and so of a third.
   requireNoMeeting([i, j], t) {
     for (const [point, other] of [[i, j], [j, i]]) {
       if (this.problem.radius(point).sign !== 0) continue;
-      const around = this.pairs(other).map(([a, b]) => (a === other ? b : a));
-      for (const g of [other, ...around]) this.requireApart(point, g, t);
+      for (const [a, b] of this.pairs(other)) this.requireApart(point, a === other ? b : a, t);
     }
   }
 

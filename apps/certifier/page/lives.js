@@ -125,10 +125,18 @@ class LifeCheck {
     return found !== null && found.at.against(now) < 0;
   }
 
-  // Whether this is the next turn of all its disks.
-  canTurn(number) {
+  // The turn that has to come first for this one to be next of all its disks: itself, or another.
+  nextTurn(number) {
     const { ids, first } = this.claims[number];
-    return ids.slice(first).every((g) => this.problem.legs[g + 1][this.walk.legOf[g + 1] + 1].claim === number);
+    for (const g of ids.slice(first)) {
+      const { claim } = this.problem.legs[g + 1][this.walk.legOf[g + 1] + 1];
+      if (claim !== number) return this.nextTurn(claim);
+    }
+    return number;
+  }
+
+  canTurn(number) {
+    return this.nextTurn(number) === number;
   }
 
   // ---- Lives
@@ -218,16 +226,18 @@ class LifeCheck {
     this.births[k] = new Birth(now, edge.quad, true);
   }
 
-  // The first turn of one of the four that is not later than `hi`, or -1.
+  // The first turn that one of the four waits for, which turns not later than `hi`, or -1.
   turnBefore(quad, hi) {
-    let first = null;
+    let first = -1;
     for (const g of quad) {
       const leg = this.problem.legs[g + 1][this.walk.legOf[g + 1] + 1];
-      if (leg === undefined || !this.isOpen(leg.claim) || hi.less(leg.start) || !this.canTurn(leg.claim)) continue;
-      const order = first ? leg.start.against(first.start) || leg.claim - first.claim : -1;
-      if (order < 0) first = leg;
+      if (leg === undefined || !this.isOpen(leg.claim) || hi.less(leg.start)) continue;
+      const turn = this.nextTurn(leg.claim), { t } = this.claims[turn];
+      if (!this.isOpen(turn)) continue;  // it waits for this flip
+      const order = first < 0 ? -1 : t.against(this.claims[first].t) || turn - first;
+      if (order < 0) first = turn;
     }
-    return first ? first.claim : -1;
+    return first;
   }
 
   checkFlip(edge, found, now, isSimple, witness) {
