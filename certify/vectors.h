@@ -45,10 +45,23 @@ inline DoubleBall ball(const DdBall& x) {
   return {x.hi, (std::fabs(x.lo) + x.rad) * (1 + 0x1p-50)};
 }
 
-// An upper bound of the length of a vector, good to a part in 10^15.
+// An upper bound of the length of a vector, good to a part in 10^15. The square of a length may be
+// beyond all doubles, or below them: it is brought to about 1 by a power of 4.
 inline Rational length_bound(const ExactVec2& v) {
-  const double n = round_up(norm2(v));
-  return to_rational(std::nextafter(std::sqrt(n), std::numeric_limits<double>::infinity()));
+  Rational n = norm2(v);
+  if (n == 0) return n;
+  const auto bits = [](const Integer& x) {
+    return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2));
+  };
+  const long half = (bits(n.get_num()) - bits(n.get_den())) / 2;
+  const auto times_power = [](const Rational& q, long exponent) {
+    return exponent < 0 ? Rational(q >> static_cast<unsigned long>(-exponent))
+                        : Rational(q << static_cast<unsigned long>(exponent));
+  };
+  n = times_power(n, -2 * half);
+  const double root =
+      std::nextafter(std::sqrt(round_up(n)), std::numeric_limits<double>::infinity());
+  return times_power(to_rational(root), half);
 }
 
 }  // namespace voroproof::internal

@@ -38,6 +38,18 @@ TEST(CollisionLaw, ReachAtTheContainerIsTheGapOfRadii) {
   EXPECT_EQ(CollisionLaw(two(1, 1, 10, 1), kTolerance).reach(container_id, 1), 0);
 }
 
+// ---- bounds of lengths ----
+
+// Their squares have no double.
+TEST(CollisionLaw, LengthsOfAnySizeHaveCloseBounds) {
+  for (const double size : {0.0, 5e-324, 1e-200, 1.0, 1e200, 1e308}) {
+    const Rational side = to_rational(size);
+    const Rational length = length_bound(ExactVec2{3 * side, -4 * side});
+    EXPECT_GE(length, 5 * side);
+    EXPECT_LE(length, 5 * side * (1 + fraction(1, 1'000'000'000'000'000)));
+  }
+}
+
 // ---- after ----
 
 TEST(CollisionLaw, KnownCollisions) {
