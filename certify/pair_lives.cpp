@@ -4,9 +4,18 @@
 #include <numeric>
 #include <utility>
 
+#include "exact/patience.h"
 #include "filtered/numbers/next_double.h"
 
 namespace voroproof::internal {
+
+namespace {
+
+// Of windows that end on the way to one moment. Only disks that would cross the container some
+// thousand times before their next event need more.
+constexpr std::size_t most_windows = 1 << 16;
+
+}  // namespace
 
 void PairLives::assign(double t) {
   if (s_.options.judges_flips()) {
@@ -79,11 +88,15 @@ void PairLives::end(std::span<const int> edges, const Moment& m, PairEnd why) {
 
 void PairLives::reach(const Moment& m, double settled) {
   if (!near_.assigned()) return;
+  std::size_t windows = 0;
   while (const auto g = near_.first_to_end_before(m.hi)) {
+    Patience::ask();
     const double begin = near_.begin_of(*g);
     const double now = std::max(begin, std::min(near_.end_of(*g), settled));
     if (now > begin) end_near(near_.around(*g), Moment::at(now), PairEnd::window);
-    near_.begin(*g, now, now > begin ? now : m.hi);
+    // A disk so fast that its windows are without number gets one that lasts.
+    const bool lasts = now == begin || ++windows > most_windows;
+    near_.begin(*g, now, lasts ? m.hi : now);
   }
 }
 
