@@ -88,9 +88,10 @@ Rat number(const Json& json) {
   return exact_string(string_of(json));
 }
 
+// The limits are binary64, the one a little more and the other a little less than the power of ten.
 Rat scene_number(const Json& json) {
   const Rat x = number(json), size = abs(x);
-  if (x != 0 && (size > power(10, 100) || size < power(10, -100)))
+  if (x != 0 && (size > exactly(1e100) || size < exactly(1e-100)))
     invalid("beyond a scene's limits");
   return x;
 }

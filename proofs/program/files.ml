@@ -53,10 +53,10 @@ let within least most what x = if Q.lt x least || Q.gt x most then invalid "%s b
 let positive what x = if Q.sign x <= 0 then invalid "%s that is not positive" what else x
 let not_negative what x = if Q.sign x < 0 then invalid "a negative %s" what else x
 
-(* A number of a scene: zero, or from 1e-100 to 1e100 in size. *)
+(* A number of a scene: zero, or in size from the binary64 nearest to 1e-100 to that nearest to 1e100. *)
 let scene_number item =
   let x = number item in
-  if Q.sign x <> 0 then ignore (within (power 10 (-100)) (power 10 100) "a number of a scene" (Q.abs x));
+  if Q.sign x <> 0 then ignore (within (nearest "1e-100") (nearest "1e100") "a number of a scene" (Q.abs x));
   x
 
 type vec = Q.t * Q.t

@@ -69,6 +69,15 @@ TEST(KernelFiles, Scenes) {
   const Scene scene = read_scene(kScene);
   EXPECT_EQ(scene.disks[1].center[1], Rat(1, 3));
   EXPECT_EQ(scene.disks[0].mass, 1);
+  // The limits are the binary64 nearest to 1e-100 and 1e100, the latter beyond 10^100.
+  const auto with_horizon = [](const std::string& horizon) {
+    std::string text = kScene;
+    return text.replace(text.find("\"horizon\": 3"), 12, "\"horizon\": " + horizon);
+  };
+  EXPECT_EQ(read_scene(with_horizon("1e100")).horizon, exactly(1e100));
+  EXPECT_EQ(read_scene(with_horizon("1e-100")).horizon, exactly(1e-100));
+  EXPECT_TRUE(refused([&] { read_scene(with_horizon("1.0000000000000002e100")); }));
+  EXPECT_TRUE(refused([&] { read_scene(with_horizon("9.999999999999999e-101")); }));
   struct Change {
     const char *from, *to;
   };
