@@ -91,6 +91,9 @@ ExitCode guarded_run(int argc, const char* const* argv) {
     // Threads and processes that are not to be had.
     return complain(ExitCode::memory, std::string("the system refuses: ") + error.what());
   } catch (const std::exception& error) {
+    if (is_refused_thread(error)) {
+      return complain(ExitCode::memory, std::string("the system refuses: ") + error.what());
+    }
     return complain(ExitCode::internal, std::string("internal error: ") + error.what());
   }
 }

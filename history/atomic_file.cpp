@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 
 #include "history/error.h"
@@ -62,14 +63,17 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
   if (replaces && !S_ISREG(status.st_mode)) throw OutputError(path, "is not a regular file");
   each_abandoned(target_, [](const std::string& abandoned) { unlink(abandoned.c_str()); });
 
+  // Once the file is there, nothing may be wanting that its removal takes: memory comes first.
+  auto unfinished = std::make_unique<Unfinished>();
   static std::atomic<unsigned> counter{0};
   do {
     temporary_ =
         target_ + "." + std::to_string(getpid()) + "." + std::to_string(counter++) + ".tmp";
+    unfinished->name = temporary_;
     descriptor_ = open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (descriptor_ < 0 && errno == EEXIST);
   if (descriptor_ < 0) fail("cannot write");
-  unfinished_ = new Unfinished{temporary_};
+  unfinished_ = unfinished.release();
   unfinished_->next = Unfinished::first.load();
   while (!Unfinished::first.compare_exchange_weak(unfinished_->next, unfinished_)) {
   }

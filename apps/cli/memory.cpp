@@ -48,19 +48,32 @@ void* reallocate(void* block, std::size_t size) {
       end_with(ExitCode::undecided, "voroproof: the memory limit is reached (--max-memory)\n");
     }
     end_with(ExitCode::memory, "voroproof: out of memory\n");
+  } catch (const std::exception& error) {
+    // Thrown in a thread of oneTBB's own, which wakes the next.
+    if (is_refused_thread(error)) {
+      end_with(ExitCode::memory, "voroproof: the system refuses: no thread\n");
+    }
   } catch (...) {
   }
   end_with(ExitCode::internal, "voroproof: internal error: terminated\n");
 }
 
+// Objects outside of functions ask for memory before main(): this one is made before all others.
+const struct EarlyHandler {
+  EarlyHandler() { std::set_terminate(on_terminate); }
+} early_handler [[gnu::init_priority(101)]];
+
 }  // namespace
+
+bool is_refused_thread(const std::exception& error) {
+  return std::string_view(error.what()).starts_with("pthread_create has failed");
+}
 
 void install_memory_handlers() {
   mp_set_memory_functions(
       allocate, [](void* block, std::size_t, std::size_t size) { return reallocate(block, size); },
       [](void* block, std::size_t) { std::free(block); });
   __flint_set_memory_functions(allocate, allocate_zeros, reallocate, std::free);
-  std::set_terminate(on_terminate);
 }
 
 }  // namespace voroproof::internal
