@@ -45,6 +45,11 @@ target_compile_options(voroproof_options INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
   # How vectors of lanes are passed differs by processor; all of the project is made for one.
   -Wno-psabi)
+if(VOROPROOF_LIBFUZZER)
+  # What libFuzzer looks at, in all code; its main() only in the targets (tests/fuzz).
+  target_compile_options(voroproof_options INTERFACE -fsanitize=fuzzer-no-link)
+  target_link_options(voroproof_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 if(VOROPROOF_SANITIZE)
   target_compile_options(voroproof_options INTERFACE
     -fsanitize=${VOROPROOF_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

@@ -57,16 +57,16 @@ WrongHistory read_wrong(JsonReader& json) {
   return wrong;
 }
 
-CorpusCase read_case(const fs::path& folder) {
+}  // namespace
+
+CorpusCase parse_case(std::string_view bytes, const std::string& file) {
   static constexpr std::array<std::string_view, 10> names{
       "format", "version", "name",     "family", "tags",
       "story",  "verdict", "instants", "truth",  "wrong"};
   static constexpr std::array<std::string_view, 1> formats{"voroproof-case"};
   static constexpr std::array<std::string_view, 2> verdicts{"certified", "undecided"};
   CorpusCase read;
-  read.folder = folder;
-  const std::string file = (folder / "case.json").string();
-  const std::string bytes = file_bytes(file, max_case_bytes);
+  read.folder = fs::path(file).parent_path();
   JsonReader json(bytes, file);
   json.object(names, (1u << names.size()) - 1, [&](std::size_t member) {
     switch (member) {
@@ -78,11 +78,11 @@ CorpusCase read_case(const fs::path& folder) {
         break;
       case 2:
         read.name = json.text();
-        if (read.name != folder.filename()) json.fail("is not that of the folder");
+        if (read.name != read.folder.filename()) json.fail("is not that of the folder");
         break;
       case 3:
         read.family = json.text();
-        if (read.family != folder.parent_path().filename()) {
+        if (read.family != read.folder.parent_path().filename()) {
           json.fail("is not that of the folder above");
         }
         break;
@@ -109,6 +109,14 @@ CorpusCase read_case(const fs::path& folder) {
     }
   });
   json.finish();
+  return read;
+}
+
+namespace {
+
+CorpusCase read_case(const fs::path& folder) {
+  const std::string file = (folder / "case.json").string();
+  CorpusCase read = parse_case(file_bytes(file, max_case_bytes), file);
   for (const std::string& needed : {read.scene(), read.history()}) {
     if (!fs::is_regular_file(needed)) throw InputError(needed, 0, "", "no such file");
   }

@@ -55,6 +55,10 @@ std::string corpus_beside_program();
 // names none.
 std::vector<CorpusCase> find_cases(const std::string& root, const CaseSelection& selection);
 
+// The case whose case.json has these bytes; `file` is its path, whose folders name the case and its
+// family. Whether its other files are there is not looked at. Throws InputError.
+CorpusCase parse_case(std::string_view bytes, const std::string& file);
+
 // A selection that cannot be met; what() is one line.
 class CorpusError : public std::runtime_error {
  public:

@@ -1,0 +1,27 @@
+// What is fuzzed: each target takes any bytes, and ends with a verdict of its own.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace voroproof::internal::fuzz {
+
+struct Target {
+  std::string_view name;
+  // Whether the bytes are what they are taken for. Whatever it throws is a find.
+  bool (*accepts)(std::string_view bytes);
+  int runs;  // in the tests
+};
+
+// The readers of all formats, and `certify`.
+const std::vector<Target>& targets();
+
+// Throws std::invalid_argument where there is none of that name.
+const Target& target(std::string_view name);
+
+// A scene and a history in one text, with a line of `pair_separator` between them. A history that
+// names 64 hexadecimal digits as its scene's hash gets the right ones: else none would be judged.
+inline constexpr std::string_view pair_separator = "\n====\n";
+bool certifies(std::string_view pair);
+
+}  // namespace voroproof::internal::fuzz
