@@ -35,6 +35,9 @@ Divergence Refuter::missing_flip(const Quad& q, const Collapse& root) const {
 }
 
 Divergence Refuter::missing_contact(GenId i, GenId j, double lo, double hi) const {
+  if (s_.law.reach(i, j) == 0) {
+    throw Undecided("two points meet: a contact without a normal", i, j);
+  }
   Divergence d;
   d.fault = s_.options.truth == Truth::recorded ? Fault::overlap : Fault::missing_event;
   d.t = lo;

@@ -25,7 +25,7 @@ class Refuter {
   Divergence at_claim(Fault fault, std::string truth) const;
   [[noreturn]] void refute(Fault fault, const std::string& truth, Witness witness = {}) const;
 
-  // An event that the history lacks.
+  // An event that the history lacks. Of a contact: throws Undecided where two points meet.
   Divergence missing_flip(const Quad& q, const Collapse& root) const;
   Divergence missing_contact(GenId i, GenId j, double lo, double hi) const;
   // Under the recorded truth, on the lines of then.
