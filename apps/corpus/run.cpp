@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "apps/corpus/scratch_folder.h"
 #include "exact/patience.h"
 #include "history/error.h"
 #include "library/snapshot.h"
@@ -14,34 +15,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_message = 300;
 constexpr std::size_t longest_tail = std::size_t{1} << 14;  // of stderr that is looked at
-
-// A folder for what is written on the way.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::error_code error;
-    const fs::path parent = fs::temp_directory_path(error);
-    std::string name = (parent / "voroproof-corpus-XXXXXX").string();
-    if (error || mkdtemp(name.data()) == nullptr) throw OutputError(name, "cannot be made");
-    path_ = name;
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-
-  // A folder of its own for the job of that number.
-  fs::path folder(std::size_t number) const {
-    fs::path made = path_ / std::to_string(number);
-    fs::create_directory(made);
-    return made;
-  }
-
- private:
-  fs::path path_;
-};
 
 std::string last_line(const std::string& path) {
   std::ifstream in(path, std::ios::binary | std::ios::ate);
@@ -222,7 +195,8 @@ std::vector<ProgramResult> against_program(const std::vector<CorpusCase>& cases,
     };
     job->push_back({.work = [command, out, err] { return become_shell(command, out, err); },
                     .limits = options.limits,
-                    .on_end = on_end});
+                    .on_end = on_end,
+                    .foreign = true});
     jobs.push_back(std::move(job));
   }
   run_all(std::move(jobs), options);

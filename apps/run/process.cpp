@@ -16,6 +16,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "apps/run/descendants.h"
+
 namespace voroproof::internal {
 namespace {
 
@@ -30,12 +32,7 @@ void limit(int resource, std::uint64_t value) {
   setrlimit(static_cast<__rlimit_resource_t>(resource), &both);
 }
 
-// The new process: never returns to the caller's code.
-[[noreturn]] void work_apart(const ProcessStep& step, pid_t parent) {
-  setpgid(0, 0);
-  // If this program is killed outright its processes go with it.
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(exit_cannot_run);
+[[noreturn]] void work_within(const ProcessStep& step) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGXFSZ, SIGPIPE}) {
     signal(number, SIG_DFL);
   }
@@ -52,9 +49,23 @@ void limit(int resource, std::uint64_t value) {
   _exit(code);
 }
 
+// The new process: never returns to the caller's code.
+[[noreturn]] void work_apart(const ProcessStep& step, pid_t parent) {
+  setpgid(0, 0);
+  if (step.foreign) {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM}) signal(number, SIG_DFL);
+    limit(RLIMIT_CORE, 0);
+    work_without_survivors([&step] { work_within(step); }, parent);
+  }
+  // If this program is killed outright its processes go with it.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(exit_cannot_run);
+  work_within(step);
+}
+
 class Child {
  public:
-  explicit Child(const ProcessStep& step) : start_(Clock::now()) {
+  explicit Child(const ProcessStep& step) : foreign_(step.foreign), start_(Clock::now()) {
     deadline_ = start_ + std::chrono::duration_cast<Clock::duration>(
                              std::chrono::duration<double>(step.limits.seconds));
     const pid_t parent = getpid();
@@ -84,7 +95,11 @@ class Child {
   // Kills what is left of the group and takes leave of its leader. The number of the group is
   // still its own: the leader, dead or alive, has not been waited for.
   ProcessEnd end(bool timed_out = false) {
-    kill(-pid_, SIGKILL);
+    if (foreign_) {
+      kill(pid_, SIGTERM);  // it ends the others and then itself (descendants.h)
+    } else {
+      kill(-pid_, SIGKILL);
+    }
     int status = 0;
     while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
     }
@@ -103,6 +118,7 @@ class Child {
   }
 
  private:
+  bool foreign_;
   pid_t pid_ = -1;
   int descriptor_ = -1;
   Clock::time_point start_, deadline_;

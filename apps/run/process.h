@@ -2,8 +2,9 @@
 //
 // Whatever happens to the work (it crashes, it hangs, it eats all memory) happens to its process
 // alone. A process leads a group of its own; the whole group is killed when its time is over, when
-// the leader has ended, and when the run is given up. No other thread of this process does anything
-// meanwhile, so that a forked one may do anything.
+// the leader has ended, and when the run is given up. Of another program's work no descendant
+// survives, whatever group it is in, not even where this process is killed outright. No other
+// thread of this process does anything meanwhile, so that a forked one may do anything.
 #pragma once
 
 #include <cstdint>
@@ -40,6 +41,8 @@ struct ProcessStep {
   ProcessLimits limits;
   // Run in this process.
   std::function<void(const ProcessEnd&)> on_end;
+  // The work is another program's, whose processes may leave the group: they are ended, too.
+  bool foreign = false;
 };
 
 // Steps one after the other; on_end may add some.

@@ -57,6 +57,44 @@ TEST_F(CorpusCli, WhatAProgramLeavesBehindIsKilled) {
   EXPECT_TRUE(dies(process_in(note)));
 }
 
+// Sessions of their own, and no parent any more.
+std::string leave_the_group(const std::string& note) {
+  return "(setsid sh -c 'echo $$ end > " + note + "; exec sleep 1000' &) ; while [ ! -s " + note +
+         " ]; do sleep 0.01; done; ";
+}
+
+TEST_F(CorpusCli, WhatLeavesTheGroupIsKilled) {
+  const std::string note = file("process");
+  const Json ended = against(leave_the_group(note) + simulate(), "three");
+  EXPECT_EQ(ended["outcome"], "certified");
+  EXPECT_TRUE(dies(process_in(note)));
+  std::filesystem::remove(note);
+  const Json late = against(leave_the_group(note) + "sleep 1000; : {scene} {history}", "three",
+                            {"--timeout", "2"});
+  EXPECT_EQ(late["outcome"], "timed out");
+  EXPECT_TRUE(dies(process_in(note)));
+}
+
+// Killed outright, it takes all processes with it; its scratch files go with the next run.
+TEST_F(CorpusCli, WhatAKilledRunLeavesIsRemoved) {
+  const TemporaryDirectory scratch;
+  ASSERT_EQ(setenv("TMPDIR", scratch.file("").c_str(), 1), 0);
+  const std::string note = file("process");
+  const pid_t program =
+      start(run_words({"--against", leave_the_group(note) + "sleep 1000; : {scene} {history}",
+                       "--case", "three", "--timeout", "1000"}));
+  const pid_t child = process_in(note);
+  EXPECT_TRUE(alive(child));
+  kill(program, SIGKILL);
+  EXPECT_EQ(finish(program).code, 1000 + SIGKILL);
+  EXPECT_TRUE(dies(child));
+  EXPECT_EQ(scratch.number_of_files(), 1u);
+  // The process that sees to the others may still have the lock.
+  for (int k = 0; k < 20 && scratch.number_of_files() > 0; ++k) against(simulate(), "three");
+  unsetenv("TMPDIR");
+  EXPECT_EQ(scratch.number_of_files(), 0u);
+}
+
 TEST_F(CorpusCli, MemoryIsLimited) {
   const Json found = against("dd if=/dev/zero of=/dev/null bs=400M count=1 # {scene} {history}",
                              "three", {"--memory", "200"});
