@@ -1,6 +1,7 @@
 #include "certify/certifier.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "certify/checker.h"
 #include "certify/parts.h"
@@ -52,11 +53,25 @@ void name_shadow(Certificate& c, HistorySource& history, double tolerance) {
   d.truth += ", which the file takes for a shadow flip";
 }
 
+CertifyOptions options_for(const HistorySource& history, const CertifyOptions& asked) {
+  CertifyOptions options = asked;
+  options.unoriented = !asked.strict && (asked.unoriented || !history.header().oriented);
+  return options;
+}
+
+// Adds what is not known from the claims alone.
+void complete(Certificate& c, const std::optional<std::array<Rational, 2>>& other,
+              HistorySource& history, const CertifyOptions& options) {
+  c.other_horizon = other;
+  const auto told = history.remarks();
+  c.remarks.insert(c.remarks.begin(), told.begin(), told.end());
+  name_shadow(c, history, round_up(options.tolerance));
+}
+
 }  // namespace
 
 Certificate certify(const Scene& scene, HistorySource& history, const CertifyOptions& asked) {
-  CertifyOptions options = asked;
-  options.unoriented = !asked.strict && (asked.unoriented || !history.header().oriented);
+  const CertifyOptions options = options_for(history, asked);
   const std::optional<std::array<Rational, 2>> other = other_horizon(scene, history.header());
   if (other && asked.strict) return refuted_for(*other);
   const MotionInput input = motion_input(scene);
@@ -67,11 +82,31 @@ Certificate certify(const Scene& scene, HistorySource& history, const CertifyOpt
     Motion motion(checked_input(input, history.header()), options.motion);
     c = Checker(scene, motion, history, options, Replay(scene, options)).run();
   }
-  c.other_horizon = other;
-  const auto told = history.remarks();
-  c.remarks.insert(c.remarks.begin(), told.begin(), told.end());
-  name_shadow(c, history, round_up(options.tolerance));
+  complete(c, other, history, options);
   return c;
+}
+
+Shard certify_shard(const Scene& scene, HistorySource& history, const CertifyOptions& asked,
+                    const ShardTask& asked_task) {
+  if (asked.truth != Truth::recorded || !asked.judges_flips()) {
+    throw std::invalid_argument("shards are of the recorded truth, and of all events");
+  }
+  const CertifyOptions options = options_for(history, asked);
+  const std::optional<std::array<Rational, 2>> other = other_horizon(scene, history.header());
+  const MotionInput input = motion_input(scene);
+  if (other && asked.strict) {
+    return {start_of(scene, input, history, options), std::nullopt, refuted_for(*other)};
+  }
+  ShardTask task = asked_task;
+  if (asked_task.proved) {
+    task.proved = [&](Shard so_far) {
+      complete(so_far.certificate, other, history, options);
+      asked_task.proved(std::move(so_far));
+    };
+  }
+  Shard shard = certify_in_parts(scene, input, history, options, task);
+  complete(shard.certificate, other, history, options);
+  return shard;
 }
 
 }  // namespace voroproof::internal

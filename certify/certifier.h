@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "certify/certificate.h"
+#include "certify/shard.h"
 #include "filtered/motion/motion.h"
 #include "history/history_source.h"
 #include "history/scene.h"
@@ -61,5 +62,16 @@ struct CertificationInterrupted {
 // Certifies the history against the scene. Throws InputError where the history is not one of its
 // format or not of this scene.
 Certificate certify(const Scene& scene, HistorySource& history, const CertifyOptions& options);
+
+// The history read is not the one of which something is known already, or not with these options.
+struct OtherHistory {};
+
+// Certifies one shard of the history, under the recorded truth and of all events (else
+// std::invalid_argument). What is before the shard is read and taken at its word. Put together in
+// their order (append), the certificates of all shards, up to the first that is not `certified`,
+// are that of certify(), if each shard begins at the cut at which the one before it ends. Throws as
+// certify(), and OtherHistory where the history does not lead to task.from.
+Shard certify_shard(const Scene& scene, HistorySource& history, const CertifyOptions& options,
+                    const ShardTask& task);
 
 }  // namespace voroproof::internal

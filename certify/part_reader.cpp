@@ -1,6 +1,7 @@
 #include "certify/part_reader.h"
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -74,7 +75,7 @@ class PartReader::Section : public HistorySource {
 };
 
 PartReader::PartReader(const Scene& scene, const MotionInput& input, HistorySource& history,
-                       const CertifyOptions& options, std::vector<std::string>& remarks)
+                       const CertifyOptions& options, std::vector<std::string>& remarks, bool marks)
     : input_(input),
       history_(history),
       options_(options),
@@ -85,7 +86,34 @@ PartReader::PartReader(const Scene& scene, const MotionInput& input, HistorySour
       horizon_(header_.horizon.get_d()),
       replay_(scene, options),
       ahead_(kAhead),
-      before_(replay_) {}
+      before_(replay_) {
+  if (!marks) return;
+  std::ostringstream text;
+  write_scene(text, scene);
+  fingerprint_.emplace();
+  fingerprint_->add(text.view());
+  fingerprint_->add(header_);
+  mark();
+}
+
+// A part begins.
+void PartReader::mark() {
+  if (!fingerprint_) return;
+  claims_sha256_ = fingerprint_->hex();
+  fingerprint_.emplace();
+  fingerprint_->add(std::string_view(claims_sha256_));
+}
+
+Cut PartReader::cut() const {
+  Fingerprint state;
+  replay_.add_to(state);
+  return {static_cast<std::int64_t>(number_),
+          begins_at(),
+          static_cast<std::int64_t>(in_parts_),
+          line_,
+          claims_sha256_,
+          state.hex()};
+}
 
 // The next claim, or null. Reads a little ahead, so that what a claim is about is in the caches
 // when it is taken.
@@ -106,6 +134,11 @@ void PartReader::take_next_claim() {
   clear_ = place.has_value();
   places_.push_back(place.value_or(Replay::Place{}));
   last_ = time(claim.event);
+  line_ = claim.line;
+  if (fingerprint_) {
+    fingerprint_->add(claim.line);
+    fingerprint_->add(claim.event);
+  }
   claims_.add(std::move(claim.event), claim.line);
   ahead_.pop_front();
 }
@@ -181,6 +214,7 @@ std::optional<Part> PartReader::next() {
               std::exchange(before_, replay_),
               std::exchange(begin_, until),
               PartEnd{until, replay_.diagram()}};
+    mark();
     return part;
   }
   return last_part();

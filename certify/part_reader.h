@@ -10,6 +10,7 @@
 #include "certify/certifier.h"
 #include "certify/checker.h"
 #include "certify/replay.h"
+#include "certify/shard.h"
 
 namespace voroproof::internal {
 
@@ -47,9 +48,9 @@ class ClaimList {
 class PartReader {
  public:
   // Everything must outlive the reader, and the reader its parts. `remarks` receives what is to be
-  // said of the initial diagram.
+  // said of the initial diagram. `marks`: cut() will be asked for.
   PartReader(const Scene& scene, const MotionInput& input, HistorySource& history,
-             const CertifyOptions& options, std::vector<std::string>& remarks);
+             const CertifyOptions& options, std::vector<std::string>& remarks, bool marks = false);
 
   // The header, with the initial diagram once the first part has been read.
   const HistoryHeader& header() const { return header_; }
@@ -57,6 +58,14 @@ class PartReader {
   // The next part; nothing after the last. Throws InputError where the history cannot be read: what
   // has been read of the part is lost then.
   std::optional<Part> next();
+
+  // Whether there is no next part.
+  bool done() const { return done_; }
+  // The number of the next part, and when it begins.
+  std::size_t number() const { return number_; }
+  double begins_at() const { return begin_.value_or(0); }
+  // The place before the next part. Preconditions: marks, !done().
+  Cut cut() const;
 
  private:
   struct ReadClaim {
@@ -73,6 +82,7 @@ class PartReader {
   bool may_end() const;
   std::size_t least_size(double t) const;
   std::optional<Part> last_part();
+  void mark();
 
   const MotionInput& input_;
   HistorySource& history_;
@@ -93,6 +103,10 @@ class PartReader {
   Replay before_;
   std::optional<double> begin_;
   std::size_t in_parts_ = 0;  // claims, of all parts before it
+  std::int64_t line_ = 1;     // the last taken
+  // Of the claims of the present part, and of the parts before it.
+  std::optional<Fingerprint> fingerprint_;
+  std::string claims_sha256_;  // of the parts before it
   // Whether the claims so far make sense. The others are left to the last part, to say why not.
   bool clear_ = true;
   bool done_ = false;

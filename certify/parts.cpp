@@ -21,48 +21,66 @@ namespace voroproof::internal {
 
 namespace {
 
-void add(Certificate& total, Certificate&& part) {
-  total.verdict = part.verdict;
-  total.divergence = std::move(part.divergence);
-  total.reason = std::move(part.reason);
-  total.reason_line = part.reason_line;
-  total.prefix_events += part.prefix_events;
-  total.prefix_t = part.prefix_t;
-  total.flips += part.flips;
-  total.collisions += part.collisions;
-  total.maneuvers += part.maneuvers;
-  total.edge_lives += part.edge_lives;
-  total.pair_lives += part.pair_lives;
-  total.beyond_filter += part.beyond_filter;
-  total.simultaneous += part.simultaneous;
-  total.swaps += part.swaps;
-  total.resolved += part.resolved;
-  total.grazes += part.grazes;
-  total.rounding_overlaps += part.rounding_overlaps;
-  total.at_horizon += part.at_horizon;
-  total.left_out += part.left_out;
-  total.proved_anew += part.proved_anew;
-  total.computed_velocities += part.computed_velocities;
-  total.highest_bits = std::max(total.highest_bits, part.highest_bits);
-  total.tiers += part.tiers;
-  for (std::string& remark : part.remarks) {
-    if (std::find(total.remarks.begin(), total.remarks.end(), remark) == total.remarks.end()) {
-      total.remarks.push_back(std::move(remark));
-    }
-  }
+// The number of the shard in whose slice of time the part is that begins at t.
+int shard_of(double t, double horizon, int of) {
+  if (!(horizon > 0)) return 1;
+  return std::min(of, 1 + static_cast<int>(t / horizon * of));
 }
 
 // Parts are read in their order, proved by all threads, and their results added in their order.
 class PartwiseCertifier {
  public:
+  // `task`: none for the whole.
   PartwiseCertifier(const Scene& scene, const MotionInput& input, HistorySource& history,
-                    const CertifyOptions& options)
+                    const CertifyOptions& options, const ShardTask* task)
       : scene_(scene),
         input_(input),
         options_(options),
-        reader_(scene, input, history, options, total_.remarks) {}
+        task_(task),
+        reader_(scene, input, history, options, total_.remarks, task != nullptr) {}
 
-  Certificate run() {
+  Shard run() {
+    skip();
+    begin_ = place();
+    prove_all();
+    // Of a shard without a part nothing is wrong.
+    if (task_ != nullptr && finished_ == first_) total_.verdict = Verdict::certified;
+    return {begin_, over_ ? std::nullopt : place(), std::move(total_)};
+  }
+
+ private:
+  struct Work {
+    Part part;
+    std::optional<Cut> end;  // where somebody wants to know that it is reached
+    Certificate certificate;
+    std::exception_ptr error;
+  };
+  using Token = std::shared_ptr<Work>;
+
+  // Reads what is before the first part to be proved.
+  void skip() {
+    if (task_ == nullptr) return;
+    while (!reader_.done() && is_before_shard()) {
+      if (options_.monitor && !options_.monitor(reader_.begins_at(), 0)) {
+        throw CertificationInterrupted{};
+      }
+      reader_.next();
+    }
+    if (task_->from && place() != task_->from) throw OtherHistory();
+    first_ = finished_ = reader_.number();
+  }
+  bool is_before_shard() const {
+    if (task_->from) return static_cast<std::int64_t>(reader_.number()) < task_->from->part;
+    return shard_of_next() < task_->number;
+  }
+  int shard_of_next() const {
+    return shard_of(reader_.begins_at(), round_nearest(reader_.header().horizon), task_->of);
+  }
+  std::optional<Cut> place() const {
+    return task_ == nullptr || reader_.done() ? std::nullopt : std::optional(reader_.cut());
+  }
+
+  void prove_all() {
     namespace tbb = oneapi::tbb;
     const auto threads = static_cast<std::size_t>(options_.threads);
     // As many threads are allowed as are asked for, also more than the machine has.
@@ -93,25 +111,20 @@ class PartwiseCertifier {
       throw;
     }
     if (!over_ && unreadable_) std::rethrow_exception(unreadable_);
-    if (!over_ && !complete_) throw std::logic_error("a part of the history was not proved");
-    return std::move(total_);
+    if (!over_ && finished_ != reader_.number()) {
+      throw std::logic_error("a part of the history was not proved");
+    }
   }
-
- private:
-  struct Work {
-    Part part;
-    Certificate certificate;
-    std::exception_ptr error;
-  };
-  using Token = std::shared_ptr<Work>;
 
   // The next part, or null. What comes before a line that cannot be read may be refuted.
   Token read() {
-    if (first_bad_ != kNone) return nullptr;
+    if (first_bad_ != kNone || reader_.done()) return nullptr;
+    if (task_ != nullptr && shard_of_next() > task_->number) return nullptr;
     try {
       std::optional<Part> part = reader_.next();
-      if (!part) return nullptr;
-      return std::make_shared<Work>(Work{std::move(*part), {}, nullptr});
+      const bool due = task_ != nullptr && task_->is_due && task_->is_due();
+      return std::make_shared<Work>(
+          Work{std::move(*part), due ? place() : std::nullopt, {}, nullptr});
     } catch (const InputError&) {
       unreadable_ = std::current_exception();
       return nullptr;
@@ -151,9 +164,9 @@ class PartwiseCertifier {
     const std::lock_guard lock(mutex_);
     error_ = work.error;
     over_ = error_ || work.certificate.verdict != Verdict::certified;
-    complete_ = !work.part.end;
-    if (!error_) add(total_, std::move(work.certificate));
+    if (!error_) append(total_, std::move(work.certificate));
     ++finished_;
+    if (!over_ && work.end) task_->proved({begin_, work.end, total_});
   }
 
   // The progress of the earliest part is that of the whole.
@@ -169,7 +182,9 @@ class PartwiseCertifier {
   const Scene& scene_;
   const MotionInput& input_;
   const CertifyOptions& options_;
-  Certificate total_;  // of the parts that are finished
+  const ShardTask* task_;
+  std::optional<Cut> begin_;  // of the shard
+  Certificate total_;         // of the parts that are finished
   PartReader reader_;
   std::exception_ptr unreadable_;
   // The first part that is not proved right: later ones do not matter.
@@ -177,16 +192,27 @@ class PartwiseCertifier {
   oneapi::tbb::enumerable_thread_specific<std::optional<Motion>> motions_;
   bool over_ = false;  // a part was not proved right, and is the last in total_
   std::exception_ptr error_;
-  bool complete_ = false;  // the last part is in total_
-  std::size_t finished_ = 0;
-  std::mutex mutex_;  // of total_ and finished_, which report() reads
+  std::size_t first_ = 0;     // the number of the first part to be proved
+  std::size_t finished_ = 0;  // of the first part that is not in total_
+  std::mutex mutex_;          // of total_ and finished_, which report() reads
 };
 
 }  // namespace
 
 Certificate certify_in_parts(const Scene& scene, const MotionInput& input, HistorySource& history,
                              const CertifyOptions& options) {
-  return PartwiseCertifier(scene, input, history, options).run();
+  return PartwiseCertifier(scene, input, history, options, nullptr).run().certificate;
+}
+
+Shard certify_in_parts(const Scene& scene, const MotionInput& input, HistorySource& history,
+                       const CertifyOptions& options, const ShardTask& task) {
+  return PartwiseCertifier(scene, input, history, options, &task).run();
+}
+
+Cut start_of(const Scene& scene, const MotionInput& input, HistorySource& history,
+             const CertifyOptions& options) {
+  std::vector<std::string> remarks;
+  return PartReader(scene, input, history, options, remarks, true).cut();
 }
 
 }  // namespace voroproof::internal

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "certify/certifier.h"
+#include "certify/shard.h"
 
 namespace voroproof::internal {
 
@@ -14,5 +15,14 @@ namespace voroproof::internal {
 // says.
 Certificate certify_in_parts(const Scene& scene, const MotionInput& input, HistorySource& history,
                              const CertifyOptions& options);
+
+// The same for the parts that the task names. Throws InputError where the history cannot be read as
+// far as the shard, OtherHistory where it does not come to the place at which the task goes on.
+Shard certify_in_parts(const Scene& scene, const MotionInput& input, HistorySource& history,
+                       const CertifyOptions& options, const ShardTask& task);
+
+// The place at which the first part begins.
+Cut start_of(const Scene& scene, const MotionInput& input, HistorySource& history,
+             const CertifyOptions& options);
 
 }  // namespace voroproof::internal

@@ -91,6 +91,11 @@ Rational DyadicSum::exact() const {
   return sum;
 }
 
+void DyadicSum::add_to(Fingerprint& fingerprint) const {
+  fingerprint.add(size_);
+  for (int k = 0; k < size_; ++k) fingerprint.add(part_[k]);
+}
+
 Velocity::Velocity(const CompactRational& x, const CompactRational& y)
     : near{round_nearest(x), round_nearest(y)} {
   if (!x.is_double() || !y.is_double()) {
@@ -100,6 +105,13 @@ Velocity::Velocity(const CompactRational& x, const CompactRational& y)
 
 ExactVec2 Velocity::value() const {
   return exact ? *exact : ExactVec2{to_rational(near[0]), to_rational(near[1])};
+}
+
+void Velocity::add_to(Fingerprint& fingerprint) const {
+  fingerprint.add(near[0]);
+  fingerprint.add(near[1]);
+  fingerprint.add(exact != nullptr);
+  if (exact) fingerprint.add(*exact);
 }
 
 Path::Path(const CompactRational& x, const CompactRational& y, const Velocity& v) : velocity_(v) {
@@ -138,6 +150,19 @@ ExactVec2 Path::at(const Rational& t) const {
   const ExactVec2 v = velocity_.value();
   if (exact_) return {exact_->p[0] + v[0] * dt, exact_->p[1] + v[1] * dt};
   return {x_.exact() + v[0] * dt, y_.exact() + v[1] * dt};
+}
+
+void Path::add_to(Fingerprint& fingerprint) const {
+  velocity_.add_to(fingerprint);
+  fingerprint.add(exact_ != nullptr);
+  if (exact_) {
+    fingerprint.add(exact_->t);
+    fingerprint.add(exact_->p);
+    return;
+  }
+  fingerprint.add(t_);
+  x_.add_to(fingerprint);
+  y_.add_to(fingerprint);
 }
 
 std::optional<Path::Start> Path::start() const {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "certify/fingerprint.h"
 #include "exact/compact_rational.h"
 #include "filtered/numbers/dd_ball.h"
 #include "history/events.h"
@@ -29,6 +30,7 @@ class DyadicSum {
 
   DdBall near() const;  // an enclosure
   Rational exact() const;
+  void add_to(Fingerprint& fingerprint) const;  // the sum as it is held
 
  private:
   static constexpr int kMax = 6;
@@ -49,6 +51,7 @@ struct Velocity {
   Velocity(const CompactRational& x, const CompactRational& y);
   explicit Velocity(const ExactVec2& v) : Velocity(v[0], v[1]) {}
   ExactVec2 value() const;
+  void add_to(Fingerprint& fingerprint) const;
 };
 
 class Path {
@@ -72,6 +75,7 @@ class Path {
   std::optional<Start> start() const;
   // An enclosure of the position at time t, on such a path.
   std::optional<std::array<DdBall, 2>> near(double t) const;
+  void add_to(Fingerprint& fingerprint) const;
 
  private:
   struct Exact {

@@ -182,6 +182,29 @@ std::optional<Diagram::HalfEdge> Replay::flip(const FlipEvent& claim) {
   return h;
 }
 
+void Replay::add_to(Fingerprint& fingerprint) const {
+  fingerprint.add(disks());
+  fingerprint.add(diagram_.edges());
+  for (HalfEdge h = 0; h < 2 * diagram_.edges(); ++h) {
+    fingerprint.add(diagram_.org(h));
+    fingerprint.add(diagram_.previous(h));
+  }
+  for (GenId g = container_id; g < disks(); ++g) {
+    fingerprint.add(diagram_.anchor(g));
+    fingerprint.add(last_change_[g + 1]);
+  }
+  for (GenId g = 0; g < disks(); ++g) {
+    velocities_[g].add_to(fingerprint);
+    paths_[g].add_to(fingerprint);
+    fingerprint.add(turns_[g].count);
+    fingerprint.add(turns_[g].at_container);
+  }
+  fingerprint.add(changes_);
+  fingerprint.add(static_cast<std::int64_t>(next_maneuver_));
+  fingerprint.add(static_cast<std::int64_t>(done_maneuvers_.size()));
+  for (const std::size_t k : done_maneuvers_) fingerprint.add(static_cast<std::int64_t>(k));
+}
+
 void Replay::prefetch(const Event& event) const {
   if (const auto* c = std::get_if<CollideEvent>(&event)) {
     prefetch(c->i);

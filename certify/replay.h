@@ -98,6 +98,8 @@ class Replay : public GivenMotion {
 
   // Recorded truth: takes the claim for true. Nothing where it makes no sense on what is known.
   std::optional<Place> take(const Event& event);
+  // Recorded truth: all that this replay knows, and that what comes after it depends on.
+  void add_to(Fingerprint& fingerprint) const;
   // Asks for the memory where take() will begin: of a flip, to look for the edge.
   void prefetch(const Event& event) const;
   // Asks for the memory of a disk's path and velocity.

@@ -1,12 +1,32 @@
 // The fingerprint that ties a history to its scene.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace voroproof::internal {
 
-// SHA-256 (FIPS 180-4) of the bytes, as 64 lower-case hexadecimal digits.
+// SHA-256 (FIPS 180-4) of bytes that come piece by piece.
+class Sha256 {
+ public:
+  // Throws std::runtime_error where libcrypto has no SHA-256, as all members.
+  Sha256();
+  Sha256(Sha256&&) noexcept;
+  Sha256& operator=(Sha256&&) noexcept;
+  ~Sha256();
+
+  void add(std::string_view bytes);
+  // Of all bytes so far, as 64 lower-case hexadecimal digits. Once, and nothing is added
+  // afterwards.
+  std::string hex();
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
+
+// SHA-256 of the bytes, as 64 lower-case hexadecimal digits.
 std::string sha256_hex(std::string_view bytes);
 
 // The same of the content of a file of any size (ByteSource). Throws InputError.

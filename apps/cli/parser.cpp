@@ -118,7 +118,10 @@ class Image {
 
  private:
   static void require_unless(const Verb& verb, const Option& option) {
-    if (option.unless.empty() || option.given || verb.given(option.unless)) return;
+    if (option.unless.empty() || option.given) return;
+    for (const std::string& other : option.unless) {
+      if (verb.given(other)) return;
+    }
     throw UsageError(option.name() + " is required (see voroproof " + verb.name() + " --help)");
   }
 
@@ -169,7 +172,7 @@ class Image {
     added->option_text(shown_type(option));
     if (option.repeats) {
       added->expected(1, CLI::detail::expected_max_vector_size)->take_all();
-      added->allow_extra_args(option.is_argument());
+      added->allow_extra_args(option.is_argument() || option.takes_rest);
     } else {
       added->expected(option.values)->allow_extra_args(false);
     }

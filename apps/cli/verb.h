@@ -28,7 +28,8 @@ struct Option {
   std::vector<std::string> old_names = {};  // still understood, and shown nowhere
   std::vector<std::string> excluded = {};   // options that cannot be given as well
   std::vector<std::string> needed = {};     // options that must be given as well
-  std::string unless = {};                  // with this option a required one is not to be given
+  std::vector<std::string> unless = {};     // with one of these a required one is not to be given
+  bool takes_rest = false;                  // all words that follow, up to the next option
   // Reads the values, with which the option was given. Throws UsageError.
   std::function<void(const std::vector<std::string>& values)> take = {};
 
@@ -47,7 +48,7 @@ struct Option {
   }
   Option& required_unless(const std::string& other) {
     required();
-    unless = other;
+    unless.push_back(other);
     excluded.push_back(other);
     return *this;
   }
@@ -57,6 +58,10 @@ struct Option {
   }
   Option& excludes(const std::vector<std::string>& others) {
     excluded = others;
+    return *this;
+  }
+  Option& with_all_that_follow() {
+    takes_rest = true;
     return *this;
   }
   Option& needs(const std::string& other) {

@@ -1,5 +1,6 @@
 // voroproof certify: is a history that of the scene?
 #include <algorithm>
+#include <charconv>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,12 +10,15 @@
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
 #include "apps/cli/progress.h"
+#include "apps/run/begun_certificate.h"
+#include "apps/run/checkpoints.h"
 #include "apps/run/kernel_verdict.h"
 #include "apps/run/limited_history.h"
 #include "apps/verbs/list.h"
 #include "apps/verbs/verbs.h"
 #include "certify/certifier.h"
 #include "history/claim.h"
+#include "history/descriptor.h"
 #include "history/error.h"
 #include "history/file_bytes.h"
 #include "history/json_text.h"
@@ -26,10 +30,11 @@ namespace {
 
 struct Request {
   std::string scene, history, report, truth = "exact", events = "all", tolerance = "1e-6",
-                                      law_tolerance = "1e-9";
+                                      law_tolerance = "1e-9", part;
+  std::vector<std::string> shards;  // to be merged
   CertifyOptions options;
-  std::uint64_t max_events = 0;
-  bool quiet = false, kernel = false;
+  std::uint64_t max_events = 0, checkpoint = 10;
+  bool quiet = false, kernel = false, resume = false;
 };
 
 ExitCode exit_code(Verdict verdict) {
@@ -54,10 +59,17 @@ Certificate undecided(const std::string& reason, std::int64_t prefix_events, dou
   return certificate;
 }
 
+// Which shard a certificate is of, as its verdict says it: "SHARD 2/8 "; empty where it is of the
+// whole. The verdict of a shard is none of the history.
+std::string name_of_shard(const Request& request, const ShardFile& file) {
+  if (request.part.empty()) return {};
+  return "SHARD " + std::to_string(file.number) + "/" + std::to_string(file.of) + " ";
+}
+
 // Says what was found, the verdict last, and the reason of a verdict other than
 // CERTIFIED to stderr.
 void tell(const Request& request, const Certificate& certificate, const std::string& kernel,
-          const std::string& evidence) {
+          const std::string& evidence, const std::string& shard) {
   if (certificate.verdict != Verdict::certified) {
     std::cerr << "voroproof: " << printable(request.history, 4096) << ": "
               << printable(reason_line(certificate), 4096) << '\n';
@@ -83,31 +95,133 @@ void tell(const Request& request, const Certificate& certificate, const std::str
   if (const std::string line = scope_line(request.options, certificate); !line.empty()) {
     out << "c " << line << '\n';
   }
-  out << verdict_line(certificate.verdict) << '\n';
+  out << "s " << shard << verdict_line(certificate.verdict).substr(2) << '\n';
 }
 
-// The certificate of the claim, undecided where a limit is reached. Throws Interrupted.
-Certificate certify_claim(Claim& claim, const CertifyOptions& options,
-                          const CooperativeInterruption& interruption) {
+// The shard that --part names, or the one of all parts.
+void read_part(const Request& request, ShardFile& file) {
+  if (request.part.empty()) return;
+  const auto number = [&](const std::string& text) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() ? value : 0;
+  };
+  const std::size_t slash = request.part.find('/');
+  if (slash != std::string::npos) {
+    file.number = number(request.part.substr(0, slash));
+    file.of = number(request.part.substr(slash + 1));
+  }
+  if (slash == std::string::npos || file.number < 1 || file.of < file.number ||
+      file.of > most_shards) {
+    throw UsageError("--part: not I/N with 1 <= I <= N <= " + std::to_string(most_shards));
+  }
+}
+
+void require_shards(const Request& request) {
+  for (const auto& [given, name] :
+       {std::pair(!request.part.empty(), "--part"), std::pair(request.resume, "--resume")}) {
+    if (!given) continue;
+    const std::string option = name;
+    if (request.truth != "recorded" || request.events != "all") {
+      throw UsageError(option + ": only with --truth recorded, of all events");
+    }
+    if (request.report.empty()) throw UsageError(option + ": requires --report");
+  }
+  if (request.resume && (is_stream(request.report) || is_standard_output(request.report))) {
+    throw UsageError("--resume: what was written into a stream cannot be taken up");
+  }
+  if (request.kernel && !request.part.empty()) {
+    throw UsageError("--kernel: the kernel judges the whole history (without --part)");
+  }
+}
+
+// Whether what has been proved is kept, for a later run to take it up.
+bool can_be_resumed(const Request& request) {
+  return request.truth == "recorded" && request.events == "all" && !request.report.empty() &&
+         !is_stream(request.report) && !is_standard_output(request.report);
+}
+
+// Certifies the shard from where an earlier run has left it.
+void certify_shard_of(const Request& request, Claim& claim, const CertifyOptions& options,
+                      std::optional<BegunCertificate>& begun, ShardFile& file) {
+  ShardTask task{.number = file.number, .of = file.of};
+  if (request.resume) {
+    if (auto left = begun->find(file)) {
+      file.shard = std::move(*left);
+      task.from = file.shard.end;
+      if (!request.quiet) {
+        std::cerr << "voroproof: takes up " << printable(begun->path(), 4096)
+                  << " at t = " << number_text(task.from->t) << ", after " << task.from->claims
+                  << " events\n";
+      }
+    }
+  }
+  const auto joined = [&](Shard next) {
+    Certificate& c = next.certificate;
+    c.remarks.insert(c.remarks.begin(), claim.remarks.begin(), claim.remarks.end());
+    ShardFile whole = file;
+    if (task.from) {
+      append(whole.shard, std::move(next));
+    } else {
+      whole.shard = std::move(next);
+    }
+    return whole;
+  };
+  Checkpoints checkpoints(request.checkpoint);
+  if (begun) {
+    task.is_due = [&] { return checkpoints.due(); };
+    task.proved = [&](Shard so_far) { begun->keep(joined(std::move(so_far))); };
+  }
   try {
-    Certificate certificate = certify(claim.scene, *claim.history, options);
+    file = joined(certify_shard(claim.scene, *claim.history, options, task));
+  } catch (const OtherHistory&) {
+    throw InputError(begun->path(), 0, "", "is of another history than " + request.history);
+  } catch (CertificationInterrupted& at) {
+    at.prefix_events += file.shard.certificate.prefix_events;
+    throw;
+  }
+  if (begun) begun->forget();
+}
+
+// Certifies the claim, or its shard; undecided where a limit is reached. Throws Interrupted.
+void certify_claim(const Request& request, Claim& claim, const CertifyOptions& options,
+                   const CooperativeInterruption& interruption, ShardFile& file) {
+  std::optional<BegunCertificate> begun;
+  if (can_be_resumed(request)) begun.emplace(request.report);
+  Certificate& certificate = file.shard.certificate;
+  try {
+    if (begun || !request.part.empty()) {
+      certify_shard_of(request, claim, options, begun, file);
+      return;
+    }
+    certificate = certify(claim.scene, *claim.history, options);
     certificate.remarks.insert(certificate.remarks.begin(), claim.remarks.begin(),
                                claim.remarks.end());
-    return certificate;
   } catch (const CertificationInterrupted& at) {
     if (!interruption.late()) throw Interrupted();
-    return undecided(time_limit_reason(), at.prefix_events, at.prefix_t);
+    certificate = undecided(time_limit_reason(), at.prefix_events, at.prefix_t);
   } catch (const std::bad_alloc&) {
     if (!has_memory_limit()) throw;
     lift_memory_limit();
-    return undecided(memory_limit_reason(), 0, 0);
+    certificate = undecided(memory_limit_reason(), 0, 0);
   }
+  if (!request.part.empty()) throw Undecided(certificate.reason);
+}
+
+// Writes the report, or the certificate of the shard.
+void write_result(const Request& request, OutputFile& output, const ShardFile& file) {
+  output.write(request.part.empty() ? report_text(file.run, file.options, file.shard.certificate)
+                                    : shard_text(file));
+  output.commit();
 }
 
 ExitCode certify_files(Request& request) {
   if (request.kernel && request.events != "all") {
     throw UsageError("--kernel: the kernel judges all events (--events all)");
   }
+  require_shards(request);
+  ShardFile file;
+  read_part(request, file);
   require_distinct({request.scene, request.history}, {request.report});
   require_order(request.scene, request.history);
   CooperativeInterruption interruption;
@@ -130,34 +244,50 @@ ExitCode certify_files(Request& request) {
     throw UsageError(std::string("--") + fault.what());
   }
   options.propose_initial = construct_initial;
+  file.options = options;
+  file.run = certification_run(producer(), request.scene, request.history, claim, {});
   std::optional<Progress> progress;
   progress.emplace(round_nearest(header.horizon), request.quiet);
   options.monitor = [&](double t, std::int64_t events) {
     progress->report(t, static_cast<std::uint64_t>(events));
     return !interruption.requested();
   };
-  Certificate certificate = certify_claim(claim, options, interruption);
+  certify_claim(request, claim, options, interruption, file);
   progress.reset();
-  std::string kernel;
+  Certificate& certificate = file.shard.certificate;
   if (request.kernel) {
-    kernel = judged_by_kernel(certificate, request.scene, request.history, options,
-                              [&] { return !interruption.requested(); });
-    if (kernel.empty()) {
+    file.run.kernel = judged_by_kernel(certificate, request.scene, request.history, options,
+                                       [&] { return !interruption.requested(); });
+    if (file.run.kernel.empty()) {
       if (!interruption.late()) throw Interrupted();
       certificate = undecided(time_limit_reason() + " while the kernel judges",
                               certificate.prefix_events, certificate.prefix_t);
     }
   }
   interruption.wind_up();
-  const std::string evidence = checked_evidence(certificate, request.scene, request.history);
-  if (report_file) {
-    CertificationRun run =
-        certification_run(producer(), request.scene, request.history, claim, evidence);
-    run.kernel = kernel;
-    report_file->write(report_text(run, options, certificate));
-    report_file->commit();
+  file.run.evidence = checked_evidence(certificate, request.scene, request.history);
+  if (report_file) write_result(request, *report_file, file);
+  tell(request, certificate, file.run.kernel, file.run.evidence, name_of_shard(request, file));
+  return exit_code(certificate.verdict);
+}
+
+// The report and the verdict of the whole from the certificates of its shards.
+ExitCode merge_files(Request& request) {
+  require_distinct(request.shards, {request.report});
+  std::optional<OutputFile> report_file;
+  if (!request.report.empty()) report_file.emplace(request.report);
+  ShardFile whole = merge_shards(request.shards);
+  if (whole.run.producer != producer()) {
+    throw InputError(request.shards.front(), 0, "report.producer",
+                     "is of " + printable(whole.run.producer) + ", and this is " + producer());
   }
-  tell(request, certificate, kernel, evidence);
+  request.history = whole.run.history_file;
+  request.options = whole.options;
+  const Certificate& certificate = whole.shard.certificate;
+  // The witness is checked here, whatever the shard says of it.
+  whole.run.evidence = checked_evidence(certificate, whole.run.scene_file, whole.run.history_file);
+  if (report_file) write_result(request, *report_file, whole);
+  tell(request, certificate, {}, whole.run.evidence, {});
   return exit_code(certificate.verdict);
 }
 
@@ -182,9 +312,12 @@ const ListedVerb listed_certify{.name = "certify",
 void add_certify(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("certify", "Prove or refute a history of a scene");
-  verb.input("scene", request->scene, "The scene.").required_unless("--list");
+  verb.input("scene", request->scene, "The scene.")
+      .required_unless("--list")
+      .required_unless("--merge");
   verb.input("history", request->history, "The history, whoever wrote it.")
-      .required_unless("--list");
+      .required_unless("--list")
+      .required_unless("--merge");
   verb.choice(
       "--truth", {"exact", "recorded"}, request->truth,
       "Which motion the history must describe: the true motion of the scene, or the one that "
@@ -212,11 +345,24 @@ void add_certify(Verb& program) {
   verb.whole("--threads", request->options.threads, 1, 1024,
              "The number of threads for the recorded truth. The certificate is the same.");
   verb.output("--report", request->report, "Write everything that was found here, as JSON.");
+  verb.text("--part", request->part, "I/N",
+            "Certify the I-th of N shards of a history, under the recorded truth, and write its "
+            "certificate as the report.");
+  verb.inputs("--merge", request->shards,
+              "Join the certificates of all shards of a history to the verdict and the report of "
+              "the whole.")
+      .with_all_that_follow();
+  verb.flag("--resume", request->resume,
+            "Take up what a run that was interrupted or killed, or that a limit ended, has left "
+            "beside this report; the report is the same as without the break.");
+  verb.whole("--checkpoint", request->checkpoint, 0, 1'000'000,
+             "Under the recorded truth, keep what is proved every so many seconds in a file of the "
+             "report's name with .partial at its end; 0: as often as can be.");
   add_max_bits(verb, request->options.motion.max_bits);
   add_max_events(verb, request->max_events);
   verb.flag("--quiet", request->quiet,
             "Show no progress on the terminal, and write nothing but the verdict.");
-  const auto list = add_list_options(verb, {"--report"});
+  const auto list = add_list_options(verb, {"--report", "--part", "--merge", "--resume"});
   verb.note("What s CERTIFIED says is stated in docs/claim.md.")
       .note(
           "The last line of the output is s CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) "
@@ -225,7 +371,7 @@ void add_certify(Verb& program) {
   verb.does([request, list, &verb] {
     if (!list->list.empty()) return run_listed(verb, *list, listed_certify);
     try {
-      return certify_files(*request);
+      return request->shards.empty() ? certify_files(*request) : merge_files(*request);
     } catch (const InputError& error) {
       std::cerr << "voroproof: " << printable(error.what(), 4096) << '\n';
     } catch (const UsageError& error) {

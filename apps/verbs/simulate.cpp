@@ -11,6 +11,7 @@
 #include "apps/cli/limits.h"
 #include "apps/cli/progress.h"
 #include "apps/run/begun_history.h"
+#include "apps/run/checkpoints.h"
 #include "apps/run/history_sink.h"
 #include "apps/run/self_check.h"
 #include "apps/run/stats_file.h"
@@ -194,23 +195,6 @@ std::optional<BegunHistory> find_begun(const Request& request, const HistoryHead
   }
   return begun;
 }
-
-// Tells now and then that events are to outlive the process.
-class Checkpoints {
- public:
-  explicit Checkpoints(std::uint64_t seconds) : interval_(seconds) {}
-  bool due() {
-    const Clock::time_point now = Clock::now();
-    if (now < last_ + interval_) return false;
-    last_ = now;
-    return true;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  std::chrono::seconds interval_;
-  Clock::time_point last_ = Clock::now();
-};
 
 // Gives the history its name.
 void close(HistoryWriter& writer, const Request& request) {

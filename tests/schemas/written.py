@@ -50,6 +50,8 @@ def write_some(folder, program, example):
     go("simulate a.scene.json -o b.history.jsonl --stats b.stats.json --max-events 5")
     go("certify a.scene.json a.history.jsonl --report a.report.json --kernel")
     go("certify a.scene.json b.history.jsonl --truth recorded --report b.report.json")
+    go("certify a.scene.json a.history.jsonl --truth recorded --part 1/2 --report a.shard.json")
+    go("certify a.scene.json b.history.jsonl --truth recorded --part 2/2 --report b.shard.json")
     go("snapshot a.scene.json a.history.jsonl --at 1/3 -o a.diagram.json")
     for queries, of in ((QUERIES, "a.scene.json"), (QUERIES_OVER, "a.scene.json a.history.jsonl")):
         for query in queries:

@@ -1,0 +1,39 @@
+#include "certify/shard.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voroproof::internal {
+
+void append(Certificate& total, Certificate&& next) {
+  total.verdict = next.verdict;
+  total.divergence = std::move(next.divergence);
+  total.reason = std::move(next.reason);
+  total.reason_line = next.reason_line;
+  total.prefix_events += next.prefix_events;
+  total.prefix_t = next.prefix_t;
+  total.flips += next.flips;
+  total.collisions += next.collisions;
+  total.maneuvers += next.maneuvers;
+  total.edge_lives += next.edge_lives;
+  total.pair_lives += next.pair_lives;
+  total.beyond_filter += next.beyond_filter;
+  total.simultaneous += next.simultaneous;
+  total.swaps += next.swaps;
+  total.resolved += next.resolved;
+  total.grazes += next.grazes;
+  total.rounding_overlaps += next.rounding_overlaps;
+  total.at_horizon += next.at_horizon;
+  total.left_out += next.left_out;
+  total.proved_anew += next.proved_anew;
+  total.computed_velocities += next.computed_velocities;
+  total.highest_bits = std::max(total.highest_bits, next.highest_bits);
+  total.tiers += next.tiers;
+  for (std::string& remark : next.remarks) {
+    if (std::find(total.remarks.begin(), total.remarks.end(), remark) == total.remarks.end()) {
+      total.remarks.push_back(std::move(remark));
+    }
+  }
+}
+
+}  // namespace voroproof::internal

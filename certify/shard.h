@@ -1,0 +1,52 @@
+// A shard: parts of a history that follow each other, certified by one process. What a run has
+// proved so far is a shard, too.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "certify/certificate.h"
+
+namespace voroproof::internal {
+
+// A place between two parts of a history, and all that the parts after it depend on.
+struct Cut {
+  std::int64_t part = 0;    // the number of the part that begins here
+  double t = 0;             // at which it begins
+  std::int64_t claims = 0;  // before it
+  std::int64_t line = 1;    // the last before it
+  std::string
+      claims_sha256;         // of the scene, the history's header and the claims before it, as read
+  std::string state_sha256;  // of the diagram and the recorded motion that these claims lead to
+  bool operator==(const Cut&) const = default;
+};
+
+// What is known of a shard: that the history is as the certificate says between the two cuts, if it
+// is right before the first. Where the history is over there is no cut, and a shard that begins
+// there has no part.
+struct Shard {
+  std::optional<Cut> begin, end;
+  Certificate certificate;
+};
+
+// Which parts are to be certified.
+struct ShardTask {
+  // Of `of` shards the one with this number, from 1. The horizon is divided into so many equal
+  // slices of time, and a part is of the shard in whose slice it begins.
+  int number = 1, of = 1;
+  // The parts of the shard before this one are certified already.
+  std::optional<Cut> from{};
+  // Whether somebody wants to know what has been proved by now. Asked for each part.
+  std::function<bool()> is_due{};
+  // Some time after `is_due`: what is certified by then, from `from` on where that is given.
+  std::function<void(Shard so_far)> proved{};
+};
+
+// The certificate of what `total` is about and of what comes next, which `next` is about: its
+// verdict is that of `next`. Precondition: total.verdict is `certified`, or it is of nothing.
+void append(Certificate& total, Certificate&& next);
+
+}  // namespace voroproof::internal

@@ -1,0 +1,294 @@
+// certify --part, --merge and --resume: a history certified by several processes, or by one that
+// was killed, has the report of one that was not.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <random>
+#include <string>
+#include <thread>
+
+#include "tests/apps/verbs/cli.h"
+
+namespace voroproof::internal {
+namespace {
+
+class ShardsCli : public Cli {
+ protected:
+  void SetUp() override {
+    scene_ = reference(30, "1000");
+    history_ = file("a.history.jsonl");
+    report_ = file("a.report.json");
+    must({"simulate", scene_, "-o", history_});
+  }
+
+  Arguments certify(const Arguments& more = {}) const {
+    Arguments arguments{"certify",  scene_,     history_, "--truth",
+                        "recorded", "--report", report_,  "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  // The report of one process.
+  std::string whole(int code = 0) const {
+    EXPECT_EQ(run(certify()).code, code);
+    std::string text = read_bytes(report_);
+    std::filesystem::remove(report_);
+    return text;
+  }
+
+  std::string name(int k) const { return file("s" + std::to_string(k) + ".shard.json"); }
+
+  Result part(int k, int of, const Arguments& more = {}) const {
+    Arguments arguments{
+        "certify",  scene_,    history_, "--truth",
+        "recorded", "--quiet", "--part", std::to_string(k) + "/" + std::to_string(of),
+        "--report", name(k)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+
+  // Certifies all, and gives their names.
+  Arguments parts(int of) const {
+    Arguments names;
+    for (int k = 1; k <= of; ++k) {
+      const Result result = part(k, of);
+      EXPECT_EQ(result.code, 0) << result.err;
+      EXPECT_EQ(result.out,
+                "s SHARD " + std::to_string(k) + "/" + std::to_string(of) + " CERTIFIED\n");
+      names.push_back(name(k));
+    }
+    return names;
+  }
+
+  Arguments merge(const Arguments& names) const {
+    Arguments arguments{"certify", "--report", report_, "--quiet", "--merge"};
+    arguments.insert(arguments.end(), names.begin(), names.end());
+    return arguments;
+  }
+
+  void refused_merge(const Arguments& names, const std::string& message) const {
+    const Result result = run(merge(names));
+    EXPECT_EQ(result.code, 2) << message;
+    EXPECT_EQ(result.out, "s INVALID\n") << message;
+    EXPECT_NE(result.err.find(message), std::string::npos) << message << ": " << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(report_)) << message;
+  }
+
+  void change(int k, const std::function<void(Json&)>& what) const {
+    Json shard = json("s" + std::to_string(k) + ".shard.json");
+    what(shard);
+    directory_.write("s" + std::to_string(k) + ".shard.json", shard.dump());
+  }
+
+  // The history without the first flip after so many bytes.
+  void drop_a_flip(std::size_t after) const {
+    std::string text = read_bytes(history_);
+    const std::size_t flip = text.find("\"flip\"", after), from = text.rfind('\n', flip);
+    text.erase(from, text.find('\n', flip) - from);
+    directory_.write("a.history.jsonl", text);
+  }
+
+  std::string scene_, history_, report_;
+};
+
+TEST_F(ShardsCli, HaveTheReportOfTheWhole) {
+  const std::string report = whole();
+  for (const int of : {1, 3, 20}) {
+    Arguments names = parts(of);
+    std::reverse(names.begin(), names.end());
+    const Result result = run(merge(names));
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out, "s CERTIFIED\n");
+    EXPECT_TRUE(read_bytes(report_) == report) << of;
+    std::filesystem::remove(report_);
+  }
+}
+
+// One flip is missing in the second of three.
+TEST_F(ShardsCli, RefuteTheWhole) {
+  drop_a_flip(read_bytes(history_).size() / 2);
+  const std::string report = whole(1);
+  EXPECT_EQ(part(1, 3).code, 0);
+  const Result second = part(2, 3);
+  EXPECT_EQ(second.code, 1);
+  EXPECT_EQ(second.out, "s SHARD 2/3 REFUTED\n");
+  const Result result = run(merge({name(2), name(1)}));
+  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(result.out, "s REFUTED\n");
+  EXPECT_NE(result.err.find("missing event"), std::string::npos) << result.err;
+  EXPECT_TRUE(read_bytes(report_) == report);
+  std::filesystem::remove(report_);
+  refused_merge({name(2)}, "is shard 2 of 3, and shard 1 is missing");
+}
+
+TEST_F(ShardsCli, OfAHistoryThatStops) {
+  must({"certify", scene_, history_, "--truth", "recorded", "--quiet"});
+  const int code =
+      run({"simulate", scene_, "-o", history_, "--replace", "--max-events", "3000"}).code;
+  EXPECT_EQ(code, 3);
+  const std::string report = whole(3);
+  Arguments names;
+  for (int k = 1; k <= 4; ++k) {
+    const int found = part(k, 4).code;
+    EXPECT_TRUE(found == 0 || found == 3) << found;
+    names.push_back(name(k));
+  }
+  EXPECT_EQ(run(merge(names)).code, 3);
+  EXPECT_TRUE(read_bytes(report_) == report);
+}
+
+TEST_F(ShardsCli, ThatDoNotFit) {
+  const Arguments names = parts(3);
+  refused_merge({names[0], names[1]}, "shard 3 of 3 is missing");
+  refused_merge({names[0], names[2]}, "is shard 3 of 3, and shard 2 is missing");
+  refused_merge({names[1], names[2]}, "is shard 2 of 3, and shard 1 is missing");
+  refused_merge({names[0], names[1], names[1], names[2]}, "is there twice");
+  const auto with = [&](int k, const std::string& message, const std::function<void(Json&)>& what) {
+    const std::string before = read_bytes(name(k));
+    change(k, what);
+    refused_merge(names, message);
+    directory_.write("s" + std::to_string(k) + ".shard.json", before);
+  };
+  const std::string breaks = "does not begin where the one before it ends: ";
+  // Forged, each in one place.
+  with(2, breaks + "another state",
+       [](Json& s) { s["begin"]["state_sha256"] = std::string(64, 'a'); });
+  with(2, breaks + "another state",
+       [](Json& s) { s["end"]["state_sha256"] = std::string(64, 'a'); });
+  with(2, breaks + "other claims",
+       [](Json& s) { s["begin"]["claims_sha256"] = std::string(64, 'a'); });
+  with(2, breaks + "other claims", [](Json& s) { s["end"]["claims"] = 5; });
+  with(2, breaks + "other claims", [](Json& s) { s["end"]["line"] = 5; });
+  with(2, breaks + "another place", [](Json& s) { s["end"]["t"] = 500; });
+  with(2, "begins where the history is over", [](Json& s) { s["end"] = nullptr; });
+  with(3, "does not end with the history", [](Json& s) { s["end"] = s["begin"]; });
+  with(1, "does not begin with the history", [](Json& s) { s["begin"]["part"] = 1; });
+  // Two exchanged: each says that it is the other.
+  with(2, breaks, [&](Json& s) {
+    s = json("s3.shard.json");
+    s["part"][0] = 2;
+  });
+  // Of something else.
+  with(2, "is of another scene",
+       [](Json& s) { s["report"]["scene_sha256"] = std::string(64, 'a'); });
+  with(2, "is of another history", [](Json& s) { s["report"]["horizon"] = "999"; });
+  with(2, "is with other options", [](Json& s) { s["report"]["tolerance"] = "1/1000"; });
+  with(2, "is with other options", [](Json& s) { s["unoriented"] = true; });
+  with(2, "is of another truth", [](Json& s) { s["report"]["truth"] = "exact"; });
+  with(2, "is by another version", [](Json& s) { s["report"]["producer"] = "voroproof 9"; });
+  with(3, "and others are of 3", [](Json& s) { s["part"] = {3, 4}; });
+  // No shards.
+  with(2, "begin: nothing is left", [](Json& s) { s["begin"] = s["end"] = nullptr; });
+  with(2, "begin.state_sha256: not 64", [](Json& s) { s["begin"]["state_sha256"] = "a"; });
+  with(2, "report.proved.flips: out of range",
+       [](Json& s) { s["report"]["proved"]["flips"] = -1; });
+  with(2, "report.verdict: no verdict", [](Json& s) { s["report"]["verdict"] = "FINE"; });
+  with(2, "part[0]: out of range", [](Json& s) { s["part"][0] = 4; });
+  refused_merge({names[0], scene_, names[2]}, "not \"voroproof-shard\"");
+  directory_.write("s2.shard.json", read_bytes(name(2)).substr(0, 1000));
+  refused_merge(names, "incomplete");
+}
+
+// Both histories are of the scene, and the shards of each fit together.
+TEST_F(ShardsCli, OfTwoHistoriesDoNotFit) {
+  parts(3);
+  const std::string last = read_bytes(name(3));
+  std::string text = read_bytes(history_);
+  const std::size_t flip = text.find("\"flip\"", text.size() / 8), from = text.rfind('\n', flip);
+  text.insert(from + 2, " ");  // another line, the same claim
+  directory_.write("a.history.jsonl", text);
+  parts(3);
+  directory_.write("s3.shard.json", last);
+  EXPECT_EQ(run(merge({name(1), name(2), name(3)})).code, 0);
+  std::filesystem::remove(report_);
+  const std::size_t digit = text.find("\"t\":", from) + 4;
+  const std::size_t end = text.find_first_of(",}", digit);
+  text.insert(end, "1");  // the time, in a place beyond those that are proved
+  directory_.write("a.history.jsonl", text);
+  parts(3);
+  directory_.write("s3.shard.json", last);
+  refused_merge({name(1), name(2), name(3)}, "other claims before it");
+}
+
+TEST_F(ShardsCli, NeedWhatTheyNeed) {
+  const std::string s = name(1);
+  for (const char* bad : {"0/3", "4/3", "1", "1/", "/3", "1/3x", "a/b", "1/9999999", "-1/3"}) {
+    const Result result = run(certify({"--part", bad}));
+    EXPECT_EQ(result.code, 2) << bad;
+    EXPECT_NE(result.err.find("--part: not I/N"), std::string::npos) << result.err;
+  }
+  refused({"certify", scene_, history_, "--part", "1/2", "--report", s}, "--truth recorded");
+  refused({"certify", scene_, history_, "--resume", "--report", s}, "--truth recorded");
+  refused({"certify", scene_, history_, "--truth", "recorded", "--part", "1/2"}, "--report");
+  refused({"certify", scene_, history_, "--truth", "recorded", "--resume"}, "--report");
+  refused({"certify", scene_, history_, "--truth", "recorded", "--resume", "--report", "-"},
+          "stream");
+  refused({"certify", scene_, history_, "--truth", "recorded", "--part", "1/2", "--report", s,
+           "--kernel"},
+          "the kernel judges the whole history");
+}
+
+// What a run that was broken off has left is a shard that begins with the history.
+TEST_F(ShardsCli, ResumeWhereARunWasBrokenOff) {
+  const std::string report = whole();
+  EXPECT_EQ(part(1, 2).code, 0);
+  change(1, [](Json& s) { s["part"] = {1, 1}; });
+  const std::string left = read_bytes(name(1));
+  const std::string partial = "a.report.json.partial";
+  directory_.write(partial, left);
+  Arguments resume = certify({"--resume"});
+  resume.erase(std::find(resume.begin(), resume.end(), "--quiet"));
+  const Result result = run(resume);
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.err.find(partial + " at t = "), std::string::npos) << result.err;
+  EXPECT_TRUE(read_bytes(report_) == report);
+  EXPECT_FALSE(std::filesystem::exists(file(partial)));
+  std::filesystem::remove(report_);
+  // Nothing is taken up without the option.
+  directory_.write(partial, left);
+  EXPECT_EQ(whole(), report);
+  // Of something else, or of nothing that can be taken up.
+  const auto not_of_this = [&](const std::string& message, const std::function<void(Json&)>& what) {
+    Json s = Json::parse(left);
+    what(s);
+    directory_.write(partial, s.dump());
+    const Result refused = run(certify({"--resume"}));
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find(message), std::string::npos) << message << ": " << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(report_));
+    EXPECT_TRUE(std::filesystem::exists(file(partial)));
+  };
+  not_of_this("is of another shard", [](Json& s) { s["part"] = {1, 2}; });
+  not_of_this("is with other options", [](Json& s) { s["report"]["strict"] = true; });
+  not_of_this("is of another history than", [](Json& s) { s["end"]["line"] = 7; });
+  not_of_this("can be taken up", [](Json& s) { s["end"] = nullptr; });
+  not_of_this("not \"voroproof-shard\"", [](Json& s) { s["format"] = "voroproof-report"; });
+  std::filesystem::remove(file(partial));
+}
+
+// Killed at random instants, again and again. No kill leaves what a later run cannot take up.
+TEST_F(ShardsCli, OfProcessesThatAreKilled) {
+  const std::string report = whole();
+  const Arguments resume = certify({"--resume", "--checkpoint", "0", "--threads", "2"});
+  std::mt19937_64 random(9);
+  for (int k = 0; k < 100; ++k) {
+    const pid_t child = start(resume);
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 40000));
+    kill(child, SIGKILL);
+    finish(child);
+    if (!std::filesystem::exists(report_)) continue;
+    ASSERT_TRUE(read_bytes(report_) == report) << k;
+    std::filesystem::remove(report_);
+  }
+  EXPECT_EQ(run(resume).code, 0);
+  EXPECT_TRUE(read_bytes(report_) == report);
+  // The scene, the history, the report; what killed writers left is gone, too.
+  EXPECT_EQ(directory_.number_of_files(), 3u);
+}
+
+}  // namespace
+}  // namespace voroproof::internal
