@@ -135,10 +135,7 @@ void PartReader::take_next_claim() {
   places_.push_back(place.value_or(Replay::Place{}));
   last_ = time(claim.event);
   line_ = claim.line;
-  if (fingerprint_) {
-    fingerprint_->add(claim.line);
-    fingerprint_->add(claim.event);
-  }
+  if (fingerprint_) fingerprint_->add(claim.event, claim.line);
   claims_.add(std::move(claim.event), claim.line);
   ahead_.pop_front();
 }

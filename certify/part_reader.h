@@ -9,6 +9,7 @@
 
 #include "certify/certifier.h"
 #include "certify/checker.h"
+#include "certify/fingerprint.h"
 #include "certify/replay.h"
 #include "certify/shard.h"
 

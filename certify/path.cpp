@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "certify/fingerprint.h"
+
 namespace voroproof::internal {
 
 using dd_detail::fast_two_sum;

@@ -9,12 +9,13 @@
 #include <memory>
 #include <optional>
 
-#include "certify/fingerprint.h"
 #include "exact/compact_rational.h"
 #include "filtered/numbers/dd_ball.h"
 #include "history/events.h"
 
 namespace voroproof::internal {
+
+class Fingerprint;
 
 // A number held exactly as a sum of doubles that do not overlap (J. R. Shewchuk, "Adaptive
 // precision floating-point arithmetic and fast robust geometric predicates", Discrete Comput. Geom.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "certify/fingerprint.h"
 #include "certify/orientation.h"
 
 namespace voroproof::internal {

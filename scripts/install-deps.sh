@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the project needs and that are not there yet.
 #
-# usage: scripts/install-deps.sh [test] [bench] [plots] [python] [ci] [browser] [packages] [proofs] [site]
+# usage: scripts/install-deps.sh [test] [bench] [plots] [python] [ci] [browser] [packages] [proofs] [site] [cluster]
 #   without arguments: what building and running the program takes
 #   test:  what building the tests takes besides
 #   bench: what the benchmarks and the peers they measure take besides
@@ -11,6 +11,7 @@
 #   packages: what scripts/check-packages.sh takes besides
 #   proofs: Coq, OCaml and the libraries of voroproof-proved
 #   site:  Sphinx with its theme, and what runs the notebooks and makes the references
+#   cluster: what cluster/ takes, and a Slurm to test it with
 #   browser: what testing pages and photographing that of `movie` takes besides (large)
 #
 # Where nothing is missing it neither asks for root nor uses the network.
@@ -47,11 +48,12 @@ for group in "$@"; do
     packages)
       packages+=(debhelper dh-python lintian mmdebstrap pybind11-dev python3-dev python3-numpy)
       ;;
+    cluster) packages+=(openmpi-bin python3-mpi4py slurmctld slurmd slurm-client munge snakemake) ;;
     proofs)
       packages+=(coq libcoq-stdlib ocaml ocaml-findlib libzarith-ocaml-dev libyojson-ocaml-dev libsha-ocaml-dev)
       ;;
     *)
-      echo "install-deps: unknown group '$group' (test, bench, plots, python, ci, browser, packages, proofs, site)" >&2
+      echo "install-deps: unknown group '$group' (test, bench, plots, python, ci, browser, packages, proofs, site, cluster)" >&2
       exit 2
       ;;
   esac

@@ -232,12 +232,6 @@ TEST(Shards, AStateIsBoundToAllInIt) {
   first.note_maneuver(0, {.t = 1, .disk = 0});
   second.note_maneuver(1, {.t = 1, .disk = 0});
   EXPECT_NE(state_of(first), state_of(second));
-  // A collision in place of a maneuver, with the same velocities.
-  Replay bounced(scene, options), turned(scene, options);
-  const CollideEvent hit{.t = 1, .i = container_id, .j = 0, .v = {std::nullopt, Vec2{1, 2}}};
-  bounced.note_collision(hit, {});
-  turned.note_maneuver(0, {.t = 1, .disk = 0, .v = Vec2{1, 2}});
-  EXPECT_NE(state_of(bounced), state_of(turned));
 }
 
 TEST(Shards, AreOfTheRecordedTruthAndOfAllEvents) {

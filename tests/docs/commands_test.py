@@ -58,6 +58,10 @@ NOT_RUN = {
         "voroproof clearance a.csv --required 0":
             "takes files of other repositories",
     },
+    "docs/cluster.md": {
+        "sbatch --wait --array=1-16 cluster/certify_array.sh a.scene.json a.history.jsonl a.shards":
+            "takes a Slurm; tests/cluster/slurm.py has one",
+    },
     "docs/python.md": {
         "scripts/install-deps.sh python": "installs packages and builds",
     },

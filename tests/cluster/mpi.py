@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+"""cluster/certify_mpi.py for real: four ranks give the report of one process, also of a history that is false, and
+after a rank was killed in the middle.
+
+usage: mpi.py PROGRAM      (build/voroproof)
+"""
+
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+DRIVER = pathlib.Path(__file__).resolve().parents[2] / "cluster" / "certify_mpi.py"
+PYTHON = "/usr/bin/python3"  # Debian's, which has Debian's mpi4py
+ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+               "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none"}
+SHARDS = 12
+
+
+def skip_without_tools():
+    if shutil.which("mpirun") is None:
+        print("skipped: no mpirun")
+        sys.exit(77)
+    if subprocess.run([PYTHON, "-c", "import mpi4py"], capture_output=True, check=False).returncode != 0:
+        print("skipped: no mpi4py")
+        sys.exit(77)
+
+
+def start(folder, program, history):
+    return subprocess.Popen(
+        ["mpirun", "-n", "4", PYTHON, DRIVER, "--program", program, "--shards", str(SHARDS), "--report",
+         "mpi.json", "a.scene.json", history], cwd=folder, env=ENVIRONMENT, stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE, text=True)
+
+
+def finish(job, folder, wanted):
+    out, err = job.communicate()
+    code, last, report = wanted
+    assert job.returncode == code, (job.returncode, out, err)
+    assert out.splitlines()[-1] == last, (out, err)
+    assert (folder / "mpi.json").read_bytes() == report
+    (folder / "mpi.json").unlink()
+    shutil.rmtree(folder / "mpi.json.shards")
+
+
+def of_one_process(folder, program, history):
+    """Exit code, last line and report."""
+    done = subprocess.run([program, "certify", "a.scene.json", history, "--truth", "recorded", "--report", "one.json"],
+                          cwd=folder, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout.splitlines()[-1], (folder / "one.json").read_bytes()
+
+
+def ranks_of(job):
+    """The processes that mpirun has started."""
+    return [int(pid) for pid in pathlib.Path(f"/proc/{job.pid}/task/{job.pid}/children").read_text().split()]
+
+
+def kill_a_rank(job, folder):
+    """Kills the last rank once a certificate is there, and before all are."""
+    shards = folder / "mpi.json.shards"
+    while not list(shards.glob("*.json")):
+        assert job.poll() is None, job.communicate()
+        time.sleep(0.01)
+    os.kill(ranks_of(job)[-1], signal.SIGKILL)
+    out, err = job.communicate()
+    assert job.returncode != 0, (out, err)
+    assert not (folder / "mpi.json").exists()
+    assert 0 < len(list(shards.glob("*.json"))) < SHARDS
+
+
+def main():
+    skip_without_tools()
+    program = str(pathlib.Path(sys.argv[1]).resolve())
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for command in ("generate reference --n 30 --seed 3 --density 0.2 --horizon 1000 -o a.scene.json",
+                        "simulate a.scene.json -o a.history.jsonl"):
+            subprocess.run([program, *command.split()], cwd=folder, check=True, capture_output=True)
+        right = of_one_process(folder, program, "a.history.jsonl")
+        assert right[0] == 0
+        finish(start(folder, program, "a.history.jsonl"), folder, right)
+
+        lines = (folder / "a.history.jsonl").read_text().splitlines(keepends=True)
+        flip = next(k for k in range(len(lines) // 2, len(lines)) if "flip" in lines[k])
+        (folder / "b.history.jsonl").write_text("".join(lines[:flip] + lines[flip + 1:]))
+        wrong = of_one_process(folder, program, "b.history.jsonl")
+        assert wrong[0] == 1
+        finish(start(folder, program, "b.history.jsonl"), folder, wrong)
+
+        # As on a machine where a shard takes long.
+        slow = folder / "slow"
+        slow.write_text(f'#!/bin/sh\nsleep 0.2\nexec "{program}" "$@"\n')
+        slow.chmod(0o755)
+        kill_a_rank(start(folder, str(slow), "a.history.jsonl"), folder)
+        finish(start(folder, program, "a.history.jsonl"), folder, right)
+    print("four ranks and one process agree")
+
+
+if __name__ == "__main__":
+    main()
