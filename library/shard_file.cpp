@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "evidence/evidence.h"
 #include "history/error.h"
 #include "library/report_reader.h"
 
@@ -155,6 +156,12 @@ ShardFile merge_shards(const std::vector<std::string>& paths) {
     const bool decided = whole && whole->shard.certificate.verdict != Verdict::certified;
     if (file.number > next && !decided) {
       refuse(path, "is shard " + name + ", and shard " + std::to_string(next) + " is missing");
+    }
+    if (!decided && file.shard.certificate.divergence) {
+      const EvidenceCheck check = check_evidence(*file.shard.certificate.divergence);
+      if (check.evidence == Evidence::contradicted) {
+        refuse(path, "is shard " + name + ", and its witness is false (" + check.sentence + ")");
+      }
     }
     if (!whole) {
       if (!file.shard.begin || file.shard.begin->part != 0 || file.shard.begin->claims != 0) {

@@ -35,7 +35,7 @@ void append(Shard& shard, Shard&& next);
 // The certificate of the whole from those of its shards, in any order. Those behind the first that
 // is not certified do not matter. Throws InputError, naming the file at fault, where they do not
 // fit together: of other histories or options; one twice, or missing; one that does not begin where
-// the one before it ends.
+// the one before it ends; one whose witness CGAL contradicts.
 ShardFile merge_shards(const std::vector<std::string>& paths);
 
 }  // namespace voroproof::internal

@@ -284,7 +284,6 @@ ExitCode merge_files(Request& request) {
   request.history = whole.run.history_file;
   request.options = whole.options;
   const Certificate& certificate = whole.shard.certificate;
-  // The witness is checked here, whatever the shard says of it.
   whole.run.evidence = checked_evidence(certificate, whole.run.scene_file, whole.run.history_file);
   if (report_file) write_result(request, *report_file, whole);
   tell(request, certificate, {}, whole.run.evidence, {});

@@ -129,6 +129,11 @@ TEST_F(ShardsCli, RefuteTheWhole) {
   EXPECT_TRUE(read_bytes(report_) == report);
   std::filesystem::remove(report_);
   refused_merge({name(2)}, "is shard 2 of 3, and shard 1 is missing");
+  // A forged witness is known for what it is.
+  change(2, [](Json& s) {
+    s["report"]["divergence"]["witness"]["polynomial"]["coefficients"][0] = "12345";
+  });
+  refused_merge({name(1), name(2)}, "and its witness is false");
 }
 
 TEST_F(ShardsCli, OfAHistoryThatStops) {
