@@ -1,47 +1,39 @@
 #include "history/sha256.h"
 
-#include <openssl/evp.h>
+// The functions of OpenSSL 1 need no memory. Those that replace them set up the whole library
+// first, which crashes where there is none.
+#define OPENSSL_API_COMPAT 0x10100000L
+#include <openssl/sha.h>
 
-#include <stdexcept>
+#include <array>
 #include <vector>
 
 #include "history/byte_source.h"
 
 namespace voroproof::internal {
-namespace {
-
-void require(bool done) {
-  if (!done) throw std::runtime_error("SHA-256 is not available from libcrypto");
-}
-
-}  // namespace
 
 struct Sha256::Context {
-  std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> digest{EVP_MD_CTX_new(), &EVP_MD_CTX_free};
+  SHA256_CTX digest;
 };
 
-Sha256::Sha256() : context_(std::make_unique<Context>()) {
-  require(context_->digest &&
-          EVP_DigestInit_ex(context_->digest.get(), EVP_sha256(), nullptr) == 1);
-}
+Sha256::Sha256() : context_(std::make_unique<Context>()) { SHA256_Init(&context_->digest); }
 
 Sha256::Sha256(Sha256&&) noexcept = default;
 Sha256& Sha256::operator=(Sha256&&) noexcept = default;
 Sha256::~Sha256() = default;
 
 void Sha256::add(std::string_view bytes) {
-  require(EVP_DigestUpdate(context_->digest.get(), bytes.data(), bytes.size()) == 1);
+  SHA256_Update(&context_->digest, bytes.data(), bytes.size());
 }
 
 std::string Sha256::hex() {
-  unsigned char digest[EVP_MAX_MD_SIZE];
-  unsigned length = 0;
-  require(EVP_DigestFinal_ex(context_->digest.get(), digest, &length) == 1);
+  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest;
+  SHA256_Final(digest.data(), &context_->digest);
   static constexpr char digits[] = "0123456789abcdef";
   std::string text;
-  for (unsigned i = 0; i < length; ++i) {
-    text += digits[digest[i] >> 4];
-    text += digits[digest[i] & 15];
+  for (const unsigned char byte : digest) {
+    text += digits[byte >> 4];
+    text += digits[byte & 15];
   }
   return text;
 }

@@ -10,7 +10,6 @@ namespace voroproof::internal {
 // SHA-256 (FIPS 180-4) of bytes that come piece by piece.
 class Sha256 {
  public:
-  // Throws std::runtime_error where libcrypto has no SHA-256, as all members.
   Sha256();
   Sha256(Sha256&&) noexcept;
   Sha256& operator=(Sha256&&) noexcept;
