@@ -16,6 +16,7 @@ import os
 import random
 import shutil
 import signal
+import signal
 import subprocess
 import sys
 import tempfile
@@ -27,6 +28,8 @@ OLD = b"what was there before\n"
 ERRORS = {"memory": [errno.ENOMEM], "write": [errno.ENOSPC, errno.EIO], "short": [0], "open": [errno.EMFILE, errno.EACCES],
           "read": [errno.EIO], "rename": [errno.EIO, errno.ENOSPC], "fsync": [errno.EIO, errno.ENOSPC],
           "close": [errno.EIO], "thread": [errno.EAGAIN], "fork": [errno.EAGAIN]}
+# libcairo 1.16 itself crashes where it gets no memory for a path that it strokes. docs/trust.md says so.
+PICTURES, CAIRO_CRASHES = (".svg", ".png"), (-signal.SIGABRT, -signal.SIGSEGV)
 # libcairo 1.16 itself crashes where it gets no memory for a path that it strokes. docs/trust.md says so.
 PICTURES, CAIRO_CRASHES = (".svg", ".png"), (-signal.SIGABRT, -signal.SIGSEGV)
 PLAN = """{"format": "voroproof-plan", "version": 1, "container": {"center": [0, 0], "radius": 50},
