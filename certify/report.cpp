@@ -177,7 +177,7 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
     j["time_error_ulps"] = {
         {"max", c.ulps_max}, {"max_line", c.ulps_max_line}, {"mean", c.ulps_mean}};
   }
-  if (!run.kernel.empty()) j["kernel"] = run.kernel;
+  for (const auto& [field, said] : run.second) j[field] = said;
   j["highest_bits"] = c.highest_bits;
   j["remarks"] = c.remarks;
   // File names need not be UTF-8.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "certify/certifier.h"
@@ -15,8 +16,9 @@ struct CertificationRun {
   std::string producer, scene_file, history_file, scene_sha256, history_producer;
   int disks = 0;
   Rational horizon;
-  std::string kernel{};    // what the second checker says, where it was asked
   std::string evidence{};  // of a refutation: whether its witness was checked, and by what
+  // What each second checker said that was asked, by the name of its field.
+  std::vector<std::pair<std::string, std::string>> second{};
 };
 
 // One line: "s CERTIFIED" and so on.

@@ -12,8 +12,8 @@
 #include "apps/cli/progress.h"
 #include "apps/run/begun_certificate.h"
 #include "apps/run/checkpoints.h"
-#include "apps/run/kernel_verdict.h"
 #include "apps/run/limited_history.h"
+#include "apps/run/second_checker.h"
 #include "apps/verbs/list.h"
 #include "apps/verbs/verbs.h"
 #include "certify/certifier.h"
@@ -34,7 +34,7 @@ struct Request {
   std::vector<std::string> shards;  // to be merged
   CertifyOptions options;
   std::uint64_t max_events = 0, checkpoint = 10;
-  bool quiet = false, kernel = false, resume = false;
+  bool quiet = false, kernel = false, proved = false, resume = false;
 };
 
 ExitCode exit_code(Verdict verdict) {
@@ -68,7 +68,7 @@ std::string name_of_shard(const Request& request, const ShardFile& file) {
 
 // Says what was found, the verdict last, and the reason of a verdict other than
 // CERTIFIED to stderr.
-void tell(const Request& request, const Certificate& certificate, const std::string& kernel,
+void tell(const Request& request, const Certificate& certificate, const SecondWords& second,
           const std::string& evidence, const std::string& shard) {
   if (certificate.verdict != Verdict::certified) {
     std::cerr << "voroproof: " << printable(request.history, 4096) << ": "
@@ -86,7 +86,9 @@ void tell(const Request& request, const Certificate& certificate, const std::str
     }
     for (const std::string& remark : certificate.remarks)
       out << "c " << printable(remark, 4096) << '\n';
-    if (!kernel.empty()) out << "c kernel: " << printable(kernel, 4096) << '\n';
+    for (const auto& [checker, said] : second) {
+      out << "c " << checker.name << ": " << printable(said, 4096) << '\n';
+    }
     if (!evidence.empty()) out << "c evidence: " << evidence << '\n';
   }
   if (const std::string line = horizon_line(certificate); !line.empty()) {
@@ -129,9 +131,6 @@ void require_shards(const Request& request) {
   }
   if (request.resume && (is_stream(request.report) || is_standard_output(request.report))) {
     throw UsageError("--resume: what was written into a stream cannot be taken up");
-  }
-  if (request.kernel && !request.part.empty()) {
-    throw UsageError("--kernel: the kernel judges the whole history (without --part)");
   }
 }
 
@@ -215,10 +214,34 @@ void write_result(const Request& request, OutputFile& output, const ShardFile& f
   output.commit();
 }
 
-ExitCode certify_files(Request& request) {
-  if (request.kernel && request.events != "all") {
-    throw UsageError("--kernel: the kernel judges all events (--events all)");
+// Makes the certificate that of all checkers, undecided where a limit is reached. Throws
+// Interrupted.
+SecondWords ask(const std::vector<SecondChecker>& seconds, const Request& request,
+                const CooperativeInterruption& interruption, ShardFile& file) {
+  Certificate& certificate = file.shard.certificate;
+  SecondWords words;
+  for (const SecondChecker& checker : seconds) {
+    const std::string said = judged_by(checker, certificate, request.scene, request.history,
+                                       request.options, [&] { return !interruption.requested(); });
+    if (said.empty()) {
+      if (!interruption.late()) throw Interrupted();
+      certificate =
+          undecided(time_limit_reason() + " while the " + std::string(checker.name) + " judges",
+                    certificate.prefix_events, certificate.prefix_t);
+      break;
+    }
+    words.emplace_back(checker, said);
+    file.run.second.emplace_back(checker.field, said);
   }
+  return words;
+}
+
+ExitCode certify_files(Request& request) {
+  CertifyOptions& options = request.options;
+  options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
+  options.events = request.events == "all" ? EventKinds::all : EventKinds::collisions;
+  const std::vector<SecondChecker> seconds =
+      second_checkers(request.kernel, request.proved, options, request.part.empty());
   require_shards(request);
   ShardFile file;
   read_part(request, file);
@@ -233,9 +256,6 @@ ExitCode certify_files(Request& request) {
                                                      event_limit_reason(request.max_events));
   }
   const HistoryHeader& header = claim.history->header();
-  CertifyOptions& options = request.options;
-  options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
-  options.events = request.events == "all" ? EventKinds::all : EventKinds::collisions;
   options.tolerance = time_argument("--tolerance", request.tolerance);
   options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
   try {
@@ -255,19 +275,11 @@ ExitCode certify_files(Request& request) {
   certify_claim(request, claim, options, interruption, file);
   progress.reset();
   Certificate& certificate = file.shard.certificate;
-  if (request.kernel) {
-    file.run.kernel = judged_by_kernel(certificate, request.scene, request.history, options,
-                                       [&] { return !interruption.requested(); });
-    if (file.run.kernel.empty()) {
-      if (!interruption.late()) throw Interrupted();
-      certificate = undecided(time_limit_reason() + " while the kernel judges",
-                              certificate.prefix_events, certificate.prefix_t);
-    }
-  }
+  const SecondWords second = ask(seconds, request, interruption, file);
   interruption.wind_up();
   file.run.evidence = checked_evidence(certificate, request.scene, request.history);
   if (report_file) write_result(request, *report_file, file);
-  tell(request, certificate, file.run.kernel, file.run.evidence, name_of_shard(request, file));
+  tell(request, certificate, second, file.run.evidence, name_of_shard(request, file));
   return exit_code(certificate.verdict);
 }
 
@@ -341,6 +353,10 @@ void add_certify(Verb& program) {
       "--kernel", request->kernel,
       "Have the kernel (docs/kernel.md) judge the files, too. The history is certified only if "
       "both certify it.");
+  verb.flag("--proved", request->proved,
+            "Have the proved checker (the program voroproof-proved, docs/proved.md) judge the "
+            "files, too, under the recorded truth. The history is certified only if both certify "
+            "it.");
   verb.whole("--threads", request->options.threads, 1, 1024,
              "The number of threads for the recorded truth. The certificate is the same.");
   verb.output("--report", request->report, "Write everything that was found here, as JSON.");

@@ -32,7 +32,7 @@ class Cli : public ::testing::Test {
 
   // Starts the program, its output going to the files `out` and `err`.
   pid_t start(const Arguments& arguments) const {
-    std::vector<char*> words{const_cast<char*>(VOROPROOF_PROGRAM)};
+    std::vector<char*> words{const_cast<char*>(program_.c_str())};
     for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
     const std::string out = streams_.file("out"), err = streams_.file("err");
@@ -41,7 +41,7 @@ class Cli : public ::testing::Test {
       constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
       dup2(open(out.c_str(), flags, 0600), STDOUT_FILENO);
       dup2(open(err.c_str(), flags, 0600), STDERR_FILENO);
-      execv(VOROPROOF_PROGRAM, words.data());
+      execv(program_.c_str(), words.data());
       _exit(127);
     }
     return child;
@@ -86,6 +86,7 @@ class Cli : public ::testing::Test {
 
   Json json(const std::string& name) const { return Json::parse(directory_.read(name)); }
 
+  std::string program_ = VOROPROOF_PROGRAM;
   TemporaryDirectory directory_;
   TemporaryDirectory streams_;
 };
