@@ -252,9 +252,18 @@ Definition claim_true (past : list claim) (c : claim) : Prop :=
 Definition side_of (q : edge) (a b c : gen) : Prop :=
   (a = el q /\ b = er q /\ c = ee q) \/ (a = er q /\ b = el q /\ c = es q).
 
+Definition between (q : edge) (a b : gen) : Prop := (el q = a /\ er q = b) \/ (el q = b /\ er q = a).
+
+(* Around the generator a, counterclockwise: after the edge that ends at the vertex [a,b,c] comes the one between a and c,
+   which ends at [a,c,d]. [turning a b c d e]: so one comes from the end [a,b,c] to the end [a,d,e]. *)
+Inductive turning (a b c : gen) : gen -> gen -> Prop :=
+| not_yet : turning a b c b c
+| one_more d e f k q : turning a b c d e -> PositiveMap.find k (edges P) = Some q ->
+    side_of q e a d -> side_of q a e f -> turning a b c e f.
+
 (* The initial diagram, at time 0: as many edges as n + 1 generators have; at each vertex of an edge three edges meet, on
-   each side one; they name generators of the scene; and the circle of each vertex is there, with its contacts counterclockwise, and empty of all
-   generators. *)
+   each side one; they name generators of the scene; around each generator one turn meets all its edges; no two generators share more
+   than two; and the circle of each vertex is there, with its contacts counterclockwise, and empty of all generators. *)
 Record true_initial : Prop := {
   edge_count : Z.of_nat (List.length (PositiveMap.elements (edges P))) =
     3 * Z.of_nat (List.length (PositiveMap.elements (bodies P))) - 6;
@@ -264,6 +273,10 @@ Record true_initial : Prop := {
     exists k' q', PositiveMap.find k' (edges P) = Some q' /\ side_of q' b c a;
   generators_there : forall k q a b c, PositiveMap.find k (edges P) = Some q -> side_of q a b c ->
     PositiveMap.find a (bodies P) <> None /\ PositiveMap.find b (bodies P) <> None /\ PositiveMap.find c (bodies P) <> None;
+  one_ring : forall a : gen, PositiveMap.find a (bodies P) <> None -> exists b c, forall k q (d e : gen), PositiveMap.find k (edges P) = Some q ->
+    side_of q a d e -> turning a b c d e;
+  at_most_two : forall k1 k2 k3 q1 q2 q3 a b, PositiveMap.find k1 (edges P) = Some q1 -> PositiveMap.find k2 (edges P) = Some q2 ->
+    PositiveMap.find k3 (edges P) = Some q3 -> between q1 a b -> between q2 a b -> between q3 a b -> k1 = k2 \/ k1 = k3 \/ k2 = k3;
   vertices_empty : forall k q a b c, PositiveMap.find k (edges P) = Some q -> side_of q a b c ->
     exists o, vertex_circle o (place [] 0%R a) (place [] 0%R b) (place [] 0%R c) /\
       forall g, PositiveMap.find g (bodies P) <> None -> empty_of o (place [] 0%R g)

@@ -12,7 +12,8 @@
    The theorem: if the program accepts, then
 
    - true_initial: at time 0 the edges fit together, there are as many as there should be, they name generators of the scene,
-     and the circle of each vertex is there and enters no generator at all;
+     around each generator one turn meets all its edges, no two generators share more than two, and the circle of each vertex
+     is there and enters no generator at all;
    - true_history, claims_true: each claim is true after those before it. A flip's edge is legal when its bracket begins and
      illegal when it ends, the bracket lies within the tolerance of the claimed time, and in between the circle of a vertex
      touches all four generators. A collision is of two neighbours that come into contact within the tolerance, and obeys

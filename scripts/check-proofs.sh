@@ -5,6 +5,8 @@
 #   - its wrong histories are not accepted, but for those of tests/proofs/wrong-under-exact-only.txt, which are wrong under
 #     the exact truth and right under the recorded one: the kernel must certify these;
 #   - histories of simulated scenes of several kinds are accepted, and not accepted with a line left out;
+#   - certify --proved certifies a right history;
+#   - histories that a certifier with a fault certifies are not accepted (tests/proofs/faults.py);
 #   - of files made by hand each has the verdict that tests/proofs/attempts.py says.
 #
 # usage: scripts/check-proofs.sh VOROPROOF [BUILD]      (build/voroproof, with voroproof-kernel beside it; build/proofs)
@@ -131,8 +133,14 @@ done <<'END'
 --n 60 --seed 6 --horizon 40 --restitution 0.8
 END
 
+# Beside the certifier, as its option asks for it.
+said=$(PATH="$build:$PATH" "$voroproof" certify "$scratch/a.scene.json" "$scratch/a.history.jsonl" --truth recorded --proved) ||
+  complain "certify --proved: $said"
+grep -qx 'c proved checker: CERTIFIED' <<<"$said" || complain "certify --proved: $said"
+
+faulty=$(python3 -B tests/proofs/faults.py "$proved") || complain "$faulty"
 by_hand=$(python3 tests/proofs/attempts.py "$proved" "$scratch/attempts") || complain "$by_hand"
 
 [ "$failed" = 0 ] && echo "proved; $right right histories of the corpus, $(wc -l <"$lists/undecided.txt") of them undecided; none of $wrong wrong ones" \
-  "accepted that is wrong under the recorded truth; $simulated simulated scenes; $by_hand"
+  "accepted that is wrong under the recorded truth; $simulated simulated scenes; $by_hand; $faulty"
 exit "$failed"
