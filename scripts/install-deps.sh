@@ -9,7 +9,7 @@
 #   python: what building the Python module takes, and its tests with notebooks
 #   ci:    the second compiler, the formatter, the counter of instructions, doxygen, man and shells besides
 #   packages: what scripts/check-packages.sh takes besides
-#   proofs: Coq, OCaml and the libraries of voroproof-proved
+#   proofs: Coq, OCaml and the libraries of voroproof-proved, Gappa
 #   site:  Sphinx with its theme, and what runs the notebooks and makes the references
 #   cluster: what cluster/ takes, and a Slurm to test it with
 #   browser: what testing pages and photographing that of `movie` takes besides (large)
@@ -50,7 +50,7 @@ for group in "$@"; do
       ;;
     cluster) packages+=(openmpi-bin python3-mpi4py slurmctld slurmd slurm-client munge snakemake) ;;
     proofs)
-      packages+=(coq libcoq-stdlib ocaml ocaml-findlib libzarith-ocaml-dev libyojson-ocaml-dev libsha-ocaml-dev)
+      packages+=(coq libcoq-stdlib ocaml ocaml-findlib libzarith-ocaml-dev libyojson-ocaml-dev libsha-ocaml-dev gappa)
       ;;
     *)
       echo "install-deps: unknown group '$group' (test, bench, plots, python, ci, browser, packages, proofs, site, cluster)" >&2
