@@ -215,7 +215,7 @@ Definition claim_true (past : list claim) (c : claim) : Prop :=
       (* the edge is there, those beside it are four others; its bracket lies within the tolerance of the claimed time *)
       (last_edge k past = Some f \/ last_edge k past = Some (reversed f)) /\
       NoDup [k; k1; k2; k3; k4] /\
-      (t - tolerance P <= lo < hi /\ hi <= t + tolerance P /\ 0 <= lo) /\
+      (t - tolerance P <= lo < hi /\ hi <= t + tolerance P /\ 0 < lo) /\
       let at_ u g := on_leg g (last_leg g past) u in
       (forall g, In g [el f; er f; es f; ee f] -> since (last_leg g past) <= lo) /\
       (* the edge is legal when the bracket begins; when it ends, both circles are entered by the generator opposite *)

@@ -23,7 +23,7 @@ Lemma flip_sound past s t f lo hi k k1 k2 k3 k4 s' (c := Flip t f lo hi k k1 k2 
 Proof.
   intros [I W] E. cbn [step c] in E. unfold flip in E.
   apply try_good in E as (sl & F & E). apply known_good in F. apply need_good in E as [Name E]. apply need_good in E as [B E].
-  repeat (apply andb_prop in B as [B ?]). apply Z.leb_le in B, H, H0. apply Z.ltb_lt in H1.
+  repeat (apply andb_prop in B as [B ?]). apply Z.leb_le in B, H0. apply Z.ltb_lt in H, H1.
   apply need_good in E as [Ds E]. apply try_good in E as (gone & C & E). apply need_good in E as [-> E].
   apply try_good in E as (s1 & E1 & E). injection E as <-.
   destruct (collapses_true P past s f lo hi (movers_known _ _ _ _ I) H1 C) as (C1 & C2 & C3 & C4 & C5). split.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Proves by Gappa the bounds of rounding errors from which the filters are built (docs/proved.md, section 7).
+"""Proves by Gappa the bounds of rounding errors from which the filters are built (docs/proved.md, section 6).
 
 usage: scripts/check-filters.py
 

@@ -46,7 +46,7 @@ std::string refusal(const CertifyOptions& options) {
   if (installed()) return {};
   return std::string("the program ") + program_name +
          " is not installed: neither beside voroproof nor in a folder of PATH (docs/proved.md, "
-         "section 7)";
+         "section 8)";
 }
 
 // The bytes as a file without a name, as far as this process and what it becomes are concerned.

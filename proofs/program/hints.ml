@@ -112,7 +112,7 @@ let claims (p : Checker.problem) u history =
     let ks = List.map find [ (l, r, e); (l, i, r); (i, r, l); (r, e, l); (e, l, r) ] in
     let born = List.fold_left (fun b k -> Z.max b d.born.(k)) Z.zero ks in
     let rec widen w =
-      let lo = Z.max born (Z.sub t w) and hi = Z.min (Z.add t w) limit in
+      let lo = Z.max (Z.max born Z.one) (Z.sub t w) and hi = Z.min (Z.add t w) limit in
       if Z.lt lo hi && Checker.collapses !s f lo hi = Good true then (lo, hi)
       else if Z.equal w p.tolerance then undecided line "no bracket of the collapse was found"
       else widen (Z.min p.tolerance (Z.mul w (Z.of_int 8)))
