@@ -214,8 +214,7 @@ void write_result(const Request& request, OutputFile& output, const ShardFile& f
   output.commit();
 }
 
-// Makes the certificate that of all checkers, undecided where a limit is reached. Throws
-// Interrupted.
+// Makes the certificate that of all checkers, undecided at a limit. Throws Interrupted.
 SecondWords ask(const std::vector<SecondChecker>& seconds, const Request& request,
                 const CooperativeInterruption& interruption, ShardFile& file) {
   Certificate& certificate = file.shard.certificate;
