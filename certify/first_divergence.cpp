@@ -34,14 +34,19 @@ void FirstDivergence::refute_missing_contacts() {
 Divergence FirstDivergence::first_event_missing(const Divergence& found) {
   const bool earlier = found.true_time && (*found.true_time)[0] < found.t;
   Earliest first{found, std::min(earlier ? (*found.true_time)[0] : found.t, s_.search_end)};
-  const bool missing = found.fault == Fault::missing_event || found.fault == Fault::overlap;
-  const double margin = missing ? 0 : s_.tolerance_up;
-  look_for_contacts(first, margin);
-  look_for_flips(first, margin);
+  look_for_contacts(first);
+  look_for_flips(first);
   return first.divergence;
 }
 
-void FirstDivergence::look_for_contacts(Earliest& first, double margin) {
+// How much earlier than the first so far an event must be to be missing for certain. Of those that
+// are missing the first counts: where it is very near, the later one may be its consequence.
+double FirstDivergence::margin(const Earliest& first) const {
+  const Fault fault = first.divergence.fault;
+  return fault == Fault::missing_event || fault == Fault::overlap ? 0 : s_.tolerance_up;
+}
+
+void FirstDivergence::look_for_contacts(Earliest& first) {
   for (const auto& [i, j, since, edge] : pairs_.open(first.limit)) {
     if (s_.replay.partners(i, j) || turns_one_of({i, j}) ||
         proved_apart(s_.motion, i, j, since, first.limit)) {
@@ -51,14 +56,14 @@ void FirstDivergence::look_for_contacts(Earliest& first, double margin) {
                               ? pairs_.exact().since(i, j)
                               : s_.chronology.instant(Moment::at(since));
     const NextContact c = s_.contacts.from(i, j, begin, first.limit);
-    if (c.kind == NextContact::Kind::none || c.hi >= first.limit - margin - s_.tolerance_up) {
+    if (c.kind == NextContact::Kind::none || c.hi >= first.limit - margin(first) - s_.tolerance_up) {
       continue;
     }
     first = {refuter_.missing_contact(i, j, c.lo, c.hi), c.lo};
   }
 }
 
-void FirstDivergence::look_for_flips(Earliest& first, double margin) {
+void FirstDivergence::look_for_flips(Earliest& first) {
   // Where it is undecided whether an edge collapses so early that its flip should have been claimed
   // by now, the history is false whether it does or not, and the refutation stands.
   bool undecided = false;
@@ -67,7 +72,7 @@ void FirstDivergence::look_for_flips(Earliest& first, double margin) {
       return edges_.first_collapse(q, from, first.limit);
     } catch (const Undecided&) {
       try {
-        const double early = first.limit - margin - 2 * s_.tolerance_up;
+        const double early = first.limit - margin(first) - 2 * s_.tolerance_up;
         if (const auto c = edges_.first_collapse(q, from, early)) return c;
       } catch (const Undecided&) {
         undecided = true;
@@ -86,7 +91,7 @@ void FirstDivergence::look_for_flips(Earliest& first, double margin) {
     } else if (!proved_free(s_.motion, q, life.from, first.limit)) {
       c = search(q, life.from);
     }
-    if (!c || c->hi >= first.limit - margin) continue;
+    if (!c || c->hi >= first.limit - margin(first)) continue;
     first = {refuter_.missing_flip(q, *c), c->lo};
   }
   if (undecided) {

@@ -37,8 +37,9 @@ class FirstDivergence {
   };
   bool turns_one_of(std::initializer_list<GenId> generators) const;
   Divergence first_event_missing(const Divergence& found);
-  void look_for_contacts(Earliest& first, double margin);
-  void look_for_flips(Earliest& first, double margin);
+  double margin(const Earliest& first) const;
+  void look_for_contacts(Earliest& first);
+  void look_for_flips(Earliest& first);
 
   Setting& s_;
   Claims& claims_;

@@ -72,14 +72,6 @@ void ask_kernel(const Pair& pair, const CertifyOptions& options, const HistoryHe
                          ": " + result.reason);
 }
 
-// Where several events are missing within the tolerance of the start, of a disk that is very fast,
-// the certifier may name a later one, whose witness is false then: docs/trust.md says so.
-bool diverges_at_once(const Certificate& certificate) {
-  constexpr double tolerance = 1e-6;
-  return certificate.divergence && certificate.divergence->true_time &&
-         (*certificate.divergence->true_time)[1] < tolerance;
-}
-
 bool certifies(const Pair& pair, CertifyOptions options) {
   Claim claim = open_claim(file_with<0>(pair.scene), file_with<1>(pair.history));
   if (claim.scene.disks.size() > most_disks) return false;
@@ -94,10 +86,8 @@ bool certifies(const Pair& pair, CertifyOptions options) {
   } catch (const CertificationInterrupted&) {
     return false;
   }
-  std::string evidence;
-  if (!diverges_at_once(certificate)) {
-    evidence = checked_evidence(certificate, file_with<0>(pair.scene), file_with<1>(pair.history));
-  }
+  const std::string evidence =
+      checked_evidence(certificate, file_with<0>(pair.scene), file_with<1>(pair.history));
   const std::string report = report_text(
       certification_run("fuzz", "scene", "history", claim, evidence), options, certificate);
   explain_report_text(report, "report");
