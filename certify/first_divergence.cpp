@@ -56,7 +56,8 @@ void FirstDivergence::look_for_contacts(Earliest& first) {
                               ? pairs_.exact().since(i, j)
                               : s_.chronology.instant(Moment::at(since));
     const NextContact c = s_.contacts.from(i, j, begin, first.limit);
-    if (c.kind == NextContact::Kind::none || c.hi >= first.limit - margin(first) - s_.tolerance_up) {
+    if (c.kind == NextContact::Kind::none ||
+        c.hi >= first.limit - margin(first) - s_.tolerance_up) {
       continue;
     }
     first = {refuter_.missing_contact(i, j, c.lo, c.hi), c.lo};
