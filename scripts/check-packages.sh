@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Makes the Debian packages and the archive of a finished build of the preset `dist`, and checks them:
 # lintian finds no error; a program is built against the library's packages; in a bare Debian the
-# packages are installed, used and purged, and nothing is left; the archive has the licence, and its
-# program runs where it was unpacked.
+# packages are installed, used and purged, and nothing is left; installed once more as users do, with what they
+# recommend, they are enough for all that the documents tell users to do; the archive has the licence,
+# and its program runs where it was unpacked.
 #
 # The bare system is made from the mirror that apt is configured with. Needs root, and what
 # `scripts/install-deps.sh packages` installs.
@@ -107,4 +108,11 @@ diff "$work/before" "$work/after" || fail "that is what purging leaves"
 if inside dpkg-query -W -f '${Package} ${db:Status-Status}\n' '*voroproof*' 2>/dev/null | grep .; then
   fail "packages are left"
 fi
+echo "== paths of users"
+mkdir "$root/paths"
+cp tests/docs/blocks.py tests/docs/installed_test.py "$root/paths"
+inside sh -ec 'apt-get install -y -qq /packages/*.deb
+  apt-get install -y -qq --no-install-recommends g++ pkg-config' > "$work/paths.log" 2>&1 ||
+  { cat "$work/paths.log"; fail "the packages cannot be installed with what they recommend"; }
+inside python3 -B /paths/installed_test.py
 echo "check-packages: $(ls "$work"/*.deb | wc -l) packages and an archive made, installed, used and purged"

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """Runs the commands of documents: of each in a fresh folder, in their order.
 
-Every block that is marked `sh` is run by bash, as `voroproof` and as `build/voroproof`; where the next
-block is marked `text`, that is what it must print. The files in a document's own folder of pictures
+Every block that is marked `sh` is run (blocks.py), as `voroproof` and as `build/voroproof`. The files in a document's own folder of pictures
 (start/ of start.md) must have the bytes that it draws.
 
 A block that is not marked and has a line with a command is one that is not run. It must be named in
@@ -16,9 +15,10 @@ usage: commands_test.py [--python PYTHON FOLDER] PROGRAM DOCUMENT...
 import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
+
+from blocks import MARKS, blocks_of, run_blocks
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -72,46 +72,18 @@ NOT_RUN = {
 PYTHON = "python3 -m voroproof"
 
 
-def blocks_of(text):
-    """The blocks of code: their kind ("" for none, "indented") and their lines."""
-    found = []
-    for match in re.finditer(r"^```(\w*)\n(.*?)^```$|(?:(?<=\n\n)|\A)((?:    [^\n]*\n|\n(?=    ))+)", text, re.M | re.S):
-        if match[3] is None:
-            found.append((match[1], match[2]))
-        else:
-            found.append(("indented", re.sub(r"^    ", "", match[3], flags=re.M)))
-    return found
-
-
 def check_named(name, blocks):
-    """That each block of commands that is not run is named, and the other way round."""
-    unmarked = {body.split("\n", 1)[0] for kind, body in blocks
-                if kind in ("", "indented") and COMMAND.search(body)}
+    """That each block of commands that is not run is named, and the other way round; and that marks are known."""
+    for block in blocks:
+        if block.mark not in MARKS:
+            sys.exit(f"{name}: the mark '{block.mark}' of a block says nothing: {block.body.splitlines()[0]}")
+    unmarked = {block.body.split("\n", 1)[0] for block in blocks
+                if block.mark in ("", "indented") and COMMAND.search(block.body)}
     reasons = NOT_RUN.get(name, {})
     for line in sorted(unmarked - set(reasons)):
         sys.exit(f"{name}: this block is neither run nor named in NOT_RUN: {line}")
     for line in sorted(set(reasons) - unmarked):
         sys.exit(f"{name}: NOT_RUN names a block that is not there: {line}")
-
-
-def run_blocks(name, blocks, folder, environment, python):
-    """Returns how many were run, and how many passed over."""
-    run = passed = 0
-    for k, (kind, body) in enumerate(blocks):
-        if kind != "sh":
-            continue
-        if PYTHON in body and python is None:
-            passed += 1
-            continue
-        run += 1
-        done = subprocess.run(["bash", "-euc", body], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
-                              capture_output=True, text=True)
-        if done.returncode != 0:
-            sys.exit(f"{name}: exit code {done.returncode}\n{body}\n{done.stderr}")
-        expected = blocks[k + 1] if k + 1 < len(blocks) else ("", "")
-        if expected[0] == "text" and done.stdout != expected[1]:
-            sys.exit(f"{name}: prints\n{done.stdout}\ninstead of\n{expected[1]}\n{body}")
-    return run, passed
 
 
 def check_pictures(name, document, folder):
@@ -142,7 +114,7 @@ def check(program, document, python):
         (folder / "build").symlink_to(program.parent)
         if python is not None:
             environment["PATH"] = f"{make_python(folder / '.python', python)}{os.pathsep}{environment['PATH']}"
-        run, passed = run_blocks(name, blocks, folder, environment, python)
+        run, passed = run_blocks(name, blocks, ("sh",), folder, environment, PYTHON if python is None else None)
         check_pictures(name, document, folder)
     print(f"{name}: {run} blocks" + (f", {passed} passed over: no Python module" if passed else ""))
 
