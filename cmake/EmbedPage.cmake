@@ -1,4 +1,4 @@
-# Makes OUTPUT, a C++ source that defines the PageTemplate NAME (apps/draw/html.h), which HEADER declares, of
+# Makes OUTPUT, a C++ source that defines the PageTemplate NAME (library/html.h), which HEADER declares, of
 # FOLDER/page.html: a page with {{title}} and {{data}} where these belong. Style sheets and scripts of FOLDER that it
 # refers to are put into it, so that it needs no other file.
 #

@@ -104,14 +104,7 @@ const char* name(Verdict verdict) {
 
 Report certify(const Scene& scene, const History& history, const CertifyOptions& options) {
   return with_public_errors([&] {
-    internal::Claim claim;
-    claim.scene = internal::checked_scene(scene);
-    claim.history = internal::memory_history(history, static_cast<int>(claim.scene.disks.size()));
-    if (history.scene_sha256 != claim.scene.sha256) {
-      throw internal::InputError("history", 1, "scene_sha256",
-                                 "the history is one of another scene");
-    }
-    return internal::judged(std::move(claim), "scene", "history", options);
+    return internal::judged(internal::memory_claim(scene, history), "scene", "history", options);
   });
 }
 

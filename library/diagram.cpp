@@ -54,13 +54,8 @@ Diagram diagram_at(const Scene& scene, const Number& t, int max_bits) {
 Diagram diagram_at(const Scene& scene, const History& history, const Number& t, int max_bits,
                    bool checked) {
   return with_public_errors([&] {
-    const internal::Scene given = internal::checked_scene(scene);
-    const auto source = internal::memory_history(history, static_cast<int>(given.disks.size()));
-    if (history.scene_sha256 != given.sha256) {
-      throw internal::InputError("history", 1, "scene_sha256",
-                                 "the history is one of another scene");
-    }
-    return internal::diagram_value(internal::snapshot(given, *source, "history",
+    const internal::Claim claim = internal::memory_claim(scene, history);
+    return internal::diagram_value(internal::snapshot(claim.scene, *claim.history, "history",
                                                       internal::instant(t),
                                                       internal::engine_options(max_bits), checked));
   });

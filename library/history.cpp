@@ -187,6 +187,16 @@ Quad quad(const voroproof::Edge& edge) { return {edge.l, edge.r, edge.s, edge.e}
 voroproof::Event event_value(const Event& event) { return std::visit(ToPublic{}, event); }
 Event event(const voroproof::Event& event) { return std::visit(ToInternal{}, event); }
 
+Claim memory_claim(const voroproof::Scene& scene, const voroproof::History& history) {
+  Claim claim;
+  claim.scene = checked_scene(scene);
+  claim.history = memory_history(history, static_cast<int>(claim.scene.disks.size()));
+  if (history.scene_sha256 != claim.scene.sha256) {
+    fail(1, "scene_sha256", "the history is one of another scene");
+  }
+  return claim;
+}
+
 std::unique_ptr<HistorySource> memory_history(const voroproof::History& history, int disks) {
   return std::make_unique<MemoryHistory>(history, disks);
 }

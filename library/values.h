@@ -9,6 +9,7 @@
 #include "certify/certificate.h"
 #include "exact/enclosure.h"
 #include "exact/rounding.h"
+#include "history/claim.h"
 #include "history/diagram_file.h"
 #include "history/error.h"
 #include "history/history_source.h"
@@ -56,6 +57,9 @@ class Collecting final : public voroproof::EventSink {
 // A history in memory as a source of events, for a scene of so many disks. It must outlive the
 // source. Checks what a reader of files checks. Throws InputError for "history".
 std::unique_ptr<HistorySource> memory_history(const voroproof::History& history, int disks);
+// The checked scene with the history, which must outlive the claim. Throws InputError, also where
+// the history is one of another scene.
+Claim memory_claim(const voroproof::Scene& scene, const voroproof::History& history);
 
 // The options with this budget. Throw std::invalid_argument where it is less than 64 bits.
 MotionOptions motion_options(int max_bits);

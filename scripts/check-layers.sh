@@ -54,7 +54,6 @@ check apps/cli $rooms apps/cli
 check apps/run $rooms kernel/kernel.h apps/cli apps/run
 check apps/answers $rooms apps/answers
 check apps/draw $rooms apps/answers apps/draw
-check apps/movie $rooms apps/answers apps/draw apps/movie
 check apps/certifier $rooms apps/draw apps/certifier
 check apps/corpus $rooms apps/run apps/draw apps/corpus
 check apps/paper $rooms apps/paper

@@ -1,7 +1,7 @@
 // The certifier's page: the files of apps/certifier/page/.
 #pragma once
 
-#include "apps/draw/html.h"
+#include "library/html.h"
 
 namespace voroproof::internal {
 

@@ -1,7 +1,7 @@
 // The page of a run over the corpus: the file of apps/corpus/page/.
 #pragma once
 
-#include "apps/draw/html.h"
+#include "library/html.h"
 
 namespace voroproof::internal {
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/corpus/corpus_page.h"
-#include "apps/draw/html.h"
 #include "history/file_bytes.h"
+#include "library/html.h"
 
 namespace voroproof::internal {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "apps/draw/digit_pen.h"
-#include "apps/draw/palette.h"
 #include "apps/draw/picture.h"
 #include "library/diagram_geometry.h"
+#include "library/palette.h"
 
 namespace voroproof::internal {
 namespace {

@@ -9,12 +9,12 @@
 #include <string_view>
 
 #include "apps/draw/digit_pen.h"
-#include "apps/draw/palette.h"
 #include "apps/draw/picture.h"
 #include "apps/draw/render_probe.h"
 #include "exact/names.h"
 #include "library/diagram_geometry.h"
 #include "library/edge_curves.h"
+#include "library/palette.h"
 
 namespace voroproof::internal {
 namespace {

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "apps/draw/digit_pen.h"
-#include "apps/draw/palette.h"
 #include "apps/draw/picture.h"
+#include "library/palette.h"
 
 namespace voroproof::internal {
 

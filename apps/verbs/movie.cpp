@@ -4,9 +4,10 @@
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
-#include "apps/movie/movie.h"
 #include "apps/verbs/verbs.h"
 #include "history/error.h"
+#include "history/output_file.h"
+#include "library/movie/movie.h"
 
 namespace voroproof::internal {
 namespace {
@@ -25,7 +26,7 @@ Explanation read_report(const std::string& path, const Scene& scene) {
   return report;
 }
 
-ExitCode make_movie(const Request& request) {
+ExitCode write_movie(const Request& request) {
   require_distinct({request.scene, request.history, request.report}, {request.output});
   require_order(request.scene, request.history);
   std::optional<Rational> horizon;
@@ -40,8 +41,11 @@ ExitCode make_movie(const Request& request) {
   const std::int64_t line = report && report->fault ? report->fault->line : 0;
   const MovieData data = movie_data(claim, request.history, horizon, line);
   const CooperativeInterruption interruption;
-  write_movie(request.output, claim, data, report ? &*report : nullptr,
-              {.producer = producer(), .follow = request.follow});
+  OutputFile file(request.output);
+  make_movie(claim, data, report ? &*report : nullptr,
+             {.producer = producer(), .follow = request.follow},
+             [&](std::string_view piece) { file.write(piece); });
+  file.commit();
   return ExitCode::ok;
 }
 
@@ -62,7 +66,7 @@ void add_movie(Verb& program) {
             "float.")
       .formerly("--until");
   verb.example("voroproof movie a.scene.json a.history.jsonl --report a.report.json -o a.html");
-  verb.does([request] { return make_movie(*request); });
+  verb.does([request] { return write_movie(*request); });
 }
 
 }  // namespace voroproof::internal

@@ -7,6 +7,7 @@
 #include "voroproof/extensions.h"
 #include "voroproof/generators.h"
 #include "voroproof/history.h"
+#include "voroproof/movie.h"
 #include "voroproof/number.h"
 #include "voroproof/plan.h"
 #include "voroproof/queries.h"

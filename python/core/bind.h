@@ -10,6 +10,7 @@ void bind_scene(pybind11::module_& module);
 void bind_history(pybind11::module_& module);
 void bind_certify(pybind11::module_& module);
 void bind_diagram(pybind11::module_& module);
+void bind_movie(pybind11::module_& module);
 void bind_queries(pybind11::module_& module);
 void bind_plan(pybind11::module_& module);
 

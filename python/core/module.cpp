@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, module) {
   bind_history(module);
   bind_certify(module);
   bind_diagram(module);
+  bind_movie(module);
   bind_queries(module);
   bind_plan(module);
 }

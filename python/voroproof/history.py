@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterable, NamedTuple, Optional
 import numpy as np
 
 from . import _core
+from .files import write_whole
 from .motion import LeastGap, Neighbourhood, least_gap_of
 from .scene import Number, Path, Scene
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from .diagram import Diagram
+    from .report import Report
 
 CONTAINER = -1
 FLIP, COLLISION, MANEUVER = 0, 1, 2
@@ -244,6 +246,26 @@ class History:
     def plot_diagram(self, t: Number, ax: "Optional[Axes]" = None) -> "Axes":
         """Draws the disks and the cells at t."""
         return self.diagram(t).plot(ax)
+
+    # The player.
+
+    def movie_page(self, *, report: "Optional[Report]" = None, follow: Optional[int] = None) -> str:
+        """A page of HTML that plays the history and needs no other file and no network.
+
+        `report` is one of a certification of this history: the time line shows what is proved, and the
+        evidence of a refutation is drawn. `follow` is the disk that is followed to begin with. The history
+        may be right or wrong. Raises InputError, and ValueError for a disk that there is not.
+        """
+        return _core.movie_page(self.scene._core, self._core, None if report is None else report.json, follow)
+
+    def write_movie(self, path: Path, *, report: "Optional[Report]" = None,
+                    follow: Optional[int] = None) -> None:
+        """Writes the page of `movie_page`, whole or not at all. Raises OSError besides."""
+        write_whole(path, self.movie_page(report=report, follow=follow))
+
+    def _repr_html_(self) -> str:
+        from .notebook import history_html
+        return history_html(self)
 
     def __repr__(self) -> str:
         counts = self.counts()

@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import Any, Dict, List, Optional, Tuple
 
 from . import _core
+from .files import write_whole
 from .history import History, Progress
 from .scene import Number, Path, Scene
 
@@ -113,15 +114,7 @@ class Report:
 
     def write(self, path: Path) -> None:
         """Writes the report's file, whole or not at all. Raises OSError."""
-        unfinished = f"{os.fspath(path)}.tmp"
-        try:
-            with open(unfinished, "w", encoding="utf-8") as file:
-                file.write(self.json)
-            os.replace(unfinished, path)
-        except BaseException:
-            if os.path.exists(unfinished):
-                os.remove(unfinished)
-            raise
+        write_whole(path, self.json)
 
     def __str__(self) -> str:
         return self.verdict.upper() + (f": {self.reason}" if self.reason else "")

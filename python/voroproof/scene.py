@@ -209,6 +209,10 @@ class Scene:
     def __reduce__(self):
         return _restored, (self.text, self._core.source())
 
+    def _repr_html_(self) -> str:
+        from .notebook import scene_html
+        return scene_html(self)
+
     def __repr__(self) -> str:
         name = f" {self.name!r}" if self.name else ""
         return f"<Scene{name}: {len(self)} disks, horizon {float(self.horizon):g}>"

@@ -1,15 +1,13 @@
-#include "apps/movie/movie.h"
+#include "library/movie/movie.h"
 
 #include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <type_traits>
 
-#include "apps/draw/html.h"
-#include "apps/draw/palette.h"
-#include "apps/movie/movie_page.h"
-#include "history/output_file.h"
+#include "library/html.h"
+#include "library/movie/movie_page.h"
+#include "library/palette.h"
 
 namespace voroproof::internal {
 namespace {
@@ -102,19 +100,17 @@ std::string title(const Scene& scene) {
 
 }  // namespace
 
-void write_movie(const std::string& path, const Claim& claim, const MovieData& data,
-                 const Explanation* report, const MovieOptions& options) {
-  OutputFile file(path);
-  file.write(page_begin(movie_page, title(claim.scene)));
-  file.write(json_element("movie-facts", facts_json(claim, data, report, options)));
-  file.write(array_element("disks", disk_values(claim.scene)));
-  file.write(array_element("initial", data.initial));
-  file.write(array_element("times", data.times));
-  file.write(array_element("kinds", data.kinds));
-  file.write(array_element("ids", data.ids));
-  file.write(array_element("velocities", data.velocities));
-  file.write(page_end(movie_page));
-  file.commit();
+void make_movie(const Claim& claim, const MovieData& data, const Explanation* report,
+                const MovieOptions& options, const std::function<void(std::string_view)>& take) {
+  take(page_begin(movie_page, title(claim.scene)));
+  take(json_element("movie-facts", facts_json(claim, data, report, options)));
+  take(array_element("disks", disk_values(claim.scene)));
+  take(array_element("initial", data.initial));
+  take(array_element("times", data.times));
+  take(array_element("kinds", data.kinds));
+  take(array_element("ids", data.ids));
+  take(array_element("velocities", data.velocities));
+  take(page_end(movie_page));
 }
 
 }  // namespace voroproof::internal

@@ -1,4 +1,4 @@
-#include "apps/draw/html.h"
+#include "library/html.h"
 
 #include <openssl/evp.h>
 

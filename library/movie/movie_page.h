@@ -1,7 +1,7 @@
-// The movie's page: the files of apps/movie/page/.
+// The movie's page: the files of library/movie/page/.
 #pragma once
 
-#include "apps/draw/html.h"
+#include "library/html.h"
 
 namespace voroproof::internal {
 

@@ -1,4 +1,4 @@
-#include "apps/movie/movie_data.h"
+#include "library/movie/movie_data.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,0 +1,50 @@
+"""What notebooks show of a history and of a scene."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import TYPE_CHECKING
+
+from .errors import Error
+
+if TYPE_CHECKING:
+    from .history import History
+    from .scene import Scene
+
+#: A notebook keeps what it shows: some 30 bytes an event, 100 a disk. Beyond these it gets a line of text.
+MAX_EVENTS = 20_000
+MAX_DISKS = 2_000
+
+
+def _told(thing: object, why: str = "") -> str:
+    return f"<p>{escape(repr(thing))}{escape(why)}</p>"
+
+
+def history_html(history: "History") -> str:
+    """The player in a frame, or a line that says why there is none."""
+    try:
+        scene = history.scene
+        if len(history) > MAX_EVENTS or len(scene) > MAX_DISKS:
+            return _told(history, f". The player is left out beyond {MAX_EVENTS} events or {MAX_DISKS} disks: "
+                                  "write_movie(path) makes a page of it.")
+        page = history.movie_page()
+    except (Error, ValueError) as error:
+        return _told(history, f". No player: {error}")
+    # The frame may run its scripts and save pictures, and sees nothing of the notebook.
+    return (f'<iframe srcdoc="{escape(page)}" title="{escape(repr(history))}" sandbox="allow-scripts allow-downloads" '
+            'style="width: 100%; height: 720px; border: 0"></iframe>')
+
+
+def scene_html(scene: "Scene") -> str:
+    """The container and the disks at t = 0, or a line where there are too many."""
+    if len(scene) > MAX_DISKS:
+        return _told(scene)
+    x, y, radius = map(float, scene.container)
+    # In units of the container's radius, from its centre; y grows downwards in SVG.
+    circles = [(0.0, 0.0, 1.0, "none")]
+    circles += [((float(d.x) - x) / radius, (y - float(d.y)) / radius, float(d.radius) / radius, "#8fb4dc")
+                for d in scene.disks]
+    drawn = "".join(f'<circle cx="{cx:.6g}" cy="{cy:.6g}" r="{r:.6g}" fill="{fill}"/>' for cx, cy, r, fill in circles)
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="-1.01 -1.01 2.02 2.02" width="320" height="320" '
+            f'role="img" aria-label="{escape(repr(scene))}"><g stroke="#5a6478" stroke-width="0.006">{drawn}</g></svg>'
+            + _told(scene))
