@@ -51,6 +51,12 @@ Rational instant(const voroproof::Number& t) {
   return q;
 }
 
+Rational probe_radius(const voroproof::Number& probe) {
+  Rational q = rational(probe);
+  if (q < 0) throw std::invalid_argument("probe: negative");
+  return q;
+}
+
 MotionOptions motion_options(int max_bits) {
   constexpr int least = 64;
   if (max_bits < least) throw std::invalid_argument("max_bits: less than 64");

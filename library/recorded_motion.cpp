@@ -9,7 +9,9 @@
 #include "history/error.h"
 #include "library/true_moment.h"
 #include "library/values.h"
+#include "queries/openings.h"
 #include "queries/over_time.h"
+#include "queries/void_lives.h"
 
 namespace voroproof {
 namespace internal {
@@ -95,6 +97,12 @@ struct RecordedMotion::Implementation {
     if (window.from > window.to) throw std::invalid_argument("from: later than to");
     return window;
   }
+  // A window in which something can open and close.
+  internal::Window long_window(const Number& from, const Number& to) const {
+    internal::Window both = window(from, to);
+    if (both.from == both.to) throw std::invalid_argument("from: not before to");
+    return both;
+  }
   void require_generator(int g) const {
     if (g < internal::container_id || g >= disks) {
       throw std::invalid_argument("there is no generator " + std::to_string(g));
@@ -103,7 +111,7 @@ struct RecordedMotion::Implementation {
   void require_pair(int i, int j) const {
     require_generator(i);
     require_generator(j);
-    if (i == j) throw std::invalid_argument("the gap of a generator and itself");
+    if (i == j) throw std::invalid_argument("a generator is named twice");
   }
 
   // The piece in force at t. Where times are binary64, which they are nearly always, they are
@@ -140,6 +148,27 @@ struct RecordedMotion::Implementation {
 namespace {
 
 using internal::with_public_errors;
+
+// Where a path leads into another disk or out of the container, the circles that the claimed
+// diagram speaks of need not exist.
+template <class Ask>
+auto on_fitting_paths(Ask&& ask) {
+  try {
+    return ask();
+  } catch (const std::domain_error&) {
+    throw internal::InputError(internal::history_name, 0, "",
+                               "the recorded paths do not fit the claimed diagram (certify tells "
+                               "where)");
+  }
+}
+
+std::vector<Opening> values_of(const std::vector<internal::Opening>& openings) {
+  std::vector<Opening> out;
+  for (const internal::Opening& o : openings) {
+    out.push_back({internal::enclosure_value(o.from), internal::enclosure_value(o.to)});
+  }
+  return out;
+}
 
 LeastGap value_of(const internal::Paths& paths, const internal::LeastGap& least) {
   return {least.i, least.j, internal::number(least.t),
@@ -216,6 +245,56 @@ std::optional<LeastGap> RecordedMotion::least_gap(const Number& from, const Numb
                                                   implementation_->window(from, to));
     if (!least) return std::nullopt;
     return value_of(implementation_->paths, *least);
+  });
+}
+
+std::vector<Opening> RecordedMotion::tunnel_openings(int i, int j, const Number& probe,
+                                                     const Number& from, const Number& to) {
+  implementation_->require_pair(i, j);
+  return with_public_errors([&] {
+    const internal::Rational radius = internal::probe_radius(probe);
+    const internal::Window window = implementation_->long_window(from, to);
+    return on_fitting_paths([&] {
+      return values_of(internal::tunnel_openings(implementation_->paths, implementation_->cursor, i,
+                                                 j, radius, window));
+    });
+  });
+}
+
+std::vector<Opening> RecordedMotion::void_openings(const std::array<int, 3>& vertex,
+                                                   const Number& probe, const Number& from,
+                                                   const Number& to) {
+  for (const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 0)}) {
+    implementation_->require_pair(vertex[i], vertex[j]);
+  }
+  return with_public_errors([&] {
+    const internal::Rational radius = internal::probe_radius(probe);
+    const internal::Window window = implementation_->long_window(from, to);
+    return on_fitting_paths([&] {
+      return values_of(internal::void_openings(implementation_->paths, implementation_->cursor,
+                                               vertex, radius, window));
+    });
+  });
+}
+
+std::vector<VoidLife> RecordedMotion::void_lives(const Number& probe, const Number& from,
+                                                 const Number& to) {
+  return with_public_errors([&] {
+    const internal::Rational radius = internal::probe_radius(probe);
+    const internal::Window window = implementation_->long_window(from, to);
+    return on_fitting_paths([&] {
+      std::vector<VoidLife> out;
+      for (const internal::VoidLife& life :
+           internal::void_lives(implementation_->paths, implementation_->cursor, radius, window)) {
+        VoidLife& last = out.emplace_back();
+        last.from = internal::enclosure_value(life.from);
+        last.to = internal::enclosure_value(life.to);
+        last.before = life.before;
+        last.after = life.after;
+        if (life.at) last.at = internal::place_value(*life.at);
+      }
+      return out;
+    });
   });
 }
 

@@ -15,8 +15,10 @@
 #include "history/history_source.h"
 #include "history/scene.h"
 #include "kinetic/engine.h"
+#include "queries/clearance.h"
 #include "voroproof/certify.h"
 #include "voroproof/diagram.h"
+#include "voroproof/free_space.h"
 #include "voroproof/history.h"
 #include "voroproof/number.h"
 #include "voroproof/scene.h"
@@ -66,6 +68,10 @@ MotionOptions motion_options(int max_bits);
 EngineOptions engine_options(int max_bits);
 // Throws std::invalid_argument for negative times.
 Rational instant(const voroproof::Number& t);
+// The radius of a probe. Throws std::invalid_argument for negative ones.
+Rational probe_radius(const voroproof::Number& probe);
+
+voroproof::ClearancePlace place_value(const ClearanceNode& node);
 
 // Calls work() and throws the errors of the program as those of the library. Throws
 // std::runtime_error where doubles do not compute as all bounds assume (exact/rounding.h).

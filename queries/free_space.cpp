@@ -211,6 +211,14 @@ std::array<Enclosure, 2> FreeSpace::position(const OffsetPoint& point) const {
   return {enclosure(at[0]), enclosure(at[1])};
 }
 
+std::map<Quad, Diagram::HalfEdge> edges_by_name(const Diagram& diagram) {
+  std::map<Quad, Diagram::HalfEdge> edges;
+  for (Diagram::HalfEdge h = 0; h < 2 * diagram.edges(); h += 2) {
+    edges[canonical(diagram.quad(h))] = h;
+  }
+  return edges;
+}
+
 ClearanceNode narrowest(Clearance& clearance, HalfEdge h) {
   const std::vector<ClearanceNode> nodes = clearance.profile(h);
   return *std::min_element(nodes.begin(), nodes.end(),

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -68,6 +69,9 @@ class FreeSpace {
   std::vector<FreePiece> pieces_;
   std::vector<std::vector<std::size_t>> of_edge_;  // indices into pieces_, by edge
 };
+
+// The even half-edges of the diagram by the canonical names of their edges.
+std::map<Quad, Diagram::HalfEdge> edges_by_name(const Diagram& diagram);
 
 // The V-edge as a tunnel: the node of its least clearance, beyond which no probe passes.
 ClearanceNode narrowest(Clearance& clearance, Diagram::HalfEdge h);

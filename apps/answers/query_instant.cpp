@@ -1,7 +1,6 @@
 #include "apps/answers/query_instant.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "queries/free_space.h"
@@ -36,14 +35,6 @@ Json json_of(const FreeSpace& space, const std::optional<OffsetPoint>& point) {
           {"side", point->side},
           {"x", voroproof::internal::json_of(at[0])},
           {"y", voroproof::internal::json_of(at[1])}};
-}
-
-std::map<Quad, Diagram::HalfEdge> edges_by_name(const Diagram& diagram) {
-  std::map<Quad, Diagram::HalfEdge> edges;
-  for (Diagram::HalfEdge h = 0; h < 2 * diagram.edges(); h += 2) {
-    edges[canonical(diagram.quad(h))] = h;
-  }
-  return edges;
 }
 
 }  // namespace

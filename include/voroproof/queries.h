@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "voroproof/export.h"
+#include "voroproof/free_space.h"
 #include "voroproof/number.h"
 #include "voroproof/scene.h"
 
@@ -38,7 +39,8 @@ class VOROPROOF_API Instant {
   Instant& operator=(Instant&&) noexcept;
   ~Instant();
 
-  // All may throw Undecided, and std::invalid_argument for a disk that there is not.
+  // All may throw Undecided, and std::invalid_argument for a disk that there is not and for the
+  // radius of a probe that is negative.
 
   // The `count` nearest disks to a point, nearest first, equally near ones by their ids.
   std::vector<NearDisk> nearest(const Number& x, const Number& y, std::size_t count);
@@ -46,6 +48,13 @@ class VOROPROOF_API Instant {
   std::vector<Neighbour> neighbours(int disk);
   ClosestPairs closest_generators();  // the container among them
   ClosestPairs closest_disks();
+
+  // The boundary of the places for a probe's centre: arcs by generator, the container's first,
+  // along a generator's circle from one edge to the next.
+  std::vector<OffsetArc> offset(const Number& probe);
+  // The voids of a probe in the order of their smallest vertices; those without a vertex last.
+  std::vector<Void> voids(const Number& probe);
+  CriticalRadii critical();
 
  private:
   struct Implementation;

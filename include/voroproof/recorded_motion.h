@@ -1,11 +1,13 @@
 // The motion that a history writes down, at any time: places, gaps, neighbours.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "voroproof/export.h"
+#include "voroproof/free_space.h"
 #include "voroproof/history.h"
 #include "voroproof/number.h"
 #include "voroproof/scene.h"
@@ -52,6 +54,20 @@ class VOROPROOF_API RecordedMotion {
   // The least gap of the two; and of any two disks, which there is from two disks on.
   LeastGap least_gap(int i, int j, const Number& from, const Number& to);
   std::optional<LeastGap> least_gap(const Number& from, const Number& to);
+
+  // These throw Undecided where a decision needs more than the budget, std::invalid_argument for a
+  // negative radius and where `from` is not before `to`, and InputError where the recorded paths do
+  // not fit the claimed diagram. Instants at which a probe just fits and no longer are left out.
+
+  // When some V-edge of the two generators lets the probe pass from end to end.
+  std::vector<Opening> tunnel_openings(int i, int j, const Number& probe, const Number& from,
+                                       const Number& to);
+  // When the diagram has the V-vertex of three different generators, counterclockwise, and the
+  // probe fits there.
+  std::vector<Opening> void_openings(const std::array<int, 3>& vertex, const Number& probe,
+                                     const Number& from, const Number& to);
+  // The lives of the voids in the order in which they come about.
+  std::vector<VoidLife> void_lives(const Number& probe, const Number& from, const Number& to);
 
  private:
   struct Implementation;

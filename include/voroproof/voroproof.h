@@ -5,6 +5,7 @@
 #include "voroproof/diagram.h"
 #include "voroproof/error.h"
 #include "voroproof/extensions.h"
+#include "voroproof/free_space.h"
 #include "voroproof/generators.h"
 #include "voroproof/history.h"
 #include "voroproof/movie.h"

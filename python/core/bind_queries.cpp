@@ -5,6 +5,7 @@
 #include "python/core/bind.h"
 #include "python/core/events.h"
 #include "python/core/number_caster.h"
+#include "voroproof/free_space.h"
 #include "voroproof/queries.h"
 #include "voroproof/recorded_motion.h"
 
@@ -22,6 +23,54 @@ py::object tuple_of(const std::optional<LeastGap>& g) {
 }
 
 py::tuple tuple_of(const ClosestPairs& c) { return py::make_tuple(c.pairs, tuple_of(c.gap)); }
+
+py::tuple tuple_of(const std::vector<int>& ids) { return py::cast(ids).cast<py::tuple>(); }
+
+py::object tuple_of(const std::optional<ClearancePlace>& place) {
+  if (!place) return py::none();
+  static constexpr const char* kinds[] = {"vertex", "gate", "far"};
+  return py::make_tuple(kinds[static_cast<int>(place->kind)], tuple_of(place->generators));
+}
+
+py::tuple tuple_of(const Tunnel& t) {
+  return py::make_tuple(py::make_tuple(t.edge.l, t.edge.r, t.edge.s, t.edge.e), tuple_of(t.closes),
+                        tuple_of(std::optional(t.at)));
+}
+
+py::tuple tuple_of(const VanishingVoid& v) {
+  return py::make_tuple(tuple_of(v.vanishes), tuple_of(v.at));
+}
+
+py::tuple tuple_of(const Opening& o) { return py::make_tuple(tuple_of(o.from), tuple_of(o.to)); }
+
+py::object tuple_of(const std::optional<OffsetPoint>& p) {
+  if (!p) return py::none();
+  return py::make_tuple(p->i, p->j, p->side, tuple_of(p->x), tuple_of(p->y));
+}
+
+py::tuple tuple_of(const OffsetArc& arc) {
+  return py::make_tuple(arc.generator, tuple_of(arc.from), tuple_of(arc.to));
+}
+
+py::tuple tuple_of(const VoidLife& v) {
+  return py::make_tuple(tuple_of(v.from), tuple_of(v.to), v.before, v.after, tuple_of(v.at));
+}
+
+py::tuple tuple_of(const Void& v);
+
+template <class Items>
+py::list list_of(const Items& items) {
+  py::list all;
+  for (const auto& item : items) all.append(tuple_of(item));
+  return all;
+}
+
+py::tuple tuple_of(const Void& v) {
+  py::list vertices;
+  for (const auto& ids : v.vertices) vertices.append(py::make_tuple(ids[0], ids[1], ids[2]));
+  return py::make_tuple(vertices, list_of(v.tunnels), tuple_of(v.widest.vanishes),
+                        tuple_of(v.widest.at));
+}
 
 std::vector<Number> exact_times(const py::iterable& times) {
   std::vector<Number> all;
@@ -85,9 +134,24 @@ void bind_motion(py::module_& module) {
            [](RecordedMotion& m, int i, int j, const Number& from, const Number& to) {
              return tuple_of(std::optional(m.least_gap(i, j, from, to)));
            })
-      .def("least_gap_of_all", [](RecordedMotion& m, const Number& from, const Number& to) {
-        return tuple_of(m.least_gap(from, to));
-      });
+      .def("least_gap_of_all", [](RecordedMotion& m, const Number& from,
+                                  const Number& to) { return tuple_of(m.least_gap(from, to)); })
+      .def("tunnel_openings",
+           [](RecordedMotion& m, int i, int j, const Number& probe, const Number& from,
+              const Number& to) {
+             return list_of(
+                 Attention::without_lock([&] { return m.tunnel_openings(i, j, probe, from, to); }));
+           })
+      .def("void_openings",
+           [](RecordedMotion& m, const std::array<int, 3>& vertex, const Number& probe,
+              const Number& from, const Number& to) {
+             return list_of(
+                 Attention::without_lock([&] { return m.void_openings(vertex, probe, from, to); }));
+           })
+      .def("void_lives",
+           [](RecordedMotion& m, const Number& probe, const Number& from, const Number& to) {
+             return list_of(Attention::without_lock([&] { return m.void_lives(probe, from, to); }));
+           });
 }
 
 }  // namespace
@@ -116,7 +180,19 @@ void bind_queries(py::module_& module) {
              return all;
            })
       .def("closest_generators", [](Instant& i) { return tuple_of(i.closest_generators()); })
-      .def("closest_disks", [](Instant& i) { return tuple_of(i.closest_disks()); });
+      .def("closest_disks", [](Instant& i) { return tuple_of(i.closest_disks()); })
+      .def("offset",
+           [](Instant& i, const Number& probe) {
+             return list_of(Attention::without_lock([&] { return i.offset(probe); }));
+           })
+      .def("voids",
+           [](Instant& i, const Number& probe) {
+             return list_of(Attention::without_lock([&] { return i.voids(probe); }));
+           })
+      .def("critical", [](Instant& i) {
+        const CriticalRadii radii = Attention::without_lock([&] { return i.critical(); });
+        return py::make_tuple(list_of(radii.tunnels), list_of(radii.voids));
+      });
 }
 
 }  // namespace voroproof::python

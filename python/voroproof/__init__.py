@@ -15,6 +15,7 @@ one consistent set of units of the caller's. Exact numbers go in as `fractions.F
 from ._core import version as __version__
 from .diagram import Diagram
 from .errors import Error, InputError, Interrupted, OutputError, Undecided
+from .free_space import Critical, OffsetArc, OffsetPoint, Opening, Place, Tunnel, Vanishing, Void, VoidLife
 from .history import COLLISION, CONTAINER, FLIP, MANEUVER, Ending, History, event_dtype, simulate
 from .motion import LeastGap, Neighbourhood
 from .plan import Approach, Plan, Vehicle, plan
@@ -23,9 +24,10 @@ from .report import Divergence, Leniency, Report, Witness, WitnessMotion, certif
 from .scene import Disk, Maneuver, Scene
 
 __all__ = [
-    "COLLISION", "CONTAINER", "FLIP", "MANEUVER", "Approach", "Closest", "Diagram", "Disk",
-    "Divergence", "Ending", "Error", "History", "InputError", "Instant", "Interrupted", "LeastGap",
-    "Leniency", "Maneuver", "NearDisk", "Neighbour", "Neighbourhood", "OutputError", "Plan", "Report",
-    "Scene", "Undecided", "Vehicle", "Witness", "WitnessMotion", "__version__", "certify",
-    "certify_files", "event_dtype", "plan", "simulate",
+    "COLLISION", "CONTAINER", "FLIP", "MANEUVER", "Approach", "Closest", "Critical", "Diagram",
+    "Disk", "Divergence", "Ending", "Error", "History", "InputError", "Instant", "Interrupted",
+    "LeastGap", "Leniency", "Maneuver", "NearDisk", "Neighbour", "Neighbourhood", "OffsetArc",
+    "OffsetPoint", "Opening", "OutputError", "Place", "Plan", "Report", "Scene", "Tunnel",
+    "Undecided", "Vanishing", "Vehicle", "Void", "VoidLife", "Witness", "WitnessMotion",
+    "__version__", "certify", "certify_files", "event_dtype", "plan", "simulate",
 ]

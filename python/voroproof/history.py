@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Callable, Iterable, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, Callable, Iterable, NamedTuple, Optional, Sequence
 
 import numpy as np
 
 from . import _core
 from .files import write_whole
+from .free_space import Opening, VoidLife, life_of
 from .motion import LeastGap, Neighbourhood, least_gap_of
 from .scene import Number, Path, Scene
 
@@ -216,6 +217,26 @@ class History:
         """When each generator's cell shares an edge with that of the disk, by generator and time."""
         spells = self._motion.neighbours(disk, start, self._last if end is None else end)
         return [Neighbourhood(*spell) for spell in spells]
+
+    # When a probe of the given radius fits; instants at which it just fits and no longer are left out.
+    # ValueError for negative radii and where `start` is not before `end`.
+
+    def tunnel_openings(self, i: int, j: int, probe: Number, *, start: Number = 0,
+                        end: Optional[Number] = None) -> "list[Opening]":
+        """When some V-edge of i and j lets the probe pass from end to end."""
+        last = self._last if end is None else end
+        return [Opening(*spell) for spell in self._motion.tunnel_openings(i, j, probe, start, last)]
+
+    def void_openings(self, vertex: Sequence[int], probe: Number, *, start: Number = 0,
+                      end: Optional[Number] = None) -> "list[Opening]":
+        """When the diagram has the V-vertex of three generators, counterclockwise, and the probe fits there."""
+        last = self._last if end is None else end
+        return [Opening(*spell) for spell in self._motion.void_openings(vertex, probe, start, last)]
+
+    def void_lives(self, probe: Number, *, start: Number = 0, end: Optional[Number] = None) -> "list[VoidLife]":
+        """The voids of the probe: when they come about, part, join and vanish, in the order of their beginnings."""
+        last = self._last if end is None else end
+        return [life_of(life) for life in self._motion.void_lives(probe, start, last)]
 
     @property
     def _last(self) -> Number:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from . import _core
+from .free_space import Critical, OffsetArc, Void, arc_of, critical_of, void_of
 from .scene import Number
 
 #: Two floats with the true value between them.
@@ -58,3 +59,17 @@ class Instant:
     def closest_disks(self) -> Closest:
         """The closest pairs of disks."""
         return Closest(*self._core.closest_disks())
+
+    # Where a probe of the given radius fits; ValueError for negative radii.
+
+    def offset(self, probe: Number) -> "list[OffsetArc]":
+        """The boundary of the places for the probe's centre: arcs by generator, the container's first."""
+        return [arc_of(arc) for arc in self._core.offset(probe)]
+
+    def voids(self, probe: Number) -> "list[Void]":
+        """The components of the places for the probe's centre, in the order of their smallest vertices."""
+        return [void_of(v) for v in self._core.voids(probe)]
+
+    def critical(self) -> Critical:
+        """For all probes at once: when each tunnel closes and each void vanishes."""
+        return critical_of(self._core.critical())

@@ -1,5 +1,5 @@
-// The page that plays a history, by the library's headers alone; what is in it is tested with the program's
-// (tests/apps/movie).
+// The page that plays a history, by the library's headers alone; what is in it is tested with the
+// program's (tests/apps/movie).
 #include <gtest/gtest.h>
 
 #include <stdexcept>
