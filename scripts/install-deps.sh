@@ -7,7 +7,7 @@
 #   bench: what the benchmarks and the peers they measure take besides
 #   plots: what scripts/plot-experiments.py, plot-growth.py and plot-plan.py take
 #   python: what building the Python module takes, and its tests with notebooks
-#   ci:    the second compiler, the formatter, the counter of instructions, doxygen, man and shells besides
+#   ci:    the second compiler, the formatter, the counter of instructions, doxygen, man, shells and an old processor besides
 #   packages: what scripts/check-packages.sh takes besides
 #   proofs: Coq, OCaml and the libraries of voroproof-proved, Gappa
 #   site:  Sphinx with its theme, and what runs the notebooks and makes the references
@@ -39,7 +39,7 @@ for group in "$@"; do
       packages+=(python3-gsd)  # one of the formats that are imported
       packages+=(python3-nbclient python3-nbconvert python3-ipykernel)
       ;;
-    ci) packages+=(clang clang-format valgrind doxygen man-db fish zsh) ;;
+    ci) packages+=(clang clang-format valgrind doxygen man-db fish zsh qemu-user) ;;
     browser) packages+=(chromium) ;;
     site)
       packages+=(python3-sphinx python3-myst-parser furo doxygen git python3-numpy python3-matplotlib python3-pandas)
