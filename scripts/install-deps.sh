@@ -12,7 +12,8 @@
 #   proofs: Coq, OCaml and the libraries of voroproof-proved, Gappa
 #   site:  Sphinx with its theme, and what runs the notebooks and makes the references
 #   cluster: what cluster/ takes, and a Slurm to test it with
-#   browser: what testing pages and photographing that of `movie` takes besides (large)
+#   browser: what testing pages and photographing that of `movie` takes besides (large); axe-core, which Debian does not have,
+#          from npm into the folder of caches: one file, held against the hash below
 #
 # Where nothing is missing it neither asks for root nor uses the network.
 set -euo pipefail
@@ -29,6 +30,7 @@ packages=(
   libtbb-dev                         # threads of the certifier
   liblemon-dev                       # assignment of goals in plans
 )
+with_axe=false
 for group in "$@"; do
   case "$group" in
     test) packages+=(libgtest-dev librapidcheck-dev python3 python3-jsonschema nodejs) ;;
@@ -40,7 +42,12 @@ for group in "$@"; do
       packages+=(python3-nbclient python3-nbconvert python3-ipykernel)
       ;;
     ci) packages+=(clang clang-format valgrind doxygen man-db fish zsh qemu-user) ;;
-    browser) packages+=(chromium) ;;
+    browser)
+      packages+=(chromium)
+      with_axe=true
+      # Where Node.js is not Debian's, npm comes with it.
+      command -v npm > /dev/null || packages+=(npm)
+      ;;
     site)
       packages+=(python3-sphinx python3-myst-parser furo doxygen git python3-numpy python3-matplotlib python3-pandas)
       packages+=(python3-nbclient python3-nbconvert python3-ipykernel)
@@ -91,6 +98,24 @@ ensure() {
     apt-get install -y -qq --no-install-recommends "${missing[@]}"
 }
 
+# The version that tests/browser/axe.mjs asks for. Without it that test is skipped.
+axe_core() {
+  local version=4.10.3 folder=${XDG_CACHE_HOME:-$HOME/.cache}/voroproof work
+  local hash=5e6edba515e70d25f6604d9815f064d859c5d1ea7ab661bbc4f87c88779ef0c21cae0abbeb636471ef39e9d62d2582e4b88a1866f19f4ecfcf6d986275e4dc12
+  local file=$folder/axe-core-$version.min.js
+  if [ -f "$file" ]; then return; fi
+  work=$(mktemp -d)
+  echo "install-deps: fetching axe-core $version"
+  if (cd "$work" && npm pack --silent "axe-core@$version" > /dev/null &&
+    echo "$hash  axe-core-$version.tgz" | sha512sum --check --quiet && tar -xzf "axe-core-$version.tgz" package/axe.min.js); then
+    mkdir -p "$folder"
+    mv "$work/package/axe.min.js" "$file"
+  else
+    echo "install-deps: no axe-core; the test pages_axe will be skipped" >&2
+  fi
+  rm -rf "$work"
+}
+
 ensure "${packages[@]}"
 # Arb is a part of FLINT from version 3 (Debian 13) on, and a package of its own before.
 case "$(dpkg-query -W -f '${Version}' libflint-dev)" in
@@ -99,4 +124,5 @@ case "$(dpkg-query -W -f '${Version}' libflint-dev)" in
     packages+=(libflint-arb-dev)
     ;;
 esac
+if $with_axe; then axe_core; fi
 echo "install-deps: all ${#packages[@]} packages are installed"
