@@ -6,8 +6,10 @@
 
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "exact/generators.h"
 #include "history/scene.h"
 
 namespace voroproof::internal {
@@ -24,8 +26,25 @@ struct GivenPath {
   std::vector<Waypoint> waypoints;  // one at least, of increasing times
 };
 
+// Two disks, or the container (-1) and a disk, i < j, touch at t, whatever rounded waypoints say.
+struct GivenContact {
+  GenId i, j;
+  Rational t;
+  bool operator<(const GivenContact& other) const {
+    return std::tie(i, j, t) < std::tie(other.i, other.j, other.t);
+  }
+};
+
+// All paths are in it, where a file has one.
+struct GivenContainer {
+  Point2 center;
+  Rational radius;
+};
+
 struct GivenPaths {
-  std::vector<GivenPath> paths;      // in the order of their first lines
+  std::vector<GivenPath> paths;  // in the order of their first lines
+  std::vector<GivenContact> contacts;
+  std::optional<GivenContainer> container;
   std::vector<std::string> remarks;  // what the file cannot say, and what was assumed
 };
 

@@ -57,14 +57,17 @@ struct GivenClearance::Common {
   Point2 a, b;
   Rational reach;
 
-  Approach nearest() const {
+  Approach nearest(const std::set<GivenContact>& contacts) const {
     const auto [part, distance2] = nearest_to_origin(a, b);
-    return {i, j, Rational(from + part * (to - from)), distance2, reach};
+    const Rational t = from + part * (to - from);
+    const bool touch = contacts.contains({i, j, t});
+    return {i, j, t, touch ? Rational(reach * reach) : distance2, reach};
   }
 };
 
-GivenClearance::GivenClearance(const std::vector<GivenPath>& paths, std::function<bool()> go_on)
-    : paths_(paths), go_on_(std::move(go_on)) {
+GivenClearance::GivenClearance(const std::vector<GivenPath>& paths, std::function<bool()> go_on,
+                               const std::vector<GivenContact>& contacts)
+    : paths_(paths), go_on_(std::move(go_on)), contacts_(contacts.begin(), contacts.end()) {
   for (std::size_t g = 0; g < paths.size(); ++g) {
     const std::vector<Waypoint>& w = paths[g].waypoints;
     const std::size_t last = w.size() - 1;
@@ -136,7 +139,7 @@ std::optional<Approach> GivenClearance::least() const {
     if (next_below(next_below(apart) - reach) > least_above) return;
     const auto piece = common(a, b);
     if (!piece) return;
-    const Approach approach = piece->nearest();
+    const Approach approach = piece->nearest(contacts_);
     if (least) {
       const auto order = compare_gaps(approach, *least);
       if (order > 0) return;
@@ -164,9 +167,10 @@ std::vector<NearSpell> GivenClearance::spells_below(const Rational& distance) co
     }
     const auto piece = common(a, b);
     if (!piece) return;
-    const Approach nearest = piece->nearest();
+    const Approach nearest = piece->nearest(contacts_);
     const Rational limit = piece->reach + distance, limit2 = limit * limit;
-    if (nearest.distance2 >= limit2) return;
+    // At a contact the rounded places tell, too: the ends of the spell are theirs.
+    if (nearest.distance2 >= limit2 || piece->nearest({}).distance2 >= limit2) return;
     const auto below = [&](const Point2& o) { return o.x * o.x + o.y * o.y < limit2; };
     Part part{piece->from,
               piece->to,

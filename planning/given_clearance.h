@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "history/paths_file.h"
@@ -25,8 +26,10 @@ struct NearSpell {
 // most m are there at one time. Boxes in doubles with outward rounding pass over nearly all.
 class GivenClearance {
  public:
-  // The paths outlive this. `go_on` is asked now and then; where it says no, Interrupted is thrown.
-  GivenClearance(const std::vector<GivenPath>& paths, std::function<bool()> go_on);
+  // The paths outlive this. At a contact the gap of its two is zero. `go_on` is asked now and then;
+  // where it says no, Interrupted is thrown.
+  GivenClearance(const std::vector<GivenPath>& paths, std::function<bool()> go_on,
+                 const std::vector<GivenContact>& contacts = {});
 
   std::int64_t legs() const { return static_cast<std::int64_t>(legs_.size()); }
 
@@ -50,6 +53,7 @@ class GivenClearance {
 
   const std::vector<GivenPath>& paths_;
   std::function<bool()> go_on_;
+  std::set<GivenContact> contacts_;
   std::vector<Leg> legs_;  // by the time at which they begin
 };
 

@@ -1,6 +1,7 @@
 #include "apps/answers/clearance_answer.h"
 
 #include "history/error.h"
+#include "planning/wall_clearance.h"
 
 namespace voroproof::internal {
 namespace {
@@ -8,52 +9,70 @@ namespace {
 constexpr const char* kInterpolation =
     "judged are the piecewise linear paths between the waypoints of the file";
 
+Json json_of(const Point2& p) {
+  return Json::array({voroproof::internal::json_of(p.x), voroproof::internal::json_of(p.y)});
+}
+
+// An approach of two disks, or of one to the container, with all that it takes to check it by hand.
 class Teller {
  public:
-  Teller(const GivenPaths& given) : paths_(given.paths) {}
+  explicit Teller(const GivenPaths& given) : paths_(given.paths) {}
 
-  // An approach, with all that it takes to check it by hand.
-  Json json(const Approach& a) const {
-    Json disks = Json::array();
-    for (const int g : {a.i, a.j}) {
-      const GivenPath& path = paths_[static_cast<std::size_t>(g)];
-      const Point2 at = place_at(path, a.t);
-      disks.push_back({{"disk", path.name},
-                       {"center", Json::array({json_of(at.x), json_of(at.y)})},
-                       {"radius", json_of(path.radius)}});
+  Json json(const Approach& a) const { return json(a, {a.i, a.j}); }
+  Json json(const WallApproach& a) const { return json(a, {a.disk}); }
+
+  std::string names(const Approach& a) const { return name(a.i) + " " + name(a.j); }
+  std::string names(const WallApproach& a) const { return name(a.disk) + " wall"; }
+
+  // Adds the spells to the list and to the rows of the table.
+  template <class Spells>
+  void add(const Spells& spells, Json& list, std::vector<std::vector<std::string>>& rows) const {
+    list = Json::array();
+    for (const auto& s : spells) {
+      list.push_back({{"from", voroproof::internal::json_of(s.from)},
+                      {"to", voroproof::internal::json_of(s.to)},
+                      {"least", json(s.nearest)}});
+      rows.push_back({names(s.nearest), short_text(s.from), short_text(s.to),
+                      short_text(gap(s.nearest)), short_text(enclosure(s.nearest.t))});
     }
-    return {{"t", json_of(a.t)},
-            {"disks", std::move(disks)},
-            {"distance_squared", json_of(a.distance2)},
-            {"gap", json_of(gap(a))}};
   }
 
-  std::string pair(const Approach& a) const {
-    return printable(paths_[static_cast<std::size_t>(a.i)].name) + " " +
-           printable(paths_[static_cast<std::size_t>(a.j)].name);
+  template <class Nearest>
+  std::string line(const char* what, const Nearest& least) const {
+    const bool overlap = gap(least).hi < 0;
+    return std::string("c least gap ") + what + short_text(gap(least)) +
+           (overlap ? " (they overlap)" : "") + ", of " + names(least) +
+           " at t = " + short_text(enclosure(least.t)) + "\n";
   }
 
  private:
+  std::string name(int g) const { return printable(paths_[static_cast<std::size_t>(g)].name); }
+
+  template <class Nearest>
+  Json json(const Nearest& a, std::initializer_list<int> generators) const {
+    Json disks = Json::array();
+    for (const int g : generators) {
+      const GivenPath& path = paths_[static_cast<std::size_t>(g)];
+      disks.push_back({{"disk", path.name},
+                       {"center", json_of(place_at(path, a.t))},
+                       {"radius", voroproof::internal::json_of(path.radius)}});
+    }
+    return {{"t", voroproof::internal::json_of(a.t)},
+            {"disks", std::move(disks)},
+            {"distance_squared", voroproof::internal::json_of(a.distance2)},
+            {"gap", voroproof::internal::json_of(gap(a))}};
+  }
+
   const std::vector<GivenPath>& paths_;
 };
-
-void add_spells(Answer& answer, const Teller& teller, const std::vector<NearSpell>& spells) {
-  std::vector<std::vector<std::string>> rows{{"pair", "from", "to", "least gap", "t"}};
-  Json& all = answer.json["approaches"] = Json::array();
-  for (const NearSpell& s : spells) {
-    all.push_back(
-        {{"from", json_of(s.from)}, {"to", json_of(s.to)}, {"least", teller.json(s.nearest)}});
-    rows.push_back({teller.pair(s.nearest), short_text(s.from), short_text(s.to),
-                    short_text(gap(s.nearest)), short_text(enclosure(s.nearest.t))});
-  }
-  answer.table += spells.empty() ? "no approach below that\n" : table_of(rows);
-}
 
 }  // namespace
 
 ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenPaths& given,
-                                 std::function<bool()> go_on) {
-  const GivenClearance clearance(given.paths, std::move(go_on));
+                                 const std::function<bool()>& go_on) {
+  const GivenClearance clearance(given.paths, go_on, given.contacts);
+  std::optional<WallClearance> wall;
+  if (given.container) wall.emplace(given, go_on);
   const Teller teller(given);
   ClearanceAnswer told;
   Json& json = told.answer.json;
@@ -68,21 +87,31 @@ ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenP
   for (const Json& r : remarks) lines += "c " + r.get<std::string>() + "\n";
 
   const std::optional<Approach> least = clearance.least();
-  if (least) {
-    json["least"] = teller.json(*least);
-    const bool overlap = gap(*least).hi < 0;
-    lines += "c least gap " + short_text(gap(*least)) + (overlap ? " (they overlap)" : "") +
-             ", of " + teller.pair(*least) + " at t = " + short_text(enclosure(least->t)) + "\n";
-  } else {
-    lines += "c no two disks are there at one time\n";
+  if (least) json["least"] = teller.json(*least);
+  lines += least ? teller.line("", *least) : "c no two disks are there at one time\n";
+  std::optional<WallApproach> at_wall;
+  if (wall) {
+    json["container"] = {{"center", json_of(given.container->center)},
+                         {"radius", voroproof::internal::json_of(given.container->radius)}};
+    at_wall = wall->least();
+  }
+  if (at_wall) {
+    json["least_to_container"] = teller.json(*at_wall);
+    lines += teller.line("to the container ", *at_wall);
   }
   if (question.below) {
-    json["below"] = json_of(*question.below);
-    add_spells(told.answer, teller, clearance.spells_below(*question.below));
+    json["below"] = voroproof::internal::json_of(*question.below);
+    std::vector<std::vector<std::string>> rows{{"pair", "from", "to", "least gap", "t"}};
+    teller.add(clearance.spells_below(*question.below), json["approaches"], rows);
+    if (wall) {
+      teller.add(wall->spells_below(*question.below), json["approaches_to_container"], rows);
+    }
+    lines += rows.size() == 1 ? "no approach below that\n" : table_of(rows);
   }
   if (question.required) {
-    told.refuted = least && !keeps_clear(*least, *question.required);
-    json["required"] = json_of(*question.required);
+    told.refuted = (least && !keeps_clear(*least, *question.required)) ||
+                   (at_wall && !keeps_clear(*at_wall, *question.required));
+    json["required"] = voroproof::internal::json_of(*question.required);
     json["verdict"] = told.refuted ? "REFUTED" : "FREE";
     lines += told.refuted ? "s REFUTED\n" : "s FREE\n";
   }

@@ -23,6 +23,6 @@ struct ClearanceAnswer {
 
 // Throws Interrupted where `go_on` says no.
 ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenPaths& given,
-                                 std::function<bool()> go_on);
+                                 const std::function<bool()>& go_on);
 
 }  // namespace voroproof::internal

@@ -2,15 +2,18 @@
 #include <memory>
 
 #include "apps/answers/clearance_answer.h"
+#include "apps/answers/history_paths.h"
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
+#include "apps/cli/limits.h"
 #include "apps/verbs/verbs.h"
 
 namespace voroproof::internal {
 namespace {
 
 struct Request {
-  std::string paths, radius, below, required, output;
+  std::string paths, history, radius, below, required, output;
+  EngineOptions options;
 };
 
 std::optional<Rational> distance(const std::string& option, const std::string& text) {
@@ -18,10 +21,19 @@ std::optional<Rational> distance(const std::string& option, const std::string& t
   return time_argument(option, text);
 }
 
+GivenPaths paths_of(const Request& request) {
+  if (request.history.empty()) {
+    return read_paths(request.paths, distance("--radius", request.radius));
+  }
+  if (!request.radius.empty()) throw UsageError("--radius: the scene gives the radii");
+  require_order(request.paths, request.history);
+  return history_paths(read_scene(request.paths), request.history, request.options);
+}
+
 ExitCode tell_clearance(const Request& request) {
-  require_distinct({request.paths}, {request.output});
+  require_distinct({request.paths, request.history}, {request.output});
   const CooperativeInterruption interruption;
-  const GivenPaths given = read_paths(request.paths, distance("--radius", request.radius));
+  const GivenPaths given = paths_of(request);
   const ClearanceAnswer told = answer_clearance(
       {request.paths, distance("--below", request.below), distance("--required", request.required)},
       given, [&] { return !interruption.requested(); });
@@ -35,10 +47,13 @@ void add_clearance(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb(
       "clearance", "The exact least gap of all pairs of disks on given paths (docs/others.md)");
-  verb.input(
-          "paths", request->paths,
-          "A table of waypoints (disk,t,x,y and perhaps radius), or the log of a CCBS plan (XML).")
+  verb.input("paths", request->paths,
+             "A table of waypoints (disk,t,x,y and perhaps radius), the log of a CCBS plan (XML), "
+             "or, with a "
+             "history, a scene.")
       .required();
+  verb.input("history", request->history,
+             "A history of the scene: its recorded paths are judged, gaps to the container too.");
   verb.text("--radius", request->radius, "LENGTH",
             "The radius of every disk, where the file does not give it.");
   verb.text("--below", request->below, "LENGTH",
@@ -50,6 +65,8 @@ void add_clearance(Verb& program) {
       "Judged are the piecewise linear paths between the waypoints. A negative gap is an overlap. "
       "With --required the last line is s FREE (exit code 0) or s REFUTED (1).");
   verb.example("voroproof clearance plan_log.xml --radius 0.25 --required 0 --below 0.1");
+  verb.example("voroproof clearance a.scene.json a.history.jsonl --required 1/2");
+  add_max_bits(verb, request->options.motion.max_bits);
   verb.does([request] { return tell_clearance(*request); });
 }
 

@@ -1,5 +1,5 @@
-// Where a probe fits, by the library's headers alone: two disks by hand. The answers of larger scenes
-// are compared with brute force in tests/queries.
+// Where a probe fits, by the library's headers alone: two disks by hand. The answers of larger
+// scenes are compared with brute force in tests/queries.
 #include <gtest/gtest.h>
 
 #include <array>

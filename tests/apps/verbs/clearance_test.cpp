@@ -60,6 +60,61 @@ TEST_F(CertifyCli, ScenesOfPaths) {
           "disk b: is there from 0 to 2");
 }
 
+constexpr const char* kScene = R"({"format":"voroproof-scene","version":1,
+  "container":{"center":[0,0],"radius":10},"horizon":6,"disks":[
+  {"center":[-4,0],"radius":1,"velocity":[1,0]},{"center":[4,0],"radius":1,"velocity":[-1,0]}]})";
+
+// Two that collide at t = 3, at the gap 6 - 2t before and 2(t - 3) after; the wall is 5 away at
+// first.
+TEST_F(CertifyCli, ClearanceOfAHistory) {
+  const std::string scene = written("c.scene.json", kScene), history = file("c.history.jsonl");
+  must({"simulate", scene, "-o", history});
+  const std::string out = file("o.json");
+  const Result told =
+      run({"clearance", scene, history, "--required", "0", "--below", "2", "-o", out});
+  EXPECT_EQ(told.code, 1);
+  EXPECT_NE(told.out.find("c the history is not judged: certify does that\n"), std::string::npos);
+  EXPECT_NE(told.out.find("c least gap 0, of 0 1 at t = 3\n"
+                          "c least gap to the container 5, of 0 wall at t = 0\n"),
+            std::string::npos)
+      << told.out;
+  EXPECT_NE(told.out.find("s REFUTED"), std::string::npos);
+  const Json answer = json("o.json");
+  EXPECT_EQ(answer["least"]["distance_squared"], 4);
+  EXPECT_EQ(answer["container"]["radius"], 10);
+  EXPECT_EQ(answer["approaches"].size(), 1u);
+  EXPECT_EQ(answer["approaches"][0]["from"], Json::array({2, 2}));
+  EXPECT_EQ(answer["approaches"][0]["to"], Json::array({4, 4}));
+  EXPECT_EQ(answer["approaches_to_container"].size(), 0u);
+  must({"clearance", scene, history, "--below", "6", "-o", out});
+  EXPECT_EQ(json("o.json")["approaches_to_container"].size(), 4u);
+}
+
+// By all legs here, by the diagram there.
+TEST_F(CertifyCli, ClearanceAgreesWithTheClosestPair) {
+  for (const char* kind : {"swarm", "reference"}) {
+    const std::string scene = file("s.scene.json"), history = file("s.history.jsonl");
+    must({"generate", kind, "--n", "9", "--seed", "2", "--horizon", "5", "-o", scene});
+    must({"simulate", scene, "-o", history});
+    must({"clearance", scene, history, "-o", file("o.json")});
+    must({"query", "closest-over", scene, history, "-o", file("q.json")});
+    const Json least = json("o.json")["least"], closest = json("q.json");
+    EXPECT_EQ(least["disks"][0]["disk"], std::to_string(closest["pair"][0].get<int>()));
+    EXPECT_EQ(least["disks"][1]["disk"], std::to_string(closest["pair"][1].get<int>()));
+    EXPECT_NEAR(least["gap"][0].get<double>(), closest["gap"][0].get<double>(), 1e-14);
+  }
+}
+
+TEST_F(CertifyCli, ClearanceOfAHistoryRefusesBadInput) {
+  const std::string scene = written("c.scene.json", kScene), history = file("c.history.jsonl");
+  must({"simulate", scene, "-o", history});
+  refused({"clearance", scene, history, "--radius", "1"}, "--radius");
+  refused({"clearance", history, scene}, "the scene comes first");
+  const std::string other = file("other.scene.json");
+  must({"generate", "grid", "--n", "4", "-o", other});
+  refused({"clearance", other, history}, "scene_sha256");
+}
+
 TEST_F(CertifyCli, ClearanceRefusesBadInput) {
   refused({"clearance", written("b.csv", "disk,t,x,y\na,0,0,0\n")}, "no radius is given");
   refused({"clearance", written("b.csv", "disk,t,x,y\na,0,0\n"), "--radius", "1"}, "b.csv:2");

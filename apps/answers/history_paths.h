@@ -1,0 +1,18 @@
+// The paths that a history records, as given paths whose clearance can be told.
+#pragma once
+
+#include <string>
+
+#include "history/paths_file.h"
+#include "history/scene.h"
+#include "kinetic/engine.h"
+
+namespace voroproof::internal {
+
+// The paths of queries/paths.h, from 0 to where the history ends: a disk has a waypoint at each of
+// its turns, exact until it first collides, and at the places that the history gives afterwards. A
+// collision is a contact. A disk's name is its id. Throws InputError.
+GivenPaths history_paths(const Scene& scene, const std::string& history_path,
+                         const EngineOptions& options);
+
+}  // namespace voroproof::internal
