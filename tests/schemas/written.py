@@ -79,10 +79,14 @@ def write_some(folder, program, example):
                *([] if options == "-" else options.split()))
 
 
+# Other names of this form: a program.
+NO_FORMATS = {"proved"}
+
+
 def named_in_sources():
     """The formats that the sources name, each as a string of its own or at the beginning of a file."""
     return {name for room in ROOMS for path in (ROOT / room).rglob("*.cpp")
-            for name in re.findall(r'voroproof-([a-z]+(?:-[a-z]+)*)\\?"', path.read_text())}
+            for name in re.findall(r'voroproof-([a-z]+(?:-[a-z]+)*)\\?"', path.read_text())} - NO_FORMATS
 
 
 def main():
