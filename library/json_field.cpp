@@ -70,6 +70,11 @@ void JsonField::fail(const std::string& reason) const {
 }
 
 Json parse_report(const std::string& bytes, const std::string& path) {
+  // The parser takes a byte 0 for the end.
+  const auto zero = std::find(bytes.begin(), bytes.end(), '\0');
+  if (zero != bytes.end()) {
+    throw InputError(path, 1 + std::count(bytes.begin(), zero, '\n'), "", "a byte 0");
+  }
   Json report;
   try {
     report = Json::parse(bytes);

@@ -1,6 +1,7 @@
 #include "library/report_reader.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "history/scene.h"
@@ -18,8 +19,26 @@ Quad read_quad(const JsonField& field) {
   return {read_id(field[0]), read_id(field[1]), read_id(field[2]), read_id(field[3])};
 }
 
+// A whole number or a fraction, of any length.
+std::string read_fraction(const JsonField& field) {
+  const std::string text = field.text();
+  const auto digits = [](std::string_view part) {
+    return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  std::string_view rest = text;
+  if (rest.starts_with('-')) rest.remove_prefix(1);
+  const std::size_t slash = rest.find('/');
+  const bool right = slash == std::string_view::npos
+                         ? digits(rest)
+                         : digits(rest.substr(0, slash)) && digits(rest.substr(slash + 1)) &&
+                               rest.find_first_not_of('0', slash + 1) != std::string_view::npos;
+  if (!right) field.fail("no fraction");
+  return text;
+}
+
 EvidenceNumber read_number(const JsonField& field) {
-  if (field.json().is_string()) return {field.text(), {}, {}};
+  if (field.json().is_string()) return {read_fraction(field), {}, {}};
+  for (const std::size_t side : {0u, 1u}) read_exact(field[side]);  // decimal bounds
   return {{}, field[0].text(), field[1].text()};
 }
 

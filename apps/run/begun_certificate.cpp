@@ -4,10 +4,27 @@
 #include <filesystem>
 #include <iostream>
 
+#include "apps/cli/command_line.h"
 #include "history/atomic_file.h"
 #include "history/error.h"
+#include "history/validate.h"
 
 namespace voroproof::internal {
+
+void BegunCertificate::require_replaceable() const {
+  std::error_code error;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path_, error))) return;
+  try {
+    if (std::filesystem::is_regular_file(path_, error) &&
+        format_of_file(path_).name == "voroproof-shard") {
+      return;
+    }
+  } catch (const InputError&) {
+    // Then it is of no format.
+  }
+  throw UsageError("--report: " + printable(path_, 4096) +
+                   " is there, which what is proved is kept in, and is something else");
+}
 
 std::optional<Shard> BegunCertificate::find(const ShardFile& wanted) const {
   std::error_code error;

@@ -15,6 +15,10 @@ class BegunCertificate {
 
   const std::string& path() const { return path_; }
 
+  // Throws UsageError where something else than what a run leaves has its name: it would be
+  // replaced, and removed at the end.
+  void require_replaceable() const;
+
   // What an earlier run of the same has left; nothing if it has left nothing. `wanted`: what it has
   // to be of. Throws InputError where it is of something else.
   std::optional<Shard> find(const ShardFile& wanted) const;

@@ -3,7 +3,6 @@
 #include <charconv>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "apps/cli/command_line.h"
@@ -15,12 +14,12 @@
 #include "apps/run/limited_history.h"
 #include "apps/run/second_checker.h"
 #include "apps/verbs/list.h"
+#include "apps/verbs/listed_certify.h"
 #include "apps/verbs/verbs.h"
 #include "certify/certifier.h"
 #include "history/claim.h"
 #include "history/descriptor.h"
 #include "history/error.h"
-#include "history/file_bytes.h"
 #include "history/json_text.h"
 #include "library/certification.h"
 #include "library/maneuver_input.h"
@@ -179,23 +178,23 @@ void certify_shard_of(const Request& request, Claim& claim, const CertifyOptions
     at.prefix_events += file.shard.certificate.prefix_events;
     throw;
   }
-  if (begun) begun->forget();
 }
 
-// Certifies the claim, or its shard; undecided where a limit is reached. Throws Interrupted.
-void certify_claim(const Request& request, Claim& claim, const CertifyOptions& options,
-                   const CooperativeInterruption& interruption, ShardFile& file) {
-  std::optional<BegunCertificate> begun;
-  if (can_be_resumed(request)) begun.emplace(request.report);
+// Certifies the claim, or its shard; undecided where a limit is reached: then false. Throws
+// Interrupted.
+bool certify_claim(const Request& request, Claim& claim, const CertifyOptions& options,
+                   const CooperativeInterruption& interruption,
+                   std::optional<BegunCertificate>& begun, ShardFile& file) {
   Certificate& certificate = file.shard.certificate;
   try {
     if (begun || !request.part.empty()) {
       certify_shard_of(request, claim, options, begun, file);
-      return;
+      return request.max_events == 0 || certificate.verdict != Verdict::undecided;
     }
     certificate = certify(claim.scene, *claim.history, options);
     certificate.remarks.insert(certificate.remarks.begin(), claim.remarks.begin(),
                                claim.remarks.end());
+    return true;
   } catch (const CertificationInterrupted& at) {
     if (!interruption.late()) throw Interrupted();
     certificate = undecided(time_limit_reason(), at.prefix_events, at.prefix_t);
@@ -205,6 +204,7 @@ void certify_claim(const Request& request, Claim& claim, const CertifyOptions& o
     certificate = undecided(memory_limit_reason(), 0, 0);
   }
   if (!request.part.empty()) throw Undecided(certificate.reason);
+  return false;
 }
 
 // Writes the report, or the certificate of the shard.
@@ -244,7 +244,11 @@ ExitCode certify_files(Request& request) {
   require_shards(request);
   ShardFile file;
   read_part(request, file);
-  require_distinct({request.scene, request.history}, {request.report});
+  std::optional<BegunCertificate> begun;
+  if (can_be_resumed(request)) begun.emplace(request.report);
+  require_distinct({request.scene, request.history},
+                   {request.report, begun ? begun->path() : std::string()});
+  if (begun) begun->require_replaceable();
   require_order(request.scene, request.history);
   CooperativeInterruption interruption;
   std::optional<OutputFile> report_file;
@@ -271,13 +275,15 @@ ExitCode certify_files(Request& request) {
     progress->report(t, static_cast<std::uint64_t>(events));
     return !interruption.requested();
   };
-  certify_claim(request, claim, options, interruption, file);
+  const bool judged = certify_claim(request, claim, options, interruption, begun, file);
   progress.reset();
   Certificate& certificate = file.shard.certificate;
   const SecondWords second = ask(seconds, request, interruption, file);
   interruption.wind_up();
   file.run.evidence = checked_evidence(certificate, request.scene, request.history);
   if (report_file) write_result(request, *report_file, file);
+  // Where a limit has ended the run, or that of a second checker, it may be taken up.
+  if (begun && judged && second.size() == seconds.size()) begun->forget();
   tell(request, certificate, second, file.run.evidence, name_of_shard(request, file));
   return exit_code(certificate.verdict);
 }
@@ -300,22 +306,6 @@ ExitCode merge_files(Request& request) {
   tell(request, certificate, {}, whole.run.evidence, {});
   return exit_code(certificate.verdict);
 }
-
-// What the report of a run says of how far the history is proved.
-void read_report(const std::string& path, RunRow& row) {
-  const nlohmann::json report = nlohmann::json::parse(file_bytes(path, std::size_t{1} << 28));
-  row.events = report.at("certified_prefix").at("events").get<std::int64_t>();
-  row.t = report.at("certified_prefix").at("t").get<double>();
-}
-
-const ListedVerb listed_certify{.name = "certify",
-                                .arguments =
-                                    [](const ListedRun& run, const std::string& report) {
-                                      return std::vector<std::string>{
-                                          "certify", "--report", report,     "--quiet",
-                                          "--",      run.scene,  run.history};
-                                    },
-                                .read = read_report};
 
 }  // namespace
 
@@ -365,7 +355,10 @@ void add_certify(Verb& program) {
   verb.inputs("--merge", request->shards,
               "Join the certificates of all shards of a history to the verdict and the report of "
               "the whole.")
-      .with_all_that_follow();
+      .with_all_that_follow()
+      .excludes({"--truth", "--events", "--tolerance", "--law-tolerance", "--strict",
+                 "--unoriented", "--kernel", "--proved", "--threads", "--part", "--resume",
+                 "--checkpoint", "--max-bits", "--max-events"});
   verb.flag("--resume", request->resume,
             "Take up what a run that was interrupted or killed, or that a limit ended, has left "
             "beside this report; the report is the same as without the break.");

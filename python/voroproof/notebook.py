@@ -30,8 +30,10 @@ def history_html(history: "History") -> str:
         page = history.movie_page()
     except (Error, ValueError) as error:
         return _told(history, f". No player: {error}")
-    # The frame may run its scripts and save pictures, and sees nothing of the notebook.
-    return (f'<iframe srcdoc="{escape(page)}" title="{escape(repr(history))}" sandbox="allow-scripts allow-downloads" '
+    # The frame may run its scripts and save pictures, and sees nothing of the notebook. It is one line: where a
+    # notebook becomes Markdown an empty line would end it.
+    page = escape(page).replace("\n", "&#10;")
+    return (f'<iframe srcdoc="{page}" title="{escape(repr(history))}" sandbox="allow-scripts allow-downloads" '
             'style="width: 100%; height: 720px; border: 0"></iframe>')
 
 

@@ -20,6 +20,7 @@ def history():
 
 
 def page_of(shown):
+    assert "\n" not in shown
     frame = re.fullmatch(r'<iframe srcdoc="([^"]*)" title="[^"]*" sandbox="([^"]*)" [^>]*></iframe>', shown)
     assert frame, shown[:200]
     return html.unescape(frame[1]), frame[2].split()

@@ -134,6 +134,12 @@ TEST_F(ShardsCli, RefuteTheWhole) {
     s["report"]["divergence"]["witness"]["polynomial"]["coefficients"][0] = "12345";
   });
   refused_merge({name(1), name(2)}, "and its witness is false");
+  for (const char* bad : {"1/0", "1/", "/2", "-", "", "0x1", "1e5", "banana", "1/2/3", "--1"}) {
+    change(2, [&](Json& s) {
+      s["report"]["divergence"]["witness"]["polynomial"]["coefficients"][0] = bad;
+    });
+    refused_merge({name(1), name(2)}, "coefficients[0]: no fraction");
+  }
 }
 
 TEST_F(ShardsCli, OfAHistoryThatStops) {
@@ -200,7 +206,10 @@ TEST_F(ShardsCli, ThatDoNotFit) {
   with(2, "report.verdict: no verdict", [](Json& s) { s["report"]["verdict"] = "FINE"; });
   with(2, "part[0]: out of range", [](Json& s) { s["part"][0] = 4; });
   refused_merge({names[0], scene_, names[2]}, "not \"voroproof-shard\"");
-  directory_.write("s2.shard.json", read_bytes(name(2)).substr(0, 1000));
+  const std::string second = read_bytes(name(2));
+  directory_.write("s2.shard.json", second + std::string(1, '\0') + "and more");
+  refused_merge(names, "a byte 0");
+  directory_.write("s2.shard.json", second.substr(0, 1000));
   refused_merge(names, "incomplete");
 }
 
@@ -223,6 +232,53 @@ TEST_F(ShardsCli, OfTwoHistoriesDoNotFit) {
   parts(3);
   directory_.write("s3.shard.json", last);
   refused_merge({name(1), name(2), name(3)}, "other claims before it");
+}
+
+// What a merge would have to judge itself is asked for when the shards are made.
+TEST_F(ShardsCli, AMergeTakesNoOtherOption) {
+  const Arguments names = parts(2);
+  for (const Arguments& option : std::vector<Arguments>{{"--strict"},
+                                                        {"--kernel"},
+                                                        {"--proved"},
+                                                        {"--unoriented"},
+                                                        {"--resume"},
+                                                        {"--truth", "exact"},
+                                                        {"--events", "collisions"},
+                                                        {"--tolerance", "1e-12"},
+                                                        {"--law-tolerance", "1e-15"},
+                                                        {"--threads", "2"},
+                                                        {"--part", "1/2"},
+                                                        {"--checkpoint", "5"},
+                                                        {"--max-bits", "64"},
+                                                        {"--max-events", "5"}}) {
+    Arguments arguments{"certify", "--report", report_};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    arguments.push_back("--merge");
+    arguments.insert(arguments.end(), names.begin(), names.end());
+    const Result result = run(arguments);
+    EXPECT_EQ(result.code, 2) << option[0];
+    EXPECT_EQ(result.out.find("CERTIFIED"), std::string::npos) << option[0];
+    EXPECT_NE(result.err.find(option[0]), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(run(merge(names)).code, 0);
+}
+
+// The name under which a run keeps what it has proved may be that of something else.
+TEST_F(ShardsCli, NothingElseIsReplacedByWhatIsKept) {
+  const std::string text = read_bytes(history_);
+  directory_.write("b.partial", text);
+  directory_.write("c.partial", "precious");
+  const Arguments end{"--truth", "recorded", "--quiet", "--report"};
+  for (const auto& [history, report] :
+       {std::pair(file("b.partial"), std::string("b")), std::pair(history_, std::string("c"))}) {
+    Arguments arguments{"certify", scene_, history};
+    arguments.insert(arguments.end(), end.begin(), end.end());
+    arguments.push_back(file(report));
+    EXPECT_EQ(run(arguments).code, 2) << report;
+    EXPECT_FALSE(std::filesystem::exists(file(report)));
+  }
+  EXPECT_TRUE(read_bytes(file("b.partial")) == text);
+  EXPECT_EQ(read_bytes(file("c.partial")), "precious");
 }
 
 TEST_F(ShardsCli, NeedWhatTheyNeed) {
@@ -277,7 +333,7 @@ TEST_F(ShardsCli, ResumeWhereARunWasBrokenOff) {
   not_of_this("is with other options", [](Json& s) { s["report"]["strict"] = true; });
   not_of_this("is of another history than", [](Json& s) { s["end"]["line"] = 7; });
   not_of_this("can be taken up", [](Json& s) { s["end"] = nullptr; });
-  not_of_this("not \"voroproof-shard\"", [](Json& s) { s["format"] = "voroproof-report"; });
+  not_of_this("and is something else", [](Json& s) { s["format"] = "voroproof-report"; });
   std::filesystem::remove(file(partial));
 }
 

@@ -1,0 +1,28 @@
+#include "apps/verbs/listed_certify.h"
+
+#include <nlohmann/json.hpp>
+
+#include "history/file_bytes.h"
+
+namespace voroproof::internal {
+namespace {
+
+// What the report of a run says of how far the history is proved.
+void read_report(const std::string& path, RunRow& row) {
+  const nlohmann::json report = nlohmann::json::parse(file_bytes(path, std::size_t{1} << 28));
+  row.events = report.at("certified_prefix").at("events").get<std::int64_t>();
+  row.t = report.at("certified_prefix").at("t").get<double>();
+}
+
+}  // namespace
+
+const ListedVerb listed_certify{.name = "certify",
+                                .arguments =
+                                    [](const ListedRun& run, const std::string& report) {
+                                      return std::vector<std::string>{
+                                          "certify", "--report", report,     "--quiet",
+                                          "--",      run.scene,  run.history};
+                                    },
+                                .read = read_report};
+
+}  // namespace voroproof::internal
