@@ -164,9 +164,13 @@ class Image {
   }
 
   static CLI::Option* add(CLI::App& app, const Option& option, const std::string& names) {
-    if (option.is_flag())
-      return app.add_flag_function(
+    if (option.is_flag()) {
+      CLI::Option* flag = app.add_flag_function(
           names, [](auto) {}, shown_help(option));
+      // CLI11 would tell what excludes it, in the order of addresses; the help text does.
+      flag->option_text(" ");
+      return flag;
+    }
     const auto accept = [](const CLI::results_t&) { return true; };
     CLI::Option* added = app.add_option(names, accept, shown_help(option));
     added->option_text(shown_type(option));
