@@ -144,13 +144,18 @@ bool EdgeLives::left_out(const Moment& m) {
     return false;
   }
   ++s_.certificate.left_out;
-  if (!first_left_out_ || s_.chronology.compare(m, *first_left_out_) < 0) first_left_out_ = m;
+  if (!first_left_out_) first_left_out_ = m;
+  const bool first =
+      turned_since_ ? m.lo < first_left_out_->lo : s_.chronology.compare(m, *first_left_out_) < 0;
+  if (first) first_left_out_ = m;
   return true;
 }
 
 void EdgeLives::require_none_after_left_out() {
   if (!first_left_out_ || !last_flip_) return;
-  if (s_.chronology.compare(*first_left_out_, *last_flip_) >= 0) return;
+  const bool later = turned_since_ ? first_left_out_->lo > last_flip_->hi
+                                   : s_.chronology.compare(*first_left_out_, *last_flip_) >= 0;
+  if (later) return;
   throw Undecided("a flip is claimed after one that is left out at the horizon");
 }
 
@@ -198,6 +203,7 @@ void EdgeLives::begin_after_flip(int edge, const EdgeRing& ring, const Moment& m
 }
 
 void EdgeLives::postpone(std::span<const int> edges, const Moment& m) {
+  turned_since_ = turned_since_ || first_left_out_ || last_flip_;
   for (const int e : edges) {
     Life& life = lives_[e];
     if (!life.pending) pending_.push_back(e);

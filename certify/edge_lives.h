@@ -113,6 +113,8 @@ class EdgeLives {
   std::vector<int> illegal_;               // edges that have to flip at this instant
   std::vector<int> pending_;               // edges whose lives are pending
   std::optional<Moment> first_left_out_, last_flip_;
+  // Disks have turned since one of these was found: its enclosure is all that can be compared.
+  bool turned_since_ = false;
   RootlessBatch batch_;
 };
 
