@@ -149,8 +149,10 @@ class Search {
   std::optional<Collapse> first(const Rat& a, const Rat& b, int depth = 0) {
     Span span(four_, a, b);
     const Span::Apart apart = span.apart(notes_.touched);
-    if (apart != Span::Apart::yes) fresh_ = true;
-    if (apart == Span::Apart::no || (apart == Span::Apart::unknown && depth >= 64)) return {};
+    const bool left_out =
+        apart == Span::Apart::no || (apart == Span::Apart::unknown && depth >= 64);
+    fresh_ |= left_out || apart == Span::Apart::inside;
+    if (left_out) return {};
     if (apart != Span::Apart::unknown) {
       auto found = in_piece(span, {a, b - a}, span.polynomial(), 0, 0);
       if (fresh_) prove_anew(a, b, found);
@@ -204,7 +206,7 @@ class Search {
     const Now now(four_, t);
     for (const bool start : {true, false}) {
       if (now.exists(start) > 0 && now.incircle(start) >= 0) continue;
-      found = Collapse{at(a), found ? found->after : t};
+      found = Collapse{at(a), found ? found->after : t, t};
     }
   }
 

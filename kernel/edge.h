@@ -81,10 +81,12 @@ Instant at(const Rat& t);
 int compare(Instant& x, Instant& y);
 int compare(Instant& x, const Rat& t);
 
-// The edge collapses at an instant: its first in-circle function is negative from there to `after`.
+// The edge collapses at an instant: its first in-circle function is negative from there to `after`;
+// or its proof anew, from there on, fails at `failed`.
 struct Collapse {
   Instant at;
   Rat after;
+  std::optional<Rat> failed{};
 };
 
 // What a search noticed: proofs made anew after tangencies of the wrong sign, and whose these were.

@@ -148,6 +148,12 @@ class Lives {
       found = collapse(k, end->hi + p_.tolerance);
     }
     if (!found || compare(found->at, *end) >= (last ? 1 : 0)) return {};
+    // A proof anew that fails says something of this life only where it was asked before the end.
+    if (found->failed && *found->failed > end->lo && !end->is_point()) {
+      end->split((end->lo + end->hi) / 2);
+      --counts_.lives;
+      return missed(k, end, last);
+    }
     if (p_.exact() || compare(found->at, p_.history.horizon - p_.tolerance) < 0) return found;
     ++counts_.horizon_events;
     if (!left_out_ || compare(found->at, *left_out_) < 0) left_out_ = found->at;

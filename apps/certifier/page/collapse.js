@@ -1,6 +1,7 @@
 "use strict";
 // The first collapse of an edge (docs/kernel.md, section 6): { at: Instant, after }, where its first in-circle function is
-// negative from `at` to `after`; null where there is none.
+// negative from `at` to `after`, or { at, after, failed } where its proof anew, from `at` on, fails at the time `failed`;
+// null where there is none.
 
 const SQUAREFREE_DEPTH = 30;
 const DEEPEST_PIECE = 2000;
@@ -68,8 +69,9 @@ class CollapseSearch {
 
   first(a, b, depth = 0) {
     const span = this.edge.over(a, b), apartness = span.apartness(this.notes.touched);
-    if (apartness !== "throughout") this.owesProof = true;
-    if (apartness === "nowhere" || (apartness === "unclear" && depth >= DEEPEST_TANGENCY)) return null;
+    const isLeftOut = apartness === "nowhere" || (apartness === "unclear" && depth >= DEEPEST_TANGENCY);
+    if (isLeftOut || apartness === "inside") this.owesProof = true;
+    if (isLeftOut) return null;
     if (apartness === "unclear") {
       const middle = a.plus(b).half().reduced();
       return this.first(a, middle, depth + 1) ?? this.first(middle, b, depth + 1);
@@ -86,7 +88,7 @@ class CollapseSearch {
     if (t.equals(a)) return found;
     const now = this.edge.at(t);
     const isRight = [true, false].every((start) => now.exists(start) > 0 && now.incircle(start) >= 0);
-    return isRight ? found : { at: Instant.at(a), after: found ? found.after : t };
+    return isRight ? found : { at: Instant.at(a), after: found ? found.after : t, failed: t };
   }
 }
 

@@ -188,6 +188,13 @@ class LifeCheck {
       found = this.collapse(k, end.hi.plus(problem.tolerance));
     }
     if (!found || found.at.against(end) >= (isLast ? 1 : 0)) return;
+    // A proof anew that fails says something of this life only where it was asked before the end.
+    if (found.failed && end.lo.less(found.failed) && !end.isPoint) {
+      end.halve();
+      --this.counts.lives;
+      this.requireNoCollapse(k, end, isLast);
+      return;
+    }
     if (problem.isExact || found.at.againstTime(horizon.minus(problem.tolerance)) < 0) {
       const quad = [...walk.diagram.edges[k]];
       refute(`edge ${quadName(quad)} collapses at ${found.at.lo.about()}, and no flip is claimed`,
