@@ -3,16 +3,23 @@
 #include <openssl/sha.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 namespace voroproof_kernel {
 namespace {
 
-using Json = nlohmann::json;
+// The floating-point numbers are binary64; that of nlohmann is wider only so that it does not
+// refuse the integers of a seed.
+using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
+                                  std::uint64_t, long double>;
 
-// Refuses what nlohmann would let pass: keys that occur twice, nesting without end, numbers that
-// are not zero and whose nearest binary64 is.
+// Refuses what nlohmann would let pass: keys that occur twice, nesting without end, numbers beyond
+// binary64, or that are not zero and whose nearest binary64 is. An integer beyond 64 bits is the
+// nearest binary64; where it is a scene's seed, which is not used, it is 0.
 class StrictReader : public nlohmann::detail::json_sax_dom_parser<Json> {
   using Base = nlohmann::detail::json_sax_dom_parser<Json>;
 
@@ -24,12 +31,18 @@ class StrictReader : public nlohmann::detail::json_sax_dom_parser<Json> {
   bool end_array() { return close() && Base::end_array(); }
   bool key(std::string& name) {
     if (!keys_.back().insert(name).second) invalid("the field '" + name + "' occurs twice");
+    is_seed_ = name == "seed";
     return Base::key(name);
   }
-  bool number_float(double x, const std::string& text) {
+  bool number_float(long double, const std::string& text) {
     if (text.size() > 4096) invalid("a number of more than 4096 characters");
+    if (is_seed_ && keys_.size() == 1 && text.find_first_of(".eE") == std::string::npos) {
+      if (text.size() > 1000) invalid("a seed of more than 1000 characters");
+      return Base::number_integer(0);
+    }
+    const double x = std::strtod(text.c_str(), nullptr);
     const bool zero = text.find_first_of("123456789") >= text.find_first_of("eE");
-    if (x == 0 && !zero) invalid("beyond the range of binary64");
+    if (std::isinf(x) || (x == 0 && !zero)) invalid("beyond the range of binary64");
     return Base::number_float(x, text);
   }
 
@@ -44,6 +57,7 @@ class StrictReader : public nlohmann::detail::json_sax_dom_parser<Json> {
     return true;
   }
   std::vector<std::set<std::string>> keys_;  // of each object or list that is open
+  bool is_seed_ = false;                     // whether the key read last is that of a seed
 };
 
 Json parse(const char* begin, const char* end) {
@@ -82,7 +96,7 @@ const std::string& string_of(const Json& json) {
   return json.get_ref<const std::string&>();
 }
 
-// nlohmann converts with strtod, which rounds correctly; integers are rounded to nearest, too.
+// strtod rounds correctly; integers are rounded to nearest, too.
 Rat number(const Json& json) {
   if (json.is_number()) return exactly(json.get<double>());
   return exact_string(string_of(json));

@@ -111,6 +111,27 @@ TEST(KernelFiles, Scenes) {
   EXPECT_TRUE(refused([] { read_scene(""); }));
 }
 
+// A seed is for the record and no number to compute with: an integer of 1000 characters is one.
+TEST(KernelFiles, SeedsBeyond64Bits) {
+  const auto with = [](const std::string& field) {
+    return changed("\"horizon\": 3", field + ", \"horizon\": 3");
+  };
+  for (const std::string& seed : {std::string("18446744073709551616"), "-" + std::string(999, '9'),
+                                  std::string(1000, '7'), std::string("\"any text\"")}) {
+    EXPECT_EQ(read_scene(with("\"seed\": " + seed)).horizon, 3) << seed;
+  }
+  for (const std::string& seed :
+       {std::string(1001, '7'), std::string("1e3"), std::string("18446744073709551616.0"),
+        std::string("null"), "[" + std::string(30, '9') + "]"}) {
+    EXPECT_TRUE(refused([&] { read_scene(with("\"seed\": " + seed)); })) << seed;
+  }
+  // Elsewhere such an integer is the nearest binary64, if there is one.
+  EXPECT_EQ(read_scene(changed("\"horizon\": 3", "\"horizon\": 18446744073709551617")).horizon,
+            power(2, 64));
+  EXPECT_TRUE(refused(
+      [] { read_scene(changed("\"horizon\": 3", "\"horizon\": 1" + std::string(400, '0'))); }));
+}
+
 std::string history(const std::string& lines, const std::string& horizon = "3") {
   return R"({"format":"voroproof-history","version":1,"scene_sha256":")" + sha256(kScene) +
          R"(","horizon":)" + horizon + R"(,"producer":"hand"})" + "\n" + lines;
