@@ -16,6 +16,7 @@
 #include "exact/tower.h"
 #include "filtered/motion/motion.h"
 #include "history/error.h"
+#include "history/event_limit.h"
 
 namespace voroproof::internal {
 namespace {
@@ -78,6 +79,8 @@ ExitCode guarded_run(int argc, const char* const* argv) {
   } catch (const UsageError& error) {
     return complain(ExitCode::bad_input, error.what());
   } catch (const Undecided& error) {
+    return complain(ExitCode::undecided, error.what());
+  } catch (const EventLimitReached& error) {
     return complain(ExitCode::undecided, error.what());
   } catch (const BudgetExceeded& error) {
     return complain(ExitCode::undecided, error.what());

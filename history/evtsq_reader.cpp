@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "history/error.h"
+#include "history/event_limit.h"
 #include "history/evtsq_file.h"
 #include "history/file_bytes.h"
 
@@ -173,14 +174,11 @@ class EvtsqHistory : public HistorySource {
           shadows_.push_back({t, quad(), lines_.number()});
           break;
         case 'E':
-          ++counts_.flips;
-          return FlipEvent{t, quad()};
+          return counted(counts_.flips, FlipEvent{t, quad()});
         case 'C':
-          ++counts_.collisions;
-          return collision(t);
+          return counted(counts_.collisions, collision(t));
         default:
-          ++counts_.maneuvers;
-          return maneuver(t);
+          return counted(counts_.maneuvers, maneuver(t));
       }
     }
     ending_ = HistoryEnd{counts_};
@@ -203,6 +201,12 @@ class EvtsqHistory : public HistorySource {
     Quad quad;
     std::int64_t line;
   };
+
+  Event counted(std::int64_t& count, Event event) {
+    ++count;
+    EventLimit::check(counts_);
+    return event;
+  }
 
   // l r h k: head h and tail k are the third generators of the end and of the start.
   Quad quad() {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "history/error.h"
+#include "history/event_limit.h"
 #include "history/format_version.h"
 #include "history/history_file.h"
 #include "history/json_reader.h"
@@ -328,6 +329,7 @@ std::optional<Event> HistoryReader::next() {
     counts_.flips += std::holds_alternative<FlipEvent>(*event);
     counts_.collisions += std::holds_alternative<CollideEvent>(*event);
     counts_.maneuvers += std::holds_alternative<ManeuverEvent>(*event);
+    EventLimit::check(counts_);
     return event;
   }
   Line line = read_line(*text, path_, lines_.number(), last_id_, header_.horizon);
@@ -339,15 +341,11 @@ std::optional<Event> HistoryReader::next() {
     ending_ = std::move(line.ending);
     return std::nullopt;
   }
-  if (line.seen & flip_line) {
-    ++counts_.flips;
-    return flip_of(line);
-  }
-  if (line.seen & collide_line) {
-    ++counts_.collisions;
-    return collision_of(line);
-  }
-  ++counts_.maneuvers;
+  const bool flips = line.seen & flip_line, collides = line.seen & collide_line;
+  ++(flips ? counts_.flips : collides ? counts_.collisions : counts_.maneuvers);
+  EventLimit::check(counts_);
+  if (flips) return flip_of(line);
+  if (collides) return collision_of(line);
   return maneuver_of(line);
 }
 

@@ -62,6 +62,11 @@ void add_max_events(Verb& verb, std::uint64_t& events) {
              "The number of events beyond which a history is undecided (exit code 3).");
 }
 
+void add_computing_limits(Verb& verb, EngineOptions& options) {
+  add_max_bits(verb, options.motion.max_bits);
+  add_max_events(verb, options.max_events);
+}
+
 std::string time_limit_reason() {
   return "the time limit of " + number_text(seconds) + " s is reached (--time-limit)";
 }

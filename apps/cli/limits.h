@@ -7,6 +7,7 @@
 #include <string>
 
 #include "apps/cli/verb.h"
+#include "kinetic/engine.h"
 
 namespace voroproof::internal {
 
@@ -18,8 +19,12 @@ void start_process_limits();
 // --max-bits: of the numbers from which decisions are taken.
 void add_max_bits(Verb& verb, int& bits);
 
-// --max-events: of the history that is computed or certified. 0 is no limit.
+// --max-events: of the history that is computed, certified or read. 0 is no limit. What the engine
+// computes is limited by EngineOptions, what is read by an EventLimit, both by the verb.
 void add_max_events(Verb& verb, std::uint64_t& events);
+
+// Both, for a verb that computes by these options.
+void add_computing_limits(Verb& verb, EngineOptions& options);
 
 // Why a run ended that reached a limit.
 std::string time_limit_reason();

@@ -34,7 +34,8 @@ class Recorder final : public EventSink {
 
   // Counts after the run, so that the run's time is the engine's own. Stops before the end where
   // the monitor says so.
-  void count_predictions(const MotionInput& input, const ExperimentMonitor& monitor) {
+  void count_predictions(const MotionInput& input,
+                         const std::function<bool(double t, std::uint64_t events)>& monitor) {
     PredictionCounter counter(input);
     counter.begin(initial_);
     std::uint64_t counted = 0;
@@ -125,16 +126,13 @@ Distribution distribution_of(std::vector<double> values) {
   return d;
 }
 
-ExperimentRun run_experiment(const Scene& scene, bool predictions,
-                             const ExperimentMonitor& monitor) {
+ExperimentRun run_experiment(const Scene& scene, bool predictions, EngineOptions options) {
   using Clock = std::chrono::steady_clock;
   ExperimentRun run;
   run.disks = static_cast<int>(scene.disks.size());
   const MotionInput input = motion_input(scene);
   Recorder recorder(run, round_nearest(scene.horizon), predictions);
-  EngineOptions options;
   options.profile = true;
-  options.monitor = monitor;
   const Clock::time_point start = Clock::now();
   Engine engine(input, maneuver_input(scene), options);
   run.outcome = engine.run(recorder);
@@ -142,7 +140,7 @@ ExperimentRun run_experiment(const Scene& scene, bool predictions,
   run.stats = engine.stats();
   measure_end(run, engine.motion(), engine.diagram());
   if (predictions && run.outcome.kind == Outcome::Kind::complete) {
-    recorder.count_predictions(input, monitor);
+    recorder.count_predictions(input, options.monitor);
   }
   return run;
 }

@@ -39,12 +39,9 @@ struct ExperimentRun {
   Distribution neighbor_distance, speed;
 };
 
-// A monitor like the engine's: false stops the run, and what is counted then is of no use.
-using ExperimentMonitor = std::function<bool(double t, std::uint64_t events)>;
-
-// `predictions` also counts predictions, which takes longer than the run; the monitor is called
-// again then, from the first event on.
-ExperimentRun run_experiment(const Scene& scene, bool predictions,
-                             const ExperimentMonitor& monitor);
+// Runs the engine with these options, and a profile. `predictions` also counts predictions, which
+// takes longer than the run; the options' monitor is called again then, from the first event on.
+// Where it says no, what is counted is of no use.
+ExperimentRun run_experiment(const Scene& scene, bool predictions, EngineOptions options = {});
 
 }  // namespace voroproof::internal

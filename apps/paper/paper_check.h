@@ -7,6 +7,7 @@
 #include <string>
 
 #include "exact/generators.h"
+#include "filtered/motion/options.h"
 #include "history/scene.h"
 
 namespace voroproof::internal {
@@ -14,6 +15,7 @@ namespace voroproof::internal {
 struct PaperCheckOptions {
   double step = 0.1;        // of the regular instants
   double tolerance = 1e-6;  // how far a disk may reach into a circle
+  MotionOptions motion{};   // for the first diagram, where the history has none
   // Called now and then; false stops with what has been found so far.
   std::function<bool(double t)> monitor;
 };

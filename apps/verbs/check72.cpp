@@ -4,10 +4,12 @@
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
+#include "apps/cli/limits.h"
 #include "apps/cli/progress.h"
 #include "apps/paper/paper_check.h"
 #include "apps/verbs/verbs.h"
 #include "exact/names.h"
+#include "history/event_limit.h"
 #include "history/json_text.h"
 
 namespace voroproof::internal {
@@ -16,6 +18,7 @@ namespace {
 struct Request {
   std::string scene, history;
   PaperCheckOptions options;
+  std::uint64_t max_events = 0;
   bool quiet = false;
 };
 
@@ -25,6 +28,7 @@ ExitCode check72(const Request& request) {
   require_distinct({request.scene, request.history}, {});
   require_order(request.scene, request.history);
   const CooperativeInterruption interruption;
+  const EventLimit limit(request.max_events);
   const Scene scene = read_scene(request.scene);
   PaperCheckOptions options = request.options;
   PaperCheckResult result;
@@ -68,6 +72,8 @@ void add_check72(Verb& program) {
   verb.input("history", request->history, "The history, with centres and velocities.").required();
   verb.real("--step", request->options.step, "The time from one regular instant to the next.");
   verb.real("--tolerance", request->options.tolerance, "How far a disk may reach into a circle.");
+  add_max_bits(verb, request->options.motion.max_bits);
+  add_max_events(verb, request->max_events);
   verb.flag("--quiet", request->quiet, "Show no progress on the terminal.");
   verb.note("The last line of the output is `passed` (exit code 0) or `failed` (1).");
   verb.example("voroproof check72 a.scene.json a.history.jsonl");

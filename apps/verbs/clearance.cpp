@@ -7,6 +7,7 @@
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
 #include "apps/verbs/verbs.h"
+#include "history/event_limit.h"
 
 namespace voroproof::internal {
 namespace {
@@ -33,6 +34,7 @@ GivenPaths paths_of(const Request& request) {
 ExitCode tell_clearance(const Request& request) {
   require_distinct({request.paths, request.history}, {request.output});
   const CooperativeInterruption interruption;
+  const EventLimit limit(request.options.max_events);
   const GivenPaths given = paths_of(request);
   const ClearanceAnswer told = answer_clearance(
       {request.paths, distance("--below", request.below), distance("--required", request.required)},
@@ -66,7 +68,7 @@ void add_clearance(Verb& program) {
       "With --required the last line is s FREE (exit code 0) or s REFUTED (1).");
   verb.example("voroproof clearance plan_log.xml --radius 0.25 --required 0 --below 0.1");
   verb.example("voroproof clearance a.scene.json a.history.jsonl --required 1/2");
-  add_max_bits(verb, request->options.motion.max_bits);
+  add_computing_limits(verb, request->options);
   verb.does([request] { return tell_clearance(*request); });
 }
 

@@ -8,11 +8,13 @@
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
+#include "apps/cli/limits.h"
 #include "apps/verbs/verbs.h"
 #include "history/claim.h"
 #include "history/compression.h"
 #include "history/disk_file.h"
 #include "history/error.h"
+#include "history/event_limit.h"
 #include "history/evtsq_file.h"
 #include "history/json_text.h"
 #include "history/output_file.h"
@@ -25,6 +27,7 @@ namespace {
 struct Request {
   std::string input, output, scene, horizon, restitution, format, radius;
   std::string numbers = "hexadecimal", version = "1.1";
+  std::uint64_t max_events = 0;
 };
 
 // What is to be written: said by an option, or else by the output's name.
@@ -202,6 +205,7 @@ ExitCode convert(const Verb& verb, const Request& request) {
   require_use(verb, "--radius", to_json, "a scene");
   require_use(verb, "--numbers", to_sequence, "an event sequence");
   require_use(verb, "--evtsq-version", to_sequence, "an event sequence");
+  const EventLimit limit(request.max_events);
   const std::string_view input = without_compression(request.input);
   if (to_json && (input.ends_with(".csv") || input.ends_with(".xml"))) {
     paths_to_scene(request);
@@ -244,6 +248,7 @@ void add_convert(Verb& program) {
       "How an .evtsq has its numbers: with all 64 bits, or with 15 digits after the point.");
   verb.choice("--evtsq-version", {"1.0", "1.1"}, request->version,
               "The version of an .evtsq; 1.0 has no centres at collisions.");
+  add_max_events(verb, request->max_events);
   verb.example("voroproof convert a.disks.txt --horizon 1000 -o a.scene.json")
       .example("voroproof convert plan_log.xml --radius 0.25 -o a.scene.json")
       .example("voroproof convert a.evtsq --scene a.scene.json -o a.history.jsonl");

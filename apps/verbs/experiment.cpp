@@ -5,9 +5,11 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
+#include "apps/cli/limits.h"
 #include "apps/cli/progress.h"
 #include "apps/paper/experiment_report.h"
 #include "apps/verbs/verbs.h"
@@ -24,6 +26,7 @@ struct Request {
   double scale = 0.1, horizon = 1000;
   std::uint64_t seed = 1;
   int members = 0;  // 0: all
+  EngineOptions options;
   bool quiet = false;
 };
 
@@ -73,10 +76,12 @@ ExitCode experiment(const Request& request) {
     const Scene scene = scene_of(member.options);
     {
       Progress progress(request.horizon, request.quiet);
-      member.run = run_experiment(scene, all.predictions, [&](double t, std::uint64_t events) {
+      EngineOptions options = request.options;
+      options.monitor = [&](double t, std::uint64_t events) {
         progress.report(t, events);
         return !interruption.requested();
-      });
+      };
+      member.run = run_experiment(scene, all.predictions, std::move(options));
     }
     interruption.check();
     if (!request.quiet)
@@ -118,6 +123,7 @@ void add_experiment(Verb& program) {
   verb.choice(
       "--predictions", {"on", "off"}, request->predictions,
       "Whether the paper's predictions are counted, which takes much longer than the runs.");
+  add_computing_limits(verb, request->options);
   verb.flag("--quiet", request->quiet, "Show no progress on the terminal and no summaries.");
   verb.note("Exit code 3 where some run stopped early; the others are in the files.");
   verb.example("voroproof experiment speed -o speed.json --csv speed.csv");

@@ -4,8 +4,10 @@
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
+#include "apps/cli/limits.h"
 #include "apps/verbs/verbs.h"
 #include "history/error.h"
+#include "history/event_limit.h"
 #include "history/output_file.h"
 #include "library/movie/movie.h"
 
@@ -15,6 +17,7 @@ namespace {
 struct Request {
   std::string scene, history, output, report, horizon;
   std::optional<GenId> follow;
+  EngineOptions options;
 };
 
 // The report must be one about the scene; that it is about the history is the user's word.
@@ -26,9 +29,10 @@ Explanation read_report(const std::string& path, const Scene& scene) {
   return report;
 }
 
-ExitCode write_movie(const Request& request) {
+ExitCode write_movie(const Verb& verb, const Request& request) {
   require_distinct({request.scene, request.history, request.report}, {request.output});
   require_order(request.scene, request.history);
+  const EventLimit limit(request.options.max_events);
   std::optional<Rational> horizon;
   if (!request.horizon.empty()) horizon = time_argument("--horizon", request.horizon);
   Claim claim = open_claim(request.scene, request.history);
@@ -39,7 +43,9 @@ ExitCode write_movie(const Request& request) {
   std::optional<Explanation> report;
   if (!request.report.empty()) report = read_report(request.report, claim.scene);
   const std::int64_t line = report && report->fault ? report->fault->line : 0;
-  const MovieData data = movie_data(claim, request.history, horizon, line);
+  const MovieData data = movie_data(claim, request.history, horizon, line, request.options);
+  // Without a limit the page does without the diagram, and says why.
+  if (!data.no_initial.empty() && verb.given("--max-bits")) throw Undecided(data.no_initial);
   const CooperativeInterruption interruption;
   OutputFile file(request.output);
   make_movie(claim, data, report ? &*report : nullptr,
@@ -65,8 +71,9 @@ void add_movie(Verb& program) {
             "Leave out what is later. The time is exact: a decimal, a fraction or a hexadecimal "
             "float.")
       .formerly("--until");
+  add_computing_limits(verb, request->options);
   verb.example("voroproof movie a.scene.json a.history.jsonl --report a.report.json -o a.html");
-  verb.does([request] { return write_movie(*request); });
+  verb.does([request, &verb] { return write_movie(verb, *request); });
 }
 
 }  // namespace voroproof::internal

@@ -10,6 +10,7 @@
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
 #include "apps/verbs/verbs.h"
+#include "history/event_limit.h"
 
 namespace voroproof::internal {
 namespace {
@@ -36,6 +37,7 @@ ExitCode ask(const Request& request, const InstantAnswer& answer) {
   require_distinct({request.scene, request.history}, {request.output});
   require_order(request.scene, request.history);
   const Rational t = time_argument("--at", request.t);
+  const EventLimit limit(request.options.max_events);
   const Scene scene = read_scene(request.scene);
   TrueMoment moment = true_moment(scene, request.history, t, request.options);
   const Answer given = answer({scene, t, moment}, request);
@@ -53,8 +55,7 @@ Verb& add_instant(Verb& query, const std::shared_ptr<Request>& request, const st
              "A history of the scene, whose collisions save computing them again.");
   verb.text("--at", request->t, "TIME", "The time, as exact text: 12.5, 1/3.").required();
   verb.output(request->output, "Write the answer here, as JSON, besides the table.");
-  add_max_bits(verb, request->options.motion.max_bits);
-  add_max_events(verb, request->options.max_events);
+  add_computing_limits(verb, request->options);
   verb.does([request, answer = std::move(answer)] { return ask(*request, answer); });
   return verb;
 }

@@ -15,6 +15,7 @@
 #include "apps/cli/limits.h"
 #include "apps/verbs/verbs.h"
 #include "history/error.h"
+#include "history/event_limit.h"
 #include "history/history_file.h"
 #include "library/true_moment.h"
 
@@ -62,6 +63,7 @@ ExitCode ask(const Request& request, const std::string& option, const TimeAnswer
   require_distinct({request.scene, request.history}, {request.output});
   require_order(request.scene, request.history);
   Window window{time_argument("--from", request.from), 0};
+  const EventLimit limit(request.options.max_events);
   const Scene scene = read_scene(request.scene);
   const int disks = static_cast<int>(scene.disks.size());
   window.to = request.horizon.empty()
@@ -133,7 +135,7 @@ Verb& add_over_time(Verb& query, const std::shared_ptr<Request>& request, const 
             "The end of the window; the history's horizon where it is not given.")
       .formerly("--to");
   verb.output(request->output, "Write the answer here, as JSON, besides the table.");
-  add_max_bits(verb, request->options.motion.max_bits);
+  add_computing_limits(verb, request->options);
   add_subject(verb, *request, subject);
   verb.does([request, option = subject.option, answer = std::move(answer)] {
     return ask(*request, option, answer);

@@ -7,6 +7,7 @@
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
 #include "apps/verbs/verbs.h"
+#include "history/event_limit.h"
 
 namespace voroproof::internal {
 namespace {
@@ -33,6 +34,7 @@ ExitCode take_snapshot(const Request& request) {
   if (!request.construct.empty()) {
     way.construct = static_cast<Construct>(std::stoi(request.construct));
   }
+  const EventLimit limit(request.options.max_events);
   const Scene scene = read_scene(request.scene);
   const DiagramFile diagram = request.history.empty()
                                   ? snapshot(scene, t, request.options)
@@ -70,8 +72,7 @@ void add_snapshot(Verb& program) {
       "Write the diagram of the history's flips also where one of its edges is illegal beyond "
       "tolerances.");
   verb.output(request->output, "The diagram to write.").required();
-  add_max_bits(verb, request->options.motion.max_bits);
-  add_max_events(verb, request->options.max_events);
+  add_computing_limits(verb, request->options);
   verb.example("voroproof snapshot a.scene.json --at 1/3 -o a.diagram.json");
   verb.does([request] { return take_snapshot(*request); });
 }

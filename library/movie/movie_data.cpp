@@ -76,15 +76,16 @@ class Collector {
   MovieData data_;
 };
 
-std::vector<Quad> initial_edges(const Claim& claim) {
+std::vector<Quad> initial_edges(const Claim& claim, const EngineOptions& options) {
   const auto& recorded = claim.history->header().initial;
-  return recorded ? *recorded : snapshot(claim.scene, 0).edges;
+  return recorded ? *recorded : snapshot(claim.scene, 0, options).edges;
 }
 
 }  // namespace
 
 MovieData movie_data(Claim& claim, const std::string& history_path,
-                     const std::optional<Rational>& until, std::int64_t line) {
+                     const std::optional<Rational>& until, std::int64_t line,
+                     const EngineOptions& options) {
   HistorySource& history = *claim.history;
   if (claim.scene.disks.size() > max_movie_disks) {
     throw InputError(history_path, 0, "disks",
@@ -93,7 +94,7 @@ MovieData movie_data(Claim& claim, const std::string& history_path,
   Collector collector(claim.scene);
   MovieData& data = collector.data();
   try {
-    for (const Quad& q : initial_edges(claim)) add_quad(data.initial, q);
+    for (const Quad& q : initial_edges(claim, options)) add_quad(data.initial, q);
   } catch (const Undecided& stop) {  // as where a disk slides along the wall at once
     data.no_initial = stop.what();
   }

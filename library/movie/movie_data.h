@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "history/claim.h"
+#include "kinetic/engine.h"
 
 namespace voroproof::internal {
 
@@ -38,9 +39,10 @@ struct MovieData {
 
 // Reads the history's events up to the time `until`, if given. Velocities that it does not record
 // are computed as certify --truth recorded does (docs/formats.md, section 8), an initial diagram
-// that it lacks is constructed, if that can be. Claims are not judged: a false history has a movie
-// too. Throws InputError, also for more disks or events than a movie holds.
+// that it lacks is constructed by these options, if that can be. Claims are not judged: a false
+// history has a movie too. Throws InputError, also for more disks or events than a movie holds.
 MovieData movie_data(Claim& claim, const std::string& history_path,
-                     const std::optional<Rational>& until, std::int64_t line);
+                     const std::optional<Rational>& until, std::int64_t line,
+                     const EngineOptions& options = {});
 
 }  // namespace voroproof::internal

@@ -75,8 +75,7 @@ TEST(Distributions, AreDescribed) {
 TEST(Experiment, MeasuresTheEnd) {
   const Scene scene = scene_of(
       100, 4, {disk(-10, 0, 1, 1, 0), disk(10, 0, 2, 0, 0), disk(0, 50, 3, 0, Rational(1, 2))});
-  const ExperimentRun run =
-      run_experiment(scene, false, [](double, std::uint64_t) { return true; });
+  const ExperimentRun run = run_experiment(scene, false);
   ASSERT_EQ(run.outcome.kind, Outcome::Kind::complete);
   EXPECT_EQ(run.disks, 3);
   EXPECT_EQ(run.speed.greatest, 1);
@@ -90,8 +89,7 @@ TEST(Experiment, CountsByTime) {
   ReferenceOptions options = paper_set_member("speed", 4, 0.03);
   options.horizon = 35;
   const Scene scene = generate_reference(options);
-  const ExperimentRun run =
-      run_experiment(scene, false, [](double, std::uint64_t) { return true; });
+  const ExperimentRun run = run_experiment(scene, false);
   const testing::RecordedRun record = testing::run(scene);
   std::map<int, std::uint64_t> flips, collisions;
   for (const testing::Event& e : record.events)
@@ -110,8 +108,7 @@ TEST(Predictions, CoverWhatOccurs) {
     ReferenceOptions options = paper_set_member("speed", 1, 0.03);
     options.speed = speed;
     options.horizon = 60;
-    const ExperimentRun run = run_experiment(generate_reference(options), true,
-                                             [](double, std::uint64_t) { return true; });
+    const ExperimentRun run = run_experiment(generate_reference(options), true);
     EXPECT_GE(run.predicted_flips_before_contact, run.stats.flip_count());
     EXPECT_GT(run.predicted_flips, run.predicted_flips_before_contact);
     EXPECT_GE(run.predicted_collisions, run.stats.disk_collisions + run.stats.wall_collisions);
@@ -126,7 +123,7 @@ TEST(Predictions, AskOfEveryEdgeThatIsNew) {
   ReferenceOptions options = paper_set_member("speed", 3, 0.014);
   options.horizon = 60;
   const Scene scene = generate_reference(options);
-  const ExperimentRun run = run_experiment(scene, true, [](double, std::uint64_t) { return true; });
+  const ExperimentRun run = run_experiment(scene, true);
   const testing::RecordedRun record = testing::run(scene);
   Motion motion(motion_input(scene), {});
   TierCounts counts;
@@ -189,7 +186,7 @@ TEST(Predictions, AskOfEveryEdgeThatIsNew) {
 TEST(Predictions, AreCountedByTheRule) {
   // Head-on at t = 8.5, then to and fro along the x axis.
   const Scene scene = scene_of(100, 100, {disk(-10, 0, 1, 1, 0), disk(10, 0, 2, -1, 0)});
-  const ExperimentRun run = run_experiment(scene, true, [](double, std::uint64_t) { return true; });
+  const ExperimentRun run = run_experiment(scene, true);
   const testing::RecordedRun record = testing::run(scene);
   ASSERT_GE(record.count(testing::Event::Kind::collision), 1u);
   EXPECT_EQ(record.events[0].t, 8.5);
