@@ -4,6 +4,7 @@
 #include <gmp.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <exception>
 #include <new>
@@ -40,14 +41,28 @@ void* reallocate(void* block, std::size_t size) {
   _exit(static_cast<int>(code));
 }
 
+// Whether there was no memory for an object.
+std::atomic<bool> refused{false};
+
+[[noreturn]] void refuse() {
+  refused.store(true);
+  throw std::bad_alloc();
+}
+
+[[noreturn]] void end_without_memory() {
+  if (has_memory_limit()) {
+    end_with(ExitCode::undecided, "voroproof: the memory limit is reached (--max-memory)\n");
+  }
+  end_with(ExitCode::memory, "voroproof: out of memory\n");
+}
+
 [[noreturn]] void on_terminate() {
   try {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+    // Thrown in a function of a library that may not throw: it cannot be told what.
+    if (refused.load()) end_without_memory();
   } catch (const std::bad_alloc&) {
-    if (has_memory_limit()) {
-      end_with(ExitCode::undecided, "voroproof: the memory limit is reached (--max-memory)\n");
-    }
-    end_with(ExitCode::memory, "voroproof: out of memory\n");
+    end_without_memory();
   } catch (const std::exception& error) {
     // Thrown in a thread of oneTBB's own, which wakes the next.
     if (is_refused_thread(error)) {
@@ -60,7 +75,10 @@ void* reallocate(void* block, std::size_t size) {
 
 // Objects outside of functions ask for memory before main(): this one is made before all others.
 const struct EarlyHandler {
-  EarlyHandler() { std::set_terminate(on_terminate); }
+  EarlyHandler() {
+    std::set_terminate(on_terminate);
+    std::set_new_handler(refuse);
+  }
 } early_handler [[gnu::init_priority(101)]];
 
 }  // namespace

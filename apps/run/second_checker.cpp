@@ -1,6 +1,7 @@
 #include "apps/run/second_checker.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <charconv>
@@ -115,6 +116,10 @@ std::optional<Opinion> asked_apart(const SecondChecker& second, const std::strin
       (!said && !lines.empty() && lines.back().find("memory") != std::string::npos)) {
     throw std::bad_alloc();
   }
+  const bool has_no_room = ended.kind == ProcessEnd::Kind::signalled
+                               ? ended.code == SIGXFSZ
+                               : !said && ended.code == static_cast<int>(ExitCode::bad_input);
+  if (has_no_room) throw OutputError(name + "'s verdict", "no room for a temporary file");
   if (!said || ended.kind != ProcessEnd::Kind::exited) {
     throw std::logic_error(name + "'s process ends with " + description(ended) + " and " +
                            (lines.empty() ? "says nothing" : "says: " + lines.back()));
