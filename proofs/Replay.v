@@ -7,7 +7,9 @@ Open Scope Z_scope.
 (* Why a history is not accepted. *)
 Inductive reason :=
 | UnknownGenerator | UnknownEdge | NotBeside | WrongName | BadBracket | EdgeTooYoung | MotionTooYoung | NotLegal | Tied | Overlap
-| NoCollapse | OutOfOrder | NotNeighbours | NoContact | NotTheLaw | CentreElsewhere | NoSuchManeuver | ManeuverLeftOut | BadInitial.
+| NoCollapse | OutOfOrder | NotNeighbours | NoContact | NotTheLaw | CentreElsewhere | NoSuchManeuver | ManeuverLeftOut | BadInitial
+(* of what comes before the checker *)
+| NoMultiple | NoVelocity | NoBracket.
 
 Inductive outcome (A : Type) := Good (a : A) | Bad (why : reason).
 Arguments Good {A}. Arguments Bad {A}.

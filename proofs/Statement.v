@@ -25,9 +25,10 @@
      the two: within the tolerance before its time, or after it where they overlap at its time.
 
    The second theorem goes on to the whole diagram. It has a hypothesis, by name, that is not proved here. *)
-From Coq Require Import ZArith List Bool Reals FMapPositive.
-From Voroproof Require Import History Replay Initial Checker StepSound InitialSound.
+From Coq Require Import ZArith QArith List Bool Reals FMapPositive.
+From Voroproof Require Import History Replay Initial Checker StepSound InitialSound Files Units Search UnitsSound Program.
 Import ListNotations.
+Open Scope Z_scope.
 
 (* What the program accepts is true: the initial diagram at time 0, every claim after those before it, and the diagram and
    the paths at every instant from 0 to the horizon that is in no bracket of a flip. *)
@@ -40,6 +41,28 @@ Proof.
   destruct (run P (first_state P) claims 0) as [[s|w] done_] eqn:R; [|discriminate]. injection H as E _.
   destruct (run_sound P T claims [] (first_state P) 0 s done_ (first_good P)) as [G A]; [intros [|? ?] ? ? X; discriminate|exact R|].
   rewrite app_nil_r in *. apply (ending_sound P _ s); assumption.
+Qed.
+
+(* The same of the fractions that files give, which are those of the scene s and the history h. *)
+Theorem verdict_is_true : forall (s : scene) (h : history) (tau lambda : Q),
+  judge s h tau lambda = Certified ->
+  exists (t v m : Z) (P : problem) (claims : list claim), 0 < t /\ 0 < v /\ 0 < m /\
+    problem_is t v m s h tau lambda P /\ Forall2 (event_is t v) (events h) claims /\
+    true_initial P /\ true_history P (rev claims).
+Proof.
+  intros s h tau lambda H. unfold judge in H. set (t := unit_of_time s h tau) in *. set (v := unit_of_velocity s h t) in *.
+  destruct (problem_of t v (unit_of_mass s) s h tau lambda) as [P|] eqn:E; [|discriminate].
+  destruct (problem_ok _ _ _ _ _ _ _ _ E) as (Ht & Hv & Hm & I).
+  destruct (scene_wrong P); [discriminate|]. destruct (stops h); [discriminate|]. destruct (negb (counted h)); [discriminate|].
+  destruct (first_edges h); [|discriminate]. destruct (disks s) as [|? [|? ?]]; [discriminate|discriminate|].
+  destruct (all (event_of t v) (events h)) as [es|] eqn:A; [|discriminate]. unfold of_claims in H.
+  destruct (search P (first_finder P) es (limits P es) [] 0) as [[claims|] n] eqn:S; [|discriminate].
+  apply search_ok in S as (cs & -> & <-). simpl in H.
+  destruct (check P cs) as [[[]|] k] eqn:C; [|discriminate]. destruct (certified_is_true P cs k C).
+  exists t, v, (unit_of_mass s), P, cs. repeat (split; [assumption|]). split; [|split; assumption].
+  apply all_ok in A. clear - A. revert A. generalize (events h). induction cs as [|c cs IH]; simpl; intros l A; inversion A; constructor.
+  - apply event_ok. assumption.
+  - apply IH. assumption.
 Qed.
 
 Theorem diagram_is_voronoi : forall (P : problem) (claims : list claim) (n : Z),

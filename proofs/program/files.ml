@@ -48,7 +48,12 @@ let number = function
   | _ -> invalid "not a number"
 
 let pair item read = match list item with [ a; b ] -> (read a, read b) | _ -> invalid "not a pair"
-let vector read item = pair item read
+
+(* Numbers and ids as the checker takes them: the container is 1, disk k is k + 2. *)
+let fraction x = { Checker.qnum = Q.num x; qden = Q.den x }
+let vector read item = pair item (fun x -> fraction (read x))
+let generator least disks item = Z.of_int (whole least (disks - 1) item + 2)
+let container = Z.one
 let within least most what x = if Q.lt x least || Q.gt x most then invalid "%s beyond its limits" what else x
 let positive what x = if Q.sign x <= 0 then invalid "%s that is not positive" what else x
 let not_negative what x = if Q.sign x < 0 then invalid "a negative %s" what else x
@@ -59,60 +64,8 @@ let scene_number item =
   if Q.sign x <> 0 then ignore (within (nearest "1e-100") (nearest "1e100") "a number of a scene" (Q.abs x));
   x
 
-type vec = Q.t * Q.t
-type disk = { center : vec; radius : Q.t; velocity : vec; mass : Q.t }
-type maneuver = { time : Q.t; disk : int; turned : vec }
-
-type scene = {
-  origin : vec;
-  size : Q.t;
-  restitution : Q.t;
-  wall : Q.t;
-  whole_law : bool;
-  scene_horizon : Q.t;
-  disks : disk array;
-  maneuvers : maneuver list;
-}
-
-(* What a collision gives of its two: nothing of the container, but always of the second. *)
-type of_two = vec option * vec
-
-type event =
-  | Flipped of int array
-  | Collided of int * int * of_two option * of_two option
-  | Maneuvered of int * vec option * vec option
-
-type history = { horizon : Q.t; sha : string; initial : int array list option; events : (int * Q.t * event) list; stopped : bool; counts : int list }
-
 let format_is get name =
   if text (required get "format") <> name || whole 0 max_int (required get "version") <> 1 then invalid "another format or version"
-
-let minus (a, b) (c, d) = (Q.sub a c, Q.sub b d)
-let dot (a, b) (c, d) = Q.add (Q.mul a c) (Q.mul b d)
-let square x = Q.mul x x
-
-(* Disks lie in the container, none moves along it in contact, and no two overlap: by a sweep over their abscissas. *)
-let check_places scene =
-  let check disk =
-    let n = minus disk.center scene.origin in
-    let inside = Q.compare (dot n n) (square (Q.sub scene.size disk.radius)) in
-    if Q.geq disk.radius scene.size || inside > 0 then invalid "a disk is not inside the container";
-    let moves = Q.sign (dot disk.velocity disk.velocity) > 0 in
-    if inside = 0 && moves && Q.sign (dot n disk.velocity) = 0 then invalid "a disk touches the container and moves along it"
-  in
-  Array.iter check scene.disks;
-  let order = Array.copy scene.disks in
-  Array.stable_sort (fun a b -> Q.compare (fst a.center) (fst b.center)) order;
-  let widest = Array.fold_left (fun w d -> Q.max w d.radius) Q.zero order in
-  Array.iteri (fun k a ->
-      let rec sweep m =
-        if m < Array.length order && Q.leq (Q.sub (fst order.(m).center) (fst a.center)) (Q.add a.radius widest) then (
-          let n = minus order.(m).center a.center in
-          let apart = dot n n in
-          if Q.lt apart (square (Q.add a.radius order.(m).radius)) || Q.sign apart = 0 then invalid "two disks overlap";
-          sweep (m + 1))
-      in
-      sweep (k + 1)) order
 
 let scene json =
   let get = fields json ~extended:true ~required:[ "format"; "version"; "container"; "horizon"; "disks" ]
@@ -127,43 +80,33 @@ let scene json =
   let disk item =
     let get = fields item ~extended:true ~required:[ "center"; "radius"; "velocity" ] ~optional:[ "mass" ] in
     let radius = not_negative "radius" (scene_number (required get "radius")) in
-    let mass = match get "mass" with Some m -> positive "a mass" (scene_number m) | None -> square radius in
-    { center = vector scene_number (required get "center"); radius; velocity = vector scene_number (required get "velocity");
-      mass = (if count > 1 then positive "a mass" mass else mass) }
+    let mass = match get "mass" with Some m -> positive "a mass" (scene_number m) | None -> Q.mul radius radius in
+    { Checker.disk_centre = vector scene_number (required get "center"); disk_radius = fraction radius;
+      disk_velocity = vector scene_number (required get "velocity");
+      disk_mass = fraction (if count > 1 then positive "a mass" mass else mass) }
   in
   let maneuver item =
     let get = fields item ~extended:true ~required:[ "t"; "disk"; "velocity" ] ~optional:[] in
-    { time = not_negative "time" (scene_number (required get "t")); disk = whole 0 (count - 1) (required get "disk");
-      turned = vector scene_number (required get "velocity") }
+    let time = fraction (not_negative "time" (scene_number (required get "t"))) in
+    ((time, generator 0 count (required get "disk")), vector scene_number (required get "velocity"))
   in
-  let rec sorted seen = function
-    | a :: rest ->
-        if List.exists (fun b -> Q.gt b.time a.time) seen then invalid "the maneuvers are not sorted by their times";
-        let same = List.filter (fun b -> Q.equal b.time a.time) seen in
-        if List.exists (fun b -> b.disk = a.disk) same then invalid "two maneuvers of a disk at one instant";
-        sorted (a :: same) rest
-    | [] -> ()
-  in
-  let scene =
-    { origin = vector scene_number (required wall "center"); size = positive "a container's radius" (scene_number (required wall "radius"));
-      restitution = within Q.zero Q.one "a restitution" (or_one (get "restitution"));
-      wall = positive "a restitution of the wall" (within Q.zero Q.one "a restitution" (or_one (wall "restitution")));
-      whole_law = (match Option.map text (get "container_law") with
-        | None | Some "normal" -> false | Some "whole" -> true | _ -> invalid "an unknown law");
-      scene_horizon = not_negative "horizon" (scene_number (required get "horizon"));
-      disks = Array.of_list (List.map disk items);
-      maneuvers = List.map maneuver (match get "maneuvers" with Some m -> list m | None -> []) }
-  in
-  sorted [] scene.maneuvers;
-  check_places scene;
-  scene
+  let restitution = within Q.zero Q.one "a restitution" in
+  { Checker.box_centre = vector scene_number (required wall "center");
+    box_radius = fraction (positive "a container's radius" (scene_number (required wall "radius")));
+    restitution = fraction (restitution (or_one (get "restitution")));
+    restitution_of_wall = fraction (positive "a restitution of the wall" (restitution (or_one (wall "restitution"))));
+    law_is_whole = (match Option.map text (get "container_law") with
+      | None | Some "normal" -> false | Some "whole" -> true | _ -> invalid "an unknown law");
+    scene_horizon = fraction (not_negative "horizon" (scene_number (required get "horizon")));
+    disks = List.map disk items;
+    plan = List.map maneuver (match get "maneuvers" with Some m -> list m | None -> []) }
 
 (* An edge: of its four only the two at its ends may be the same. *)
 let quadruple disks item =
-  match List.map (whole (-1) (disks - 1)) (list item) with
-  | [ l; r; s; e ] as ids ->
-      if l = r || List.mem l [ s; e ] || List.mem r [ s; e ] then invalid "a quadruple that names no edge";
-      Array.of_list ids
+  match List.map (generator (-1) disks) (list item) with
+  | [ el; er; es; ee ] ->
+      if List.exists (fun (a, b) -> Z.equal a b) [ (el, er); (el, es); (el, ee); (er, es); (er, ee) ] then invalid "a quadruple that names no edge";
+      { Checker.el; er; es; ee }
   | _ -> invalid "not a quadruple"
 
 let has json name = match json with `Assoc list -> List.mem_assoc name list | _ -> false
@@ -172,31 +115,45 @@ let event disks json =
   let has = has json in
   let kind = if has "flip" then "flip" else if has "collide" then "collide" else "maneuver" in
   let get = fields json ~extended:true ~required:[ "t"; kind ] ~optional:(if kind = "flip" then [] else [ "v"; "p" ]) in
-  let what = required get kind in
-  ( number (required get "t"),
+  let what = required get kind and velocities = get "v" and centres = get "p" in
+  let t = number (required get "t") in
+  let time = fraction t in
+  ( t,
     match kind with
-    | "flip" -> Flipped (quadruple disks what)
+    | "flip" -> Checker.Flipped (time, quadruple disks what)
     | "collide" ->
-        let i, j = pair what (whole (-1) (disks - 1)) in
-        if i >= j then invalid "the smaller of two ids comes first";
-        let first item = if i >= 0 then Some (vector number item) else if item = `Null then None else invalid "the container has no velocity and no centre" in
+        let i, j = pair what (generator (-1) disks) in
+        if Z.geq i j then invalid "the smaller of two ids comes first";
+        let rest = (fraction Q.zero, fraction Q.zero) in
+        let first item =
+          if not (Z.equal i container) then vector number item
+          else if item = `Null then rest
+          else invalid "the container has no velocity and no centre"
+        in
         let two item = match list item with [ a; b ] -> (first a, vector number b) | _ -> invalid "not a pair" in
-        Collided (i, j, Option.map two (get "v"), Option.map two (get "p"))
-    | _ -> Maneuvered (whole 0 (disks - 1) what, Option.map (vector number) (get "v"), Option.map (vector number) (get "p")) )
+        let centres = match Option.map two centres with
+          | None -> [] | Some (a, b) -> if Z.equal i container then [ (j, b) ] else [ (i, a); (j, b) ] in
+        Checker.Collided (time, i, j, Option.map two velocities, centres)
+    | _ ->
+        let g = generator 0 disks what in
+        let centres = match centres with None -> [] | Some c -> [ (g, vector number c) ] in
+        Checker.Maneuvered (time, g, Option.map (vector number) velocities, centres) )
 
-(* The numbers of events that a last line gives; of a history that stops, none. *)
+(* The numbers of events that a last line gives, if the history does not stop. *)
 let last_line json word horizon =
   let last = required (fields json ~extended:true ~required:[ word ] ~optional:[]) word in
   if word = "stopped" then (
     let get = fields last ~required:[ "t"; "reason" ] ~optional:[ "events" ] in
     ignore (number (required get "t"), text (required get "reason"));
-    [])
+    None)
   else
     let get = fields last ~required:[ "t"; "flips"; "collisions"; "maneuvers" ] ~optional:[] in
     let t = number (required get "t") in
     if not (Q.equal t horizon || Q.equal t (Q.of_float (Q.to_float horizon))) then invalid "the last line has not the horizon's time";
-    List.map (fun n -> whole 0 max_int (required get n)) [ "flips"; "collisions"; "maneuvers" ]
+    let count name = Z.of_int (whole 0 max_int (required get name)) in
+    Some ((count "flips", count "collisions"), count "maneuvers")
 
+(* The history, and the hash of the scene that it names. *)
 let history disks lines =
   match lines with
   | [] -> invalid "an empty file"
@@ -215,13 +172,14 @@ let history disks lines =
             | Some word ->
                 let counts = located (fun () -> last_line item word horizon) in
                 if rest <> [] then invalid "line %d: something follows the last line" line;
-                (List.rev events, word = "stopped", counts)
+                (List.rev events, counts)
             | None ->
                 let t, what = located (fun () -> event disks item) in
                 if Q.lt t before then invalid "line %d: the times decrease" line;
                 if Q.gt t latest then invalid "line %d: an event after the horizon" line;
-                follow (line + 1) t ((line, t, what) :: events) rest)
+                follow (line + 1) t (what :: events) rest)
       in
-      let events, stopped, counts = follow 2 Q.zero [] rest in
-      { horizon; sha = text (required get "scene_sha256"); initial = Option.map (fun q -> List.map (quadruple disks) (list q)) (get "initial");
-        events; stopped; counts }
+      let events, counts = follow 2 Q.zero [] rest in
+      ( { Checker.history_horizon = fraction horizon; first_edges = Option.map (fun q -> List.map (quadruple disks) (list q)) (get "initial");
+          events; stops = counts = None; counts = Option.value counts ~default:((Z.zero, Z.zero), Z.zero) },
+        text (required get "scene_sha256") )

@@ -2,27 +2,6 @@
 
 let usage = "usage: voroproof-proved SCENE HISTORY [--tolerance T] [--law-tolerance R]\n"
 
-let why : Checker.reason -> string = function
-  | UnknownGenerator -> "a generator is not there"
-  | UnknownEdge -> "an edge is not there"
-  | NotBeside -> "an edge beside the flip does not fit"
-  | WrongName -> "no such edge is there"
-  | BadBracket -> "the bracket of the flip is not within the tolerance"
-  | EdgeTooYoung -> "the edge flips within the bracket of another flip"
-  | MotionTooYoung -> "a generator turns within the life that is to be proved"
-  | NotLegal -> "an edge that ends its life here is not proved legal"
-  | Tied -> "an edge that ends its life here is not proved to be the one of its four while they are cotangent"
-  | Overlap -> "a pair whose life ends here is not proved apart"
-  | NoCollapse -> "the edge is not proved to collapse here"
-  | OutOfOrder -> "a turn within the bracket of an earlier flip"
-  | NotNeighbours -> "the two are no neighbours"
-  | NoContact -> "no contact is proved within the tolerance"
-  | NotTheLaw -> "the velocities are not proved to be those of the law"
-  | CentreElsewhere -> "a centre is not proved to be on its path"
-  | NoSuchManeuver -> "the scene has no such maneuver next"
-  | ManeuverLeftOut -> "a maneuver of the scene is left out"
-  | BadInitial -> "the initial diagram is not proved"
-
 let read name =
   let file = open_in_bin name in
   Fun.protect ~finally:(fun () -> close_in file) (fun () -> really_input_string file (in_channel_length file))
@@ -36,32 +15,19 @@ let rec options files tolerance law = function
 
 let lines text = match List.rev (String.split_on_char '\n' text) with "" :: rest -> List.rev rest | all -> List.rev all
 
-(* The verdict, and the lines before it. *)
+(* The verdict; prints the lines before it. *)
 let judge scene_text history_text tolerance law =
   let scene = Files.scene (Files.json scene_text) in
-  let history = Files.history (Array.length scene.disks) (lines history_text) in
-  if history.sha <> Sha256.to_hex (Sha256.string scene_text) then Numbers.invalid "the history is that of another scene";
-  let count kind = List.length (List.filter (fun (_, _, e) -> kind e) history.events) in
-  let counts = List.map count [ (function Files.Flipped _ -> true | _ -> false); (function Files.Collided _ -> true | _ -> false);
-      (function Files.Maneuvered _ -> true | _ -> false) ] in
-  Printf.printf "c %d flips, %d collisions, %d maneuvers\n" (List.nth counts 0) (List.nth counts 1) (List.nth counts 2);
-  if not (Q.equal history.horizon scene.scene_horizon) then
-    Printf.printf "c horizon %s of the scene's %s\n" (Q.to_string history.horizon) (Q.to_string scene.scene_horizon);
-  if history.stopped then Hints.undecided 0 "the history stops before its horizon";
-  if counts <> history.counts then Hints.undecided 0 "the last line has other counts";
-  if history.initial = None then Hints.undecided 0 "no initial diagram is given";
-  if Array.length scene.disks < 2 then Hints.undecided 0 "fewer than two disks";
-  let most = Q.max (Q.of_float 1e-6) history.horizon in
-  if Q.sign tolerance < 0 || Q.gt tolerance most then Numbers.invalid "a tolerance is from 0 to the horizon, or to 1e-6";
+  let history, sha = Files.history (List.length scene.disks) (lines history_text) in
+  if sha <> Sha256.to_hex (Sha256.string scene_text) then Numbers.invalid "the history is that of another scene";
+  let (flips, collisions), maneuvers = Checker.count_events history.events in
+  Printf.printf "c %s flips, %s collisions, %s maneuvers\n" (Z.to_string flips) (Z.to_string collisions) (Z.to_string maneuvers);
+  let known (x : Checker.q) = Q.make x.qnum x.qden in
+  let horizon = known history.history_horizon and whole = known scene.scene_horizon in
+  if not (Q.equal horizon whole) then Printf.printf "c horizon %s of the scene's %s\n" (Q.to_string horizon) (Q.to_string whole);
+  if Q.sign tolerance < 0 || Q.gt tolerance (Q.max (Q.of_float 1e-6) horizon) then Numbers.invalid "a tolerance is from 0 to the horizon, or to 1e-6";
   if Q.sign law < 0 || Q.gt law Q.one then Numbers.invalid "a tolerance of velocities is from 0 to 1";
-  let units = Hints.units scene history tolerance in
-  let problem = Hints.problem scene history tolerance law units in
-  let claims = Hints.claims problem units history in
-  match Checker.check problem claims with
-  | Good (), _ -> ()
-  | Bad reason, taken ->
-      let line = match List.nth_opt history.events (Z.to_int taken) with Some (line, _, _) -> line | None -> 0 in
-      Hints.undecided (if reason = BadInitial then 1 else line) "%s" (why reason)
+  Checker.judge scene history (Files.fraction tolerance) (Files.fraction law)
 
 let () =
   let finish code line = print_string ("s " ^ line ^ "\n"); exit code in
@@ -70,10 +36,10 @@ let () =
   | exception Numbers.Invalid e -> prerr_string (e ^ "\n"); exit 2
   | Some (scene, history, tolerance, law) -> (
       match judge (read scene) (read history) tolerance law with
-      | () -> finish 0 "CERTIFIED"
-      | exception (Numbers.Invalid e | Yojson.Json_error e | Sys_error e) -> Printf.printf "c %s\n" e; finish 2 "INVALID"
-      | exception Hints.Undecided (line, e) ->
-          if line > 0 then Printf.printf "c line %d: %s\n" line e else Printf.printf "c %s\n" e;
+      | Certified -> finish 0 "CERTIFIED"
+      | Undecided (line, why) ->
+          if Z.sign line > 0 then Printf.printf "c line %s: %s\n" (Z.to_string line) why else Printf.printf "c %s\n" why;
           finish 3 "UNDECIDED"
+      | Invalid e | exception (Numbers.Invalid e | Yojson.Json_error e | Sys_error e) -> Printf.printf "c %s\n" e; finish 2 "INVALID"
       | exception (Stack_overflow | Out_of_memory) -> prerr_string "out of memory\n"; exit 5
       | exception e -> prerr_string (Printexc.to_string e ^ "\n"); exit 4)
