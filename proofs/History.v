@@ -208,14 +208,19 @@ Definition centre_true (past : list claim) (c : claim) (t : Z) (gp : gen * (Z * 
   let off := minus p (x_at l t, y_at l t) in
   2 ^ 102 * dot off off <= 2 ^ 102 * (tolerance P * tolerance P * (dot (velocity l) (velocity l) + dot w w)) + dot p p.
 
+(* How wide the bracket of a flip may be: what the rounding of its time to a binary64 asks for, and no more, so that what is
+   right at both its ends by chance, while other edges flip in between, is none. *)
+Definition widest (t : Z) : Z := 2 * Z.max 4 (t / 2 ^ 51).
+
 (* What each claim says, after those of its past. *)
 Definition claim_true (past : list claim) (c : claim) : Prop :=
   match c with
   | Flip t f lo hi k k1 k2 k3 k4 =>
-      (* the edge is there, those beside it are four others; its bracket lies within the tolerance of the claimed time *)
+      (* the edge is there, those beside it are four others; its bracket lies within the tolerance of the claimed time
+         and is narrow *)
       (last_edge k past = Some f \/ last_edge k past = Some (reversed f)) /\
       NoDup [k; k1; k2; k3; k4] /\
-      (t - tolerance P <= lo < hi /\ hi <= t + tolerance P /\ 0 < lo) /\
+      (t - tolerance P <= lo < hi /\ hi <= t + tolerance P /\ 0 < lo /\ hi - lo <= widest t) /\
       let at_ u g := on_leg g (last_leg g past) u in
       (forall g, In g [el f; er f; es f; ee f] -> since (last_leg g past) <= lo) /\
       (* the edge is legal when the bracket begins; when it ends, both circles are entered by the generator opposite *)

@@ -89,7 +89,7 @@ Fixpoint distinct (ks : list positive) : bool :=
 Definition flip (s : state) (c : claim) (t : Z) (f : edge) (lo hi : Z) (k k1 k2 k3 k4 : positive) : outcome state :=
   do sl <- slot_of s k;
   need (edge_eqb (name sl) f || edge_eqb (name sl) (reversed f)) WrongName (
-  need ((t - tolerance P <=? lo) && (lo <? hi) && (hi <=? t + tolerance P) && (0 <? lo)) BadBracket (
+  need ((t - tolerance P <=? lo) && (lo <? hi) && (hi <=? t + tolerance P) && (0 <? lo) && (hi - lo <=? widest t)) BadBracket (
   need (distinct [k; k1; k2; k3; k4]) NotBeside (
   do gone <- collapses s f lo hi;
   need gone NoCollapse (

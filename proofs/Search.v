@@ -62,6 +62,17 @@ Fixpoint widen (fuel : nat) (s : state) (f : edge) (t least most w : Z) : outcom
   | O => Bad NoBracket
   end.
 
+(* A part of the bracket that is narrow enough. There is none where the circles at both ends of the edge do not change together. *)
+Fixpoint narrow (fuel : nat) (s : state) (f : edge) (t lo hi : Z) : outcome (Z * Z) :=
+  if hi - lo <=? widest t then Good (lo, hi)
+  else
+    let mid := (lo + hi) / 2 in
+    let gone a b := match collapses s f a b with Good gone => gone | Bad _ => false end in
+    match fuel with
+    | S fuel => if gone lo mid then narrow fuel s f t lo mid else if gone mid hi then narrow fuel s f t mid hi else Bad NoBracket
+    | O => Bad NoBracket
+    end.
+
 Definition after_flips (c : claim) (ks : list positive) (d : finder) (since : Z) : outcome finder :=
   do qs <- fold_left (fun qs k =>
       do qs <- qs;
@@ -81,8 +92,9 @@ Definition find_flip (d : finder) (t : Z) (f : edge) (limit : Z) : outcome (clai
   do k4 <- side (ee f) (el f) (er f);
   let ks := [k; k1; k2; k3; k4] in
   let birth := fold_left (fun b k => Z.max b (born_of d k)) ks 0 in
-  do b <- widen (Pos.size_nat (Z.to_pos (tolerance P))) (moved d) f t (Z.max birth 1) (Z.max limit (t + 1))
-            (Z.min (tolerance P) (Z.max 4 (t / 2 ^ 51)));
+  let fuel := Pos.size_nat (Z.to_pos (2 * tolerance P)) in
+  do b <- widen fuel (moved d) f t (Z.max birth 1) (Z.max limit (t + 1)) (Z.min (tolerance P) (Z.max 4 (t / 2 ^ 51)));
+  do b <- narrow fuel (moved d) f t (fst b) (snd b);
   let (lo, hi) := b : Z * Z in
   let c := Flip t f lo hi k k1 k2 k3 k4 in
   do d <- after_flips c ks d lo;

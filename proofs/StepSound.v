@@ -23,15 +23,15 @@ Lemma flip_sound past s t f lo hi k k1 k2 k3 k4 s' (c := Flip t f lo hi k k1 k2 
 Proof.
   intros [I W] E. cbn [step c] in E. unfold flip in E.
   apply try_good in E as (sl & F & E). apply known_good in F. apply need_good in E as [Name E]. apply need_good in E as [B E].
-  repeat (apply andb_prop in B as [B ?]). apply Z.leb_le in B, H0. apply Z.ltb_lt in H, H1.
+  repeat (apply andb_prop in B as [B ?]). apply Z.leb_le in B, H, H1. apply Z.ltb_lt in H0, H2.
   apply need_good in E as [Ds E]. apply try_good in E as (gone & C & E). apply need_good in E as [-> E].
   apply try_good in E as (s1 & E1 & E). injection E as <-.
-  destruct (collapses_true P past s f lo hi (movers_known _ _ _ _ I) H1 C) as (C1 & C2 & C3 & C4 & C5). split.
+  destruct (collapses_true P past s f lo hi (movers_known _ _ _ _ I) H2 C) as (C1 & C2 & C3 & C4 & C5). split.
   - unfold c. cbn [claim_true]. split.
     + destruct (slots_true _ _ _ _ I k sl F) as [N _ _ _ _ _ _ _]. rewrite N.
       apply orb_prop in Name as [Name|Name]; apply edge_eqb_true in Name; rewrite Name; tauto.
     + split; [apply distinct_true, Ds|]. split; [lia|]. split; [exact C1|]. split; [exact C2|]. split; [exact C3|]. split; [exact C4|exact C5].
-  - destruct (flip_keeps P past s t f lo hi k k1 k2 k3 k4 s1 H1 Ds I E1) as [I1 T]. split.
+  - destruct (flip_keeps P past s t f lo hi k k1 k2 k3 k4 s1 H2 Ds I E1) as [I1 T]. split.
     + destruct I1 as [K S A]. split; assumption.
     + cbn [pending c todo]. rewrite T. exact W.
 Qed.

@@ -7,6 +7,7 @@
 #   - histories of simulated scenes of several kinds are accepted, and not accepted with a line left out;
 #   - certify --proved certifies a right history;
 #   - histories that a certifier with a fault certifies are not accepted (tests/proofs/faults.py);
+#   - of 500 wrong worlds none is accepted, where proved_worlds (tests/adversary) is built;
 #   - of files made by hand each has the verdict that tests/proofs/attempts.py says.
 #
 # usage: scripts/check-proofs.sh VOROPROOF [BUILD]      (build/voroproof, with voroproof-kernel beside it; build/proofs)
@@ -139,8 +140,13 @@ said=$(PATH="$build:$PATH" "$voroproof" certify "$scratch/a.scene.json" "$scratc
 grep -qx 'c proved checker: CERTIFIED' <<<"$said" || complain "certify --proved: $said"
 
 faulty=$(python3 -B tests/proofs/faults.py "$proved") || complain "$faulty"
+worlds=$(dirname "$voroproof")/proved_worlds
+if [ -x "$worlds" ]; then
+  found=$("$worlds" "$proved" --count 500 --seed 1) || complain "$found"
+  of_worlds="; $(tail -n 1 <<<"$found")"
+fi
 by_hand=$(python3 tests/proofs/attempts.py "$proved" "$scratch/attempts") || complain "$by_hand"
 
 [ "$failed" = 0 ] && echo "proved; $right right histories of the corpus, $(wc -l <"$lists/undecided.txt") of them undecided; none of $wrong wrong ones" \
-  "accepted that is wrong under the recorded truth; $simulated simulated scenes; $by_hand; $faulty"
+  "accepted that is wrong under the recorded truth; $simulated simulated scenes; $by_hand; $faulty${of_worlds:-}"
 exit "$failed"
