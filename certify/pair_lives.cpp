@@ -80,7 +80,11 @@ void PairLives::end(std::span<const int> edges, const Moment& m, PairEnd why) {
   }
   apart_.prove(m.hi);
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    if (!front_.colliding || s_.replay.pair_of(edges[k]) != *front_.colliding) {
+    const auto pair = s_.replay.pair_of(edges[k]);
+    if (front_.colliding && pair == *front_.colliding) {
+      // A claim answers a contact, not the meeting of two points.
+      require_no_meeting(pair.first, pair.second, m);
+    } else {
       end(edges[k], m, why, apart_.apart(k));
     }
   }
