@@ -5,11 +5,6 @@
 namespace voroproof_kernel {
 namespace {
 
-template <class T>
-T tangency(const Site<T>& d) {
-  return d.x * d.x + d.y * d.y - d.r * d.r;
-}
-
 // f by Casey's theorem, of the tangencies of lr, ls, le, rs, re, se.
 template <class T>
 T casey(const std::array<T, 6>& p) {
@@ -197,16 +192,17 @@ class Search {
   }
 
   // Proves anew, after tangencies of the wrong sign, that both circles exist and are empty
-  // somewhere before a collapse. Where they are not, there is a collapse at a.
+  // somewhere before a collapse: soon, as the life may end long before b, the upper end of a
+  // bracket. Where they are not, there is a collapse at a.
   void prove_anew(const Rat& a, const Rat& b, std::optional<Collapse>& found) {
     fresh_ = false;
     ++notes_.fresh_proofs;
-    const Rat t = (a + (found ? found->at.lo : b)) / 2;
+    const Rat t = a + ((found ? found->at.lo : b) - a) * power(2, -20);
     if (t == a) return;
     const Now now(four_, t);
     for (const bool start : {true, false}) {
       if (now.exists(start) > 0 && now.incircle(start) >= 0) continue;
-      found = Collapse{at(a), found ? found->after : t, t};
+      found = Collapse{at(a), found ? found->after : t};
     }
   }
 

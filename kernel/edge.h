@@ -33,6 +33,11 @@ struct Site {
   T x, y, r;
   Site operator-(const Site& o) const { return {x - o.x, y - o.y, r - o.r}; }
 };
+// Of the difference of two.
+template <class T>
+T tangency(const Site<T>& d) {
+  return d.x * d.x + d.y * d.y - d.r * d.r;
+}
 using Sites = std::array<Site<Int>, 4>;
 // Four generators at some times, all on one scale.
 std::vector<Sites> sites(const std::array<const Leg*, 4>& legs, const std::vector<Rat>& times);
@@ -81,12 +86,10 @@ Instant at(const Rat& t);
 int compare(Instant& x, Instant& y);
 int compare(Instant& x, const Rat& t);
 
-// The edge collapses at an instant: its first in-circle function is negative from there to `after`;
-// or its proof anew, from there on, fails at `failed`.
+// The edge collapses at an instant: its first in-circle function is negative from there to `after`.
 struct Collapse {
   Instant at;
   Rat after;
-  std::optional<Rat> failed{};
 };
 
 // What a search noticed: proofs made anew after tangencies of the wrong sign, and whose these were.

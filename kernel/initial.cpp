@@ -47,9 +47,16 @@ Direction direction(const Site<Int>& g, const Site<Int>& j, const Site<Int>& k, 
   return d;
 }
 
+// Whether one disk lies inside the other, or outside the container. (Where they touch from inside,
+// the vertices of a point coincide.)
+bool hidden(int i, int j, const Site<Int>& a, const Site<Int>& b) {
+  const int sign = sgn(tangency(a - b));
+  return i == container || j == container ? sign > 0 : sign < 0;
+}
+
 }  // namespace
 
-void check_cell(const Walk& walk, int g, const Rat& t) {
+bool check_cell(const Walk& walk, int g, const Rat& t) {
   const Diagram& d = *walk.diagram;
   std::vector<Direction> vertices;
   int k = d.spokes(g)[0];
@@ -58,6 +65,7 @@ void check_cell(const Walk& walk, int g, const Rat& t) {
     const Quad q = d.edges()[k].l == g ? d.edges()[k] : d.edges()[k].reversed();
     const Four four{q, {&walk.leg(g), &walk.leg(q.r), &walk.leg(q.e), &walk.leg(q.s)}};
     const Sites at = sites(four.legs, {t})[0];
+    if (hidden(g, q.r, at[0], at[1]) || hidden(q.r, q.e, at[1], at[2])) return false;
     const bool with_wall = q.r == container || q.e == container;
     vertices.push_back(direction(at[0], at[1], at[2], g == container, with_wall));
     k = d.next_spoke(k, g);
@@ -75,6 +83,7 @@ void check_cell(const Walk& walk, int g, const Rat& t) {
   const std::string cell = "the vertices around generator " + std::to_string(g);
   if (!moves) undecided(cell + " coincide");
   if (falls != 1) refute("wrong diagram: " + cell + " turn " + std::to_string(falls) + " times");
+  return true;
 }
 
 void check_initial(const Walk& walk) {

@@ -48,7 +48,7 @@ class Lives {
     if (left_out_ && last_flip_ && compare(*left_out_, *last_flip_) < 0) {
       undecided("a flip is claimed after one that is left out");
     }
-    check_cells(part_.end);
+    check_cells(part_.end, true);
     counts_.fresh_proofs += notes_.fresh_proofs;
   }
 
@@ -77,15 +77,16 @@ class Lives {
   }
 
   // Takes an open claim near the one at hand that is before `now` in truth, if there is one: a
-  // turn, or a flip that changes an edge that ends a life now.
+  // turn, or a flip that changes an edge that ends a life now; of several the first in truth.
   bool take_earlier(std::size_t claim, const Instant& now, const std::set<int>& ending) {
     const Rat most = claims_[claim].filed + 2 * p_.tolerance;
     while (first_open_ < part_.last && !open(first_open_)) ++first_open_;
+    std::optional<std::pair<Instant, std::size_t>> first;
     for (std::size_t m = first_open_; m < part_.last && claims_[m].filed <= most; ++m) {
       if (!open(m)) continue;
-      Instant end = now;
+      Instant end = first ? first->first : now;
       if (claims_[m].kind != Claim::Kind::flip) {
-        if (!can_turn(m) || compare(end, claims_[m].t) <= 0) continue;
+        if (can_turn(m) && compare(end, claims_[m].t) > 0) first = {at(claims_[m].t), m};
       } else {
         const int k = walk_.edge_of(claims_[m]);
         if (k < 0) continue;
@@ -93,12 +94,11 @@ class Lives {
         const auto ends = [&](int e) { return ending.count(e) == 1; };
         if (!ends(k) && std::none_of(near.begin(), near.end(), ends)) continue;
         auto found = collapse(k, end.hi);
-        if (!found || compare(found->at, end) >= 0) continue;
+        if (found && compare(found->at, end) < 0) first = {found->at, m};
       }
-      take_before(m);
-      return true;
     }
-    return false;
+    if (first) take_before(first->second);
+    return first.has_value();
   }
 
   void count_swap() {
@@ -148,12 +148,6 @@ class Lives {
       found = collapse(k, end->hi + p_.tolerance);
     }
     if (!found || compare(found->at, *end) >= (last ? 1 : 0)) return {};
-    // A proof anew that fails says something of this life only where it was asked before the end.
-    if (found->failed && *found->failed > end->lo && !end->is_point()) {
-      end->split((end->lo + end->hi) / 2);
-      --counts_.lives;
-      return missed(k, end, last);
-    }
     if (p_.exact() || compare(found->at, p_.history.horizon - p_.tolerance) < 0) return found;
     ++counts_.horizon_events;
     if (!left_out_ || compare(found->at, *left_out_) < 0) left_out_ = found->at;
@@ -272,14 +266,14 @@ class Lives {
   }
 
   // Checks anew the cells of generators that were so near that circles between them ceased to
-  // exist, where there is time before the next claim.
-  void check_cells(const Rat& next) {
+  // exist, where there is time before the next claim and they exist again.
+  void check_cells(const Rat& next, bool last = false) {
     if (notes_.touched.empty() || next <= latest_->hi) return;
     const Rat t = (latest_->hi + next) / 2;
     // Where events may be left out at the horizon no diagram is claimed.
     if (!p_.exact() && t >= p_.history.horizon - p_.tolerance) return;
-    for (const int g : notes_.touched) check_cell(walk_, g, t);
-    notes_.touched.clear();
+    std::erase_if(notes_.touched, [&](int g) { return check_cell(walk_, g, t); });
+    if (last && !notes_.touched.empty()) undecided("a generator lies inside another for long");
   }
 
   // Claims may be out of order within the tolerance, as the times of each edge are in order.

@@ -61,8 +61,9 @@ struct Part {
 std::vector<Part> parts_of(const Problem& p);
 // Checks that the edges of the claimed diagram collapse just where flips are claimed.
 void check_lives(const Problem& p, const Part& part, Counts& counts, std::int64_t& line);
-// Throw Stop where the diagram of the walk is wrong at 0, or at t around one generator.
+// Throw Stop where the diagram of the walk is wrong at 0, or at t around one generator; false where
+// that has no vertices then, as of it and those around it one lies inside another.
 void check_initial(const Walk& walk);
-void check_cell(const Walk& walk, int g, const Rat& t);
+bool check_cell(const Walk& walk, int g, const Rat& t);
 
 }  // namespace voroproof_kernel

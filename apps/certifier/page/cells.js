@@ -36,13 +36,22 @@ class Direction {
   }
 }
 
-// Around a generator the directions to its vertices turn once: one step falls back in angle.
+// Whether one disk lies inside the other, or outside the container. (Where they touch from inside, the vertices of a
+// point coincide.)
+function isHidden(i, j, a, b) {
+  const sign = signOf(tangency(apart(a, b))[0]);
+  return i === CONTAINER || j === CONTAINER ? sign > 0 : sign < 0;
+}
+
+// Around a generator the directions to its vertices turn once: one step falls back in angle. False where there are no
+// vertices, as of it and those around it one lies inside another.
 function checkCell(walk, g, t) {
   const { diagram } = walk, vertices = [], first = diagram.spokes[g + 1][0];
   let k = first;
   do {
     // The end vertex [g, r, e]; the next spoke counterclockwise is that of e.
     const [, r, , e] = diagram.leaving(k, g), sites = sitesOf([g, r, e].map((id) => walk.leg(id)), [t]);
+    if (isHidden(g, r, sites[0], sites[1]) || isHidden(r, e, sites[1], sites[2])) return false;
     vertices.push(new Direction(...sites, g === CONTAINER, r === CONTAINER || e === CONTAINER));
     k = diagram.nextSpoke(k, g);
   } while (k !== first);
@@ -58,6 +67,7 @@ function checkCell(walk, g, t) {
   const cell = `the vertices around generator ${g}`, witness = { t, disks: [g] };
   if (!moves) undecided(`${cell} coincide`, witness);
   if (falls !== 1) refute(`wrong diagram: ${cell} turn ${falls} times`, witness);
+  return true;
 }
 
 function checkInitial(walk) {

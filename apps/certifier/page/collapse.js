@@ -1,6 +1,6 @@
 "use strict";
 // The first collapse of an edge (docs/kernel.md, section 6): { at: Instant, after }, where its first in-circle function is
-// negative from `at` to `after`, or { at, after, failed } where its proof anew, from `at` on, fails at the time `failed`;
+// negative from `at` to `after`;
 // null where there is none.
 
 const SQUAREFREE_DEPTH = 30;
@@ -80,15 +80,16 @@ class CollapseSearch {
     return this.owesProof ? this.provedAnew(a, b, found) : found;
   }
 
-  // Both circles must exist and be empty somewhere before the collapse. Where they are not, it is at a.
+  // Both circles must exist and be empty somewhere before the collapse: soon, as the life may end long before b, which
+  // is the upper end of a bracket. Where they are not, it is at a.
   provedAnew(a, b, found) {
     this.owesProof = false;
     ++this.notes.freshProofs;
-    const t = a.plus(found ? found.at.lo : b).half().reduced();
+    const t = a.plus((found ? found.at.lo : b).minus(a).scaled(-20)).reduced();
     if (t.equals(a)) return found;
     const now = this.edge.at(t);
     const isRight = [true, false].every((start) => now.exists(start) > 0 && now.incircle(start) >= 0);
-    return isRight ? found : { at: Instant.at(a), after: found ? found.after : t, failed: t };
+    return isRight ? found : { at: Instant.at(a), after: found ? found.after : t };
   }
 }
 

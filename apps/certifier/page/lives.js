@@ -71,7 +71,7 @@ class LifeCheck {
     if (this.leftOut && this.lastFlip && this.leftOut.against(this.lastFlip) < 0) {
       undecided("a flip is claimed after one that is left out", { t: this.leftOut.drawn() });
     }
-    this.checkCells(part.to);
+    this.checkCells(part.to, true);
   }
 
   // ---- Taking claims
@@ -103,26 +103,28 @@ class LifeCheck {
   }
 
   // Takes a claim near the one at hand that is before `now` in truth, if there is one: a turn, or a flip that
-  // changes an edge of `ending`.
+  // changes an edge of `ending`; of several the first in truth.
   takeEarlier(number, now, ending) {
     const most = this.claims[number].filed.plus(this.problem.tolerance.scaled(1));
     while (this.firstOpen < this.part.end && !this.isOpen(this.firstOpen)) ++this.firstOpen;
+    let first = null;
     for (let m = this.firstOpen; m < this.part.end && !most.less(this.claims[m].filed); ++m) {
       if (!this.isOpen(m)) continue;
-      const isEarlier = this.claims[m].kind === "flip" ? this.flipsBefore(m, now.copy(), ending)
-        : this.canTurn(m) && now.copy().againstTime(this.claims[m].t) > 0;
-      if (!isEarlier) continue;
-      this.takeBefore(m);
-      return true;
+      const end = first ? first.at.copy() : now.copy();
+      const at = this.claims[m].kind === "flip" ? this.flipBefore(m, end, ending)
+        : this.canTurn(m) && end.againstTime(this.claims[m].t) > 0 ? Instant.at(this.claims[m].t) : null;
+      if (at) first = { at, m };
     }
-    return false;
+    if (first) this.takeBefore(first.m);
+    return first !== null;
   }
 
-  flipsBefore(m, now, ending) {
+  // When the claimed flip is, if that is before `now` and it changes an edge of `ending`; else null.
+  flipBefore(m, now, ending) {
     const { k } = this.walk.edgeOf(this.claims[m]);
-    if (k < 0 || ![k, ...this.walk.diagram.around(k)].some((e) => ending.has(e))) return false;
+    if (k < 0 || ![k, ...this.walk.diagram.around(k)].some((e) => ending.has(e))) return null;
     const found = this.collapse(k, now.hi);
-    return found !== null && found.at.against(now) < 0;
+    return found !== null && found.at.against(now) < 0 ? found.at : null;
   }
 
   // The turn that has to come first for this one to be next of all its disks: itself, or another.
@@ -188,13 +190,6 @@ class LifeCheck {
       found = this.collapse(k, end.hi.plus(problem.tolerance));
     }
     if (!found || found.at.against(end) >= (isLast ? 1 : 0)) return;
-    // A proof anew that fails says something of this life only where it was asked before the end.
-    if (found.failed && end.lo.less(found.failed) && !end.isPoint) {
-      end.halve();
-      --this.counts.lives;
-      this.requireNoCollapse(k, end, isLast);
-      return;
-    }
     if (problem.isExact || found.at.againstTime(horizon.minus(problem.tolerance)) < 0) {
       const quad = [...walk.diagram.edges[k]];
       refute(`edge ${quadName(quad)} collapses at ${found.at.lo.about()}, and no flip is claimed`,
@@ -294,15 +289,17 @@ class LifeCheck {
   }
 
   // Checks anew the cells of generators that were so near that circles between them ceased to exist, where
-  // there is time before the next claim.
-  checkCells(next) {
+  // there is time before the next claim and they exist again.
+  checkCells(next, isLast = false) {
     const { notes, latest, problem } = this;
     if (notes.touched.size === 0 || !latest.hi.less(next)) return;
     const t = latest.hi.plus(next).half().reduced();
     // Where events may be left out at the horizon no diagram is claimed.
     if (!problem.isExact && !t.less(problem.history.horizon.minus(problem.tolerance))) return;
-    for (const g of [...notes.touched].sort((a, b) => a - b)) checkCell(this.walk, g, t);
-    notes.touched.clear();
+    for (const g of [...notes.touched].sort((a, b) => a - b)) {
+      if (checkCell(this.walk, g, t)) notes.touched.delete(g);
+    }
+    if (isLast && notes.touched.size > 0) undecided("a generator lies inside another for long", { t });
   }
 
   // Claims may be out of order within the tolerance, as the times of each edge are in order.
