@@ -118,6 +118,19 @@ def test_gsd_files(tmp_path):
     assert "no GSD file" in refusal("gsd", path).reason
 
 
+@pytest.mark.parametrize("count, reason", [([2**27], "134217728, and the file has"), ([1, 1], "no whole number")])
+@pytest.mark.parametrize("what", ["particles", "bonds"])
+def test_counts_beyond_a_gsd_file(tmp_path, what, count, reason):
+    """The module gsd would make arrays of that many."""
+    layer, numpy = pytest.importorskip("gsd.fl"), pytest.importorskip("numpy")
+    path = tmp_path / "a.gsd"
+    with layer.open(str(path), "wb", application="a test", schema="hoomd", schema_version=[1, 4]) as file:
+        file.write_chunk(f"{what}/N", numpy.array(count, dtype=numpy.uint32))
+        file.end_frame()
+    error = refusal("gsd", path, periodic="as-is")
+    assert error.field == f"frame 0 {what}/N" and reason in error.reason, str(error)
+
+
 def test_databases(tmp_path):
     for k, (given, field, reason) in enumerate([
         ({"version": "3"}, "metadata version", "versions 1 and 2"),
@@ -246,7 +259,7 @@ def broken(random_source, data):
 
 @pytest.mark.parametrize("kind", ["lammps-dump", "lammps-data", "bluesky", "ais", "jupedsim", "gsd"])
 def test_whatever_is_broken_is_read_or_refused(tmp_path, kind):
-    """No other error than InputError, whatever the bytes."""
+    """No other error than InputError, whatever the bytes; scripts/fuzz.sh asks for other and for more changes."""
     whole = tmp_path / "whole"
     options = {"bluesky": {"until": Fraction(600)}, "gsd": {"periodic": "as-is"}, "lammps-data": {"until": Fraction(3)}}
     if kind == "jupedsim":
@@ -255,9 +268,10 @@ def test_whatever_is_broken_is_read_or_refused(tmp_path, kind):
         write_gsd(whole, [(0, [[0, 0, 0]], {}), (1, [[1, 0, 0]], {})])
     else:
         whole.write_text({"lammps-dump": DUMP, "lammps-data": DATA, "bluesky": SCENARIO, "ais": AMERICAN}[kind])
-    dice = random.Random(7)
+    dice = random.Random(int(os.environ.get("VOROPROOF_FUZZ_SEED", 7)))
     outcomes = {True: 0, False: 0}
-    for k in range(60 if kind in ("jupedsim", "gsd") else 250):
+    times = int(os.environ.get("VOROPROOF_FUZZ_TIMES", 1))
+    for k in range(times * (60 if kind in ("jupedsim", "gsd") else 250)):
         path = tmp_path / f"{kind}{k}"
         path.write_bytes(broken(dice, whole.read_bytes()))
         try:

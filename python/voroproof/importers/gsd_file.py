@@ -1,5 +1,6 @@
 """GSD files with the schema of HOOMD-blue, by Debian's python3-gsd."""
 
+import os
 import warnings
 from fractions import Fraction
 from typing import Any, List, Optional
@@ -9,6 +10,8 @@ from .faults import Refused, fail
 from .table import Table
 
 NAME = "gsd"
+# The module gsd makes arrays of so many, whether the file has them or not.
+COUNTED = ("particles", "bonds", "angles", "dihedrals", "impropers", "constraints", "pairs")
 
 
 def _open(path: str) -> Any:
@@ -28,6 +31,7 @@ class _Reader:
     def __init__(self, path: str, radius: Optional[Fraction], timestep: Optional[Fraction],
                  periodic: Optional[str], flatten: bool):
         self.path = path
+        self.size = 0  # of the file, in bytes
         self.radius = radius
         self.timestep = timestep
         self.treatment = periodic
@@ -37,6 +41,7 @@ class _Reader:
     def read(self) -> Table:
         frames = _open(self.path)
         try:
+            self.size = os.path.getsize(self.path)
             if len(frames) == 0:
                 fail(self.path, 0, "", "no frame")
             # A frame without them has those of the first frame, or else 1.
@@ -51,7 +56,20 @@ class _Reader:
         table.remarks += self.remarks()
         return table
 
+    def require_plausible(self, frames: Any, k: int) -> None:
+        """Refuses what the file has no bytes for."""
+        for what in COUNTED:
+            name = f"{what}/N"
+            if not frames.file.chunk_exists(frame=k, name=name):
+                continue
+            count = frames.file.read_chunk(frame=k, name=name)
+            if count.dtype.kind != "u" or count.size != 1:
+                fail(self.path, 0, f"frame {k} {name}", "no whole number")
+            if int(count.item()) > self.size:
+                fail(self.path, 0, f"frame {k} {name}", f"{count.item()}, and the file has {self.size} bytes")
+
     def frame(self, table: Table, frames: Any, k: int) -> None:
+        self.require_plausible(frames, k)
         snapshot = frames[k]
         particles, configuration = snapshot.particles, snapshot.configuration
         place = f"frame {k}"
