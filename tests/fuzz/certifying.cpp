@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "certify/certifier.h"
 #include "certify/report.h"
@@ -9,11 +11,11 @@
 #include "filtered/motion/options.h"
 #include "history/claim.h"
 #include "history/error.h"
-#include "history/sha256.h"
 #include "kernel/kernel.h"
 #include "library/certification.h"
 #include "library/explanation.h"
 #include "tests/fuzz/memory_file.h"
+#include "tests/fuzz/pieces.h"
 #include "tests/fuzz/target.h"
 
 namespace voroproof::internal::fuzz {
@@ -29,18 +31,9 @@ struct Pair {
 };
 
 Pair pair_of(std::string_view bytes) {
-  const std::size_t at = bytes.find(pair_separator);
-  if (at == std::string_view::npos) return {std::string(bytes), ""};
-  Pair pair{std::string(bytes.substr(0, at)),
-            std::string(bytes.substr(at + pair_separator.size()))};
-  constexpr std::string_view name = "\"scene_sha256\":\"";
-  constexpr std::size_t digits = 64;
-  const std::size_t hash = pair.history.find(name);
-  if (hash == std::string::npos) return pair;
-  const std::size_t begin = hash + name.size();
-  if (pair.history.find('"', begin) != begin + digits) return pair;
-  pair.history.replace(begin, digits, sha256_hex(pair.scene));
-  return pair;
+  std::vector<std::string> pieces = pieces_of(bytes, 2);
+  name_scene(pieces[1], pieces[0]);
+  return {std::move(pieces[0]), std::move(pieces[1])};
 }
 
 const char* name(voroproof_kernel::Verdict verdict) {

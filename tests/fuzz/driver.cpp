@@ -6,6 +6,9 @@
 // is no verdict, a crash, more than a gigabyte of memory, or ten seconds of the processor. The
 // bytes are then in FOLDER/find-TARGET. `fuzz --targets` lists the targets, with the runs of the
 // tests.
+//
+// For checkers that are other programs `fuzz --changed FOLDER SEEDS... [--runs N] [--seed S]`
+// writes changed pairs of files, FOLDER/0.scene.json, FOLDER/0.history.jsonl and so on.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -20,9 +23,11 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/fuzz/mutation.h"
+#include "tests/fuzz/pieces.h"
 #include "tests/fuzz/target.h"
 
 namespace voroproof::internal::fuzz {
@@ -61,7 +66,7 @@ void start_clock() {
 }
 
 struct Arguments {
-  std::string target, out = ".";
+  std::string target, out = ".", changed;
   std::vector<std::string> seeds;
   std::uint64_t runs = 0, seed = 1;
 };
@@ -78,15 +83,19 @@ Arguments parse(int argc, char** argv) {
       a.seed = std::stoull(argv[++k]);
     } else if (word == "--out") {
       a.out = argv[++k];
+    } else if (word == "--changed") {
+      a.changed = argv[++k];
     } else if (option) {
       throw std::invalid_argument("unknown option " + word);
-    } else if (a.target.empty()) {
+    } else if (a.target.empty() && a.changed.empty()) {
       a.target = word;
     } else {
       a.seeds.push_back(word);
     }
   }
-  if (a.target.empty() || a.seeds.empty()) throw std::invalid_argument("a target and its seeds");
+  if (a.target.empty() == a.changed.empty() || a.seeds.empty()) {
+    throw std::invalid_argument("a target or --changed, and seeds");
+  }
   return a;
 }
 
@@ -108,6 +117,25 @@ std::vector<std::string> texts_of(const std::vector<std::string>& places) {
   }
   if (texts.empty()) throw std::invalid_argument("there are no seeds");
   return texts;
+}
+
+int write_changed(const Arguments& arguments) {
+  const std::vector<std::string> seeds = texts_of(arguments.seeds);
+  Chance chance(arguments.seed);
+  for (std::uint64_t k = 0; k < arguments.runs; ++k) {
+    const std::string& from = seeds[chance.below(seeds.size())];
+    auto pieces = pieces_of(mutated(from, seeds[chance.below(seeds.size())], chance), 2);
+    name_scene(pieces[1], pieces[0]);
+    const fs::path to = fs::path(arguments.changed) / std::to_string(k);
+    for (const auto& [ending, piece] :
+         {std::pair(".scene.json", pieces[0]), std::pair(".history.jsonl", pieces[1])}) {
+      std::ofstream out(to.string() + ending, std::ios::binary);
+      out << piece;
+      out.close();
+      if (!out) throw std::invalid_argument("cannot write " + to.string() + ending);
+    }
+  }
+  return 0;
 }
 
 int run(const Arguments& arguments) {
@@ -172,7 +200,8 @@ int main(int argc, char** argv) {
   }
   try {
     prepare();
-    return run(parse(argc, argv));
+    const Arguments arguments = parse(argc, argv);
+    return arguments.changed.empty() ? run(arguments) : write_changed(arguments);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "fuzz: %s\n", error.what());
     return 2;

@@ -217,6 +217,10 @@ const std::vector<Target>& targets() {
       {"any", any_file, 4'000},
       {"kernel-scene", kernel_scene, 20'000},
       {"kernel-history", kernel_history, 20'000},
+      {"shard", reads_shard, 10'000},
+      {"merge", merges, 4'000},
+      {"begun-report", resumes_certificate, 1'000},
+      {"begun-history", resumes_history, 1'000},
       {"certify", certifies, 2'000},
   };
   return all;

@@ -18,7 +18,9 @@ ROOT = Path(__file__).resolve().parents[2]
 CORPUS = ROOT / "corpus"
 MOST_BYTES = 6000
 MOST_FILES = 60
+SHARDS = ROOT / "tests" / "fuzz" / "shards.scene.json"
 SEPARATOR = b"\n====\n"
+SEVERAL = ("certify", "merge", "begun-history")  # targets that take several files in one text
 
 PLAN = b"""{"format": "voroproof-plan", "version": 1, "name": "two vehicles",
  "container": {"center": [0, 0], "radius": 50}, "arrive": 10, "clearance": "1/3",
@@ -95,7 +97,7 @@ class Made:
     def run(self, *words, allowed=(0,)):
         done = subprocess.run([self.program, *words], capture_output=True, text=True, check=False, cwd=self.folder)
         if done.returncode not in allowed:
-            raise RuntimeError(f"{' '.join(words)}: {done.returncode}: {done.stderr}")
+            raise RuntimeError(f"{' '.join(map(str, words))}: {done.returncode}: {done.stderr}")
 
     def file(self, name, *words, allowed=(0,)):
         """The bytes that a verb writes to a file of that name."""
@@ -123,6 +125,30 @@ class Made:
             yield self.file(f"b.jsonl.{ending}", "simulate", scene, "--quiet", "-o")
         yield gzip.compress(b"0" * 4000, mtime=0)
         yield gzip.compress(b"one", mtime=0) + gzip.compress(b"two", mtime=0)
+
+    def shards(self):
+        """The certificates of the shards of a history that is right, and of a wrong one."""
+        self.run("simulate", SHARDS, "-o", "s.history.jsonl", "--quiet")
+        lines = (self.folder / "s.history.jsonl").read_bytes().splitlines(keepends=True)
+        self.given("wrong.history.jsonl", b"".join(lines[:-3] + lines[-2:]))
+        for history, allowed in (("s.history.jsonl", (0,)), ("wrong.history.jsonl", (0, 1))):
+            yield [self.file("shard.json", "certify", SHARDS, history, "--truth", "recorded", "--quiet", "--part", f"{k}/3",
+                             "--report", allowed=allowed) for k in (1, 2, 3)]
+
+    def begun_reports(self):
+        """What a run that a limit ended leaves beside its report."""
+        self.run("certify", SHARDS, "s.history.jsonl", "--truth", "recorded", "--checkpoint", "0", "--quiet", "--max-events",
+                 "550", "--report", "b.json", allowed=(3,))
+        yield (self.folder / "b.json.partial").read_bytes()
+
+    def begun_histories(self):
+        """Histories that stopped, and one that was cut off within a line."""
+        text = SHARDS.read_bytes() + SEPARATOR
+        for most in (5, 30):
+            whole = self.file("b.history.jsonl", "simulate", SHARDS, "--quiet", "--replace", "--max-events", str(most), "-o",
+                              allowed=(3,))
+            yield text + whole
+            yield text + whole[:-len(whole.splitlines()[-1]) - 20]
 
     def plan_reports(self):
         plan = self.given("plan.json", PLAN)
@@ -153,9 +179,13 @@ def seeds(made):
         "compressed": list(made.compressed()),
         "certify": pairs(),
     }
+    shards = list(made.shards())
+    found["shard"] = [shard for of_one in shards for shard in of_one]
+    found["merge"] = [SEPARATOR.join(of_one) for of_one in shards]
+    found["begun-report"], found["begun-history"] = list(made.begun_reports()), list(made.begun_histories())
     found["picture"] = found["diagram"]
     found["kernel-scene"], found["kernel-history"] = found["scene"], found["history"]
-    found["any"] = [text for name in sorted(found) if name != "certify" for text in found[name][:6]]
+    found["any"] = [text for name in sorted(found) if name not in SEVERAL for text in found[name][:6]]
     return found
 
 

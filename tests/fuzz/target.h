@@ -24,4 +24,12 @@ const Target& target(std::string_view name);
 inline constexpr std::string_view pair_separator = "\n====\n";
 bool certifies(std::string_view pair);
 
+// A certificate of a shard; four at most, which are joined.
+bool reads_shard(std::string_view bytes);
+bool merges(std::string_view shards);
+// What certify has left of its report of the history of shards.scene.json.
+bool resumes_certificate(std::string_view begun);
+// A scene, and a history of it that simulate has begun. The hash is made the right one.
+bool resumes_history(std::string_view texts);
+
 }  // namespace voroproof::internal::fuzz
