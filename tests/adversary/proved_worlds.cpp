@@ -135,7 +135,8 @@ using Table = std::map<std::string, std::map<std::pair<Verdict, Verdict>, std::i
 void print(const char* title, const Table& table) {
   std::printf("%-18s |%8s %8s %8s |%8s %8s |%8s %8s\n", title, "wrong", "accepted", "undec.",
               "open", "accepted", "right", "accepted");
-  for (const auto& [kind, counts] : table) {
+  for (const auto& row : table) {
+    const auto& counts = row.second;  // clang++ 14 captures no structured binding
     const auto at = [&](Verdict kernel, Verdict proved) {
       const auto found = counts.find({kernel, proved});
       return static_cast<long long>(found == counts.end() ? 0 : found->second);
@@ -143,7 +144,7 @@ void print(const char* title, const Table& table) {
     const auto both = [&](Verdict kernel) {
       return at(kernel, Verdict::certified) + at(kernel, Verdict::undecided);
     };
-    std::printf("%-18s |%8lld %8lld %8lld |%8lld %8lld |%8lld %8lld\n", kind.c_str(),
+    std::printf("%-18s |%8lld %8lld %8lld |%8lld %8lld |%8lld %8lld\n", row.first.c_str(),
                 both(Verdict::refuted), at(Verdict::refuted, Verdict::certified),
                 at(Verdict::refuted, Verdict::undecided), both(Verdict::undecided),
                 at(Verdict::undecided, Verdict::certified), both(Verdict::certified),
