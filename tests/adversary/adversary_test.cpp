@@ -72,6 +72,18 @@ TEST(Adversary, RightWorldsAreRight) {
   }
 }
 
+// A disk that turns late is outside the container for a moment and comes back beside another edge.
+// The oracle looks soon after a turn, too, and not where a disk is outside.
+TEST(Adversary, LooksSoonAfterATurn) {
+  Campaign campaign(false);
+  int wrong = 0;
+  campaign.run(1400080019, Family::crowded, {}, [&](const Made& m, Truth truth, const auto& j) {
+    expect_no_find(m, truth, j);
+    wrong += j.opinion && j.opinion->finding == Finding::wrong;
+  });
+  EXPECT_EQ(wrong, 1);
+}
+
 // cases/NAME.scene.json, NAME.history.jsonl and NAME.verdict: lines "truth verdict".
 TEST(Adversary, SavedCases) {
   const std::filesystem::path folder(VOROPROOF_ADVERSARY_CASES);

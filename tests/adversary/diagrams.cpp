@@ -115,10 +115,23 @@ Opinion confirm(const Motion& motion, const Claimed& claimed, Wide t) {
   }
 }
 
+// Whether a disk lies inside another or outside the container, as late turns make it for a moment:
+// it has no cell then, and histories go on with the edges that it had.
+bool one_is_hidden(const Sites& sites) {
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Real sign = tangency(sites[i], sites[j]);
+      if (sites[j].container() ? sign > 0 : sign < 0) return true;
+    }
+  }
+  return false;
+}
+
 // Judges by empty circles, and by more digits where they say no or are near. The claimed edges need
 // not be compared: they were at the start, and flips keep what they say together with the corners.
 Opinion look(const Motion& motion, const Claimed& claimed, Wide t, bool edges_too) {
   const Sites sites = motion.sites_at(t);
+  if (one_is_hidden(sites)) return {};
   const int n = static_cast<int>(sites.size()) - 1;
   std::vector<Vertex> vertices;
   for (const Corner& g : claimed.corners()) {
@@ -176,16 +189,20 @@ Opinion judge_diagrams(const Motion& motion, const History& history, double end,
   if (static_cast<int>(claimed.edges().size()) != 3 * generators - 6) {
     return wrong("the first diagram has another number of edges");
   }
-  // Where nothing may be looked at: around claims and turns.
-  std::vector<double> taboo = turns;
-  for (const Line& line : history.lines) taboo.push_back(line.t);
-  const bool claims_at_start = std::count(taboo.begin(), taboo.end(), 0.0) > 0;
-  taboo.push_back(0);
+  // Where nothing may be looked at: around claimed flips, whose times may be off by the tolerance.
+  // A turn changes the motion just where the path does, and no diagram.
+  std::vector<std::pair<double, double>> taboo{{0, 0}};
+  for (const double t : turns) taboo.emplace_back(t, t);
+  for (const Line& line : history.lines) {
+    if (line.kind != Line::Kind::flip) continue;
+    taboo.emplace_back(line.t - 1.01 * tolerance, line.t + 1.01 * tolerance);
+  }
   std::sort(taboo.begin(), taboo.end());
   std::vector<double> samples;
+  double a = 0;
   for (std::size_t k = 0; k < taboo.size(); ++k) {
-    const double a = taboo[k] + (taboo[k] == 0 && !claims_at_start ? 0 : 1.01 * tolerance);
-    const double b = std::min(end, k + 1 < taboo.size() ? taboo[k + 1] - 1.01 * tolerance : end);
+    a = std::max(a, taboo[k].second);
+    const double b = std::min(end, k + 1 < taboo.size() ? taboo[k + 1].first : end);
     if (!(a < b)) continue;
     const double near = std::min(0.01 * (b - a), tolerance);
     for (const double t : {a + near, a + 0.25 * (b - a), (a + b) / 2, b - near}) {

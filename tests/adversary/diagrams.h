@@ -8,9 +8,10 @@
 
 namespace voroproof::internal::adversary {
 
-// Replays the claimed flips. `turns`: the times of turns on the paths, at which nothing is looked
-// at. Looks up to `end`, between all claims that are farther apart than twice the tolerance, at the
-// hints, and at each claimed flip: its edge must change from legal to illegal within the tolerance.
+// Replays the claimed flips. `turns`: the times of turns on the paths, between which there are
+// looks. Looks up to `end` farther than the tolerance from all claimed flips, at the hints, too,
+// but not where a generator is inside another, and at each claimed flip: its edge must change from
+// legal to illegal within the tolerance.
 Opinion judge_diagrams(const Motion& motion, const History& history, double end,
                        const std::vector<double>& turns, const std::vector<double>& hints);
 
