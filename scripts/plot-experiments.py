@@ -3,11 +3,14 @@
 
 usage: scripts/plot-experiments.py FILE.json... [-o DIRECTORY]
 
-For each file a PNG and an SVG named for its set. Needs Debian's python3-matplotlib.
+For each file a PNG and an SVG named for its set. Where an experiment has several seeds, points are their means and
+bars, or bands, their standard deviations. Needs Debian's python3-matplotlib.
 """
 import argparse
+import itertools
 import json
 import pathlib
+import statistics
 import sys
 
 import matplotlib
@@ -42,84 +45,106 @@ def predicted(member):
     return {**counts, "events": counts["flips"] + counts["collisions"]}
 
 
-def plot_counts(axes, x, counts, title):
+def over_seeds(groups, value):
+    """Means and standard deviations of value(member) in each group of members that differ in the seed."""
+    values = [[value(member) for member in group] for group in groups]
+    return ([statistics.fmean(v) for v in values], [statistics.pstdev(v) for v in values])
+
+
+def plot_means(axes, x, groups, value, style, **more):
+    means, deviations = over_seeds(groups, value)
+    bars = deviations if any(len(group) > 1 for group in groups) else None
+    axes.errorbar(x, means, bars, fmt=style, capsize=3, **more)
+
+
+def plot_counts(axes, x, groups, counts, title):
     for key, label, color in SERIES:
-        axes.plot(x, [c[key] for c in counts], "o-", color=color, label=label)
+        plot_means(axes, x, groups, lambda m: counts(m)[key], "o-", color=color, label=label)
     axes.set_ylim(bottom=0)
     axes.set_title(title)
     legend_below(axes, len(SERIES))
 
 
-def plot_predicted(axes, x, counts):
-    axes.plot(x, [c["roots"] for c in counts], "o--", color="red", label="roots")
-    plot_counts(axes, x, counts, "events predicted")
+def plot_predicted(axes, x, groups):
+    plot_means(axes, x, groups, lambda m: predicted(m)["roots"], "o--", color="red", label="roots")
+    plot_counts(axes, x, groups, predicted, "events predicted")
     legend_below(axes, len(SERIES) + 1)
 
 
-def plot_total_time(axes, x, members):
-    axes.plot(x, [m["seconds"]["total"] for m in members], "ko-")
+def plot_total_time(axes, x, groups):
+    plot_means(axes, x, groups, lambda m: m["seconds"]["total"], "ko-")
     axes.set_ylim(bottom=0)
     axes.set_title("seconds, whole run")
 
 
-def plot_steps(axes, x, members):
+def plot_steps(axes, x, groups):
     for key, label, color in STEPS:
-        axes.plot(x, [m["seconds"][key] for m in members], "o-", color=color, label=label)
+        plot_means(axes, x, groups, lambda m: m["seconds"][key], "o-", color=color, label=label)
     axes.set_yscale("log")
     axes.set_title("seconds by step")
     legend_below(axes, 2)
 
 
-def plot_distribution(axes, x, distributions, title):
-    axes.errorbar(x, [d["mean"] for d in distributions], [d["standard_deviation"] for d in distributions],
-                  fmt="ko-", capsize=3, label="mean, standard deviation")
-    quartiles = [d["five_numbers"] for d in distributions]
-    axes.fill_between(x, [q[1] for q in quartiles], [q[3] for q in quartiles], alpha=0.2, label="quartiles")
+def plot_distribution(axes, x, groups, field, title):
+    """Of the disks of a scene; of several seeds the means of what tells of each."""
+    def mean(of):
+        return over_seeds(groups, lambda m: of(m[field]))[0]
+
+    axes.errorbar(x, mean(lambda d: d["mean"]), mean(lambda d: d["standard_deviation"]), fmt="ko-", capsize=3,
+                  label="mean, standard deviation")
+    axes.fill_between(x, mean(lambda d: d["five_numbers"][1]), mean(lambda d: d["five_numbers"][3]), alpha=0.2,
+                      label="quartiles")
     axes.set_title(title)
     legend_below(axes, 2)
 
 
-def plot_frequency(axes, members, key, title):
+def plot_frequency(axes, groups, key, title):
     colors = ["green", "gold", "blue", "red", "black"]
-    for member, color in zip(members, colors):
-        interval = member["frequency_interval"]
-        values = member[key]
-        axes.plot([interval * (i + 1) for i in range(len(values))], values, color=color, linewidth=1,
-                  label=f"{member['restitution']:g}")
+    for group, color in zip(groups, colors):
+        interval, bins = group[0]["frequency_interval"], len(group[0][key])
+        times = [interval * (i + 1) for i in range(bins)]
+        of_bins = [[member[key][i] for member in group] for i in range(bins)]
+        means = [statistics.fmean(v) for v in of_bins]
+        axes.plot(times, means, color=color, linewidth=1, label=f"{group[0]['restitution']:g}")
+        if len(group) > 1:
+            spread = [statistics.pstdev(v) for v in of_bins]
+            axes.fill_between(times, [m - s for m, s in zip(means, spread)], [m + s for m, s in zip(means, spread)],
+                              color=color, alpha=0.15, linewidth=0)
     axes.set_xlabel("time")
     axes.set_ylim(bottom=0)
     axes.set_title(title)
-    legend_below(axes, len(members))
+    legend_below(axes, len(groups))
 
 
 def draw(experiment, directory):
     name, members = experiment["set"], experiment["members"]
     field, label, number = AXES[name]
-    x = [member[field] for member in members]
+    groups = [list(group) for _, group in itertools.groupby(members, lambda member: member["k"])]
+    seeds = max(len(group) for group in groups)
+    x = [group[0][field] for group in groups]
     panels = []
     if name in ("reference", "speed"):
-        panels.append(lambda axes: plot_total_time(axes, x, members))
+        panels.append(lambda axes: plot_total_time(axes, x, groups))
     if name == "reference":
-        panels.append(lambda axes: plot_steps(axes, x, members))
+        panels.append(lambda axes: plot_steps(axes, x, groups))
     if name in ("speed", "size", "density"):
-        panels.append(lambda axes: plot_counts(axes, x, [occurred(m) for m in members], "events occurring"))
+        panels.append(lambda axes: plot_counts(axes, x, groups, occurred, "events occurring"))
     if name == "speed" and all("predicted" in m for m in members):
-        panels.append(lambda axes: plot_predicted(axes, x, [predicted(m) for m in members]))
+        panels.append(lambda axes: plot_predicted(axes, x, groups))
     if name in ("size", "density"):
-        panels.append(lambda axes: plot_distribution(axes, x, [m["neighbor_distance"] for m in members],
+        panels.append(lambda axes: plot_distribution(axes, x, groups, "neighbor_distance",
                                                      "distance to first neighbours"))
-        panels.append(lambda axes: plot_distribution(axes, x, [m["speed_at_end"] for m in members],
-                                                     "speed of the disks"))
+        panels.append(lambda axes: plot_distribution(axes, x, groups, "speed_at_end", "speed of the disks"))
     if name == "restitution":
-        panels.append(lambda axes: plot_frequency(axes, members, "flip_frequency", "flips per 10 time units"))
-        panels.append(lambda axes: plot_frequency(axes, members, "collision_frequency",
+        panels.append(lambda axes: plot_frequency(axes, groups, "flip_frequency", "flips per 10 time units"))
+        panels.append(lambda axes: plot_frequency(axes, groups, "collision_frequency",
                                                   "collisions per 10 time units"))
     figure, all_axes = pyplot.subplots(1, len(panels), figsize=(5.5 * len(panels), 4), squeeze=False)
     for panel, axes in zip(panels, all_axes[0]):
         axes.set_xlabel(label)
         panel(axes)
     figure.suptitle(f"After Fig. {number}: {name}, scale {experiment['scale']:g}, "
-                    f"time {members[0]['horizon']:g}")
+                    f"time {members[0]['horizon']:g}" + (f", {seeds} seeds" if seeds > 1 else ""))
     figure.tight_layout()
     for extension in ("png", "svg"):
         metadata = {"Date": None} if extension == "svg" else {"Software": None}

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "history/error.h"
+#include "history/file_bytes.h"
 #include "history/json_text.h"
 
 namespace voroproof::internal {
@@ -9,12 +11,53 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::string_view format_name = "voroproof-experiment";
+constexpr std::uint64_t longest_file = std::uint64_t{1} << 28;
+
 Json distribution_json(const Distribution& d) {
   return {{"count", d.count},
           {"mean", d.mean},
           {"standard_deviation", d.deviation},
           {"five_numbers", {d.least, d.lower_quartile, d.median, d.upper_quartile, d.greatest}}};
 }
+
+// The line of a member in the table.
+std::string csv_line(const std::string& set, const Json& member) {
+  const auto real = [](const Json& value) { return number_text(value.get<double>()); };
+  const auto count = [](const Json& value) { return std::to_string(value.get<std::uint64_t>()); };
+  const auto predicted = [&](const char* what) {
+    return member.contains("predicted") ? count(member.at("predicted").at(what)) : std::string();
+  };
+  const Json &collisions = member.at("collisions"), &distance = member.at("neighbor_distance"),
+             &speed = member.at("speed_at_end");
+  const std::vector<std::string> fields{set,
+                                        count(member.at("k")),
+                                        count(member.at("n")),
+                                        real(member.at("speed")),
+                                        real(member.at("rmax")),
+                                        real(member.at("density")),
+                                        real(member.at("restitution")),
+                                        count(member.at("seed")),
+                                        real(member.at("horizon")),
+                                        member.at("outcome").get<std::string>(),
+                                        real(member.at("t")),
+                                        count(member.at("flips")),
+                                        count(collisions.at("disks")),
+                                        count(collisions.at("container")),
+                                        predicted("flips"),
+                                        predicted("flips_before_contact"),
+                                        predicted("roots"),
+                                        predicted("collisions"),
+                                        real(distance.at("mean")),
+                                        real(distance.at("standard_deviation")),
+                                        real(speed.at("mean")),
+                                        real(speed.at("standard_deviation"))};
+  std::string line;
+  for (std::size_t f = 0; f < fields.size(); ++f) line += (f == 0 ? "" : ",") + fields[f];
+  return line + '\n';
+}
+
+}  // namespace
 
 Json member_json(const ExperimentMember& member, bool predictions) {
   const ReferenceOptions& options = member.options;
@@ -58,18 +101,10 @@ Json member_json(const ExperimentMember& member, bool predictions) {
   return json;
 }
 
-}  // namespace
-
 std::string experiment_json(const Experiment& experiment) {
-  Json json;
-  json["format"] = "voroproof-experiment";
-  json["version"] = 1;
-  json["producer"] = experiment.producer;
-  json["set"] = experiment.set;
-  json["scale"] = experiment.scale;
-  json["members"] = Json::array();
-  for (const ExperimentMember& member : experiment.members)
-    json["members"].push_back(member_json(member, experiment.predictions));
+  const Json json = {{"format", format_name},           {"version", 1},
+                     {"producer", experiment.producer}, {"set", experiment.set},
+                     {"scale", experiment.scale},       {"members", experiment.members}};
   return json.dump(1) + "\n";
 }
 
@@ -80,38 +115,28 @@ std::string experiment_csv(const Experiment& experiment) {
       "collisions,"
       "neighbor_distance_mean,"
       "neighbor_distance_deviation,speed_mean,speed_deviation\n";
-  for (const ExperimentMember& member : experiment.members) {
-    const ReferenceOptions& o = member.options;
-    const ExperimentRun& run = member.run;
-    const bool predicted = experiment.predictions && run.outcome.kind == Outcome::Kind::complete;
-    const auto count = [](std::uint64_t c) { return std::to_string(c); };
-    const std::vector<std::string> fields{
-        experiment.set,
-        std::to_string(member.k),
-        std::to_string(run.disks),
-        number_text(o.speed),
-        number_text(o.rmax),
-        number_text(o.density),
-        number_text(o.restitution),
-        count(o.seed),
-        number_text(o.horizon),
-        name_of(run.outcome.kind),
-        number_text(run.outcome.t),
-        count(run.stats.flip_count()),
-        count(run.stats.disk_collisions),
-        count(run.stats.wall_collisions),
-        predicted ? count(run.predicted_flips) : "",
-        predicted ? count(run.predicted_flips_before_contact) : "",
-        predicted ? count(run.predicted_roots) : "",
-        predicted ? count(run.predicted_collisions) : "",
-        number_text(run.neighbor_distance.mean),
-        number_text(run.neighbor_distance.deviation),
-        number_text(run.speed.mean),
-        number_text(run.speed.deviation)};
-    for (std::size_t f = 0; f < fields.size(); ++f) text += (f == 0 ? "" : ",") + fields[f];
-    text += '\n';
-  }
+  for (const Json& member : experiment.members) text += csv_line(experiment.set, member);
   return text;
+}
+
+Experiment read_experiment(const std::string& path) {
+  Experiment experiment;
+  try {
+    const Json json = Json::parse(file_bytes(path, longest_file));
+    if (json.at("format") != format_name || json.at("version") != 1) {
+      throw InputError(path, 0, "format", "not of an experiment");
+    }
+    experiment.producer = json.at("producer");
+    experiment.set = json.at("set");
+    experiment.scale = json.at("scale");
+    for (const Json& member : json.at("members")) {
+      csv_line(experiment.set, member);  // what others ask for is there
+      experiment.members.push_back(member);
+    }
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(path, 0, "", "not of an experiment");
+  }
+  return experiment;
 }
 
 }  // namespace voroproof::internal

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/run/partial_file.h"
 #include "library/shard_file.h"
 
 namespace voroproof::internal {
@@ -11,27 +12,22 @@ namespace voroproof::internal {
 // The file REPORT.partial: a shard that begins where the run began and ends where it had come to.
 class BegunCertificate {
  public:
-  explicit BegunCertificate(const std::string& report) : path_(report + ".partial") {}
+  explicit BegunCertificate(const std::string& report) : file_(report, "voroproof-shard") {}
 
-  const std::string& path() const { return path_; }
+  const std::string& path() const { return file_.path(); }
 
-  // Throws UsageError where something else than what a run leaves has its name: it would be
-  // replaced, and removed at the end.
-  void require_replaceable() const;
+  // Throws UsageError where something else than what a run leaves has its name.
+  void require_replaceable() const { file_.require_replaceable("--report"); }
 
   // What an earlier run of the same has left; nothing if it has left nothing. `wanted`: what it has
   // to be of. Throws InputError where it is of something else.
   std::optional<Shard> find(const ShardFile& wanted) const;
 
-  // Replaces it. A disk that is full is no reason to end the run: the user is told, once.
-  void keep(const ShardFile& so_far);
-
-  // The report says more.
-  void forget() const;
+  void keep(const ShardFile& so_far) { file_.keep(shard_text(so_far)); }
+  void forget() const { file_.forget(); }
 
  private:
-  std::string path_;
-  bool told_ = false;
+  PartialFile file_;
 };
 
 }  // namespace voroproof::internal

@@ -59,6 +59,17 @@ TEST_F(Plots, OfExperimentsHaveThePanelsOfThePapersFigures) {
   const std::string svg = directory_.read("restitution.svg");
   ASSERT_EQ(script("plot-experiments.py", file("restitution.json") + " -o " + file("")), 0);
   EXPECT_EQ(directory_.read("restitution.svg"), svg);
+  // Of several seeds there are bars, or bands.
+  for (const std::string set : {"density", "restitution"}) {
+    must({"experiment", set, "--scale", "0.02", "--horizon", "20", "--members", "2",
+          "--predictions", "off", "--seeds", "3", "-o", file("seeds.json"), "--quiet"});
+    const std::string one = directory_.read(set + ".svg");
+    ASSERT_EQ(script("plot-experiments.py", file("seeds.json") + " -o " + file("")), 0);
+    EXPECT_GT(count(directory_.read(set + ".svg"), "PolyCollection_") +
+                  count(directory_.read(set + ".svg"), "LineCollection_"),
+              count(one, "PolyCollection_") + count(one, "LineCollection_"))
+        << set;
+  }
   fails("plot-experiments.py", file("no.json"), "no.json: ");
   fails("plot-experiments.py", file("size.json") + " -o " + file("size.json"), "size.json: ");
 }
