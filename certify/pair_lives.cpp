@@ -82,7 +82,6 @@ void PairLives::end(std::span<const int> edges, const Moment& m, PairEnd why) {
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const auto pair = s_.replay.pair_of(edges[k]);
     if (front_.colliding && pair == *front_.colliding) {
-      // A claim answers a contact, not the meeting of two points.
       require_no_meeting(pair.first, pair.second, m);
     } else {
       end(edges[k], m, why, apart_.apart(k));
@@ -116,7 +115,10 @@ void PairLives::end_near(const std::vector<NearPairs::Pair>& pairs, const Moment
     const NearPairs::Pair& p = pairs[k];
     // Another window of the two has begun meanwhile: up to there they are proved.
     if (why == PairEnd::window && p.since >= m.lo) continue;
-    if (why == PairEnd::turn && front_.colliding == std::pair(p.i, p.j)) continue;
+    if (why == PairEnd::turn && front_.colliding == std::pair(p.i, p.j)) {
+      require_no_meeting(p.i, p.j, m);
+      continue;
+    }
     end({p.i, p.j, p.since, -1}, m, why, apart_.apart(k));
   }
 }

@@ -78,6 +78,7 @@ class PairLives {
   void prefetch(int edge) const { __builtin_prefetch(&since_[edge]); }
 
  private:
+  // Also of the two whose collision is claimed then: it answers a contact, not a meeting of points.
   void require_no_meeting(GenId i, GenId j, const Moment& m);
   int watching(int edge, int besides = -1) const;
   Open life_of(int edge) const;

@@ -239,6 +239,18 @@ TEST(CollisionsOnly, SmallScenes) {
 
 // Two that are through each other and turn away, all within the tolerance: an answer may still come
 // when their boxes have parted, and does not.
+// They have no law; a collision of the two that is claimed soon after is none of their meeting.
+TEST(CollisionsOnly, PointsThatMeetBeforeTheirClaim) {
+  const Scene scene =
+      scene_of(16, 2, {disk(4.875, -0.875, 0, 0.25, 1.75), disk(4.75, 0, 0, 0.5, 0)});
+  CollideEvent late{.t = 0.5000004998509884, .i = 0, .j = 1};
+  late.p = {Vec2{5.000000124962747, 8.747392296615253e-7}, Vec2{5.0000002499254945, 0}};
+  const Certificate c =
+      certify(scene, history_of(scene, {}, {late}), collisions_only(Truth::recorded));
+  EXPECT_EQ(c.verdict, Verdict::undecided) << reason_line(c);
+  EXPECT_NE(reason_line(c).find("meet"), std::string::npos) << reason_line(c);
+}
+
 TEST(CollisionsOnly, NeverAnsweredAfterTurningAway) {
   const Rational tiny(1, 1'000'000);
   Scene scene = scene_of(100, 2, {disk(-40, 0, tiny, 40, 0, 1), disk(40, 0, tiny, -40, 0, 1)});
