@@ -33,6 +33,13 @@ Moment Turns::contact_of(const CollideEvent& claim) {
                     "generators " + text_of(i, j) + " do not touch under their present motion",
                     motion_witness(s_.motion, {i, j}, claimed));
   }
+  if (i != container_id && s_.points.is_point(i) && s_.points.is_point(j)) {
+    // They meet then, and do not approach there: the gap has a double root.
+    pairs_.exact().require_no_meeting(i, j, Moment::at(claimed + s_.options.tolerance));
+    refuter_.refute(Fault::spurious_event,
+                    "generators " + text_of(i, j) + " are points that do not meet by then",
+                    motion_witness(s_.motion, {i, j}, claimed));
+  }
   const Moment m = pairs_.exact().moment_of(i, j, c);
   if (m.hi >= s_.horizon_down && s_.chronology.compare(m, Moment::at(s_.last_instant)) > 0) {
     refuter_.refute(Fault::spurious_event, "generators " + text_of(i, j) + " touch " +

@@ -140,6 +140,7 @@ class Contacts {
     if (c.first == 0 && by_[c.id[0]] >= 0 && by_[c.id[0]] == by_[c.id[1]]) {
       refute(name(two) + " have just collided and part since");
     }
+    require_no_meeting(two, c.t);
     const Gap g = gap(two);
     const When entry(g, out(two));
     const bool enters = g.has_roots() && entry.against(g.start) >= 0;
@@ -188,9 +189,7 @@ class Contacts {
   void require_no_meeting(Two two, const Rat& t) const {
     const auto require = [&](int i, int j) {
       if (i == j || p_.radius(j) != 0) return;
-      const Gap g = gap({i, j});
-      const Rat nearest = g.a > 0 ? Rat(g.start - g.b / g.a) : g.start;
-      if (nearest < g.start || nearest > t || g.value(nearest) != 0) return;
+      if (!gap({i, j}).meet(t)) return;
       const std::string why = "points " + std::to_string(i) + " and " + std::to_string(j) + " meet";
       throw Stop{Verdict::undecided, why, 0, true};
     };

@@ -29,6 +29,11 @@ struct Gap {
   Rat value(const Rat& t) const { return (a * (t - start) + 2 * b) * (t - start) + c; }
   Rat slope(const Rat& t) const { return a * (t - start) + b; }  // half the derivative
   bool has_roots() const { return a > 0 && b * b > a * c; }
+  // Of two points: whether they meet up to t.
+  bool meet(const Rat& t) const {
+    const Rat nearest = a > 0 ? Rat(start - b / a) : start;
+    return nearest >= start && nearest <= t && value(nearest) == 0;
+  }
 };
 
 // A walk along the claims: the diagram and the leg on which each generator is.

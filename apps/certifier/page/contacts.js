@@ -148,6 +148,7 @@ class ContactCheck {
     if (claim.first === 0 && this.by[i] >= 0 && this.by[i] === this.by[j]) {
       refute(`${name} have just collided and part since`, witness);
     }
+    this.requireNoMeeting(two, claim.t);
     const gap = this.gap(two), entry = new GapRoot(gap, this.out(two));
     const enters = gap.hasRoots && entry.against(gap.start) >= 0;
     this.continues = false;
@@ -199,8 +200,8 @@ class ContactCheck {
 
   requireApart(i, j, t) {
     if (i === j || this.problem.radius(j).sign !== 0) return;
-    const gap = this.gap([i, j]), time = gap.a.sign > 0 ? gap.nearest : gap.start;
-    if (time.less(gap.start) || t.less(time) || gap.value(time).sign !== 0) return;
+    const time = this.gap([i, j]).meeting(t);
+    if (time === null) return;
     throw new Stop("UNDECIDED", `points ${i} and ${j} meet`, { witness: { t: time, pair: [i, j] }, isLast: true });
   }
 

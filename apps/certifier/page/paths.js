@@ -37,6 +37,12 @@ class Gap {
   get nearest() {
     return this.start.minus(this.b.over(this.a));
   }
+
+  // Of two points: when they meet, where that is not after t; else null.
+  meeting(t) {
+    const time = this.a.sign > 0 ? this.nearest : this.start;
+    return time.less(this.start) || t.less(time) || this.value(time).sign !== 0 ? null : time;
+  }
 }
 
 // Follows the claims in the order of the file, and adds to each generator's legs.
@@ -168,6 +174,8 @@ class PathTracer {
   // When the two come into contact next, if that is rational.
   exactContact(claim) {
     const [i, j] = claim.ids, gap = new Gap(this.leg(i), this.leg(j));
+    const latest = claim.t.plus(this.problem.tolerance);
+    if (i !== CONTAINER && this.problem.reach(i, j).sign === 0 && gap.meeting(latest)) undecided("two points that meet", this.witness);
     if (!gap.hasRoots) this.refute(`generators ${i} and ${j} do not touch`);
     const [above, below] = gap.discriminant.terms, root = Fraction.ratio(wholeRoot(above), wholeRoot(below));
     if (!root.square().equals(gap.discriminant)) {

@@ -50,6 +50,18 @@ def points(rng):
                          mass=lambda: rng.uniform(0.5, 2)))
 
 
+def meeting(rng):
+    """Two points that meet, exactly, alone or among others."""
+    t, place = rng.choice([0.25, 0.5, 1.0]), (rng.randint(-24, 24) / 8, rng.randint(-24, 24) / 8)
+    disks = []
+    for _ in range(2):
+        v = (rng.randint(-16, 16) / 8, rng.randint(-16, 16) / 8)
+        disks.append((place[0] - t * v[0], place[1] - t * v[1], 0.0, *v, 1.0))
+    others = scatter(rng, rng.randint(0, 3), 10, lambda: rng.uniform(0.1, 1), lambda: rng.uniform(0, 2))
+    disks += [d for d in others if all(math.dist(d[:2], point[:2]) > d[2] for point in disks[:2])]
+    return Scene((0.0, 0.0), 10.0, rng.choice([t, 2.0, 4.0]), disks)
+
+
 def lattice(rng):
     """Whole numbers: disks touch at 0, collide at the same instants, at maneuvers, and at the horizon."""
     n = rng.randint(2, 9)
@@ -147,8 +159,8 @@ def hasty(rng):
     return Scene((0.0, 0.0), 10.0, max(2e-6, rng.uniform(5, 80) / fast), disks)
 
 
-FAMILIES = {f.__name__: f for f in (generic, tiny_fast, points, lattice, maneuvers, near_miss, inelastic, far, scaled,
-                                    at_wall, crossing, hasty)}
+FAMILIES = {f.__name__: f for f in (generic, tiny_fast, points, meeting, lattice, maneuvers, near_miss, inelastic, far,
+                                    scaled, at_wall, crossing, hasty)}
 
 FAULTS = ["none", "missed", "late", "early", "false", "doubled", "restitution", "mass", "radius", "mirrored", "perturbed",
           "maneuver missed", "maneuver velocity", "maneuver late",

@@ -97,6 +97,13 @@ class Lines:
         nearest = x if self.a == 0 else min(max(self.since - self.b / self.a, x), y)
         return self.distance2(nearest) >= (self.reach - self.rounding) ** 2
 
+    def meet(self, end):
+        """Whether two points are at one place in [since, end]."""
+        if self.wall or self.reach > 0:
+            return False
+        nearest = self.since if self.a == 0 else min(max(self.nearest(), self.since), end)
+        return self.distance2(nearest) == 0
+
     def nearest(self):
         return self.since - self.b / self.a if self.a > 0 else None
 
@@ -138,6 +145,8 @@ class Recorded:
     def end_lines(self, pair, end):
         """The lines of the pair end: their overlaps are joined to those before."""
         lines = self.lines(pair)
+        if lines.meet(end):
+            raise Wrong(f"{pair} are points and meet, which has no law")
         before = self.progress.pop(pair, None)
         if end == lines.since:
             if before is not None:
