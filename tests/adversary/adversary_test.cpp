@@ -84,6 +84,14 @@ TEST(Adversary, LooksSoonAfterATurn) {
   EXPECT_EQ(wrong, 1);
 }
 
+// Two flips that are wrong only together, and nothing is looked at between them and the horizon.
+TEST(Adversary, OracleLeavesOpenWhatTheHorizonHides) {
+  Campaign campaign(false);
+  campaign.run(1900138724, Family::crowded, {}, expect_no_find);
+  EXPECT_EQ(campaign.by_kind().at({"rewritten", static_cast<int>(Truth::recorded)}).oracle_unclear,
+            1);
+}
+
 // cases/NAME.scene.json, NAME.history.jsonl and NAME.verdict: lines "truth verdict".
 TEST(Adversary, SavedCases) {
   const std::filesystem::path folder(VOROPROOF_ADVERSARY_CASES);

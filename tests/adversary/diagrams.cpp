@@ -161,11 +161,15 @@ int legality(const Motion& motion, const Edge& q, Wide t) {
   return a > 0 && b > 0 ? 1 : a < 0 && b < 0 ? -1 : 0;
 }
 
-// A claimed flip, alone: does the edge collapse within the tolerance of the claimed time?
-Opinion judge_flip(const Motion& motion, const Line& line, double horizon, bool company) {
+// A claimed flip, alone: does the edge collapse within the tolerance of the claimed time? Diagrams
+// are looked at up to `end`. Of flips in company only what is looked at after them shows whether
+// all of them are right.
+Opinion judge_flip(const Motion& motion, const Line& line, double horizon, double end,
+                   bool company) {
   const double lo = std::max(0.0, line.t - tolerance), hi = line.t + tolerance;
   const int before = legality(motion, line.edge, lo), after = legality(motion, line.edge, hi);
   if (before == 1 && after == -1) {
+    if (company && hi >= end) return unclear("flips of the same generators before the horizon");
     const bool in_time = hi <= horizon || legality(motion, line.edge, horizon) == -1;
     return in_time ? Opinion{} : unclear("a flip that may be after the horizon");
   }
@@ -261,7 +265,7 @@ Opinion judge_diagrams(const Motion& motion, const History& history, double end,
       }
     }
     if (!claimed.flip(line.edge)) return wrong("a flip of an edge that is not there");
-    const Opinion o = judge_flip(motion, line, history.horizon, company);
+    const Opinion o = judge_flip(motion, line, history.horizon, end, company);
     if (take(o)) return o;
   }
   return doubt;
