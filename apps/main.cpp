@@ -38,6 +38,7 @@ void describe(Verb& program) {
   add_page(program);
   add_validate(program);
   add_certify(program);
+  add_index(program);
   add_clearance(program);
   add_explain(program);
   add_convert(program);

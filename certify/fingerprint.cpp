@@ -1,5 +1,7 @@
 #include "certify/fingerprint.h"
 
+#include <sstream>
+
 namespace voroproof::internal {
 
 void Fingerprint::add_piece() {
@@ -87,6 +89,15 @@ void Fingerprint::add(const HistoryHeader& header) {
 std::string Fingerprint::hex() {
   add_piece();
   return sha_.hex();
+}
+
+std::string fingerprint_of(const Scene& scene, const HistoryHeader& header) {
+  std::ostringstream text;
+  write_scene(text, scene);
+  Fingerprint fingerprint;
+  fingerprint.add(text.view());
+  fingerprint.add(header);
+  return fingerprint.hex();
 }
 
 }  // namespace voroproof::internal

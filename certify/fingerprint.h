@@ -11,6 +11,7 @@
 
 #include "history/events.h"
 #include "history/history_file.h"
+#include "history/scene.h"
 #include "history/sha256.h"
 
 namespace voroproof::internal {
@@ -52,5 +53,8 @@ class Fingerprint {
   std::size_t used_ = 0;
   Sha256 sha_;
 };
+
+// Of all that is judged of a scene, and of a history before its first line.
+std::string fingerprint_of(const Scene& scene, const HistoryHeader& header);
 
 }  // namespace voroproof::internal

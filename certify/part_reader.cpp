@@ -1,9 +1,10 @@
 #include "certify/part_reader.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
+
+#include "history/error.h"
 
 namespace voroproof::internal {
 
@@ -88,20 +89,38 @@ PartReader::PartReader(const Scene& scene, const MotionInput& input, HistorySour
       ahead_(kAhead),
       before_(replay_) {
   if (!marks) return;
-  std::ostringstream text;
-  write_scene(text, scene);
+  offset_ = history.offset();
+  header_sha256_ = fingerprint_of(scene, header_);
+  begin_marks(header_sha256_);
+}
+
+void PartReader::start_at(const IndexedCut& start) {
+  const Cut& cut = start.cut;
+  replay_.read(start);
+  if (!history_.skip_to({cut.offset, cut.line, cut.t, cut.claims})) {
+    throw InputError(start.file, 0, "", "the history is none that can be read from the middle");
+  }
+  before_ = replay_;
+  number_ = static_cast<std::size_t>(cut.part);
+  begin_ = cut.t;
+  in_parts_ = static_cast<std::size_t>(cut.claims.all());
+  taken_ = cut.claims;
+  line_ = cut.line;
+  offset_ = cut.offset;
+  begin_marks(cut.claims_sha256);
+  // Behind a cut there is a claim.
+  if (!next_claim()) throw InputError(start.file, start.line, "cut.offset", "no event follows");
+}
+
+void PartReader::begin_marks(const std::string& claims_sha256) {
+  claims_sha256_ = claims_sha256;
   fingerprint_.emplace();
-  fingerprint_->add(text.view());
-  fingerprint_->add(header_);
-  mark();
+  fingerprint_->add(std::string_view(claims_sha256_));
 }
 
 // A part begins.
 void PartReader::mark() {
-  if (!fingerprint_) return;
-  claims_sha256_ = fingerprint_->hex();
-  fingerprint_.emplace();
-  fingerprint_->add(std::string_view(claims_sha256_));
+  if (fingerprint_) begin_marks(fingerprint_->hex());
 }
 
 Cut PartReader::cut() const {
@@ -109,8 +128,10 @@ Cut PartReader::cut() const {
   replay_.add_to(state);
   return {static_cast<std::int64_t>(number_),
           begins_at(),
-          static_cast<std::int64_t>(in_parts_),
+          taken_,
           line_,
+          offset_,
+          header_sha256_,
           claims_sha256_,
           state.hex()};
 }
@@ -123,7 +144,7 @@ const PartReader::ReadClaim* PartReader::next_claim() {
     exhausted_ = !event;
     if (!event) break;
     replay_.prefetch(*event);
-    ahead_.push_back(ReadClaim(std::move(*event), history_.line()));
+    ahead_.push_back(ReadClaim(std::move(*event), history_.line(), history_.offset()));
   }
   return ahead_.empty() ? nullptr : &ahead_.front();
 }
@@ -135,6 +156,8 @@ void PartReader::take_next_claim() {
   places_.push_back(place.value_or(Replay::Place{}));
   last_ = time(claim.event);
   line_ = claim.line;
+  offset_ = claim.offset;
+  taken_.add(claim.event);
   if (fingerprint_) fingerprint_->add(claim.event, claim.line);
   claims_.add(std::move(claim.event), claim.line);
   ahead_.pop_front();

@@ -53,6 +53,11 @@ class PartReader {
   PartReader(const Scene& scene, const MotionInput& input, HistorySource& history,
              const CertifyOptions& options, std::vector<std::string>& remarks, bool marks = false);
 
+  // Goes on at the cut, which is taken at its word: what next() gives then is what it gives behind
+  // the cut of that name, if there is one. Before the first next(). Throws InputError where the
+  // state is none of this scene, or the history cannot be read from there. Precondition: marks.
+  void start_at(const IndexedCut& start);
+
   // The header, with the initial diagram once the first part has been read.
   const HistoryHeader& header() const { return header_; }
 
@@ -65,14 +70,18 @@ class PartReader {
   // The number of the next part, and when it begins.
   std::size_t number() const { return number_; }
   double begins_at() const { return begin_.value_or(0); }
+  // The bytes of the history before it, and what these claims lead to.
+  std::int64_t offset() const { return offset_; }
+  const Replay& replay() const { return replay_; }
   // The place before the next part. Preconditions: marks, !done().
   Cut cut() const;
 
  private:
   struct ReadClaim {
-    ReadClaim(Event&& e, std::int64_t l) : event(std::move(e)), line(l) {}
+    ReadClaim(Event&& e, std::int64_t l, std::int64_t o)
+        : event(std::move(e)), line(l), offset(o) {}
     Event event;
-    std::int64_t line;
+    std::int64_t line, offset;
   };
   class Section;
 
@@ -83,6 +92,7 @@ class PartReader {
   bool may_end() const;
   std::size_t least_size(double t) const;
   std::optional<Part> last_part();
+  void begin_marks(const std::string& claims_sha256);
   void mark();
 
   const MotionInput& input_;
@@ -104,10 +114,12 @@ class PartReader {
   Replay before_;
   std::optional<double> begin_;
   std::size_t in_parts_ = 0;  // claims, of all parts before it
-  std::int64_t line_ = 1;     // the last taken
+  // Of all claims taken.
+  HistoryCounts taken_;
+  std::int64_t line_ = 1, offset_ = 0;  // of the last
   // Of the claims of the present part, and of the parts before it.
   std::optional<Fingerprint> fingerprint_;
-  std::string claims_sha256_;  // of the parts before it
+  std::string header_sha256_, claims_sha256_;  // the latter of the parts before it
   // Whether the claims so far make sense. The others are left to the last part, to say why not.
   bool clear_ = true;
   bool done_ = false;

@@ -21,12 +21,6 @@ namespace voroproof::internal {
 
 namespace {
 
-// The number of the shard in whose slice of time the part is that begins at t.
-int shard_of(double t, double horizon, int of) {
-  if (!(horizon > 0)) return 1;
-  return std::min(of, 1 + static_cast<int>(t / horizon * of));
-}
-
 // Parts are read in their order, proved by all threads, and their results added in their order.
 class PartwiseCertifier {
  public:
@@ -60,6 +54,7 @@ class PartwiseCertifier {
   // Reads what is before the first part to be proved.
   void skip() {
     if (task_ == nullptr) return;
+    if (task_->start) reader_.start_at(*task_->start);
     while (!reader_.done() && is_before_shard()) {
       if (options_.monitor && !options_.monitor(reader_.begins_at(), 0)) {
         throw CertificationInterrupted{};

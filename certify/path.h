@@ -8,6 +8,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "exact/compact_rational.h"
 #include "filtered/numbers/dd_ball.h"
@@ -16,6 +17,7 @@
 namespace voroproof::internal {
 
 class Fingerprint;
+class JsonReader;
 
 // A number held exactly as a sum of doubles that do not overlap (J. R. Shewchuk, "Adaptive
 // precision floating-point arithmetic and fast robust geometric predicates", Discrete Comput. Geom.
@@ -32,6 +34,9 @@ class DyadicSum {
   DdBall near() const;  // an enclosure
   Rational exact() const;
   void add_to(Fingerprint& fingerprint) const;  // the sum as it is held
+  // The same as text, a JSON array, and back. Throws InputError where it is no such sum.
+  void put(std::string& out) const;
+  static DyadicSum read(JsonReader& json);
 
  private:
   static constexpr int kMax = 6;
@@ -53,12 +58,20 @@ struct Velocity {
   explicit Velocity(const ExactVec2& v) : Velocity(v[0], v[1]) {}
   ExactVec2 value() const;
   void add_to(Fingerprint& fingerprint) const;
+  // As text, two numbers of a history with a comma between.
+  void put(std::string& out) const;
 };
 
 class Path {
  public:
   // The path from the point (x, y) at time 0.
   Path(const CompactRational& x, const CompactRational& y, const Velocity& v);
+
+  // The path since its last turn, at time t.
+  Path(double t, const DyadicSum& x, const DyadicSum& y, const Velocity& v)
+      : t_(t), x_(x), y_(y), velocity_(v) {}
+  Path(const Rational& t, const ExactVec2& p, const Velocity& v)
+      : velocity_(v), exact_(std::make_shared<const Exact>(Exact{t, p})) {}
 
   // From the time t on, no earlier than the last, the disk goes on with velocity v.
   void turn(double t, const Velocity& v);
@@ -77,6 +90,10 @@ class Path {
   // An enclosure of the position at time t, on such a path.
   std::optional<std::array<DdBall, 2>> near(double t) const;
   void add_to(Fingerprint& fingerprint) const;
+  // As text, but for the velocity: the time of the last turn and both coordinates there, with
+  // commas between. Where the path is one of binary64 values, a number and two sums; else three
+  // strings.
+  void put(std::string& out) const;
 
  private:
   struct Exact {

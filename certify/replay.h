@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "topology/diagram.h"
 
 namespace voroproof::internal {
+
+class JsonReader;
 
 class Replay : public GivenMotion {
  public:
@@ -100,6 +103,11 @@ class Replay : public GivenMotion {
   std::optional<Place> take(const Event& event);
   // Recorded truth: all that this replay knows, and that what comes after it depends on.
   void add_to(Fingerprint& fingerprint) const;
+  // Recorded truth: the same as text, a JSON object (docs/formats.md, section 19).
+  void put(std::string& out) const;
+  // Becomes what that text says. Throws InputError where it is none of this scene, or has not the
+  // hash that the cut names.
+  void read(const IndexedCut& at);
   // Asks for the memory where take() will begin: of a flip, to look for the edge.
   void prefetch(const Event& event) const;
   // Asks for the memory of a disk's path and velocity.
@@ -112,6 +120,8 @@ class Replay : public GivenMotion {
 
  private:
   std::optional<HalfEdge> flip(const FlipEvent& claim);
+  void read_text(JsonReader& json);
+  void read_disk(JsonReader& json, std::size_t g);
 
   const Scene* scene_;
   const CertifyOptions* options_;

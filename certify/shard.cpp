@@ -5,6 +5,11 @@
 
 namespace voroproof::internal {
 
+int shard_of(double t, double horizon, int of) {
+  if (!(horizon > 0)) return 1;
+  return std::min(of, 1 + static_cast<int>(t / horizon * of));
+}
+
 void append(Certificate& total, Certificate&& next) {
   total.verdict = next.verdict;
   total.divergence = std::move(next.divergence);

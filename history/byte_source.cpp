@@ -48,6 +48,13 @@ std::size_t ByteSource::read(char* data, std::size_t size) {
   return expander_ ? expander_->read(data, size) : read_stored(data, size);
 }
 
+bool ByteSource::skip_to(std::int64_t offset) {
+  if (copy_ || expander_) return false;
+  if (lseek(descriptor_, static_cast<off_t>(offset), SEEK_SET) < 0) return false;
+  beginning_.clear();
+  return true;
+}
+
 std::size_t ByteSource::known_size() const {
   struct stat status {};
   if (copy_ || expander_ || fstat(descriptor_, &status) != 0) return 0;

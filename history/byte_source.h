@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -22,6 +23,10 @@ class ByteSource {
 
   // Up to `size` (> 0) bytes of the content; 0 at its end only.
   std::size_t read(char* data, std::size_t size);
+
+  // Goes on at this byte of the content, counted from 0. False, and nothing is done, where the
+  // content is not that of a plain file.
+  bool skip_to(std::int64_t offset);
 
   // How many bytes the content has, where that is known before it is read; 0 otherwise.
   std::size_t known_size() const;

@@ -31,6 +31,12 @@ struct HistoryHeader {
 
 struct HistoryCounts {
   std::int64_t flips = 0, collisions = 0, maneuvers = 0;
+  void add(const Event& event) {
+    ++(std::holds_alternative<FlipEvent>(event)      ? flips
+       : std::holds_alternative<CollideEvent>(event) ? collisions
+                                                     : maneuvers);
+  }
+  std::int64_t all() const { return flips + collisions + maneuvers; }
   bool operator==(const HistoryCounts&) const = default;
 };
 
@@ -118,6 +124,14 @@ bool is_complete_history(const std::string& path);
 inline constexpr std::size_t max_header_line = std::size_t{1} << 28;
 inline constexpr std::size_t max_event_line = std::size_t{1} << 20;
 
+// A place between two lines of a history file, and what reading them up to there has come to.
+struct HistoryPlace {
+  std::int64_t offset = 0;  // in bytes of the content
+  std::int64_t line = 0;    // the last before it
+  double t = 0;             // no line before the place is of a later time
+  HistoryCounts counts;     // of the events before it
+};
+
 // Reads a history line by line in bounded memory and checks everything that can be checked without
 // the scene. Keys may come in any order, edges be named either way and `initial` be in any order:
 // what is handed on is canonical. Every member throws InputError, naming the line; a
@@ -137,6 +151,14 @@ class HistoryReader {
 
   // The line of the event that next() gave last; after the last event, that of the last line.
   std::int64_t line() const { return lines_.number(); }
+
+  // The bytes of the content up to the end of that line.
+  std::int64_t offset() const { return lines_.offset(); }
+
+  // Goes on at the place, which is taken at its word. False, and nothing is done, where the file is
+  // no plain one. Throws InputError where no line ends there. Precondition: next() has not given
+  // nothing yet.
+  bool skip_to(const HistoryPlace& place);
 
   // Those of the line of the event that next() gave last; after the last event, of the last line.
   const Extensions& extensions() const { return extensions_; }

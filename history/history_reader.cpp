@@ -349,6 +349,14 @@ std::optional<Event> HistoryReader::next() {
   return maneuver_of(line);
 }
 
+bool HistoryReader::skip_to(const HistoryPlace& place) {
+  if (!lines_.skip_to(place.offset, place.line)) return false;
+  last_t_ = place.t;
+  last_exact_t_.reset();
+  counts_ = place.counts;
+  return true;
+}
+
 void HistoryReader::check_time(const Number& t, const char* field) {
   const bool decreases = t.exact || last_exact_t_
                              ? t.value() < last_exact_t_.value_or(to_rational(last_t_))

@@ -11,6 +11,8 @@ class NativeHistory : public HistorySource {
   const HistoryHeader& header() const override { return reader_.header(); }
   std::optional<Event> next() override { return reader_.next(); }
   std::int64_t line() const override { return reader_.line(); }
+  std::int64_t offset() const override { return reader_.offset(); }
+  bool skip_to(const HistoryPlace& place) override { return reader_.skip_to(place); }
   const std::variant<HistoryEnd, HistoryStop>& ending() const override { return reader_.ending(); }
   const HistoryCounts& counts() const override { return reader_.counts(); }
   bool counts_match() const override { return reader_.counts_match(); }

@@ -16,6 +16,10 @@ class HistorySource {
   // The next event; none at the end, however often one asks. Throws InputError.
   virtual std::optional<Event> next() = 0;
   virtual std::int64_t line() const = 0;
+  // The bytes of the file's content up to the end of that line; 0 where they are not counted.
+  virtual std::int64_t offset() const { return 0; }
+  // Goes on at the place, as HistoryReader does. False, and nothing is done, where it cannot.
+  virtual bool skip_to(const HistoryPlace&) { return false; }
   virtual const std::variant<HistoryEnd, HistoryStop>& ending() const = 0;
   virtual const HistoryCounts& counts() const = 0;
   virtual bool counts_match() const = 0;

@@ -23,6 +23,7 @@ std::optional<std::string_view> LineSource::next(std::size_t limit) {
     if (found) {
       begin_ += length + 1;
       ++number_;
+      offset_ += static_cast<std::int64_t>(length) + 1;
       return std::string_view(begin, length);
     }
     searched = available;
@@ -31,9 +32,23 @@ std::optional<std::string_view> LineSource::next(std::size_t limit) {
       const char* const rest = buffer_.data() + begin_;  // fill() may have moved it
       begin_ = end_;
       ++number_;
+      offset_ += static_cast<std::int64_t>(available);
       return std::string_view(rest, available);
     }
   }
+}
+
+bool LineSource::skip_to(std::int64_t offset, std::int64_t number) {
+  // The byte before shows whether a line ends there.
+  if (!source_.skip_to(offset - 1)) return false;
+  begin_ = end_ = 0;
+  if (!fill() || buffer_[0] != '\n') {
+    throw InputError(path_, 0, "", "no line ends at byte " + std::to_string(offset));
+  }
+  begin_ = 1;
+  number_ = number;
+  offset_ = offset;
+  return true;
 }
 
 bool LineSource::fill() {

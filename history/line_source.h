@@ -23,6 +23,12 @@ class LineSource {
 
   // The number of the line that next() gave last; 0 before the first.
   std::int64_t number() const { return number_; }
+  // The bytes up to the end of that line, its line end included.
+  std::int64_t offset() const { return offset_; }
+
+  // Goes on as if that line, which has that number, had been given. False, and nothing is done,
+  // where the input is no plain file. Throws InputError where no line ends there.
+  bool skip_to(std::int64_t offset, std::int64_t number);
 
  private:
   bool fill();  // reads more; false at the end of the file
@@ -31,7 +37,7 @@ class LineSource {
   ByteSource source_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // what is read and not yet given
-  std::int64_t number_ = 0;
+  std::int64_t number_ = 0, offset_ = 0;
 };
 
 }  // namespace voroproof::internal

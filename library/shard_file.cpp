@@ -1,6 +1,7 @@
 #include "library/shard_file.h"
 
 #include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -20,8 +21,12 @@ Json json(const std::optional<Cut>& cut) {
   if (!cut) return nullptr;
   return {{"part", cut->part},
           {"t", cut->t},
-          {"claims", cut->claims},
+          {"flips", cut->claims.flips},
+          {"collisions", cut->claims.collisions},
+          {"maneuvers", cut->claims.maneuvers},
           {"line", cut->line},
+          {"offset", cut->offset},
+          {"header_sha256", cut->header_sha256},
           {"claims_sha256", cut->claims_sha256},
           {"state_sha256", cut->state_sha256}};
 }
@@ -36,9 +41,15 @@ std::string read_hash(const JsonField& field) {
 
 std::optional<Cut> read_cut(const JsonField& field) {
   if (field.json().is_null()) return std::nullopt;
-  return Cut{read_count(field["part"]),         field["t"].number(),
-             read_count(field["claims"]),       read_count(field["line"]),
-             read_hash(field["claims_sha256"]), read_hash(field["state_sha256"])};
+  return Cut{.part = read_count(field["part"]),
+             .t = field["t"].number(),
+             .claims = {read_count(field["flips"]), read_count(field["collisions"]),
+                        read_count(field["maneuvers"])},
+             .line = read_count(field["line"]),
+             .offset = read_count(field["offset"]),
+             .header_sha256 = read_hash(field["header_sha256"]),
+             .claims_sha256 = read_hash(field["claims_sha256"]),
+             .state_sha256 = read_hash(field["state_sha256"])};
 }
 
 int read_small(const JsonField& field, int least, int most) {
@@ -49,7 +60,8 @@ int read_small(const JsonField& field, int least, int most) {
 
 // Which of what two cuts are made of is not the same.
 std::string difference(const Cut& a, const Cut& b) {
-  if (a.part != b.part || a.t != b.t) return "another place";
+  if (a.header_sha256 != b.header_sha256) return "another beginning of the history";
+  if (a.part != b.part || a.t != b.t || a.offset != b.offset) return "another place";
   if (a.claims != b.claims || a.line != b.line || a.claims_sha256 != b.claims_sha256) {
     return "other claims before it";
   }
@@ -66,6 +78,20 @@ std::string break_between(const Shard& before, const Shard& after) {
 }
 
 }  // namespace
+
+std::optional<std::pair<int, int>> part_of(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const auto whole = [&](std::size_t from, std::size_t to) {
+    int value = 0;
+    const char* const last = text.data() + to;
+    const auto [end, error] = std::from_chars(text.data() + from, last, value);
+    return error == std::errc() && end == last ? value : 0;
+  };
+  const int number = whole(0, slash), of = whole(slash + 1, text.size());
+  if (number < 1 || of < number || of > most_shards) return std::nullopt;
+  return std::pair(number, of);
+}
 
 std::string shard_text(const ShardFile& file) {
   const Certificate& c = file.shard.certificate;
@@ -164,7 +190,7 @@ ShardFile merge_shards(const std::vector<std::string>& paths) {
       }
     }
     if (!whole) {
-      if (!file.shard.begin || file.shard.begin->part != 0 || file.shard.begin->claims != 0) {
+      if (!file.shard.begin || file.shard.begin->part != 0 || file.shard.begin->claims.all() != 0) {
         refuse(path, "is shard " + name + " and does not begin with the history");
       }
       whole = std::move(file);

@@ -2,7 +2,9 @@
 // section 13).
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "certify/report.h"
@@ -11,6 +13,9 @@
 namespace voroproof::internal {
 
 inline constexpr int most_shards = 1'000'000;
+
+// The number of a shard, and of how many: "2/8" is {2, 8}. Nothing where the text is of no shard.
+std::optional<std::pair<int, int>> part_of(const std::string& text);
 
 // A shard, and what it is of.
 struct ShardFile {

@@ -46,6 +46,19 @@ Diagram first_diagram(const Scene& scene, const EngineOptions& options) {
   return diagram_at(run_to(scene, 0, options)->motion(), 0);
 }
 
+// The moment at t, read from an entry of the index on.
+RecordedMoment indexed_moment(const Scene& scene, const std::string& history_path,
+                              const Rational& t, const IndexFile& index,
+                              const EngineOptions& options) {
+  const auto history =
+      open_history(history_path, static_cast<int>(scene.disks.size()), scene.sha256);
+  if (auto known = start_at_entry(index, scene, *history, history_path, t)) {
+    return recorded_moment(*history, history_path, t, *std::move(known));
+  }
+  return recorded_moment(scene, *history, history_path, t, Move::colliding, true,
+                         [&] { return first_diagram(scene, options); });
+}
+
 DiagramFile assemble(const Scene& scene, const Rational& t, Places& places,
                      const Diagram& diagram) {
   DiagramFile file;
@@ -96,8 +109,10 @@ DiagramFile snapshot(const Scene& scene, const Rational& t, const EngineOptions&
 DiagramFile snapshot(const Scene& scene, const std::string& history_path, const Rational& t,
                      const EngineOptions& options, const SnapshotWay& way) {
   const bool by_flips = way.construct == Construct::by_flips;
-  const RecordedMoment recorded = recorded_moment(scene, history_path, t, way.move, by_flips,
-                                                  [&] { return first_diagram(scene, options); });
+  const RecordedMoment recorded =
+      way.index ? indexed_moment(scene, history_path, t, *way.index, options)
+                : recorded_moment(scene, history_path, t, way.move, by_flips,
+                                  [&] { return first_diagram(scene, options); });
   Places places = placed(scene, recorded, t, options);
   DiagramFile file = assemble(
       scene, t, places, by_flips ? *recorded.diagram : diagram_at(scene, history_path, t, options));

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "history/diagram_file.h"
 #include "history/scene.h"
 #include "kinetic/engine.h"
+#include "library/history_index.h"
 #include "queries/recorded_moment.h"
 
 namespace voroproof::internal {
@@ -28,6 +30,9 @@ enum class Construct {
 struct SnapshotWay {
   Move move = Move::colliding;
   Construct construct = Construct::by_flips;
+  // An index of the history, for Move::colliding and Construct::by_flips: it is read from the last
+  // entry before t to t, and the entry is taken at its word.
+  std::optional<IndexFile> index = std::nullopt;
   bool checked = true;  // by flips: a diagram with an illegal edge (illegal_edge.h) is refused
 };
 

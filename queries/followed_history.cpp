@@ -23,21 +23,37 @@ void check_covered(const HistorySource& history, const std::string& path, const 
   }
 }
 
+void check_horizon(const HistorySource& history, const std::string& name, const Rational& t) {
+  const Rational& horizon = history.header().horizon;
+  if (t <= horizon) return;
+  throw InputError(name, 1, "horizon",
+                   "the history covers [0, " + number_text(horizon) + "] only, and " +
+                       number_text(t) + " is asked for");
+}
+
+// Whether an event has happened at t: one at the horizon may have been rounded up with it.
+bool has_happened(const Event& event, const HistorySource& history, const Rational& t) {
+  return t == history.header().horizon || exact_time(event) <= t;
+}
+
 }  // namespace
 
 void follow_history(HistorySource& history, const std::string& name, const Rational& t,
                     const HistoryFollower& follower) {
-  const HistoryHeader& header = history.header();
-  if (t > header.horizon) {
-    throw InputError(name, 1, "horizon",
-                     "the history covers [0, " + number_text(header.horizon) + "] only, and " +
-                         number_text(t) + " is asked for");
-  }
-  follower.begin(header);
-  // An event at the horizon may have been rounded up with it.
-  const bool all = t == header.horizon;
+  check_horizon(history, name, t);
+  follower.begin(history.header());
   while (const std::optional<Event> event = history.next()) {
-    follower.event(*event, all || exact_time(*event) <= t, history.line());
+    follower.event(*event, has_happened(*event, history, t), history.line());
+  }
+  check_covered(history, name, t);
+}
+
+void follow_rest(HistorySource& history, const std::string& name, const Rational& t,
+                 const HistoryFollower& follower) {
+  check_horizon(history, name, t);
+  while (const std::optional<Event> event = history.next()) {
+    if (!has_happened(*event, history, t)) return;
+    follower.event(*event, true, history.line());
   }
   check_covered(history, name, t);
 }

@@ -24,6 +24,10 @@ struct HistoryFollower {
 // stopped at, where events may be missing.
 void follow_history(HistorySource& history, const std::string& name, const Rational& t,
                     const HistoryFollower& follower);
+// Shows what is left of a history of which something has been read, up to the first event later
+// than t, and reads no further. Throws InputError as follow_history() does.
+void follow_rest(HistorySource& history, const std::string& name, const Rational& t,
+                 const HistoryFollower& follower);
 // Reads and shows a history file, which must be a history of this scene.
 void follow_history(const Scene& scene, const std::string& path, const Rational& t,
                     const HistoryFollower& follower);

@@ -31,6 +31,11 @@ class RecordedStates {
     std::visit([&](const auto& kind) { follow_kind(kind); }, event);
   }
 
+  RecordedStates(std::optional<std::vector<RecordedState>> known, Move move)
+      : move_(move), known_(known.has_value()) {
+    if (known) states_ = *std::move(known);
+  }
+
   std::optional<std::vector<RecordedState>> take() {
     if (!known_) return std::nullopt;
     return std::move(states_);
@@ -72,6 +77,15 @@ class RecordedStates {
   bool known_ = true;
 };
 
+void flip(NamedDiagram& diagram, const FlipEvent& event, const std::string& name,
+          std::int64_t line) {
+  try {
+    diagram.flip(event.quad);
+  } catch (const std::invalid_argument& fault) {
+    throw InputError(name, line, "flip", fault.what());
+  }
+}
+
 }  // namespace
 
 RecordedMoment recorded_moment(const Scene& scene, const std::string& history_path,
@@ -95,19 +109,27 @@ RecordedMoment recorded_moment(const Scene& scene, HistorySource& history, const
   follower.event = [&](const Event& event, bool happened, std::int64_t line) {
     if (!happened) return;
     states.follow(event);
-    const auto* flip = std::get_if<FlipEvent>(&event);
-    if (flip == nullptr || !diagram) return;
-    try {
-      diagram->flip(flip->quad);
-    } catch (const std::invalid_argument& fault) {
-      throw InputError(name, line, "flip", fault.what());
-    }
+    const auto* f = std::get_if<FlipEvent>(&event);
+    if (f != nullptr && diagram) flip(*diagram, *f, name, line);
   };
   follow_history(history, name, t, follower);
   RecordedMoment moment;
   if (diagram) moment.diagram = diagram->take();
   moment.states = states.take();
   return moment;
+}
+
+RecordedMoment recorded_moment(HistorySource& history, const std::string& name, const Rational& t,
+                               RecordedMoment known) {
+  RecordedStates states(std::move(known.states), Move::colliding);
+  NamedDiagram diagram(*std::move(known.diagram));
+  HistoryFollower follower;
+  follower.event = [&](const Event& event, bool, std::int64_t line) {
+    states.follow(event);
+    if (const auto* f = std::get_if<FlipEvent>(&event)) flip(diagram, *f, name, line);
+  };
+  follow_rest(history, name, t, follower);
+  return {.diagram = diagram.take(), .states = states.take()};
 }
 
 }  // namespace voroproof::internal

@@ -42,6 +42,10 @@ struct RecordedMoment {
 RecordedMoment recorded_moment(const Scene& scene, const std::string& history_path,
                                const Rational& t, Move move, bool replay_flips,
                                const std::function<Diagram()>& initial);
+// The recorded moment at t of a history of which all up to `known`, a moment of it, has been read.
+// No more is read than up to t. Precondition: known.diagram.
+RecordedMoment recorded_moment(HistorySource& history, const std::string& name, const Rational& t,
+                               RecordedMoment known);
 // The recorded moment of a history of this scene that need be no file; `name` is for messages.
 RecordedMoment recorded_moment(const Scene& scene, HistorySource& history, const std::string& name,
                                const Rational& t, Move move, bool replay_flips,

@@ -186,4 +186,27 @@ Diagram diagram_of(int disks, const std::vector<Quad>& edges) {
   return d;
 }
 
+Diagram numbered_diagram(int disks, const std::vector<GenId>& origins,
+                         const std::vector<Diagram::HalfEdge>& previous,
+                         const std::vector<Diagram::HalfEdge>& anchors) {
+  Diagram d(disks);
+  const auto halves = static_cast<Diagram::HalfEdge>(origins.size());
+  if (previous.size() != origins.size() || halves % 2 != 0 || anchors.size() != d.anchor_.size()) {
+    throw std::invalid_argument("wrong number of half-edges or anchors");
+  }
+  for (const Diagram::HalfEdge h : anchors) {
+    if (h < -1 || h >= halves) throw std::invalid_argument("an anchor is no half-edge");
+  }
+  for (Diagram::HalfEdge h = 0; h < halves; ++h) {
+    if (origins[h] < container_id || origins[h] >= disks) {
+      throw std::invalid_argument("there is no generator " + std::to_string(origins[h]));
+    }
+    d.halves_.push_back({origins[h], previous[h]});
+  }
+  d.anchor_ = anchors;
+  std::string why;
+  if (!d.is_valid(&why)) throw std::invalid_argument(why);
+  return d;
+}
+
 }  // namespace voroproof::internal

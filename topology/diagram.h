@@ -76,6 +76,9 @@ class Diagram {
   };
 
   friend Diagram diagram_of(int disks, const std::vector<Quad>& edges);
+  friend Diagram numbered_diagram(int disks, const std::vector<GenId>& origins,
+                                  const std::vector<HalfEdge>& previous,
+                                  const std::vector<HalfEdge>& anchors);
   HalfEdge new_edge(GenId a, GenId b);
   void link(HalfEdge a, HalfEdge b, HalfEdge c);
 
@@ -106,5 +109,12 @@ Diagram::HalfEdge find_edge(const Diagram& diagram, const Quad& q);
 // header or a diagram file). Throws std::invalid_argument, with the reason, where
 // they are not those of a diagram of `disks` disks.
 Diagram diagram_of(int disks, const std::vector<Quad>& edges);
+
+// The diagram with these half-edges, by their numbers: where each starts and which is before it;
+// and these anchors, that of the container first. Throws std::invalid_argument as diagram_of()
+// does.
+Diagram numbered_diagram(int disks, const std::vector<GenId>& origins,
+                         const std::vector<Diagram::HalfEdge>& previous,
+                         const std::vector<Diagram::HalfEdge>& anchors);
 
 }  // namespace voroproof::internal

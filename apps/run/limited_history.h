@@ -24,6 +24,7 @@ class LimitedHistory final : public HistorySource {
 
   const HistoryHeader& header() const override { return whole_->header(); }
   std::int64_t line() const override { return whole_->line(); }
+  std::int64_t offset() const override { return whole_->offset(); }
   const HistoryCounts& counts() const override { return whole_->counts(); }
   bool counts_match() const override { return cut_ || whole_->counts_match(); }
   std::vector<std::string> remarks() const override { return whole_->remarks(); }

@@ -1,9 +1,9 @@
 // voroproof certify: is a history that of the scene?
 #include <algorithm>
-#include <charconv>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <tuple>
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
@@ -22,6 +22,7 @@
 #include "history/error.h"
 #include "history/json_text.h"
 #include "library/certification.h"
+#include "library/history_index.h"
 #include "library/maneuver_input.h"
 
 namespace voroproof::internal {
@@ -29,7 +30,7 @@ namespace {
 
 struct Request {
   std::string scene, history, report, truth = "exact", events = "all", tolerance = "1e-6",
-                                      law_tolerance = "1e-9", part;
+                                      law_tolerance = "1e-9", part, index;
   std::vector<std::string> shards;  // to be merged
   CertifyOptions options;
   std::uint64_t max_events = 0, checkpoint = 10;
@@ -102,20 +103,11 @@ void tell(const Request& request, const Certificate& certificate, const SecondWo
 // The shard that --part names, or the one of all parts.
 void read_part(const Request& request, ShardFile& file) {
   if (request.part.empty()) return;
-  const auto number = [&](const std::string& text) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() ? value : 0;
-  };
-  const std::size_t slash = request.part.find('/');
-  if (slash != std::string::npos) {
-    file.number = number(request.part.substr(0, slash));
-    file.of = number(request.part.substr(slash + 1));
-  }
-  if (slash == std::string::npos || file.number < 1 || file.of < file.number ||
-      file.of > most_shards) {
+  const auto part = part_of(request.part);
+  if (!part) {
     throw UsageError("--part: not I/N with 1 <= I <= N <= " + std::to_string(most_shards));
   }
+  std::tie(file.number, file.of) = *part;
 }
 
 void require_shards(const Request& request) {
@@ -127,6 +119,9 @@ void require_shards(const Request& request) {
       throw UsageError(option + ": only with --truth recorded, of all events");
     }
     if (request.report.empty()) throw UsageError(option + ": requires --report");
+  }
+  if (!request.index.empty() && request.part.empty() && !request.resume) {
+    throw UsageError("--index: only with --part or --resume, which begin in the middle");
   }
   if (request.resume && (is_stream(request.report) || is_standard_output(request.report))) {
     throw UsageError("--resume: what was written into a stream cannot be taken up");
@@ -149,10 +144,13 @@ void certify_shard_of(const Request& request, Claim& claim, const CertifyOptions
       task.from = file.shard.end;
       if (!request.quiet) {
         std::cerr << "voroproof: takes up " << printable(begun->path(), 4096)
-                  << " at t = " << number_text(task.from->t) << ", after " << task.from->claims
-                  << " events\n";
+                  << " at t = " << number_text(task.from->t) << ", after "
+                  << task.from->claims.all() << " events\n";
       }
     }
+  }
+  if (!request.index.empty()) {
+    task.start = find_start({request.index, producer()}, claim, request.history, options, task);
   }
   const auto joined = [&](Shard next) {
     Certificate& c = next.certificate;
@@ -246,7 +244,7 @@ ExitCode certify_files(Request& request) {
   read_part(request, file);
   std::optional<BegunCertificate> begun;
   if (can_be_resumed(request)) begun.emplace(request.report);
-  require_distinct({request.scene, request.history},
+  require_distinct({request.scene, request.history, request.index},
                    {request.report, begun ? begun->path() : std::string()});
   if (begun) begun->require_replaceable();
   require_order(request.scene, request.history);
@@ -352,13 +350,19 @@ void add_certify(Verb& program) {
   verb.text("--part", request->part, "I/N",
             "Certify the I-th of N shards of a history, under the recorded truth, and write its "
             "certificate as the report.");
+  verb.input(
+          "--index", request->index,
+          "An index of the history (voroproof index): a shard, or what --resume takes up, is read "
+          "from the last place before it that the index names. Nothing in it is believed: --merge "
+          "refuses shards that do not fit together.")
+      .excludes({"--max-events"});
   verb.inputs("--merge", request->shards,
               "Join the certificates of all shards of a history to the verdict and the report of "
               "the whole.")
       .with_all_that_follow()
       .excludes({"--truth", "--events", "--tolerance", "--law-tolerance", "--strict",
-                 "--unoriented", "--kernel", "--proved", "--threads", "--part", "--resume",
-                 "--checkpoint", "--max-bits", "--max-events"});
+                 "--unoriented", "--kernel", "--proved", "--threads", "--part", "--index",
+                 "--resume", "--checkpoint", "--max-bits", "--max-events"});
   verb.flag("--resume", request->resume,
             "Take up what a run that was interrupted or killed, or that a limit ended, has left "
             "beside this report; the report is the same as without the break.");
@@ -369,7 +373,8 @@ void add_certify(Verb& program) {
   add_max_events(verb, request->max_events);
   verb.flag("--quiet", request->quiet,
             "Show no progress on the terminal, and write nothing but the verdict.");
-  const auto list = add_list_options(verb, {"--report", "--part", "--merge", "--resume"});
+  const auto list =
+      add_list_options(verb, {"--report", "--part", "--index", "--merge", "--resume"});
   verb.note("What s CERTIFIED says is stated in docs/claim.md.")
       .note(
           "The last line of the output is s CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) "

@@ -13,20 +13,20 @@ namespace voroproof::internal {
 namespace {
 
 struct Request {
-  std::string scene, history, t, output;
+  std::string scene, history, t, output, index;
   std::string move, construct;  // "1", "2", ...; empty where not given
   bool unchecked = false;
   EngineOptions options;
 };
 
 ExitCode take_snapshot(const Request& request) {
-  require_distinct({request.scene, request.history}, {request.output});
+  require_distinct({request.scene, request.history, request.index}, {request.output});
   require_order(request.scene, request.history);
   const Rational t = time_argument("--at", request.t);
-  if (request.history.empty() &&
-      !(request.move.empty() && request.construct.empty() && !request.unchecked)) {
+  if (request.history.empty() && !(request.move.empty() && request.construct.empty() &&
+                                   !request.unchecked && request.index.empty())) {
     throw UsageError(
-        "--move, --construct and --unchecked say how to follow a history: none is given");
+        "--move, --construct, --unchecked and --index say how to follow a history: none is given");
   }
   SnapshotWay way;
   way.checked = !request.unchecked;
@@ -36,6 +36,7 @@ ExitCode take_snapshot(const Request& request) {
   }
   const EventLimit limit(request.options.max_events);
   const Scene scene = read_scene(request.scene);
+  if (!request.index.empty()) way.index = {request.index, producer()};
   const DiagramFile diagram = request.history.empty()
                                   ? snapshot(scene, t, request.options)
                                   : snapshot(scene, request.history, t, request.options, way);
@@ -71,6 +72,10 @@ void add_snapshot(Verb& program) {
       "--unchecked", request->unchecked,
       "Write the diagram of the history's flips also where one of its edges is illegal beyond "
       "tolerances.");
+  verb.input("--index", request->index,
+             "An index of the history (voroproof index): it is read from the last place before the "
+             "time that the index names up to the time. The state there is believed.")
+      .excludes({"--move", "--construct", "--max-events"});
   verb.output(request->output, "The diagram to write.").required();
   add_computing_limits(verb, request->options);
   verb.example("voroproof snapshot a.scene.json --at 1/3 -o a.diagram.json");

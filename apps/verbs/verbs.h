@@ -16,6 +16,7 @@ void add_movie(Verb& program);
 void add_page(Verb& program);
 void add_validate(Verb& program);
 void add_certify(Verb& program);
+void add_index(Verb& program);
 void add_clearance(Verb& program);
 void add_explain(Verb& program);
 void add_convert(Verb& program);

@@ -45,7 +45,7 @@ std::vector<Shard> shards_of(const Scene& scene, const ClaimedHistory& history,
 
 // The certificate of all, each of which goes on where the one before it ended.
 Certificate joined(std::vector<Shard> shards) {
-  EXPECT_EQ(shards.front().begin.value().claims, 0);
+  EXPECT_EQ(shards.front().begin.value().claims, HistoryCounts{});
   Certificate whole = std::move(shards.front().certificate);
   for (std::size_t k = 1; k < shards.size(); ++k) {
     EXPECT_EQ(shards[k].begin, shards[k - 1].end) << k;
@@ -143,11 +143,11 @@ TEST(Shards, ACutIsBoundToAllBeforeIt) {
   const ClaimedHistory right = claimed_history(scene, run(scene));
   const CertifyOptions options = recorded(10);
   const Cut cut = shard(scene, right, options, {.number = 2, .of = 2}).begin.value();
-  ASSERT_GT(cut.claims, 30);
+  ASSERT_GT(cut.claims.all(), 30);
   const auto refused = [&](const Scene& other_scene, const ClaimedHistory& other) {
     EXPECT_THROW(shard(other_scene, other, options, {.from = cut}), OtherHistory);
   };
-  const std::size_t before = static_cast<std::size_t>(cut.claims);
+  const std::size_t before = static_cast<std::size_t>(cut.claims.all());
   int collisions = 0;
   for (std::size_t k = 0; k < before; ++k) {
     ClaimedHistory other = right;
@@ -190,7 +190,7 @@ TEST(Shards, ACutThatLies) {
   const Cut cut = shard(scene, right, options, {.number = 2, .of = 2}).begin.value();
   const std::vector<std::function<void(Cut&)>> lies{[](Cut& c) { ++c.part; },
                                                     [](Cut& c) { c.t = std::nextafter(c.t, 0); },
-                                                    [](Cut& c) { --c.claims; },
+                                                    [](Cut& c) { --c.claims.flips; },
                                                     [](Cut& c) { ++c.line; },
                                                     [](Cut& c) { c.claims_sha256[5] ^= 1; },
                                                     [](Cut& c) { c.state_sha256[5] ^= 1; }};

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""cluster/certify_mpi.py for real: four ranks give the report of one process, also of a history that is false, and
-after a rank was killed in the middle.
+"""cluster/certify_mpi.py for real: four ranks give the report of one process, also with an index, of a history that is
+false, and after a rank was killed in the middle.
 
 usage: mpi.py PROGRAM      (build/voroproof)
 """
@@ -30,10 +30,10 @@ def skip_without_tools():
         sys.exit(77)
 
 
-def start(folder, program, history):
+def start(folder, program, history, *options):
     return subprocess.Popen(
         ["mpirun", "-n", "4", PYTHON, DRIVER, "--program", program, "--shards", str(SHARDS), "--report",
-         "mpi.json", "a.scene.json", history], cwd=folder, env=ENVIRONMENT, stdout=subprocess.PIPE,
+         "mpi.json", "a.scene.json", history, *options], cwd=folder, env=ENVIRONMENT, stdout=subprocess.PIPE,
         stderr=subprocess.PIPE, text=True)
 
 
@@ -83,6 +83,8 @@ def main():
         right = of_one_process(folder, program, "a.history.jsonl")
         assert right[0] == 0
         finish(start(folder, program, "a.history.jsonl"), folder, right)
+        subprocess.run([program, "index", "a.scene.json", "a.history.jsonl"], cwd=folder, check=True, capture_output=True)
+        finish(start(folder, program, "a.history.jsonl", "--index", "a.history.jsonl.index"), folder, right)
 
         lines = (folder / "a.history.jsonl").read_text().splitlines(keepends=True)
         flip = next(k for k in range(len(lines) // 2, len(lines)) if "flip" in lines[k])

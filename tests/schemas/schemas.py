@@ -7,9 +7,11 @@ import pathlib
 import jsonschema
 
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "schemas"
-# What a schema of a format is called. A history has one for each kind of line.
+# What a schema of a format is called. A history and an index have one for each kind of line.
 NAMES = sorted(path.name.removesuffix(".schema.json") for path in FOLDER.glob("*.schema.json")
                if not path.name.startswith("common."))
+# The formats of lines: the schema, and the kind of those between the first and the last.
+LINES = {"voroproof-history": ("history", "event"), "voroproof-index": ("index", "entry")}
 
 
 def load(name):
@@ -72,8 +74,8 @@ class Files:
             first = json.loads(text.splitlines()[0])
         except (ValueError, IndexError):
             first = None
-        if isinstance(first, dict) and first.get("format") == "voroproof-history":
-            return self.history_fault(text)
+        if isinstance(first, dict) and first.get("format") in LINES:
+            return self.fault_of_lines(text, *LINES[first["format"]])
         try:
             document = json.loads(text)
         except ValueError as error:
@@ -83,12 +85,12 @@ class Files:
             return "no format that has a schema"
         return self.schema(name.removeprefix("voroproof-")).fault(document)
 
-    def history_fault(self, text):
+    def fault_of_lines(self, text, name, between):
         lines = text.removesuffix("\n").split("\n")
         for number, line in enumerate(lines):
-            kind = "header" if number == 0 else "last" if number == len(lines) - 1 else "event"
+            kind = "header" if number == 0 else "last" if number == len(lines) - 1 else between
             try:
-                fault = self.schema("history", kind).fault(json.loads(line))
+                fault = self.schema(name, kind).fault(json.loads(line))
             except ValueError as error:
                 fault = str(error)
             if fault is not None:

@@ -42,6 +42,17 @@ def run(folder, program, *arguments):
     assert done.returncode in (0, 1, 3), f"{arguments}: {done.returncode}: {done.stderr}"
 
 
+def write_indexes(folder, go):
+    """Of paths in binary64, and of one in fractions."""
+    go("generate reference --n 12 --seed 3 --horizon 1500 -o i.scene.json")
+    scene = json.loads((folder / "i.scene.json").read_text())
+    scene["disks"][0]["center"] = [str(x) for x in scene["disks"][0]["center"]]
+    (folder / "j.scene.json").write_text(json.dumps(scene))
+    for name in "ij":
+        go(f"simulate {name}.scene.json -o {name}.history.jsonl --quiet")
+        go(f"index {name}.scene.json {name}.history.jsonl -o {name}.index.jsonl")
+
+
 def write_some(folder, program, example):
     """One file of each kind, and more of those that have several forms."""
     go = lambda line, *more: run(folder, program, *line.split(), *more)
@@ -52,6 +63,7 @@ def write_some(folder, program, example):
     go("certify a.scene.json b.history.jsonl --truth recorded --report b.report.json")
     go("certify a.scene.json a.history.jsonl --truth recorded --part 1/2 --report a.shard.json")
     go("certify a.scene.json b.history.jsonl --truth recorded --part 2/2 --report b.shard.json")
+    write_indexes(folder, go)
     go("snapshot a.scene.json a.history.jsonl --at 1/3 -o a.diagram.json")
     for queries, of in ((QUERIES, "a.scene.json"), (QUERIES_OVER, "a.scene.json a.history.jsonl")):
         for query in queries:

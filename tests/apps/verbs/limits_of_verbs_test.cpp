@@ -67,6 +67,7 @@ std::vector<Computing> computing_verbs() {
       {"clearance", "clearance" + a + "-o @out", "clearance" + tie + "-o @out",
        "clearance" + large + "-o @out"},
       {"check72", "check72" + a, "check72" + tie, "check72" + large},
+      {"index", "index" + a + "-o @out", "", "index" + large + "-o @out"},
       {"convert", "convert @a.history.jsonl --scene @a.scene.json --format evtsq -o @out", "",
        "convert @large.scene.json --format disks -o @out"},
       {"experiment", experiment, experiment, experiment, true},
@@ -78,6 +79,9 @@ const std::map<std::string, std::string> lacks_bits{
     {"convert",
      "it decides nothing from rounded numbers: its fractions are exact, and their size "
      "is bounded by that of the file's"},
+    {"index",
+     "it judges nothing; where the history lacks its first diagram that is constructed by the "
+     "certifier's usual options"},
 };
 const std::map<std::string, std::string> lacks_both{
     {"plan", "it computes no history, in fractions whose size is bounded by that of the plan's"},

@@ -178,7 +178,7 @@ TEST_F(ShardsCli, ThatDoNotFit) {
        [](Json& s) { s["end"]["state_sha256"] = std::string(64, 'a'); });
   with(2, breaks + "other claims",
        [](Json& s) { s["begin"]["claims_sha256"] = std::string(64, 'a'); });
-  with(2, breaks + "other claims", [](Json& s) { s["end"]["claims"] = 5; });
+  with(2, breaks + "other claims", [](Json& s) { s["end"]["flips"] = 5; });
   with(2, breaks + "other claims", [](Json& s) { s["end"]["line"] = 5; });
   with(2, breaks + "another place", [](Json& s) { s["end"]["t"] = 500; });
   with(2, "begins where the history is over", [](Json& s) { s["end"] = nullptr; });
@@ -217,18 +217,20 @@ TEST_F(ShardsCli, ThatDoNotFit) {
 TEST_F(ShardsCli, OfTwoHistoriesDoNotFit) {
   parts(3);
   const std::string last = read_bytes(name(3));
-  std::string text = read_bytes(history_);
+  const std::string text = read_bytes(history_);
   const std::size_t flip = text.find("\"flip\"", text.size() / 8), from = text.rfind('\n', flip);
-  text.insert(from + 2, " ");  // another line, the same claim
-  directory_.write("a.history.jsonl", text);
+  // Another line, the same claim: the shards are not of one file.
+  std::string other = text;
+  other.insert(from + 2, " ");
+  directory_.write("a.history.jsonl", other);
   parts(3);
   directory_.write("s3.shard.json", last);
-  EXPECT_EQ(run(merge({name(1), name(2), name(3)})).code, 0);
-  std::filesystem::remove(report_);
-  const std::size_t digit = text.find("\"t\":", from) + 4;
-  const std::size_t end = text.find_first_of(",}", digit);
-  text.insert(end, "1");  // the time, in a place beyond those that are proved
-  directory_.write("a.history.jsonl", text);
+  refused_merge({name(1), name(2), name(3)}, "another place");
+  // Another time, in a place beyond those that are proved, in as many bytes.
+  other = text;
+  const std::size_t end = text.find_first_of(",}", text.find("\"t\":", from));
+  other[end - 1] = other[end - 1] == '1' ? '2' : '1';
+  directory_.write("a.history.jsonl", other);
   parts(3);
   directory_.write("s3.shard.json", last);
   refused_merge({name(1), name(2), name(3)}, "other claims before it");

@@ -1,0 +1,258 @@
+// A replay as text, as an index beside a history keeps it, and back.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "certify/fingerprint.h"
+#include "certify/replay.h"
+#include "history/error.h"
+#include "history/json_reader.h"
+#include "history/json_text.h"
+
+namespace voroproof::internal {
+namespace {
+
+void put(std::string& out, std::int64_t x) {
+  char text[32];
+  out.append(text, put_integer(text, x));
+}
+
+void put(std::string& out, double x) {
+  char text[max_double_text];
+  out.append(text, put_number(text, x));
+}
+
+void put(std::string& out, const Rational& x) { out += '"' + x.get_str() + '"'; }
+
+// Writes `[`, what put_element(k) writes for each k, with commas between, and `]`.
+template <class PutElement>
+void put_array(std::string& out, std::size_t size, PutElement&& put_element) {
+  out += '[';
+  for (std::size_t k = 0; k < size; ++k) {
+    if (k > 0) out += ',';
+    put_element(k);
+  }
+  out += ']';
+}
+
+double read_double(JsonReader& json) {
+  const Number x = json.number();
+  if (x.exact) json.fail("not a number");
+  return x.nearest;
+}
+
+// A rational of any size that a string may have.
+Rational read_rational(JsonReader& json) {
+  const std::string text(json.text());
+  const std::size_t slash = text.find('/');
+  const auto is_integer = [](std::string_view digits) {
+    return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  const std::string_view all = text;
+  const std::string_view numerator = all.substr(0, slash);
+  const bool negative = numerator.starts_with('-');
+  Rational x;
+  if (!is_integer(numerator.substr(negative)) ||
+      (slash != std::string::npos && !is_integer(all.substr(slash + 1))) ||
+      x.set_str(text, 10) != 0 || x.get_den() == 0) {
+    json.fail("not a fraction");
+  }
+  x.canonicalize();
+  return x;
+}
+
+std::vector<int> read_integers(JsonReader& json, int low, int high) {
+  std::vector<int> all;
+  json.array([&](std::size_t) { all.push_back(static_cast<int>(json.integer(low, high))); });
+  return all;
+}
+
+}  // namespace
+
+void DyadicSum::put(std::string& out) const {
+  put_array(out, static_cast<std::size_t>(size_),
+            [&](std::size_t k) { internal::put(out, part_[k]); });
+}
+
+DyadicSum DyadicSum::read(JsonReader& json) {
+  DyadicSum sum;
+  json.array([&](std::size_t k) {
+    if (k == kMax) json.fail("too many parts");
+    const double part = read_double(json);
+    // Where parts overlap, the bounds of errors would be false.
+    const double size = std::fabs(part), last_place = std::nextafter(size, HUGE_VAL) - size;
+    if (part == 0 || (k > 0 && !(std::fabs(sum.part_[k - 1]) <= last_place))) {
+      json.fail("parts that overlap");
+    }
+    sum.part_[k] = part;
+    sum.size_ = static_cast<int>(k) + 1;
+  });
+  return sum;
+}
+
+void Velocity::put(std::string& out) const {
+  const ExactVec2 v = value();
+  out += number_text(v[0]) + ',' + number_text(v[1]);
+}
+
+void Path::put(std::string& out) const {
+  if (exact_) {
+    internal::put(out, exact_->t);
+    out += ',';
+    internal::put(out, exact_->p[0]);
+    out += ',';
+    internal::put(out, exact_->p[1]);
+  } else {
+    internal::put(out, t_);
+    out += ',';
+    x_.put(out);
+    out += ',';
+    y_.put(out);
+  }
+}
+
+void Replay::put(std::string& out) const {
+  const auto halves = static_cast<std::size_t>(2 * diagram_.edges());
+  out += "{\"origins\":";
+  put_array(out, halves, [&](std::size_t h) {
+    internal::put(out, std::int64_t{diagram_.org(static_cast<HalfEdge>(h))});
+  });
+  out += ",\"previous\":";
+  put_array(out, halves, [&](std::size_t h) {
+    internal::put(out, std::int64_t{diagram_.previous(static_cast<HalfEdge>(h))});
+  });
+  out += ",\"anchors\":";
+  put_array(out, last_change_.size(), [&](std::size_t g) {
+    internal::put(out, std::int64_t{diagram_.anchor(static_cast<GenId>(g) - 1)});
+  });
+  out += ",\"disks\":";
+  put_array(out, paths_.size(), [&](std::size_t g) {
+    out += '[';
+    internal::put(out, std::int64_t{last_change_[g + 1]});
+    out += ',';
+    internal::put(out, std::int64_t{turns_[g].count});
+    out += turns_[g].at_container ? ",1," : ",0,";
+    velocities_[g].put(out);
+    out += ',';
+    paths_[g].put(out);
+    out += ']';
+  });
+  out += ",\"changes\":";
+  internal::put(out, std::int64_t{changes_});
+  out += ",\"next_maneuver\":";
+  internal::put(out, static_cast<std::int64_t>(next_maneuver_));
+  const std::vector<std::size_t> done(done_maneuvers_.begin(), done_maneuvers_.end());
+  out += ",\"done_maneuvers\":";
+  put_array(out, done.size(),
+            [&](std::size_t k) { internal::put(out, static_cast<std::int64_t>(done[k])); });
+  out += '}';
+}
+
+// One disk: [changed, turns, at container, vx, vy, t, x, y].
+void Replay::read_disk(JsonReader& json, std::size_t g) {
+  std::array<CompactRational, 2> v;
+  Rational exact_t;
+  double t = 0;
+  bool exact = false;
+  ExactVec2 p;
+  std::array<DyadicSum, 2> sums;
+  json.array_of<8>([&](std::size_t k) {
+    switch (k) {
+      case 0:
+        last_change_[g + 1] = static_cast<int>(json.integer(0, std::numeric_limits<int>::max()));
+        break;
+      case 1:
+        turns_[g].count = static_cast<int>(json.integer(0, std::numeric_limits<int>::max()));
+        break;
+      case 2:
+        turns_[g].at_container = json.integer(0, 1) == 1;
+        break;
+      case 3:
+      case 4:
+        v[k - 3] = json.number().value();
+        break;
+      case 5:
+        exact = json.text_is_next();
+        if (exact) {
+          exact_t = read_rational(json);
+        } else {
+          t = read_double(json);
+        }
+        break;
+      default:
+        if (exact) {
+          p[k - 6] = read_rational(json);
+        } else {
+          sums[k - 6] = DyadicSum::read(json);
+        }
+    }
+  });
+  velocities_[g] = Velocity(v[0], v[1]);
+  paths_[g] = exact ? Path(exact_t, p, velocities_[g]) : Path(t, sums[0], sums[1], velocities_[g]);
+}
+
+void Replay::read_text(JsonReader& json) {
+  enum { origins, previous, anchors, disks, changes, next_maneuver, done_maneuvers };
+  static constexpr std::array<std::string_view, 7> names = {
+      "origins", "previous", "anchors", "disks", "changes", "next_maneuver", "done_maneuvers"};
+  constexpr std::uint32_t all = (std::uint32_t{1} << names.size()) - 1;
+  const int ids = static_cast<int>(paths_.size()), halves = 6 * ids;
+  const auto maneuvers = static_cast<std::int64_t>(scene_->maneuvers.size());
+  std::vector<int> org, before, first;
+  json.object(names, all, [&](std::size_t member) {
+    switch (member) {
+      case origins:
+        org = read_integers(json, container_id, ids - 1);
+        break;
+      case previous:
+        before = read_integers(json, 0, std::max(0, halves - 1));
+        break;
+      case anchors:
+        first = read_integers(json, -1, std::max(0, halves - 1));
+        break;
+      case disks: {
+        const std::size_t count = json.array([&](std::size_t g) {
+          if (g >= paths_.size()) json.fail("more disks than the scene has");
+          read_disk(json, g);
+        });
+        if (count != paths_.size()) json.fail("fewer disks than the scene has");
+        break;
+      }
+      case changes:
+        changes_ = static_cast<int>(json.integer(0, std::numeric_limits<int>::max()));
+        break;
+      case next_maneuver:
+        next_maneuver_ = static_cast<std::size_t>(json.integer(0, maneuvers));
+        break;
+      case done_maneuvers:
+        done_maneuvers_.clear();
+        json.array([&](std::size_t) {
+          done_maneuvers_.insert(static_cast<std::size_t>(json.integer(0, maneuvers - 1)));
+        });
+    }
+  });
+  json.finish();
+  try {
+    diagram_ = numbered_diagram(ids, org, before, first);
+  } catch (const std::invalid_argument& fault) {
+    json.fail_in("state", fault.what());
+  }
+}
+
+void Replay::read(const IndexedCut& at) {
+  JsonReader json(at.state, at.file, at.line);
+  read_text(json);
+  Fingerprint fingerprint;
+  add_to(fingerprint);
+  if (fingerprint.hex() != at.cut.state_sha256) {
+    throw InputError(at.file, at.line, "cut.state_sha256", "is not that of the state");
+  }
+}
+
+}  // namespace voroproof::internal
