@@ -10,6 +10,7 @@
 #include "kinetic/event_times.h"
 #include "kinetic/present.h"
 #include "kinetic/static_diagram.h"
+#include "kinetic/turns.h"
 
 namespace voroproof::internal {
 
@@ -72,6 +73,16 @@ class Certified {
   RoundedState maneuver(GenId disk, const Rational& t, const Rational& vx, const Rational& vy) {
     present_.before_change();
     return motion_.maneuver(disk, t, vx, vy);
+  }
+  // What the leader did (kinetic/turns.h): a collision, which tells the `time` of the instant
+  // unless that is null, or a maneuver.
+  void follow(const Turn& turn, const DdBall* time) {
+    present_.before_change();
+    motion_.follow(turn.i, turn.first, turn.j, turn.second, turn.v_scale);
+    if (turn.i == turn.j) return;
+    Impact impact{};
+    if (time != nullptr) impact.time_dd = *time;
+    present_.after_collision(turn.j, time != nullptr ? &impact : nullptr);
   }
 
  private:

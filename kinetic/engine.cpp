@@ -1,13 +1,98 @@
 #include "kinetic/engine.h"
 
+#include <algorithm>
+
 #include "kinetic/certified.h"
 #include "kinetic/processing.h"
+#include "kinetic/sliced_run.h"
 
 namespace voroproof::internal {
 
-class Engine::Implementation : public EngineOver<Certified> {
+namespace {
+
+// Leaves out what the sink was told before.
+class Continuation final : public EventSink {
  public:
-  using EngineOver<Certified>::EngineOver;
+  Continuation(EventSink& sink, const SlicedRun::Told& told) : sink_(sink), told_(told) {}
+  void begin(const std::vector<Quad>& initial) override {
+    if (!told_.begun) sink_.begin(initial);
+  }
+  void flip(double t, const Quad& edge) override {
+    if (is_new()) sink_.flip(t, edge);
+  }
+  void collide(double t, GenId i, GenId j, const RoundedState& first,
+               const RoundedState& second) override {
+    if (is_new()) sink_.collide(t, i, j, first, second);
+  }
+  void maneuver(double t, GenId disk, const RoundedState& state) override {
+    if (is_new()) sink_.maneuver(t, disk, state);
+  }
+
+ private:
+  bool is_new() { return ++events_ > told_.events; }
+
+  EventSink& sink_;
+  SlicedRun::Told told_;
+  std::uint64_t events_ = 0;
+};
+
+}  // namespace
+
+class Engine::Implementation {
+ public:
+  Implementation(MotionInput input, std::vector<ManeuverInput> maneuvers, EngineOptions options)
+      : input_(std::move(input)), maneuvers_(std::move(maneuvers)), options_(std::move(options)) {
+    const auto least = static_cast<std::size_t>(std::max(0, options_.least_sliced));
+    if (options_.threads > 1 && input_.disks.size() >= least) {
+      sliced_ = std::make_unique<SlicedRun>(input_, maneuvers_, options_);
+      if (!sliced_->possible()) sliced_.reset();
+    }
+    if (!sliced_) make_whole();
+  }
+
+  Outcome run(EventSink& sink) {
+    if (!sliced_) return whole_->run(sink);
+    if (const std::optional<Outcome> outcome = sliced_->run(sink)) return *outcome;
+    return run_on(sink);
+  }
+  Outcome resume(const std::function<void(EventSink&)>& told, const Rational& t0, EventSink& sink) {
+    sliced_.reset();
+    if (!whole_) make_whole();
+    return whole_->resume(told, t0, sink);
+  }
+
+  const EngineStats& stats() const { return sliced_ ? sliced_->stats() : whole_->stats(); }
+  const Diagram& diagram() const { return sliced_ ? sliced_->diagram() : whole_->diagram(); }
+  Motion& motion() { return sliced_ ? sliced_->motion() : whole_->motion(); }
+
+ private:
+  void make_whole() {
+    whole_ =
+        std::make_unique<EngineOver<Certified>>(std::move(input_), std::move(maneuvers_), options_);
+  }
+
+  // Slices have come to something that asks for a run of one thread, which begins anew: what it
+  // tells, and where it stops, is what it would be without slices.
+  Outcome run_on(EventSink& sink) {
+    const SlicedRun::Told told = sliced_->told();
+    sliced_.reset();
+    if (const auto monitor = options_.monitor) {
+      options_.monitor = [monitor, told](double t, std::uint64_t events) {
+        return monitor(std::max(t, told.t), std::max(events, told.events));
+      };
+    }
+    make_whole();
+    Continuation rest(sink, told);
+    Outcome outcome = whole_->run(rest);
+    outcome.t = std::max(outcome.t, told.t);
+    return outcome;
+  }
+
+  MotionInput input_;  // until the whole run has it
+  std::vector<ManeuverInput> maneuvers_;
+  EngineOptions options_;
+  std::unique_ptr<SlicedRun> sliced_;
+  std::unique_ptr<EngineOver<Certified>> whole_;
 };
 
 Engine::Engine(MotionInput input, std::vector<ManeuverInput> maneuvers, EngineOptions options)

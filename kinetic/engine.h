@@ -28,8 +28,25 @@
 
 namespace voroproof::internal {
 
+// What tests of runs in slices may ask for; each may be null.
+struct SliceHooks {
+  // The least work of a slice (Leader::lead), in place of what suits.
+  std::function<std::uint64_t(int slice)> work;
+  // Where between two times a slice ends.
+  std::function<double(double after, double before)> border;
+  // May change the diagram that a slice begins with.
+  std::function<void(int slice, Diagram& diagram)> diagram;
+  // Called by the threads between their steps.
+  std::function<void()> pause;
+};
+
 struct EngineOptions {
   MotionOptions motion;
+  // With more than one the run is made in slices of time (kinetic/sliced_run.h), unless the scene
+  // has fewer disks than that is worth.
+  int threads = 1;
+  int least_sliced = 500;
+  SliceHooks slice_hooks;
   bool profile = false;
   std::uint64_t max_events = 0;  // a history of more stops before the instant; 0: no limit
   // Called now and then, also within a long decision, with the time reached and the number of

@@ -35,7 +35,10 @@ class InstantRecord {
 
   void add_flip(const Quad& canonical_edge) { events_.emplace_back(canonical_edge); }
   void add_collision(GenId i, GenId j, const Impact& impact) {
-    events_.emplace_back(Change{i, j, impact.first, impact.second});
+    add_collision(i, j, impact.first, impact.second);
+  }
+  void add_collision(GenId i, GenId j, const RoundedState& first, const RoundedState& second) {
+    events_.emplace_back(Change{i, j, first, second});
   }
   void add_maneuver(GenId disk, const RoundedState& state) {
     events_.emplace_back(Change{disk, disk, state, {}});

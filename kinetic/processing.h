@@ -11,7 +11,7 @@
 #include "exact/patience.h"
 #include "kinetic/engine.h"
 #include "kinetic/fetch.h"
-#include "kinetic/flip_kind.h"
+#include "kinetic/flipping.h"
 #include "kinetic/inelastic_collapse.h"
 #include "kinetic/instant_record.h"
 #include "kinetic/meetings.h"
@@ -34,6 +34,7 @@ class EngineOver {
         schedule_(diagram_, arithmetic_, stats_, options_.profile, std::move(maneuvers),
                   motion_.input().horizon),
         instant_(options_.max_events),
+        flipping_(diagram_, motion_, arithmetic_, schedule_, instant_, stats_),
         collapse_watch_(motion_),
         meetings_(motion_),
         fetch_(diagram_, motion_) {}
@@ -107,8 +108,8 @@ class EngineOver {
     const Stopwatch watch(options_.profile, stats_.initial_seconds);
     arithmetic_.is_at(0);
     diagram_ = static_diagram(motion_, 0, stats_.tiers);
-    stamp_.assign(diagram_.edges(), 0);
-    schedule_.start(first_window(), motion_.size());
+    flipping_.start();
+    schedule_.start(first_window(motion_), motion_.size());
     for (int e = 0; e < schedule_.slots(); ++e) schedule_.search_contact(e);
     // What happens to the motion at t = 0 comes before the diagram at 0+.
     schedule_.make_first_maneuvers_due();
@@ -116,7 +117,7 @@ class EngineOver {
     stats_.settling_flips = arithmetic_.settle(diagram_);
     sink_->begin(diagram_.quads());
     begun_ = true;
-    degrees_ = Degrees(diagram_, motion_.size());
+    flipping_.begin();
     search_all();
     instant_.tell(*sink_);
   }
@@ -124,15 +125,17 @@ class EngineOver {
   // ---- The start at t0, after all that is told. ----
   template <class Tell>
   void take_up(const Tell& told, const Rational& t0) {
-    Resumption<Arithmetic> resumption({motion_, diagram_, degrees_, arithmetic_, schedule_,
-                                       instant_, collapse_watch_, stats_, *sink_, [this] {
-                                         stamp_.assign(diagram_.edges(), 0);
-                                         schedule_.start(first_window(), motion_.size());
+    Resumption<Arithmetic> resumption({motion_, diagram_, flipping_.degrees(), arithmetic_,
+                                       schedule_, instant_, collapse_watch_, stats_, *sink_,
+                                       [this] {
+                                         flipping_.start();
+                                         flipping_.begin();
+                                         schedule_.start(first_window(motion_), motion_.size());
                                          begun_ = true;
                                        }});
     told(resumption);
     resumption.finish(t0);
-    schedule_.start(first_window(), motion_.size(), round_down(t0));
+    schedule_.start(first_window(motion_), motion_.size(), round_down(t0));
     search_all();
     if (schedule_.take_due_flip() || schedule_.take_due_contact()) {
       throw OtherRun("something that is not told happens before the run can go on");
@@ -140,7 +143,7 @@ class EngineOver {
   }
 
   void search_all() {
-    for (int e = 0; e < diagram_.edges(); ++e) schedule_.search_flip_from_now(e);
+    flipping_.search_all();
     for (int e = 0; e < schedule_.slots(); ++e) search_contact(e);
   }
 
@@ -156,18 +159,6 @@ class EngineOver {
       const auto [a, b] = std::minmax(point, g);
       meetings_.note(a, b, arithmetic_.contact_from_now(a, b, schedule_.horizon_up()));
     }
-  }
-
-  // A quarter of the time in which the fastest disk goes as far as from one disk to the next.
-  double first_window() const {
-    const double spacing =
-        2 * round_nearest(motion_.input().container_radius) / std::sqrt(1.0 + motion_.size());
-    double speed = 0;
-    for (GenId g = 0; g < motion_.size(); ++g) {
-      const DoubleMotion& m = motion_.doubles(g);
-      speed = std::fmax(speed, std::hypot(m.vx, m.vy));
-    }
-    return speed > 0 ? 0.25 * spacing / speed : round_up(motion_.input().horizon);
   }
 
   // ---- One instant; false if it is the horizon and has no event, or there is none. ----
@@ -232,7 +223,7 @@ class EngineOver {
     }
     // The searches are made only now: with some of the instant's velocities most would be for
     // nothing, and harder than those that count.
-    ++stamp_now_;
+    flipping_.next_change();
     for (const GenId g : changed_) search_around(g);
     changed_.clear();
   }
@@ -288,16 +279,9 @@ class EngineOver {
     for_each_half_edge_of(g, [&](HalfEdge h) {
       search_contact(h / 2);
       if (first < 0) return;
-      search_flip_once(h / 2);
-      search_flip_once(diagram_.next(h) / 2);
+      flipping_.search_once(h / 2);
+      flipping_.search_once(diagram_.next(h) / 2);
     });
-  }
-  // Once for all changes of an instant.
-  void search_flip_once(int edge) {
-    if (stamp_[edge] == stamp_now_) return;
-    stamp_[edge] = stamp_now_;
-    schedule_.forget_flip_of(edge);
-    if (begun_) schedule_.search_flip_from_now(edge);
   }
   // The half-edges of the disk's cell, counterclockwise; half-edge 0 for a lone disk.
   template <class Visit>
@@ -312,39 +296,7 @@ class EngineOver {
   }
 
   void process_flip(int edge) {
-    const HalfEdge h = 2 * edge;
-    const Quad q = diagram_.quad(h);
-    const auto root = schedule_.take_root(edge);
-    if (!root.isolated) arithmetic_.note_flip(q);
-    ++stats_.flips[static_cast<int>(degrees_.kind_of_flip(diagram_, q))];
-    const HalfEdge sides[4] = {diagram_.next(h), diagram_.previous(h), diagram_.next(h ^ 1),
-                               diagram_.previous(h ^ 1)};
-    int around[4];
-    for (int k = 0; k < 4; ++k) {
-      around[k] = sides[k] / 2;
-      fetch_.beyond(sides[k]);
-    }
-    diagram_.flip(h);
-    degrees_.flip(q);
-    instant_.add_flip(canonical(q));
-    // Edges with the same four generators have the flip time as a root: they start
-    // beyond its isolating interval, where they are legal by construction.
-    const auto search = [&](int e) {
-      schedule_.forget_flip_of(e);
-      const bool same = e == edge || same_generators(diagram_.quad(2 * e), q);
-      if (same && root.isolated) {
-        schedule_.search_flip_after(e, root.hi, root.fine.get());
-      } else {
-        schedule_.search_flip_from_now(e);
-      }
-    };
-    search(edge);
-    for (int k = 0; k < 4; ++k) {
-      // In small configurations one edge may appear twice.
-      if (std::find(around, around + k, around[k]) == around + k && around[k] != edge) {
-        search(around[k]);
-      }
-    }
+    flipping_.process(edge);
     search_contact(edge);
   }
 
@@ -355,15 +307,13 @@ class EngineOver {
   Arithmetic arithmetic_;
   Schedule<Arithmetic> schedule_;
   InstantRecord instant_;
+  Flipping<Arithmetic> flipping_;
   InelasticCollapse collapse_watch_;
   Meetings meetings_;
   Fetch fetch_;
-  Degrees degrees_;
   EventSink* sink_ = nullptr;
-  bool begun_ = false;                // the sink has the first diagram
-  std::vector<GenId> changed_;        // disks with new velocities at the present instant
-  std::vector<std::uint64_t> stamp_;  // of edges: the last change of motions they were searched for
-  std::uint64_t stamp_now_ = 0;
+  bool begun_ = false;            // the sink has the first diagram
+  std::vector<GenId> changed_;    // disks with new velocities at the present instant
   std::vector<TimedEvent> ties_;  // the events of the present instant
   std::uint64_t steps_ = 0;
 };

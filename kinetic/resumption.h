@@ -30,7 +30,7 @@ class Resumption final : public EventSink {
   struct Parts {
     Motion& motion;
     Diagram& diagram;
-    Degrees& degrees;
+    Degrees& degrees;  // of no diagram before `begin`
     Arithmetic& arithmetic;
     Schedule<Arithmetic>& schedule;
     InstantRecord& instant;
@@ -49,7 +49,6 @@ class Resumption final : public EventSink {
         throw OtherRun(std::string("the initial diagram is none: ") + e.what());
       }
     }
-    p_.degrees = Degrees(p_.diagram, p_.motion.size());
     p_.arithmetic.is_at(0);
     p_.begin();
     p_.sink.begin(initial);

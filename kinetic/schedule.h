@@ -49,6 +49,11 @@ class Schedule {
         horizon_up_(round_up(horizon)),
         queue_(1) {}
 
+  // The run ends at this time, and not at that which was given first. To be called before start().
+  void end_at(const Rational& horizon) {
+    horizon_ = horizon;
+    horizon_up_ = round_up(horizon);
+  }
   // Begins anew for the diagram as it is, with nothing known but maneuvers and horizon. `window`:
   // how far the first searches look ahead. `since`: when they begin.
   void start(double window, int disks, double since = 0) {
@@ -75,6 +80,19 @@ class Schedule {
   double horizon_up() const { return horizon_up_; }
   // Every event before this time has been told by next_instant(), or is due.
   double frontier() const { return frontier_; }
+
+  // In a run that is told its collisions and maneuvers: the next instant that has any is that of
+  // `turn`, which outlives it; null if there is none.
+  void announce(const Event* turn) {
+    turn_ = turn;
+    const int item = maneuver_item();
+    found_[item] = turn != nullptr ? is_event : 0;
+    set_key(item, turn == nullptr            ? infinity
+                  : turn->exactly != nullptr ? round_down(*turn->exactly)
+                                             : turn->at.lo);
+  }
+  // Whether the event is the one that was announced.
+  bool is_turn(const Event& event) const { return event.item == maneuver_item(); }
 
   // ---- Searches. The edge's state of knowledge is replaced. ----
   void search_flip_from_now(int edge) {
@@ -245,6 +263,11 @@ class Schedule {
       event.exactly = &horizon_;
       return event;
     }
+    if (item == maneuver_item() && turn_ != nullptr) {
+      Event event = *turn_;
+      event.item = item;
+      return event;
+    }
     if (item == maneuver_item()) {
       Event event(Event::Kind::maneuver, item);
       event.exactly = &maneuvers_.next_time();
@@ -319,12 +342,13 @@ class Schedule {
   double window_end(double from) const {
     return std::min(std::max(from + window_, next_above(from)), horizon_up_);
   }
-  // The look-ahead follows the mean life of a search's result.
+  // The look-ahead follows the mean life of a search's result. Those made at the start do not
+  // count: what is known then is of edges that have not come to the end of their lives.
   void count_search() {
     ++stats_.flip_searches;
-    if ((stats_.flip_searches & 0xfff) == 0 && now() > since_) {
-      const double life =
-          (now() - since_) * diagram_.edges() / static_cast<double>(stats_.flip_searches);
+    const auto searches = static_cast<std::int64_t>(stats_.flip_searches) - diagram_.edges();
+    if ((stats_.flip_searches & 0xfff) == 0 && now() > since_ && searches > 0) {
+      const double life = (now() - since_) * diagram_.edges() / static_cast<double>(searches);
       window_ = std::fmax(2 * life, 1e-9 * horizon_up_);
     }
   }
@@ -351,6 +375,7 @@ class Schedule {
   Rational horizon_;
   double horizon_up_;
   EventQueue queue_;
+  const Event* turn_ = nullptr;  // see announce()
   int slots_ = 0;
   std::vector<std::uint8_t> found_;           // of each item
   std::vector<IsolatingInterval> isolating_;  // of those that are flips or contacts found

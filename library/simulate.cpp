@@ -60,6 +60,7 @@ voroproof::Ending run(const Scene& scene, voroproof::EventSink& sink,
   if (options.threads < 1) throw std::invalid_argument("threads: less than 1");
   EngineOptions settings = engine_options(options.max_bits);
   settings.motion.late_states = options.threads > 1;
+  settings.threads = options.threads;
   settings.max_events = options.max_events;
   settings.monitor = options.monitor;
   Forwarding forwarding(sink);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fails unless a history has the same bytes whatever computed it: filters on or off, little or much
-# precision to begin with, one thread or two, and one program or another of the same version (other
+# precision to begin with, one thread or several, and one program or another of the same version (other
 # compilers, other optimization). Every option takes other ways through the code, and every compiler
 # other instructions, so a decision that depends on rounding shows as a difference.
 #
@@ -90,7 +90,7 @@ same_bytes() {
   for program in "${programs[@]}"; do
     for filter in $filters; do
       for bits in "${start_bits[@]}"; do
-        for threads in 1 2; do
+        for threads in 1 2 5; do
           simulate "$program" --filters "$filter" --start-bits "$bits" --threads "$threads"
         done
       done
@@ -127,7 +127,8 @@ else
   reference=(--n 20 --density 0.2 --horizon 30)
   swarm=(--n 12 --horizon 20)
 fi
-many=(--n 300 --density 0.2 --horizon 100)
+# Enough for a run in slices of time.
+many=(--n 600 --density 0.2 --horizon 60)
 
 # With restitution 0.8 the speeds, which are all equal at first, differ after the first collisions.
 for radii in uniform log equal; do

@@ -57,6 +57,7 @@ std::string stats_text(const RunDescription& run, const Outcome& outcome,
   json["searches"] = {{"flips", stats.flip_searches}, {"collisions", stats.contact_searches}};
   json["ties"] = stats.ties;
   json["settling_flips"] = stats.settling_flips;
+  json["slices"] = stats.slices;
   json["decided_by"] = tiers(stats.tiers);
   json["precision"] = {{"highest_bits", stats.highest_bits},
                        {"goal_bits", stats.goal_bits},

@@ -45,6 +45,7 @@ EngineOptions engine_options(const Request& request) {
   options.motion = request.motion;
   options.motion.filters = request.filters == "on";
   options.motion.late_states = request.threads > 1;
+  options.threads = request.threads;
   options.profile = !request.stats.empty();
   options.max_events = request.max_events;
   return options;
@@ -324,9 +325,11 @@ void add_simulate(Verb& program) {
       "The horizon in place of the scene's, exactly: a decimal (0.1 is one tenth), a fraction "
       "(1/3) or a hexadecimal float (0x1.8p-3).");
   verb.output("--stats", request->stats, "Write counts and times of the run here, as JSON.");
-  verb.whole("--threads", request->threads, 1, 1024,
-             "With 2 or more, further threads write the history and compute collisions beyond "
-             "double-doubles. A history that reaches its horizon does not depend on it.");
+  verb.whole(
+      "--threads", request->threads, 1, 1024,
+      "So many threads compute a scene of 500 disks or more in slices of time, and a further "
+      "one writes the history. With fewer disks one computes and another one helps. A history "
+      "that reaches its horizon does not depend on it.");
   verb.whole("--start-bits", request->motion.start_bits, least_bits, most_bits,
              "The precision of the states to begin with. A history that reaches its horizon does "
              "not depend on it.");

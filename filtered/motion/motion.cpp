@@ -26,8 +26,9 @@ bool is_double(const DdBall& b) { return b.lo == 0 && b.rad == 0; }
 
 }  // namespace
 
-Motion::Motion(MotionInput input, MotionOptions options)
-    : options_(options), states_(std::make_unique<MotionStates>(std::move(input), options)) {
+Motion::Motion(MotionInput input, MotionOptions options, std::shared_ptr<MotionLog> log)
+    : options_(options),
+      states_(std::make_unique<MotionStates>(std::move(input), options, std::move(log))) {
   const std::size_t n = this->input().disks.size();
   state_.resize(n + 1);
   doubles_.resize(n + 1);

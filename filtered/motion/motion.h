@@ -51,6 +51,22 @@ struct RoundedState {
   double px, py, vx, vy;
 };
 
+// A disk's state after a collision or maneuver, as the one that computed it knows it: enclosures as
+// those of DoubleMotion and SecondMotion, referred to t.
+struct TurnedState {
+  double t, x, y, vx, vy;
+  double x2, y2, vx2, vy2;
+  double ex, ev;
+};
+
+// All states of a motion at some time.
+struct MotionSnapshot {
+  std::vector<int> states;  // Motion::state_id(), of all generators
+  std::vector<DoubleMotion> doubles;
+  std::vector<SecondMotion> seconds;
+  MotionStates::Snapshot full;
+};
+
 struct Impact {
   double t;         // the collision time, rounded to nearest
   DoubleBall time;  // enclosures of it
@@ -60,7 +76,11 @@ struct Impact {
 
 class Motion {
  public:
-  Motion(MotionInput input, MotionOptions options);
+  Motion(MotionInput input, MotionOptions options)
+      : Motion(std::move(input), options, std::make_shared<MotionLog>()) {}
+  // A motion that follows another one of the same input, which it does not refer to: it takes its
+  // collisions and maneuvers over, by follow(), in place of computing them, and reads their log.
+  Motion(MotionInput input, MotionOptions options, std::shared_ptr<MotionLog> log);
 
   int size() const { return states_->size(); }
   // The input. Where the motion of a disk is given, its centre and velocity here may be those of
@@ -99,6 +119,18 @@ class Motion {
   Impact collide(GenId i, GenId j, double t_near);
   // Gives disk g a new velocity at an exact time; returns its rounded state.
   RoundedState maneuver(GenId g, const Rational& t, const Rational& vx, const Rational& vy);
+
+  // What another motion needs to follow this one.
+  const std::shared_ptr<MotionLog>& log() const { return states_->log(); }
+  MotionSnapshot snapshot();
+  TurnedState turned(GenId g) const;
+  std::int64_t v_scale() const { return states_->v_scale(); }
+  // This motion, which follows another, is as that one was then.
+  void follow(const MotionSnapshot& then);
+  // The next record of the other motion, after which i < j, or i alone if j = i, were in these
+  // states. Nothing is said of the container's.
+  void follow(GenId i, const TurnedState& first, GenId j, const TurnedState& second,
+              std::int64_t v_scale);
 
   // From now on disk g moves as if it had been at (x, y) at time t, with that velocity: motion that
   // is given and not computed. Precondition: no collide() or maneuver() of the disk so far.
@@ -166,6 +198,7 @@ class Motion {
   double error_of_speed() const;
   void set_state(GenId g, const DdBall& x, const DdBall& y, const DdBall& vx, const DdBall& vy);
   void set_radius(GenId g, const DdBall& r);
+  void take(GenId g, const TurnedState& s);
   void append(const Record& r);
   std::optional<Impact> collide_ahead(const Record& r);
   Impact collide_now(const Record& r);

@@ -32,10 +32,12 @@ std::int64_t exponent_of(const Rational& q) { return exponent_of(round_nearest(q
 
 }  // namespace
 
-MotionStates::MotionStates(MotionInput input, const MotionOptions& options)
+MotionStates::MotionStates(MotionInput input, const MotionOptions& options,
+                           std::shared_ptr<MotionLog> log)
     : input_(std::move(input)),
       container_{input_.container_x, input_.container_y, input_.container_radius, 0, 0, 0},
-      max_bits_(options.max_bits) {
+      max_bits_(options.max_bits),
+      log_(std::move(log)) {
   horizon_ = round_up(input_.horizon);
   goal_bits_ = std::min(kInitialGoal, std::max(max_bits_ - kHeadroom, 64));
   // A smaller or larger start is a larger or smaller first supply per time.
@@ -81,6 +83,10 @@ int MotionStates::bits_at(double t) const {
 void MotionStates::begin() {
   for (auto& state : fixed_) state.reset();
   for (auto& state : balls_) state.reset();
+  set_laws();
+}
+
+void MotionStates::set_laws() {
   const Ball::Precision bits = bits_at(0);
   const Rational& e = input_.container_restitution;
   const bool whole = input_.whole_container_law;
@@ -119,8 +125,7 @@ void MotionStates::restart(GenId g, double t, const GivenMotion& given) {
 
 int MotionStates::append(Maneuver m) {
   v_scale_ = std::max({v_scale_, exponent_of(m.vx), exponent_of(m.vy)});
-  maneuvers_.push_back(std::move(m));
-  return static_cast<int>(maneuvers_.size()) - 1;
+  return log_->append(std::move(m));
 }
 
 // The limbs before the point of numbers in units of the scene: centres in 2^x_scale, velocities in
@@ -162,8 +167,8 @@ void MotionStates::respond(const Record& r) {
   collision_.compute({side_of(r.i, r.t_i), side_of(r.j, r.t_j)}, r.t_ref,
                      {x_scale_, v_scale_, bits_at(r.t_ref), integer_limbs(), bits_at(0)}, laws_);
   for (int side = r.i == container_id ? 1 : 0; side < 2; ++side) {
-    std::unique_ptr<FixedState>& state = fixed_[ids[side] + 1];
-    if (!state) state = std::make_unique<FixedState>();
+    std::shared_ptr<FixedState>& state = fixed_[ids[side] + 1];
+    if (!state || are_shared_) state = std::make_shared<FixedState>();
     collision_.store(side, *state);
     balls_[ids[side] + 1].reset();
   }
@@ -171,13 +176,13 @@ void MotionStates::respond(const Record& r) {
 
 void MotionStates::apply_maneuver(const Record& r) {
   const Ball::Precision bits = bits_at(r.t_ref);
-  const Maneuver& m = maneuvers_[r.maneuver];
+  const Maneuver& m = log_->maneuver(r.maneuver);
   const State<Ball>& s = balls(r.i, r.t_i);
   const Ball before(Rational(m.t - to_rational(r.t_i)), bits);
   const Ball after(Rational(m.t - to_rational(r.t_ref)), bits);
   const Ball vx = dyadic_or_rounded(m.vx, bits);
   const Ball vy = dyadic_or_rounded(m.vy, bits);
-  balls_[r.i + 1] = std::make_unique<State<Ball>>(
+  balls_[r.i + 1] = std::make_shared<State<Ball>>(
       State<Ball>{s.x + s.vx * before - vx * after, s.y + s.vy * before - vy * after, vx, vy});
   fixed_[r.i + 1].reset();
 }
@@ -210,7 +215,7 @@ void MotionStates::replay() {
   begin();
   for (std::size_t k = 0; k < applied_; ++k) {
     Patience::ask();
-    apply(log_[k]);
+    apply(log_->record(k));
   }
 }
 
@@ -228,8 +233,8 @@ bool MotionStates::raise_for(double t) {
 void MotionStates::apply_log() {
   if (failure_) std::rethrow_exception(failure_);
   try {
-    while (applied_ < log_.size()) {
-      const Record& r = log_[applied_];
+    while (applied_ < handed_) {
+      const Record& r = log_->record(applied_);
       apply(r);
       if (is_accurate_enough(r)) {
         ++applied_;
@@ -246,20 +251,15 @@ void MotionStates::apply_log() {
   }
 }
 
-void MotionStates::take_over_rest() {
-  log_.insert(log_.end(), rest_.begin(), rest_.end());
-  rest_.clear();
-}
-
 void MotionStates::apply_rest() {
   wait();
-  take_over_rest();
+  handed_ = size_;
   apply_log();
 }
 
 void MotionStates::apply_rest_late() {
   wait();
-  take_over_rest();
+  handed_ = size_;
   before_job_ = {applied_, bits_at(0), replays_};
   if (!worker_) worker_ = std::make_unique<Worker>();
   worker_->start([this] { apply_log(); });
@@ -290,16 +290,16 @@ MotionStates::State<Ball> MotionStates::initial_balls(GenId g, Ball::Precision b
 }
 
 const MotionStates::State<Ball>& MotionStates::balls(GenId g, double t_ref) const {
-  std::unique_ptr<State<Ball>>& balls = balls_[g + 1];
+  std::shared_ptr<State<Ball>>& balls = balls_[g + 1];
   if (balls) return *balls;
   const Ball::Precision bits = bits_at(t_ref);
   if (const FixedState* fixed = fixed_[g + 1].get()) {
     const auto at = [&](std::size_t k) {
       return fixed->numbers.view(k).ball(fixed->scale(k, x_scale_), bits);
     };
-    balls = std::make_unique<State<Ball>>(State<Ball>{at(0), at(1), at(2), at(3)});
+    balls = std::make_shared<State<Ball>>(State<Ball>{at(0), at(1), at(2), at(3)});
   } else {
-    balls = std::make_unique<State<Ball>>(initial_balls(g, bits));
+    balls = std::make_shared<State<Ball>>(initial_balls(g, bits));
   }
   return *balls;
 }

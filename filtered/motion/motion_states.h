@@ -15,6 +15,7 @@
 #include "exact/generators.h"
 #include "exact/rational.h"
 #include "filtered/motion/fixed_collision.h"
+#include "filtered/motion/motion_log.h"
 #include "filtered/motion/options.h"
 #include "filtered/motion/worker.h"
 #include "filtered/numbers/dd_ball.h"
@@ -25,7 +26,9 @@ namespace voroproof::internal {
 // applied so far.
 class MotionStates {
  public:
-  MotionStates(MotionInput input, const MotionOptions& options);
+  // `log`: empty and nobody else's, or that of other states of the same input, which these
+  // follow().
+  MotionStates(MotionInput input, const MotionOptions& options, std::shared_ptr<MotionLog> log);
   MotionStates(const MotionStates&) = delete;
   MotionStates& operator=(const MotionStates&) = delete;
   ~MotionStates();
@@ -43,25 +46,29 @@ class MotionStates {
                const Rational& vy);
   void restart(GenId g, double t, const GivenMotion& given);
 
-  struct Maneuver {
-    Rational t, vx, vy;
-  };
-  // A collision of i < j; a maneuver of i has j = i.
-  struct Record {
-    GenId i, j;
-    int before_i, before_j;  // the states before it: Motion::state_id
-    double t_i, t_j;         // their reference times
-    double t_ref;            // and that of the states after it
-    int maneuver;            // its index, or -1
-  };
+  using Maneuver = MotionLog::Maneuver;
+  using Record = MotionLog::Record;
   // The records so far, oldest first.
-  std::size_t size_of_log() const { return log_.size() + rest_.size(); }
-  const Record& record(std::size_t k) const {
-    return k < log_.size() ? log_[k] : rest_[k - log_.size()];
-  }
-  const Maneuver& maneuver(int index) const { return maneuvers_[index]; }
+  std::size_t size_of_log() const { return size_; }
+  const Record& record(std::size_t k) const { return log_->record(k); }
+  const Maneuver& maneuver(int index) const { return log_->maneuver(index); }
+  const std::shared_ptr<MotionLog>& log() const { return log_; }
 
-  void append(const Record& r) { rest_.push_back(r); }
+  void append(const Record& r) {
+    log_->append(r);
+    ++size_;
+  }
+  // The log has another record that is to be applied, made by others. `v_scale`: of their states.
+  void follow(std::int64_t v_scale) {
+    ++size_;
+    v_scale_ = v_scale;
+  }
+  // All states after the records so far. They stay as they are: since then those that change are
+  // made anew.
+  struct Snapshot;
+  Snapshot snapshot();
+  // These states, which follow() others, are as those were then.
+  void follow(const Snapshot& then);
   // Adds the maneuver; returns its index, for a record.
   int append(Maneuver m);
 
@@ -73,7 +80,7 @@ class MotionStates {
   // Waits for that thread, and throws what apply_rest() would have thrown.
   void wait();
   // How many records are neither applied nor handed to that thread.
-  std::size_t rest() const { return rest_.size(); }
+  std::size_t rest() const { return size_ - handed_; }
   // Applies all records anew, for states known to twice as many bits. False when the budget is
   // exhausted.
   bool raise_goal();
@@ -113,6 +120,7 @@ class MotionStates {
  private:
   int integer_limbs() const;
   void begin();
+  void set_laws();
   State<Ball> initial_balls(GenId g, Ball::Precision bits) const;
   FixedCollision::Side side_of(GenId g, double t_ref) const;
   void apply(const Record& r);
@@ -120,7 +128,6 @@ class MotionStates {
   void respond(const Record& r);
   bool is_accurate_enough(const Record& r) const;
   bool is_working() const { return worker_ && worker_->is_working(); }
-  void take_over_rest();
   void apply_log();
   void replay();
   bool raise_for(double t);
@@ -136,19 +143,30 @@ class MotionStates {
   std::int64_t x_scale_ = 0, v_scale_ = 0;        // exponents
   std::int64_t far_scale_ = 0, reach_scale_ = 0;  // of the farthest coordinate, the least reach
   std::uint64_t replays_ = 0;
-  std::vector<double> start_;       // per disk: when its initial state holds
-  std::vector<Record> log_, rest_;  // applied or handed over, and those after them
-  std::vector<Maneuver> maneuvers_;
+  std::vector<double> start_;  // per disk: when its initial state holds
+  std::shared_ptr<MotionLog> log_;
+  std::size_t size_ = 0;        // of the log, as far as these states go
+  std::size_t handed_ = 0;      // records that are applied or handed over
   std::size_t applied_ = 0;     // records
   std::exception_ptr failure_;  // of a state that could not be computed: none can be since
   Progress before_job_;
   // The states of generators whose last change was a collision; null of all others.
-  std::vector<std::unique_ptr<FixedState>> fixed_;
+  std::vector<std::shared_ptr<FixedState>> fixed_;
   // States in balls: those after a maneuver, others from when they are asked for.
-  mutable std::vector<std::unique_ptr<State<Ball>>> balls_;
+  mutable std::vector<std::shared_ptr<State<Ball>>> balls_;
+  bool are_shared_ = false;  // the states, with snapshots
   CollisionFactors laws_;
   FixedCollision collision_;
   std::unique_ptr<Worker> worker_;  // the last member: its job uses the others
+};
+
+struct MotionStates::Snapshot {
+  std::vector<std::shared_ptr<FixedState>> fixed;
+  std::vector<std::shared_ptr<State<Ball>>> balls;
+  std::size_t records = 0;
+  int goal_bits = 0;
+  double slope = 0;
+  std::int64_t v_scale = 0;
 };
 
 }  // namespace voroproof::internal

@@ -12,7 +12,7 @@
 namespace voroproof {
 
 struct SimulateOptions {
-  int threads = 1;               // 2: deep states on a thread of their own; the same history
+  int threads = 1;               // that compute, with 500 disks or more; the same history
   int max_bits = 32768;          // of the numbers from which decisions are taken
   std::uint64_t max_events = 0;  // a history of more stops; 0: no limit
   // Called now and then, also within a long decision, with the time reached and the number of

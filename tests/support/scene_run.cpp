@@ -147,12 +147,16 @@ std::size_t RecordedRun::count(Event::Kind kind) const {
 
 RecordedRun run(const Scene& scene, const MotionOptions& options,
                 std::function<bool(double t, std::uint64_t events)> monitor) {
-  RecordedRun result;
-  Recorder recorder(result);
   EngineOptions engine_options;
   engine_options.motion = options;
   engine_options.monitor = std::move(monitor);
-  Engine engine(motion_input(scene), maneuver_input(scene), engine_options);
+  return run_with(scene, engine_options);
+}
+
+RecordedRun run_with(const Scene& scene, const EngineOptions& options) {
+  RecordedRun result;
+  Recorder recorder(result);
+  Engine engine(motion_input(scene), maneuver_input(scene), options);
   result.outcome = engine.run(recorder);
   note_end(engine, result);
   return result;

@@ -54,6 +54,9 @@ struct RecordedRun {
 RecordedRun run(const Scene& scene, const MotionOptions& options = {},
                 std::function<bool(double t, std::uint64_t events)> monitor = {});
 
+// The run with all options that an engine has.
+RecordedRun run_with(const Scene& scene, const EngineOptions& options);
+
 // A run that takes up the first `events` of another of the same scene, as if nothing else of it
 // were there.
 RecordedRun resume(const Scene& scene, const RecordedRun& begun, std::size_t events,

@@ -1,0 +1,346 @@
+#include "kinetic/sliced_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "exact/patience.h"
+
+namespace voroproof::internal {
+
+namespace {
+
+// Events that a follower hands over at a time.
+constexpr std::size_t kChunk = 1024;
+// Between two looks at whether the run is still wanted, while nothing is there to tell.
+constexpr std::chrono::milliseconds kLook(10);
+// The disks that turn or change their square in a slice, per disk: with few threads, and at least.
+// Each slice begins with a diagram from scratch, which costs about as much as two flips a disk;
+// many threads have something to do only if there are many slices.
+constexpr double kMostWork = 12, kLeastWork = 6;
+// The first slices are shorter, for others to begin soon.
+constexpr double kWorkOfFirst = 3;
+
+// States beyond double-doubles do not wait: the leader has a thread of its own as it is.
+MotionOptions now(MotionOptions options) {
+  options.late_states = false;
+  return options;
+}
+
+std::uint64_t work_of(int slice, int threads, int disks) {
+  const double most = std::max(kLeastWork, 2 * kMostWork / threads);
+  return static_cast<std::uint64_t>(disks * std::min(most, kWorkOfFirst * (slice + 1)));
+}
+
+}  // namespace
+
+SlicedRun::SlicedRun(MotionInput input, std::vector<ManeuverInput> maneuvers,
+                     const EngineOptions& options)
+    : options_(options),
+      leader_(std::move(input), std::move(maneuvers), now(options.motion)),
+      diagram_(leader_.motion().size()) {}
+
+SlicedRun::~SlicedRun() { end(); }
+
+bool SlicedRun::possible() const { return leader_.motion().size() > 2 && leader_.possible(); }
+
+void SlicedRun::end() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  changed_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+  threads_.clear();
+}
+
+// ---- The threads that compute. ----
+
+void SlicedRun::work() {
+  const Patience patience([this] { return !ending_; });
+  std::unique_ptr<Motion> motion;
+  for (;;) {
+    if (options_.slice_hooks.pause) options_.slice_hooks.pause();
+    Slice* slice = nullptr;
+    Work work = Work::none;
+    {
+      std::unique_lock lock(mutex_);
+      work = find_work(lock, slice);
+    }
+    if (work == Work::none) return;
+    std::exception_ptr failure;
+    try {
+      if (work == Work::lead) {
+        lead(*slice);
+      } else {
+        const Motion& leaders = leader_.motion();
+        if (!motion)
+          motion = std::make_unique<Motion>(leaders.input(), leaders.options(), leaders.log());
+        follow(*slice, *motion);
+      }
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    if (!failure) continue;
+    {
+      const std::lock_guard lock(mutex_);
+      (work == Work::lead ? leader_failure_ : slice->failure) = failure;
+      if (work == Work::lead) is_leading_ = false;
+    }
+    changed_.notify_all();
+    return;
+  }
+}
+
+// The first slice without a follower, of those that the leader is through with, or the other one.
+Slice* SlicedRun::untaken(bool led) {
+  for (const auto& slice : slices_) {
+    if (!slice->taken && slice->led == led) return slice.get();
+  }
+  return nullptr;
+}
+
+// Slices wait for followers, and not followers for slices; but few do, for what they take of
+// memory.
+SlicedRun::Work SlicedRun::find_work(std::unique_lock<std::mutex>& lock, Slice*& slice) {
+  const std::size_t threads = options_.threads;
+  for (;;) {
+    if (ending_) return Work::none;
+    std::size_t ready = 0;
+    for (const auto& s : slices_) ready += s->led && !s->taken ? 1 : 0;
+    const bool can_lead =
+        !is_leading_ && !all_led_ && !leader_failure_ && slices_.size() <= 2 * threads;
+    if (can_lead && ready < (threads + 1) / 2) {
+      is_leading_ = true;
+      slice = slices_.back().get();
+      return Work::lead;
+    }
+    // Of a slice that is led into just now the first diagram can be made meanwhile.
+    for (const bool led : {true, false}) {
+      if (!led && leader_failure_) continue;
+      slice = untaken(led);
+      if (slice == nullptr) continue;
+      slice->taken = true;
+      return Work::follow;
+    }
+    if (all_led_ || leader_failure_) return Work::none;
+    changed_.wait(lock);
+  }
+}
+
+// The slice that is led into has its begin; there is another after it unless it is the last.
+void SlicedRun::lead(Slice& slice) {
+  Motion& motion = leader_.motion();
+  const SliceHooks& hooks = options_.slice_hooks;
+  const std::uint64_t work = hooks.work ? hooks.work(slice.number)
+                                        : work_of(slice.number, options_.threads, motion.size());
+  const std::optional<double> border = leader_.lead(slice.turns, work, hooks.border);
+  std::unique_ptr<Slice> next;
+  if (border) {
+    next = std::make_unique<Slice>();
+    next->number = slice.number + 1;
+    next->begin = *border;
+    next->start = motion.snapshot();
+  }
+  slice.end = border ? to_rational(*border) : motion.input().horizon;
+  {
+    const std::lock_guard lock(mutex_);
+    slice.led = true;
+    is_leading_ = false;
+    all_led_ = !border;
+    if (next) slices_.push_back(std::move(next));
+  }
+  changed_.notify_all();
+}
+
+void SlicedRun::follow(Slice& slice, Motion& motion) {
+  motion.follow(slice.start);
+  slice.start = {};
+  Follower follower(motion, slice.begin, options_.profile);
+  follower.construct();
+  {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return slice.led || leader_failure_ || ending_; });
+    if (!slice.led) return;
+  }
+  follower.settle(slice.turns, slice.end);
+  if (options_.slice_hooks.diagram) options_.slice_hooks.diagram(slice.number, follower.diagram());
+  {
+    std::vector<Quad> first = follower.diagram().quads();
+    const std::lock_guard lock(mutex_);
+    slice.first = std::move(first);
+    slice.settled = true;
+  }
+  changed_.notify_all();
+  Chunk chunk;
+  chunk.reserve(kChunk + 64);
+  follower.run(chunk, [&] {
+    chunk.end_instant();
+    if (chunk.size() >= kChunk) publish(slice, chunk, follower.stats());
+  });
+  publish(slice, chunk, follower.stats());
+  std::vector<Quad> last = follower.diagram().quads();
+  slice.turns = {};
+  {
+    const std::lock_guard lock(mutex_);
+    slice.last = std::move(last);
+    slice.stats = follower.stats();
+    slice.stats.replays = motion.replays();
+    slice.stats.highest_bits = motion.highest_bits();
+    slice.stats.goal_bits = motion.goal_bits();
+    slice.diagram = follower.diagram();
+    slice.done = true;
+  }
+  changed_.notify_all();
+}
+
+void SlicedRun::publish(Slice& slice, Chunk& chunk, const EngineStats& stats) {
+  if (options_.slice_hooks.pause) options_.slice_hooks.pause();
+  chunk.stats = stats;
+  Chunk next;
+  next.reserve(kChunk + 64);
+  {
+    const std::lock_guard lock(mutex_);
+    slice.chunks.push_back(std::exchange(chunk, std::move(next)));
+  }
+  changed_.notify_all();
+}
+
+// ---- The thread that tells. ----
+
+std::optional<Outcome> SlicedRun::run(EventSink& sink) {
+  slices_.push_back(std::make_unique<Slice>());
+  slices_.back()->start = leader_.motion().snapshot();
+  try {
+    for (int k = 0; k < options_.threads; ++k) threads_.emplace_back([this] { work(); });
+    const bool complete = tell_slices(sink);
+    end();
+    if (complete) return outcome(Outcome::Kind::complete);
+  } catch (const GivenUp&) {
+    end();
+    if (!told_.begun) sink.begin({});
+    return outcome(Outcome::Kind::interrupted);
+  } catch (const Undecided&) {
+    end();
+  } catch (...) {
+    end();
+    throw;
+  }
+  return std::nullopt;
+}
+
+Outcome SlicedRun::outcome(Outcome::Kind kind) {
+  Outcome outcome;
+  outcome.kind = kind;
+  outcome.t =
+      kind == Outcome::Kind::complete ? round_nearest(leader_.motion().input().horizon) : told_.t;
+  if (kind == Outcome::Kind::interrupted) outcome.reason = "interrupted";
+  add(leader_.stats());
+  add(present_);
+  stats_.end = outcome.t;
+  const Motion& motion = leader_.motion();
+  stats_.replays += motion.replays();
+  stats_.highest_bits = std::max(stats_.highest_bits, motion.highest_bits());
+  stats_.goal_bits = std::max(stats_.goal_bits, motion.goal_bits());
+  return outcome;
+}
+
+void SlicedRun::add(const EngineStats& s) {
+  for (std::size_t k = 0; k < stats_.flips.size(); ++k) stats_.flips[k] += s.flips[k];
+  stats_.disk_collisions += s.disk_collisions;
+  stats_.wall_collisions += s.wall_collisions;
+  stats_.maneuvers += s.maneuvers;
+  stats_.predicted_flips += s.predicted_flips;
+  stats_.predicted_collisions += s.predicted_collisions;
+  stats_.flip_searches += s.flip_searches;
+  stats_.contact_searches += s.contact_searches;
+  stats_.ties += s.ties;
+  stats_.replays += s.replays;
+  stats_.highest_bits = std::max(stats_.highest_bits, s.highest_bits);
+  stats_.goal_bits = std::max(stats_.goal_bits, s.goal_bits);
+  stats_.flip_seconds += s.flip_seconds;
+  stats_.collision_seconds += s.collision_seconds;
+  stats_.queue_seconds += s.queue_seconds;
+  stats_.move_seconds += s.move_seconds;
+  stats_.initial_seconds += s.initial_seconds;
+  stats_.tiers += s.tiers;
+}
+
+void SlicedRun::ask_monitor() const {
+  if (options_.monitor && !options_.monitor(told_.t, told_.events)) throw GivenUp();
+}
+
+template <class Ready>
+void SlicedRun::wait_until(std::unique_lock<std::mutex>& lock, const Ready& ready) {
+  while (!changed_.wait_for(lock, kLook, ready)) {
+    lock.unlock();
+    ask_monitor();
+    lock.lock();
+  }
+}
+
+// Returns whether the history is complete; if not, two slices do not join.
+bool SlicedRun::tell_slices(EventSink& sink) {
+  for (;;) {
+    Slice* slice = nullptr;
+    {
+      std::unique_lock lock(mutex_);
+      slice = slices_.front().get();
+    }
+    if (!tell_slice(*slice, sink)) return false;
+    bool is_last = false;
+    {
+      std::unique_lock lock(mutex_);
+      is_last = slices_.size() == 1;
+      last_ = std::move(slice->last);
+      add(slice->stats);
+      present_ = {};
+      ++stats_.slices;
+      if (slice->number == 0) stats_.settling_flips = slice->stats.settling_flips;
+      if (is_last) diagram_ = std::move(slice->diagram);
+      slices_.pop_front();
+    }
+    changed_.notify_all();
+    if (is_last) return true;
+  }
+}
+
+bool SlicedRun::tell_slice(Slice& slice, EventSink& sink) {
+  std::unique_lock lock(mutex_);
+  const auto failed = [&] { return slice.failure || leader_failure_; };
+  const auto require_none = [&] {
+    if (slice.failure) std::rethrow_exception(slice.failure);
+    if (leader_failure_) std::rethrow_exception(leader_failure_);
+  };
+  wait_until(lock, [&] { return slice.settled || failed(); });
+  require_none();
+  if (slice.number == 0) {
+    const std::vector<Quad> first = std::move(slice.first);
+    lock.unlock();
+    sink.begin(first);
+    told_.begun = true;
+    lock.lock();
+  } else if (slice.first != last_) {
+    return false;
+  }
+  for (;;) {
+    wait_until(lock, [&] { return !slice.chunks.empty() || slice.done || failed(); });
+    require_none();
+    if (slice.chunks.empty()) return true;
+    const Chunk chunk = std::move(slice.chunks.front());
+    slice.chunks.pop_front();
+    lock.unlock();
+    chunk.tell(sink, [&](double t, std::uint64_t events) {
+      if (options_.max_events > 0 && told_.events + events > options_.max_events) {
+        throw Undecided("more events than allowed");
+      }
+      told_.t = t;
+      told_.events += events;
+    });
+    present_ = chunk.stats;
+    ask_monitor();
+    lock.lock();
+  }
+}
+
+}  // namespace voroproof::internal
