@@ -114,7 +114,7 @@ TEST_F(Cli, UsageErrors) {
       {{"snapshot", scene, "-o", out}, "--at is required"},
       {{"snapshot", scene, "-o", out, "--at", "soon"}, "--at: soon"},
       {{"snapshot", scene, "-o", out, "--at", "1", "--move", "1"},
-       "--move, --construct and --unchecked say"},
+       "--move, --construct, --unchecked and --index say"},
       {{"snapshot", scene, scene, "-o", out, "--at", "1", "--move", "4"}, "--move"},
       {{"snapshot", scene, "-o", out, "--at", "-1"}, "--at: -1: negative"},
       {{"snapshot", scene, "-o", scene, "--at", "1"}, "is an input as well as an output"},
