@@ -193,7 +193,7 @@ class Runs {
     interruption.check();
     const std::lock_guard lock(mutex_);
     results_[n] = member_json(member, predictions());
-    if (partial_) partial_->keep(experiment_json(experiment(true)));
+    if (partial_ && is_complete(*results_[n])) partial_->keep(experiment_json(experiment(true)));
   }
 
   // The summary of a run, and why it stopped.
