@@ -74,8 +74,9 @@ class Files:
             first = json.loads(text.splitlines()[0])
         except (ValueError, IndexError):
             first = None
-        if isinstance(first, dict) and first.get("format") in LINES:
-            return self.fault_of_lines(text, *LINES[first["format"]])
+        for name, of_lines in LINES.items():
+            if isinstance(first, dict) and first.get("format") == name:
+                return self.fault_of_lines(text, *of_lines)
         try:
             document = json.loads(text)
         except ValueError as error:
