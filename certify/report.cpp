@@ -18,7 +18,7 @@ Json json(const EvidenceNumber& n) {
 }
 
 Json json(const Event& event) {
-  Json j;
+  Json j = Json::object();
   j["t"] = exact_time(event) == to_rational(time(event)) ? Json(time(event))
                                                          : Json(exact_time(event).get_str());
   const auto vectors = [](const std::array<std::optional<Vec2>, 2>& v) {
@@ -68,7 +68,7 @@ Json json(const Witness& w) {
 }
 
 Json json(const Divergence& d) {
-  Json j;
+  Json j = Json::object();
   j["kind"] = fault_names[static_cast<int>(d.fault)];
   j["line"] = d.line;
   j["t"] = d.t;
@@ -137,7 +137,7 @@ std::string horizon_line(const Certificate& c) {
 
 std::string report_text(const CertificationRun& run, const CertifyOptions& options,
                         const Certificate& c) {
-  Json j;
+  Json j = Json::object();
   j["format"] = "voroproof-report";
   j["version"] = 1;
   j["producer"] = run.producer;

@@ -95,7 +95,7 @@ std::optional<std::pair<int, int>> part_of(const std::string& text) {
 
 std::string shard_text(const ShardFile& file) {
   const Certificate& c = file.shard.certificate;
-  Json j;
+  Json j = Json::object();
   j["format"] = shard_format;
   j["version"] = 1;
   j["part"] = Json::array({file.number, file.of});

@@ -42,7 +42,7 @@ Json vehicles_json(const Plan& plan) {
 
 std::string plan_report_text(const PlanRun& run, const PlanResult& result) {
   const PlanTask& task = result.plan.task;
-  Json json;
+  Json json = Json::object();
   json["format"] = "voroproof-plan-report";
   json["version"] = 1;
   json["producer"] = run.producer;

@@ -17,7 +17,7 @@ struct Request {
 };
 
 Json described(const Option& option) {
-  Json json;
+  Json json = Json::object();
   json["names"] = option.names;
   json["help"] = option.help;
   json["type"] = option.type;
@@ -32,7 +32,7 @@ Json described(const Option& option) {
 }
 
 Json described(const Verb& verb) {
-  Json json;
+  Json json = Json::object();
   json["name"] = verb.name();
   json["description"] = verb.description();
   json["arguments"] = json["options"] = json["verbs"] = Json::array();

@@ -42,7 +42,7 @@ std::string count_text(int count, const std::string& thing) {
 std::string cell(int count) { return count == 0 ? "." : std::to_string(count); }
 
 Json json(const CorpusRunInfo& info) {
-  Json j;
+  Json j = Json::object();
   j["format"] = "voroproof-corpus-report";
   j["version"] = 1;
   j["producer"] = info.producer;
@@ -53,7 +53,7 @@ Json json(const CorpusRunInfo& info) {
 }
 
 Json json(const CaseJudgement& judgement) {
-  Json j;
+  Json j = Json::object();
   j["verdict"] = name_of(judgement.verdict);
   j["reason"] = judgement.reason;
   if (judgement.verdict == CaseJudgement::Verdict::refuted) {

@@ -32,7 +32,7 @@ Json tiers(const TierCounts& counts) {
 
 std::string stats_text(const RunDescription& run, const Outcome& outcome,
                        const EngineStats& stats) {
-  Json json;
+  Json json = Json::object();
   json["format"] = "voroproof-stats";
   json["version"] = 1;
   json["producer"] = run.producer;
