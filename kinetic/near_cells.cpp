@@ -80,7 +80,8 @@ int NearCells::place(GenId g, double t) {
 double NearCells::leaves(GenId g, double t) const {
   const DoubleMotion& m = motion_.doubles(g);
   const double speed = std::fabs(m.vx) + std::fabs(m.vy);
-  if (!(m.ex + (m.ev + speed * 0x1p-50) * (std::fabs(t) + width_ / speed) < kError * width_) &&
+  // Through a square, its margins included, a disk goes for less than 3 widths / speed.
+  if (!(m.ex + (m.ev + speed * 0x1p-50) * (std::fabs(t) + 3 * width_ / speed) < kError * width_) &&
       speed > 0) {
     throw Undecided("a place is not known well");
   }
