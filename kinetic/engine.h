@@ -8,7 +8,8 @@
 // order of docs/formats.md.
 //
 // Its parts: what is to come (schedule.h), the times of events and their order (event_times.h), the
-// present instant (present.h), what is done at each instant (processing.h).
+// present instant (present.h), what is done at each instant (processing.h). On several threads a
+// run is made in slices of time (sliced_run.h).
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // What an engine counts while it runs.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -31,6 +32,30 @@ struct EngineStats {
     std::uint64_t sum = 0;
     for (const auto f : flips) sum += f;
     return sum;
+  }
+
+  // Adds what a part of the same run counted. How far it came, and what settled its first diagram,
+  // is of the part alone.
+  void add(const EngineStats& part) {
+    for (std::size_t k = 0; k < flips.size(); ++k) flips[k] += part.flips[k];
+    disk_collisions += part.disk_collisions;
+    wall_collisions += part.wall_collisions;
+    maneuvers += part.maneuvers;
+    predicted_flips += part.predicted_flips;
+    predicted_collisions += part.predicted_collisions;
+    flip_searches += part.flip_searches;
+    contact_searches += part.contact_searches;
+    ties += part.ties;
+    replays += part.replays;
+    highest_bits = std::max(highest_bits, part.highest_bits);
+    goal_bits = std::max(goal_bits, part.goal_bits);
+    slices += part.slices;
+    flip_seconds += part.flip_seconds;
+    collision_seconds += part.collision_seconds;
+    queue_seconds += part.queue_seconds;
+    move_seconds += part.move_seconds;
+    initial_seconds += part.initial_seconds;
+    tiers += part.tiers;
   }
 };
 

@@ -235,35 +235,14 @@ Outcome SlicedRun::outcome(Outcome::Kind kind) {
   outcome.t =
       kind == Outcome::Kind::complete ? round_nearest(leader_.motion().input().horizon) : told_.t;
   if (kind == Outcome::Kind::interrupted) outcome.reason = "interrupted";
-  add(leader_.stats());
-  add(present_);
+  stats_.add(leader_.stats());
+  stats_.add(present_);
   stats_.end = outcome.t;
   const Motion& motion = leader_.motion();
   stats_.replays += motion.replays();
   stats_.highest_bits = std::max(stats_.highest_bits, motion.highest_bits());
   stats_.goal_bits = std::max(stats_.goal_bits, motion.goal_bits());
   return outcome;
-}
-
-void SlicedRun::add(const EngineStats& s) {
-  for (std::size_t k = 0; k < stats_.flips.size(); ++k) stats_.flips[k] += s.flips[k];
-  stats_.disk_collisions += s.disk_collisions;
-  stats_.wall_collisions += s.wall_collisions;
-  stats_.maneuvers += s.maneuvers;
-  stats_.predicted_flips += s.predicted_flips;
-  stats_.predicted_collisions += s.predicted_collisions;
-  stats_.flip_searches += s.flip_searches;
-  stats_.contact_searches += s.contact_searches;
-  stats_.ties += s.ties;
-  stats_.replays += s.replays;
-  stats_.highest_bits = std::max(stats_.highest_bits, s.highest_bits);
-  stats_.goal_bits = std::max(stats_.goal_bits, s.goal_bits);
-  stats_.flip_seconds += s.flip_seconds;
-  stats_.collision_seconds += s.collision_seconds;
-  stats_.queue_seconds += s.queue_seconds;
-  stats_.move_seconds += s.move_seconds;
-  stats_.initial_seconds += s.initial_seconds;
-  stats_.tiers += s.tiers;
 }
 
 void SlicedRun::ask_monitor() const {
@@ -293,7 +272,7 @@ bool SlicedRun::tell_slices(EventSink& sink) {
       std::unique_lock lock(mutex_);
       is_last = slices_.size() == 1;
       last_ = std::move(slice->last);
-      add(slice->stats);
+      stats_.add(slice->stats);
       present_ = {};
       ++stats_.slices;
       if (slice->number == 0) stats_.settling_flips = slice->stats.settling_flips;

@@ -64,7 +64,6 @@ class SlicedRun {
   template <class Ready>
   void wait_until(std::unique_lock<std::mutex>& lock, const Ready& ready);
   void ask_monitor() const;
-  void add(const EngineStats& stats);
   Outcome outcome(Outcome::Kind kind);
 
   EngineOptions options_;
