@@ -161,6 +161,22 @@ TEST(EngineSlices, BordersAtFlips) {
   EXPECT_GE(expect_same(whole, parts), 10u);
 }
 
+// A slice ends at no time that an instant's enclosure has.
+TEST(EngineSlices, NoBorderWhereAnInstantMayBe) {
+  ReferenceOptions scene_options;
+  scene_options.n = 30;
+  scene_options.horizon = 50;
+  const Scene scene = generate_reference(scene_options);
+  const RecordedRun whole = run(scene);
+  for (const bool first : {true, false}) {
+    EngineOptions options = sliced(2, 1, 1);
+    options.slice_hooks.border = [first](double after, double before) {
+      return first ? after : before;
+    };
+    EXPECT_EQ(expect_same(whole, run_with(scene, options)), 1u);
+  }
+}
+
 // Collisions at right angles and cradles at one instant, a maneuver at that of a collision.
 TEST(EngineSlices, InstantsOfManyEvents) {
   Scene cradle = scene_of(20, 40,
