@@ -48,6 +48,8 @@ bool exists(const std::string& path) {
   return std::filesystem::is_regular_file(path, error);
 }
 
+std::string partial_of(const std::string& history) { return history + ".partial"; }
+
 }  // namespace
 
 std::optional<BegunHistory> BegunHistory::find(const std::string& history,
@@ -59,7 +61,7 @@ std::optional<BegunHistory> BegunHistory::find(const std::string& history,
     best = read(history, wanted, disks);
     if (best && best->complete_) return best;
   }
-  const std::string partial = history + ".partial";
+  const std::string partial = partial_of(history);
   const auto take = [&](std::optional<BegunHistory> found) {
     if (found && (!best || found->t0() > best->t0())) best = std::move(found);
   };
@@ -73,6 +75,13 @@ std::optional<BegunHistory> BegunHistory::find(const std::string& history,
   });
   if (best && best->t0() == 0) return std::nullopt;
   return best;
+}
+
+void BegunHistory::remove_beside_complete(const std::string& history, const HistoryHeader& wanted,
+                                          int disks) {
+  const std::string partial = partial_of(history);
+  if (exists(partial) && read(partial, wanted, disks)) std::remove(partial.c_str());
+  each_abandoned(history, [](const std::string& path) { std::remove(path.c_str()); });
 }
 
 std::optional<BegunHistory> BegunHistory::read(const std::string& path, const HistoryHeader& wanted,

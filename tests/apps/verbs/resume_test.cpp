@@ -118,6 +118,19 @@ TEST_F(Resume, OfACompleteHistoryIsNothing) {
   EXPECT_EQ(std::filesystem::last_write_time(history_), time);
 }
 
+// A process may be killed between the last two of its acts: its history has its name, and what it
+// took up is still there.
+TEST_F(Resume, RemovesWhatIsLeftBesideACompleteHistory) {
+  const std::string half = whole_.substr(0, whole_.size() / 2);
+  directory_.write("a.history.jsonl", whole_);
+  directory_.write("a.history.jsonl.partial", half);
+  directory_.write("a.history.jsonl.999999999.0.tmp", half);
+  expect_whole();
+  directory_.write("a.history.jsonl.partial", with("\"horizon\":60", "\"horizon\":61"));
+  EXPECT_EQ(run(resume()).code, 0);
+  EXPECT_EQ(directory_.number_of_files(), 3u);
+}
+
 TEST_F(Resume, OfAnotherRunIsRefused) {
   directory_.write("a.history.jsonl", with("\"scene_sha256\":\"", "\"scene_sha256\":\"0"));
   refused(resume(), "a.history.jsonl");
