@@ -219,6 +219,7 @@ const std::vector<Target>& targets() {
       {"kernel-history", kernel_history, 20'000},
       {"shard", reads_shard, 10'000},
       {"merge", merges, 4'000},
+      {"index", reads_index, 1'000},
       {"begun-report", resumes_certificate, 1'000},
       {"begun-history", resumes_history, 1'000},
       {"certify", certifies, 2'000},

@@ -1,6 +1,8 @@
-// What a run of certify or of simulate left, taken up by another, and certificates of shards.
+// What a run of certify or of simulate left, taken up by another; certificates of shards; an index.
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -10,6 +12,8 @@
 #include "apps/run/begun_history.h"
 #include "apps/run/history_sink.h"
 #include "certify/certifier.h"
+#include "certify/fingerprint.h"
+#include "certify/replay.h"
 #include "exact/tower.h"
 #include "filtered/motion/options.h"
 #include "history/claim.h"
@@ -17,8 +21,10 @@
 #include "kinetic/engine.h"
 #include "library/certification.h"
 #include "library/explanation.h"
+#include "library/history_index.h"
 #include "library/maneuver_input.h"
 #include "library/shard_file.h"
+#include "library/snapshot.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/pieces.h"
 #include "tests/fuzz/target.h"
@@ -94,7 +100,93 @@ class Nobody final : public EventSink {
   void maneuver(double, GenId, const RoundedState&) override {}
 };
 
+// Certifies the history of the scene up to its second part, and keeps what there is to go on with.
+class BegunShard {
+ public:
+  explicit BegunShard(const Simulated& simulated) {
+    options_.truth = Truth::recorded;
+    options_.propose_initial = construct_initial;
+    ShardTask task;
+    task.is_due = [this] { return !begun_; };
+    task.proved = [this](Shard so_far) { begun_ = std::move(so_far); };
+    const Claim claim = open_claim(simulated.scene(), simulated.history());
+    whole_ = certify_shard(claim.scene, *claim.history, options_, task).certificate;
+    if (!begun_ || !begun_->end) throw std::logic_error("the history has no second part");
+  }
+
+  const CertifyOptions& options() const { return options_; }
+  const Cut& end() const { return *begun_->end; }
+
+  // Throws std::logic_error where what comes next does not lead to the certificate of the whole.
+  void require_whole(Shard next, const CertificationRun& run) const {
+    Shard joined = *begun_;
+    append(joined, std::move(next));
+    if (report_text(run, options_, joined.certificate) != report_text(run, options_, whole_)) {
+      throw std::logic_error("with an index the report is another");
+    }
+  }
+
+ private:
+  CertifyOptions options_;
+  std::optional<Shard> begun_;
+  Certificate whole_;
+};
+
+// Gives each entry of an index the hash of its own state: else none that was changed would be
+// looked at. What is no index, and what has no such state, stays as it is.
+std::string with_hashes_of_states(std::string_view bytes, const Scene& scene,
+                                  const CertifyOptions& options) {
+  std::istringstream in{std::string(bytes)};
+  std::string text;
+  for (std::string line; std::getline(in, line); text += line + '\n') {
+    nlohmann::ordered_json entry = nlohmann::ordered_json::parse(line, nullptr, false);
+    if (!entry.is_object() || !entry.contains("state") || !entry.contains("cut")) continue;
+    if (!entry["cut"].is_object() || !entry["cut"].contains("state_sha256")) continue;
+    Replay replay(scene, options);
+    Cut cut;
+    try {
+      for (auto [name, count] :
+           {std::pair("flips", &cut.claims.flips), std::pair("collisions", &cut.claims.collisions),
+            std::pair("maneuvers", &cut.claims.maneuvers)}) {
+        entry["cut"].at(name).get_to(*count);
+      }
+      entry["cut"].at("t").get_to(cut.t);
+      replay.read({.cut = cut, .state = entry["state"].dump(), .file = "index", .line = 1});
+    } catch (const nlohmann::json::exception&) {
+      continue;
+    } catch (const InputError& refusal) {
+      if (refusal.field() != "cut.state_sha256") continue;
+    }
+    Fingerprint state;
+    replay.add_to(state);
+    entry["cut"]["state_sha256"] = state.hex();
+    line = entry.dump();
+  }
+  return text;
+}
+
 }  // namespace
+
+bool reads_index(std::string_view bytes) {
+  static const Simulated simulated;
+  static const BegunShard begun(simulated);
+  const Claim claim = open_claim(simulated.scene(), simulated.history());
+  const IndexFile index{
+      .path = file_with(with_hashes_of_states(bytes, claim.scene, begun.options())),
+      .producer = this_program};
+  accepts([&] {
+    snapshot(claim.scene, simulated.history(), to_rational(begun.end().t) + 2, {},
+             {.index = index});
+  });
+  return accepts([&] {
+    ShardTask task{.from = begun.end()};
+    task.start = find_start(index, claim, simulated.history(), begun.options(), task);
+    Shard next = certify_shard(claim.scene, *claim.history, begun.options(), task);
+    begun.require_whole(std::move(next),
+                        certification_run(this_program, "scene", "history", claim, {}));
+    if (!task.start) throw InputError(index.path, 0, "", "no entry is of use");
+  });
+}
 
 bool reads_shard(std::string_view bytes) {
   return accepts([&] {

@@ -135,6 +135,11 @@ class Made:
             yield [self.file("shard.json", "certify", SHARDS, history, "--truth", "recorded", "--quiet", "--part", f"{k}/3",
                              "--report", allowed=allowed) for k in (1, 2, 3)]
 
+    def indexes(self):
+        """Of the history of shards(), and one without an entry."""
+        yield self.file("s.index", "index", SHARDS, "s.history.jsonl", "--quiet", "-o")
+        yield self.file("a.index", "index", "a.scene.json", "a.history.jsonl", "--quiet", "-o")
+
     def begun_reports(self):
         """What a run that a limit ended leaves beside its report."""
         self.run("certify", SHARDS, "s.history.jsonl", "--truth", "recorded", "--checkpoint", "0", "--quiet", "--max-events",
@@ -182,6 +187,7 @@ def seeds(made):
     shards = list(made.shards())
     found["shard"] = [shard for of_one in shards for shard in of_one]
     found["merge"] = [SEPARATOR.join(of_one) for of_one in shards]
+    found["index"] = list(made.indexes())
     found["begun-report"], found["begun-history"] = list(made.begun_reports()), list(made.begun_histories())
     found["picture"] = found["diagram"]
     found["kernel-scene"], found["kernel-history"] = found["scene"], found["history"]

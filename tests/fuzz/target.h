@@ -27,6 +27,8 @@ bool certifies(std::string_view pair);
 // A certificate of a shard; four at most, which are joined.
 bool reads_shard(std::string_view bytes);
 bool merges(std::string_view shards);
+// An index of the history of shards.scene.json, with which certify --resume and snapshot go on.
+bool reads_index(std::string_view bytes);
 // What certify has left of its report of the history of shards.scene.json.
 bool resumes_certificate(std::string_view begun);
 // A scene, and a history of it that simulate has begun. The hash is made the right one.
