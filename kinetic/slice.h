@@ -72,6 +72,9 @@ class Chunk final : public EventSink {
   std::vector<RoundedState> states_;
 };
 
+// The work of a slice of a run on so many threads (Leader::lead()), by its number from 0.
+std::uint64_t work_of_slice(int slice, int threads, int disks);
+
 struct Slice {
   int number = 0;
   double begin = 0;

@@ -27,12 +27,12 @@ MotionOptions now(MotionOptions options) {
   return options;
 }
 
-std::uint64_t work_of(int slice, int threads, int disks) {
+}  // namespace
+
+std::uint64_t work_of_slice(int slice, int threads, int disks) {
   const double most = std::max(kLeastWork, 2 * kMostWork / threads);
   return static_cast<std::uint64_t>(disks * std::min(most, kWorkOfFirst * (slice + 1)));
 }
-
-}  // namespace
 
 SlicedRun::SlicedRun(MotionInput input, std::vector<ManeuverInput> maneuvers,
                      const EngineOptions& options)
@@ -132,8 +132,9 @@ SlicedRun::Work SlicedRun::find_work(std::unique_lock<std::mutex>& lock, Slice*&
 void SlicedRun::lead(Slice& slice) {
   Motion& motion = leader_.motion();
   const SliceHooks& hooks = options_.slice_hooks;
-  const std::uint64_t work = hooks.work ? hooks.work(slice.number)
-                                        : work_of(slice.number, options_.threads, motion.size());
+  const std::uint64_t work = hooks.work
+                                 ? hooks.work(slice.number)
+                                 : work_of_slice(slice.number, options_.threads, motion.size());
   const std::optional<double> border = leader_.lead(slice.turns, work, hooks.border);
   std::unique_ptr<Slice> next;
   if (border) {
