@@ -275,16 +275,27 @@ std::optional<IndexedCut> find_start(const IndexFile& index, const Claim& claim,
   return std::move(entry->at);
 }
 
+std::optional<IndexEntry> go_on_before(const IndexFile& index, const Scene& scene,
+                                       HistorySource& history, const std::string& history_path,
+                                       const Rational& t) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  // A claim before a cut may be later than the cut by the rounding of its time.
+  auto entry = find_entry(index, scene, history.header(), history_path, nullptr, [&](const Cut& c) {
+    return to_rational(std::nextafter(c.t, infinity)) <= t;
+  });
+  if (!entry) return std::nullopt;
+  const Cut& cut = entry->at.cut;
+  if (!history.skip_to({cut.offset, cut.line, cut.t, cut.claims})) {
+    throw InputError(index.path, 0, "", "the history is none that can be read from the middle");
+  }
+  return entry;
+}
+
 std::optional<RecordedMoment> start_at_entry(const IndexFile& index, const Scene& scene,
                                              HistorySource& history,
                                              const std::string& history_path, const Rational& t) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  // A claim before a cut may be later than the cut by the rounding of its time.
-  const auto entry =
-      find_entry(index, scene, history.header(), history_path, nullptr,
-                 [&](const Cut& cut) { return to_rational(std::nextafter(cut.t, infinity)) <= t; });
+  const auto entry = go_on_before(index, scene, history, history_path, t);
   if (!entry) return std::nullopt;
-  const Cut& cut = entry->at.cut;
   CertifyOptions options;
   options.truth = Truth::recorded;
   Replay replay(scene, options);
@@ -300,9 +311,6 @@ std::optional<RecordedMoment> start_at_entry(const IndexFile& index, const Scene
       moment.states->push_back(
           {replay.path(g).since(), (*entry->centers)[g], replay.velocity(g).value()});
     }
-  }
-  if (!history.skip_to({cut.offset, cut.line, cut.t, cut.claims})) {
-    throw InputError(index.path, 0, "", "the history is none that can be read from the middle");
   }
   moment.diagram = std::move(replay.diagram());
   return moment;

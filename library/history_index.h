@@ -52,10 +52,14 @@ std::optional<IndexedCut> find_start(const IndexFile& index, const Claim& claim,
                                      const std::string& history_path, const CertifyOptions& options,
                                      const ShardTask& task);
 
-// Goes on with the history, of which nothing has been read yet, at the last entry of the index
-// whose cut is certainly before t, and returns what is recorded there, which is taken at its word.
-// Nothing is done where there is no such entry. Throws as find_entry(), but the index may be of any
-// tolerance.
+// The last entry of the index whose cut is certainly before t, at which the history, of which
+// nothing has been read yet, goes on; nothing where there is no such entry. Throws as find_entry(),
+// but the index may be of any tolerance.
+std::optional<IndexEntry> go_on_before(const IndexFile& index, const Scene& scene,
+                                       HistorySource& history, const std::string& history_path,
+                                       const Rational& t);
+
+// The same; returns what is recorded there, which is taken at its word.
 std::optional<RecordedMoment> start_at_entry(const IndexFile& index, const Scene& scene,
                                              HistorySource& history,
                                              const std::string& history_path, const Rational& t);

@@ -22,7 +22,7 @@ std::string movie_of(Claim&& claim, const voroproof::MovieOptions& options) {
     }
   }
   const std::int64_t line = report && report->fault ? report->fault->line : 0;
-  const MovieData data = movie_data(claim, "history", std::nullopt, line);
+  const MovieData data = movie_data(claim, "history", {}, line);
   std::string page;
   make_movie(claim, data, report ? &*report : nullptr,
              {.producer = "voroproof " VOROPROOF_VERSION, .follow = options.follow},

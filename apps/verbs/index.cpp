@@ -74,7 +74,7 @@ void add_index(Verb& program) {
             "The certifications that will use the index have this option, too.");
   add_max_events(verb, request->max_events);
   verb.flag("--quiet", request->quiet, "Show no progress on the terminal and no summary.");
-  verb.note("certify --part and snapshot read from the middle with --index.");
+  verb.note("certify --part, snapshot and movie read from the middle with --index.");
   verb.example("voroproof index a.scene.json a.history.jsonl");
   verb.does([request] { return index_history(*request); });
 }

@@ -15,7 +15,7 @@ namespace voroproof::internal {
 namespace {
 
 struct Request {
-  std::string scene, history, output, report, horizon;
+  std::string scene, history, output, report, from, horizon, index;
   std::optional<GenId> follow;
   EngineOptions options;
 };
@@ -30,11 +30,20 @@ Explanation read_report(const std::string& path, const Scene& scene) {
 }
 
 ExitCode write_movie(const Verb& verb, const Request& request) {
-  require_distinct({request.scene, request.history, request.report}, {request.output});
+  require_distinct({request.scene, request.history, request.report, request.index},
+                   {request.output});
   require_order(request.scene, request.history);
   const EventLimit limit(request.options.max_events);
-  std::optional<Rational> horizon;
-  if (!request.horizon.empty()) horizon = time_argument("--horizon", request.horizon);
+  MovieSpan span;
+  if (!request.from.empty()) span.from = time_argument("--from", request.from);
+  if (!request.horizon.empty()) span.until = time_argument("--horizon", request.horizon);
+  if (span.from && span.until && *span.until < *span.from) {
+    throw UsageError("--horizon: before --from");
+  }
+  if (!request.index.empty()) {
+    if (!span.from) throw UsageError("--index: only with --from, which begins in the middle");
+    span.index = {request.index, producer()};
+  }
   Claim claim = open_claim(request.scene, request.history);
   const auto disks = static_cast<GenId>(claim.scene.disks.size());
   if (request.follow && *request.follow >= disks) {
@@ -43,7 +52,7 @@ ExitCode write_movie(const Verb& verb, const Request& request) {
   std::optional<Explanation> report;
   if (!request.report.empty()) report = read_report(request.report, claim.scene);
   const std::int64_t line = report && report->fault ? report->fault->line : 0;
-  const MovieData data = movie_data(claim, request.history, horizon, line, request.options);
+  const MovieData data = movie_data(claim, request.history, span, line, request.options);
   // Without a limit the page does without the diagram, and says why.
   if (!data.no_initial.empty() && verb.given("--max-bits")) throw Undecided(data.no_initial);
   const CooperativeInterruption interruption;
@@ -67,6 +76,14 @@ void add_movie(Verb& program) {
              "The report of certify on this history. The time line shows what is proved, and the "
              "evidence of a refutation is drawn.");
   verb.whole("--follow", request->follow, 0, max_disks, "The disk to follow to begin with.");
+  verb.text("--from", request->from, "TIME",
+            "Leave out what happens up to then: the page begins with what the history makes of the "
+            "disks and the diagram by that time. The time is exact, as --horizon is.");
+  verb.input(
+          "--index", request->index,
+          "An index of the history (voroproof index), with --from: what is before the last place "
+          "that it names before that time is not read. The state there is believed.")
+      .excludes({"--max-events"});
   verb.text("--horizon", request->horizon, "TIME",
             "Leave out what is later. The time is exact: a decimal, a fraction or a hexadecimal "
             "float.")

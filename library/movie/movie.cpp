@@ -60,6 +60,7 @@ Json facts_json(const Claim& claim, const MovieData& data, const Explanation* re
           {{"x", round_nearest(scene.cx)},
            {"y", round_nearest(scene.cy)},
            {"radius", round_nearest(scene.container_radius)}}},
+         {"begin", data.begin},
          {"end", data.end},
          {"cut", data.cut},
          {"remarks", data.remarks},
@@ -69,18 +70,6 @@ Json facts_json(const Claim& claim, const MovieData& data, const Explanation* re
   if (options.follow) j["follow"] = *options.follow;
   if (report != nullptr) j["report"] = report_json(*report, data);
   return j;
-}
-
-// x, y, radius, vx, vy of each disk at t = 0.
-std::vector<double> disk_values(const Scene& scene) {
-  std::vector<double> values;
-  values.reserve(5 * scene.disks.size());
-  for (const DiskInput& disk : scene.disks) {
-    for (const CompactRational* q : {&disk.x, &disk.y, &disk.radius, &disk.vx, &disk.vy}) {
-      values.push_back(round_nearest(*q));
-    }
-  }
-  return values;
 }
 
 // The element of the page that holds an array, in bytes as the page's typed arrays read them. The
@@ -104,7 +93,7 @@ void make_movie(const Claim& claim, const MovieData& data, const Explanation* re
                 const MovieOptions& options, const std::function<void(std::string_view)>& take) {
   take(page_begin(movie_page, title(claim.scene)));
   take(json_element("movie-facts", facts_json(claim, data, report, options)));
-  take(array_element("disks", disk_values(claim.scene)));
+  take(array_element("disks", data.disks));
   take(array_element("initial", data.initial));
   take(array_element("times", data.times));
   take(array_element("kinds", data.kinds));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include "certify/replay.h"
@@ -22,7 +24,54 @@ void add_quad(std::vector<std::uint16_t>& ids, const Quad& q) {
 
 class Collector {
  public:
-  explicit Collector(const Scene& scene) : replay_(scene, options_) {}
+  Collector(const Scene& scene, const std::string& history_path)
+      : scene_(scene), history_path_(history_path), replay_(scene, options_) {}
+
+  void begin(const std::vector<Quad>& edges) {
+    for (const Quad& q : edges) add_quad(data_.initial, q);
+  }
+
+  // What follows up to open() is before the film.
+  void replay_from(const IndexedCut& at) {
+    replay_.read(at);
+    is_replaying_ = true;
+  }
+  void replay_from_begin(const std::vector<Quad>& edges) {
+    try {
+      replay_.diagram() = diagram_of(replay_.disks(), edges);
+      is_replaying_ = true;
+    } catch (const std::invalid_argument& fault) {
+      data_.no_initial = std::string("at t = 0: ") + fault.what();
+    }
+  }
+  void replay(const Event& event, std::int64_t line) {
+    const auto* flip = std::get_if<FlipEvent>(&event);
+    if (flip != nullptr && !is_replaying_) return;
+    if (replay_.take(event) || flip == nullptr) return;
+    // A name without orientation (docs/formats.md, section 8)?
+    const Diagram::HalfEdge h =
+        flip->quad.s == flip->quad.e ? -1 : replay_.find_mirrored(flip->quad);
+    if (h >= 0) {
+      replay_.diagram().flip(h);
+      return;
+    }
+    is_replaying_ = false;
+    data_.no_initial =
+        "the flip on line " + std::to_string(line) + " of " + history_path_ + " is of no edge";
+  }
+
+  // The film begins, at that time.
+  void open(const Rational& t) {
+    data_.begin = round_nearest(t);
+    for (GenId g = 0; g < replay_.disks(); ++g) {
+      const ExactVec2 p = replay_.path(g).at(t), v = replay_.velocity(g).value();
+      const Rational radius = scene_.disks[static_cast<std::size_t>(g)].radius;
+      for (const Rational* q : {&p[0], &p[1], &radius, &v[0], &v[1]}) {
+        data_.disks.push_back(round_nearest(*q));
+      }
+    }
+    if (is_replaying_) begin(replay_.diagram().quads());
+  }
 
   void add(const Event& event) {
     data_.times.push_back(time(event));
@@ -72,7 +121,10 @@ class Collector {
   }
 
   const CertifyOptions options_ = recorded();
+  const Scene& scene_;
+  const std::string& history_path_;
   Replay replay_;
+  bool is_replaying_ = false;  // the flips before the film
   MovieData data_;
 };
 
@@ -81,43 +133,74 @@ std::vector<Quad> initial_edges(const Claim& claim, const EngineOptions& options
   return recorded ? *recorded : snapshot(claim.scene, 0, options).edges;
 }
 
+// Brings the collector to where the reading of the history begins.
+void start(Claim& claim, const std::string& history_path, const MovieSpan& span,
+           const EngineOptions& options, Collector& collector) {
+  if (span.from && span.index) {
+    const auto entry =
+        go_on_before(*span.index, claim.scene, *claim.history, history_path, *span.from);
+    if (entry) return collector.replay_from(entry->at);
+  }
+  try {
+    const std::vector<Quad> edges = initial_edges(claim, options);
+    if (span.from) {
+      collector.replay_from_begin(edges);
+    } else {
+      collector.begin(edges);
+    }
+  } catch (const Undecided& stop) {  // as where a disk slides along the wall at once
+    collector.data().no_initial = stop.what();
+  }
+}
+
 }  // namespace
 
-MovieData movie_data(Claim& claim, const std::string& history_path,
-                     const std::optional<Rational>& until, std::int64_t line,
-                     const EngineOptions& options) {
+MovieData movie_data(Claim& claim, const std::string& history_path, const MovieSpan& span,
+                     std::int64_t line, const EngineOptions& options) {
   HistorySource& history = *claim.history;
   if (claim.scene.disks.size() > max_movie_disks) {
     throw InputError(history_path, 0, "disks",
                      "a movie holds at most " + std::to_string(max_movie_disks));
   }
-  Collector collector(claim.scene);
-  MovieData& data = collector.data();
-  try {
-    for (const Quad& q : initial_edges(claim, options)) add_quad(data.initial, q);
-  } catch (const Undecided& stop) {  // as where a disk slides along the wall at once
-    data.no_initial = stop.what();
+  if (span.from && *span.from > history.header().horizon) {
+    throw InputError(history_path, 0, "horizon", "the movie would begin after it");
   }
+  Collector collector(claim.scene, history_path);
+  MovieData& data = collector.data();
+  start(claim, history_path, span, options, collector);
+  bool is_open = false;
+  const auto open = [&] {
+    if (!std::exchange(is_open, true)) collector.open(span.from.value_or(0));
+  };
+  if (!span.from) open();
   while (const std::optional<Event> event = history.next()) {
-    if (until && exact_time(*event) > *until) continue;
+    const Rational t = exact_time(*event);
+    if (!is_open && t <= *span.from) {
+      collector.replay(*event, history.line());
+      continue;
+    }
+    open();
+    if (span.until && t > *span.until) continue;
     if (data.times.size() == max_movie_events) {
       throw InputError(history_path, history.line(), "",
                        "a movie holds at most " + std::to_string(max_movie_events) +
-                           " events: cut it with --until");
+                           " events: cut it with --from and --horizon");
     }
     if (history.line() < line) data.event_at_line = data.times.size() + 1;
     collector.add(*event);
   }
+  open();
   data.end = round_nearest(history.header().horizon);
   if (const auto* stop = std::get_if<HistoryStop>(&history.ending())) {
     data.stop = *stop;
     data.end = stop->t;
   }
-  if (until && *until < to_rational(data.end)) {
-    data.end = round_nearest(*until);
+  if (span.until && *span.until < to_rational(data.end)) {
+    data.end = round_nearest(*span.until);
     data.cut = true;
     data.stop.reset();
   }
+  data.end = std::max(data.begin, data.end);
   data.remarks = claim.remarks;
   for (const std::string& remark : history.remarks()) data.remarks.push_back(remark);
   if (!history.counts_match()) data.remarks.push_back("the counts of the last line are wrong");

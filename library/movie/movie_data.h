@@ -8,6 +8,7 @@
 
 #include "history/claim.h"
 #include "kinetic/engine.h"
+#include "library/history_index.h"
 
 namespace voroproof::internal {
 
@@ -15,6 +16,13 @@ inline constexpr int max_movie_disks = 65'534;
 inline constexpr std::size_t max_movie_events = 4'000'000;
 
 enum class MovieEvent : std::uint8_t { flip, collision, maneuver };
+
+// The part of the history that a film is of: what is after `from` and not after `until`. With an
+// index reading begins in the middle, and what the index says is taken at its word.
+struct MovieSpan {
+  std::optional<Rational> from, until;
+  std::optional<IndexFile> index;
+};
 
 // The events in their order; what they are about follows one another without gaps.
 struct MovieData {
@@ -27,7 +35,9 @@ struct MovieData {
   // passed over. Between events a disk moves on a line: that is all of its motion.
   std::vector<double> velocities;
 
-  std::vector<std::uint16_t> initial;  // l, r, s, e of each edge at 0+
+  double begin = 0;                    // from which it tells
+  std::vector<double> disks;           // x, y, radius, vx, vy of each then, all its events over
+  std::vector<std::uint16_t> initial;  // l, r, s, e of each edge just after that
   std::string no_initial;              // why there is none, where there should be one
   double end = 0;                      // up to which it tells
   bool cut = false;                    // whether the history goes on
@@ -37,12 +47,12 @@ struct MovieData {
   std::size_t event_at_line = 0;
 };
 
-// Reads the history's events up to the time `until`, if given. Velocities that it does not record
-// are computed as certify --truth recorded does (docs/formats.md, section 8), an initial diagram
-// that it lacks is constructed by these options, if that can be. Claims are not judged: a false
-// history has a movie too. Throws InputError, also for more disks or events than a movie holds.
-MovieData movie_data(Claim& claim, const std::string& history_path,
-                     const std::optional<Rational>& until, std::int64_t line,
-                     const EngineOptions& options = {});
+// Reads the history's events of the span. Velocities that it does not record are computed as
+// certify --truth recorded does (docs/formats.md, section 8), an initial diagram that it lacks is
+// constructed by these options, if that can be. Claims are not judged: a false history has a movie
+// too. Throws InputError, also for more disks or events than a movie holds, and where the span
+// begins after the horizon or the index is not of this history.
+MovieData movie_data(Claim& claim, const std::string& history_path, const MovieSpan& span,
+                     std::int64_t line, const EngineOptions& options = {});
 
 }  // namespace voroproof::internal

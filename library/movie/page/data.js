@@ -10,7 +10,7 @@ class MovieData {
   constructor() {
     this.facts = JSON.parse(document.getElementById("movie-facts").textContent);
     this.frame = this.facts.container;  // the centre and the radius in the scene's units
-    this.disks = new Float64Array(decoded("disks"));  // x, y, radius, vx, vy of each at t = 0
+    this.disks = new Float64Array(decoded("disks"));  // x, y, radius, vx, vy of each at the begin
     this.count = this.disks.length / 5;
     this.times = new Float64Array(decoded("times"));
     this.kinds = new Uint8Array(decoded("kinds"));
@@ -18,7 +18,9 @@ class MovieData {
     this.initial = sites(decoded("initial"));  // l, r, s, e of each edge
     this.sites = sites(decoded("ids"));
     this.events = this.times.length;
+    this.begin = this.facts.begin;
     this.end = this.facts.end;
+    this.length = this.end - this.begin;
     this.normalize();
     this.index();
   }
@@ -60,6 +62,19 @@ class MovieData {
   // The number of events that have happened at time t, those at t included.
   happened(t) {
     return upperBound(this.times, t, 0, this.events);
+  }
+
+  // Which part of the time is over at t, from 0 to 1, and when such a part is.
+  shareOf(t) {
+    return this.length > 0 ? (t - this.begin) / this.length : 0;
+  }
+  timeAt(share) {
+    return share >= 1 ? this.end : this.begin + Math.max(0, share) * this.length;
+  }
+
+  // The nearest time that is shown.
+  within(t) {
+    return Math.min(this.end, Math.max(this.begin, t));
   }
 
   // The event in words, with the program's names: the container is -1.

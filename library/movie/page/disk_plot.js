@@ -16,7 +16,7 @@ class DiskPlot {
   listen(seek) {
     this.canvas.addEventListener("pointerdown", (event) => {
       const share = (event.offsetX - this.left) / Math.max(1, this.canvas.clientWidth - this.left - 6);
-      seek(Math.min(1, Math.max(0, share)) * this.data.end);
+      seek(this.data.timeAt(share));
     });
   }
 
@@ -28,7 +28,7 @@ class DiskPlot {
   compute(disk) {
     const { data, replay, motion } = this, { applied } = replay, samples = [];
     for (let k = 0; k <= PLOT_SAMPLES; ++k) {
-      const t = (data.end * k) / PLOT_SAMPLES;
+      const t = data.timeAt(k / PLOT_SAMPLES);
       replay.moveTo(data.happened(t));
       if (!replay.whole) break;
       motion.moveTo(t);
@@ -59,7 +59,7 @@ class DiskPlot {
     const least = samples.map(({ gaps }) => Math.max(0, Math.min(...gaps)));
     const counts = samples.map(({ gaps }) => gaps.length);
     const mostGap = Math.max(...least, 1e-300) * 1.6, mostCount = Math.max(...counts);
-    const x = (at) => this.left + (this.data.end > 0 ? at / this.data.end : 0) * (width - this.left - 6);
+    const x = (at) => this.left + this.data.shareOf(at) * (width - this.left - 6);
     const split = Math.round(0.66 * height), gapY = (gap) => split - 6 - (gap / mostGap) * (split - 14);
     const countY = (count) => height - 5 - (count / mostCount) * (height - split - 14);
     this.paintAxes(theme, width, split, height, mostGap, mostCount, gapY, countY);

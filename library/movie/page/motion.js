@@ -15,12 +15,12 @@ class Motion {
     for (let disk = 0; disk < count; ++disk) {
       const [cx, cy, r, vx, vy] = data.disks.subarray(5 * disk, 5 * disk + 5);
       this.radius[disk + 1] = r;
-      this.addTurn(disk + 1, 0, cx, cy, vx, vy);
+      this.addTurn(disk + 1, data.begin, cx, cy, vx, vy);
     }
     this.follow(data);
   }
 
-  // The turns of a site are those from start[site] on, the first one at t = 0.
+  // The turns of a site are those from start[site] on, the first one at the begin.
   countTurns(data) {
     this.start = new Uint32Array(this.sites + 1);
     const turns = new Uint32Array(this.sites).fill(1);
@@ -104,7 +104,7 @@ class Motion {
     return points;
   }
 
-  // A quadratic mean over the disks at t = 0; 0 where none moves.
+  // A quadratic mean over the disks at the begin; 0 where none moves.
   typicalSpeed() {
     let sum = 0;
     for (let site = 1; site < this.sites; ++site) {

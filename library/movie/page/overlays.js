@@ -145,11 +145,11 @@ class Overlays {
   // Where the disk has been, fading, and where it will be, dotted.
   paintPath(site, state) {
     const { motion, data } = this.painter;
-    const pieces = 24, length = Math.min(data.end, 60 * state.flash);
+    const pieces = 24, length = Math.min(data.length, 60 * state.flash);
     for (let k = 0; k < pieces; ++k) {
       const from = state.t - length * (k + 1) / pieces, to = state.t - length * k / pieces;
-      if (to <= 0) break;
-      this.polyline(motion.path(site, Math.max(0, from), to));
+      if (to <= data.begin) break;
+      this.polyline(motion.path(site, Math.max(data.begin, from), to));
       this.stroke(this.theme.arrow, 2.4, 0.75 * (1 - k / pieces));
     }
     this.context.setLineDash([0.1 * this.unit, 5 * this.unit]);

@@ -18,7 +18,7 @@ class Player {
     this.exporter = new Exporter(element("picture"), () => `t = ${timeText(this.state.t)}`);
     this.natural = this.naturalRate();
     this.state = {
-      t: 0, applied: 0, playing: false,
+      t: this.data.begin, applied: 0, playing: false,
       selected: null,  // the event that is looked at, just applied
       follow: null,    // the disk that is followed
       rate: this.natural,
@@ -29,7 +29,7 @@ class Player {
     };
     this.connect();
     if (this.data.facts.follow !== undefined) this.follow(this.data.facts.follow);
-    this.seek(0);
+    this.seek(this.data.begin);
     this.readAddress();
     this.tick = this.tick.bind(this);
     this.drawn = false;
@@ -42,14 +42,14 @@ class Player {
   naturalRate() {
     const { data } = this, spacing = Math.sqrt(Math.PI / (data.count + 1));
     const rate = spacing / 12 / (this.motion.typicalSpeed() || Infinity);
-    return Math.min(rate > 0 ? rate : Infinity, data.end / 10) || 1;
+    return Math.min(rate > 0 ? rate : Infinity, data.length / 10) || 1;
   }
 
   // ---- Moving
 
   seek(t) {
     const { state, data } = this;
-    state.t = Math.min(data.end, Math.max(0, t));
+    state.t = data.within(t);
     state.applied = state.t >= data.end ? data.events : data.happened(state.t);
     state.selected = null;
     this.changed();
@@ -59,7 +59,7 @@ class Player {
   look(event) {
     const { state, data } = this;
     if (event < 0) {
-      this.seek(0);
+      this.seek(data.begin);
       state.applied = 0;
       return;
     }
@@ -92,8 +92,8 @@ class Player {
 
   play(on = !this.state.playing) {
     const { state, data } = this;
-    if (on && state.t >= data.end) this.seek(0);
-    state.playing = on && data.end > 0;
+    if (on && state.t >= data.end) this.seek(data.begin);
+    state.playing = on && data.length > 0;
     if (on) state.selected = null;
     this.changed();
   }
@@ -294,7 +294,7 @@ class Player {
     if (["SELECT", "INPUT"].includes(event.target.tagName) && event.key !== "Escape") return;
     if (event.target.tagName === "BUTTON" && [" ", "Enter"].includes(event.key)) return;
     const { state, data } = this;
-    const jump = data.end / 100;
+    const jump = data.length / 100;
     const rate = (factor) => () =>
       this.setRate(Math.min(64, Math.max(1 / 64, factor * state.rate / this.natural)));
     const toggle = (name) => () => element(name).click();

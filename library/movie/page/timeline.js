@@ -14,7 +14,7 @@ class Timeline {
   listen(seek, hint) {
     const at = (event) => {
       const share = (event.offsetX - this.left) / Math.max(1, this.width - 2 * this.left);
-      return Math.min(1, Math.max(0, share)) * this.data.end;
+      return this.data.timeAt(share);
     };
     this.canvas.addEventListener("pointerdown", (event) => {
       if (event.isTrusted) this.canvas.setPointerCapture(event.pointerId);
@@ -29,7 +29,7 @@ class Timeline {
       const steps = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
       if (steps === undefined) return;
       event.preventDefault();
-      seek(Math.min(1, Math.max(0, Number(this.canvas.getAttribute("aria-valuenow")) / this.data.end + steps / 100)) * this.data.end);
+      seek(this.data.timeAt(this.data.shareOf(Number(this.canvas.getAttribute("aria-valuenow"))) + steps / 100));
     });
   }
 
@@ -39,8 +39,7 @@ class Timeline {
   }
 
   place(t) {
-    const share = this.data.end > 0 ? t / this.data.end : 0;
-    return this.left + share * (this.width - 2 * this.left);
+    return this.left + this.data.shareOf(t) * (this.width - 2 * this.left);
   }
 
   fit() {
@@ -61,8 +60,7 @@ class Timeline {
     const bins = Math.max(1, Math.floor((this.width - 2 * this.left) / 3));
     this.bins = [FLIP, COLLISION, MANEUVER].map(() => new Uint32Array(bins));
     for (let k = 0; k < data.events; ++k) {
-      const share = data.end > 0 ? data.times[k] / data.end : 0;
-      const bin = Math.min(bins - 1, Math.floor(share * bins));
+      const bin = Math.min(bins - 1, Math.floor(data.shareOf(data.times[k]) * bins));
       ++this.bins[data.kinds[k]][bin];
     }
     this.most = this.bins.reduce((most, values) => values.reduce((a, b) => Math.max(a, b), most), 1);
@@ -71,7 +69,7 @@ class Timeline {
   // The canvas is a slider to who does not see it.
   describe(t) {
     const { canvas, data } = this;
-    canvas.setAttribute("aria-valuemin", 0);
+    canvas.setAttribute("aria-valuemin", data.begin);
     canvas.setAttribute("aria-valuemax", data.end);
     canvas.setAttribute("aria-valuenow", t);
     canvas.setAttribute("aria-valuetext", `t = ${Number(t.toPrecision(6))} of ${data.end}`);
@@ -131,17 +129,17 @@ class Timeline {
       context.fillRect(this.place(from), band, this.place(to) - this.place(from), 6);
     };
     const report = data.facts.report;
-    stretch(0, data.end, report ? colour("undecided") : colour("line"));
+    stretch(data.begin, data.end, report ? colour("undecided") : colour("line"));
     if (report) {
       const proved = report.verdict === "CERTIFIED" ? data.end
-        : Math.min(data.end, report.prefixT);
+        : data.within(report.prefixT);
       if (report.verdict === "REFUTED") stretch(proved, data.end, theme.refuted);
-      stretch(0, proved, colour("certified"));
-      if (report.fault) this.mark(Math.min(data.end, report.fault.t), theme.refuted);
+      stretch(data.begin, proved, colour("certified"));
+      if (report.fault) this.mark(data.within(report.fault.t), theme.refuted);
     }
     if (!this.replay.fault) return;
     const event = this.replay.broken - 1;
-    this.mark(event < 0 ? 0 : data.times[event], theme.refuted);
+    this.mark(event < 0 ? data.begin : data.times[event], theme.refuted);
   }
 
   // A small flag.
@@ -158,13 +156,13 @@ class Timeline {
 
   paintTicks(theme) {
     const { context, data } = this;
-    if (!(data.end > 0)) return;
-    const step = roundStep(data.end * 90 / this.width);
+    if (!(data.length > 0)) return;
+    const step = roundStep(data.length * 90 / this.width);
     context.fillStyle = theme.label;
     context.font = '10px system-ui, "DejaVu Sans", sans-serif';
     context.textAlign = "center";
     context.textBaseline = "bottom";
-    for (let k = 0; k * step <= data.end * (1 + 1e-9); ++k) {
+    for (let k = Math.ceil(data.begin / step - 1e-9); k * step <= data.end + 1e-9 * data.length; ++k) {
       const x = this.place(k * step);
       context.globalAlpha = 0.35;
       context.fillRect(x - 0.5, this.height - 14, 1, 3);

@@ -48,8 +48,8 @@ class Movie : public Cli, protected Browser {
   // The page, sought to these times one after the other, must have the edges, the vertices and the
   // centres that the program has.
   void expect_same(const std::string& scene, const std::string& history,
-                   const std::vector<double>& times) {
-    const Json page = run_in_page(movie(scene, history), R"js(
+                   const std::vector<double>& times, const Arguments& more = {}) {
+    const Json page = run_in_page(movie(scene, history, more), R"js(
       return TIMES.map((t) => {
         player.seek(t);
         player.draw();

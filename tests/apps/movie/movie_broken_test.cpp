@@ -100,6 +100,29 @@ TEST_F(Movie, AHistoryWithoutAnInitialDiagramIsPlayedAsFarAsItGoes) {
   EXPECT_NE(page.at("result").get<std::string>().find("slides along"), std::string::npos);
 }
 
+// What happens before a movie begins may be what makes no sense.
+TEST_F(Movie, AHistoryThatBreaksBeforeTheMovieBeginsHasNoDiagram) {
+  const std::string scene = reference(30, "50");
+  std::vector<std::string> lines = lines_of(read_bytes(simulated(scene)));
+  const auto flip = std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.find("\"flip\"") != std::string::npos;
+  });
+  const auto number = flip - lines.begin() + 2;
+  lines.insert(flip, *flip);
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  const std::string wrong = directory_.write("w.history.jsonl", text);
+  const Json page = run_in_page(movie(scene, wrong, {"--from", "40"}), R"js(
+    player.seek(player.data.end);
+    player.draw();
+    return { words: element("broken").textContent, x: Array.from(player.motion.x) };)js");
+  ASSERT_EQ(page.at("errors"), Json::array());
+  EXPECT_NE(page.at("result").at("words").get<std::string>().find("the flip on line " +
+                                                                  std::to_string(number) + " of"),
+            std::string::npos)
+      << page;
+}
+
 TEST_F(Movie, AWrongInitialDiagramIsNoDiagram) {
   const std::string scene = reference(6, "10");
   std::string text = read_bytes(simulated(scene));

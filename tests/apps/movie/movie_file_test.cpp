@@ -51,6 +51,12 @@ TEST_F(MovieFile, BadRequestsAreRefused) {
           "another scene");
   refused({"movie", scene, file("a.history.jsonl"), "-o", scene}, "an input as well");
   refused({"movie", scene, file("a.history.jsonl"), "-o", page, "--horizon", "soon"}, "--horizon");
+  refused({"movie", scene, file("a.history.jsonl"), "-o", page, "--from", "10.5"},
+          "would begin after it");
+  refused({"movie", scene, file("a.history.jsonl"), "-o", page, "--from", "5", "--horizon", "4"},
+          "before --from");
+  refused({"movie", scene, file("a.history.jsonl"), "-o", page, "--index", file("a.index")},
+          "only with --from");
 }
 
 }  // namespace

@@ -39,27 +39,57 @@ TEST_F(Movie, ReplaysPointsAndTinyDisks) {
   expect_same(scene, simulated(scene), {0.5, 20, 7.75, 13.0625});
 }
 
+TEST_F(Movie, BeginsInTheMiddle) {
+  const std::string scene = reference(40, "40");
+  const std::string history = simulated(scene);
+  expect_same(scene, history, {17.5, 40, 25, 17.5, 33.125}, {"--from", "17.5"});
+  expect_same(scene, history, {40}, {"--from", "40"});
+  const Json page = run_in_page(movie(scene, history, {"--from", "35/2", "--horizon", "30"}), R"js(
+    const { data, motion, timeline, state } = player, seen = [];
+    for (const t of [-1, 0, 20, 35]) { player.seek(t); player.draw(); seen.push(state.t); }
+    player.look(-1);
+    player.draw();
+    return { seen, start: state.t, first: data.times[0], last: data.times[data.events - 1],
+      middle: data.timeAt(0.5), ends: [timeline.place(17.5), timeline.place(30)],
+      strip: [timeline.left, timeline.width - timeline.left],
+      low: timeline.canvas.getAttribute("aria-valuemin"),
+      notes: element("notes").textContent };)js");
+  ASSERT_EQ(page.at("errors"), Json::array());
+  const Json& result = page.at("result");
+  EXPECT_EQ(result.at("seen"), Json({17.5, 17.5, 20, 30}));
+  EXPECT_EQ(result.at("start"), 17.5);
+  EXPECT_GT(result.at("first"), 17.5);
+  EXPECT_LE(result.at("last"), 30);
+  EXPECT_EQ(result.at("middle"), 23.75);
+  EXPECT_EQ(result.at("ends"), result.at("strip"));
+  EXPECT_EQ(result.at("low"), "17.5");
+  EXPECT_NE(result.at("notes").get<std::string>().find("up to t = 17.5 is left out"),
+            std::string::npos);
+}
+
 // Such a history has neither an initial diagram nor velocities.
 TEST_F(Movie, ReplaysEventSequences) {
   const std::string scene = reference(15, "20");
   const std::string history = simulated(scene), events = file("a.evtsq");
   const DiagramFile truth = diagram(scene, history, 13.5);
   must({"convert", history, "--scene", scene, "-o", events});
-  const Json page = run_in_page(movie(scene, events), R"js(
+  for (const Arguments& more : {Arguments{}, Arguments{"--from", "12"}}) {
+    const Json page = run_in_page(movie(scene, events, more), R"js(
     player.seek(13.5);
     player.draw();
     const { diagram } = player.replay, edges = [];
     for (let h = 0; h < diagram.halves; h += 2) edges.push(diagram.quad(h).map((s) => s - 1));
     const { x, radius } = player.data.frame;
     return { edges, x: Array.from(player.motion.x, (u) => x + radius * u) };)js");
-  ASSERT_EQ(page.at("errors"), Json::array());
-  std::set<Quad> edges;
-  for (const Json& q : page.at("result").at("edges")) {
-    edges.insert(canonical(Quad{q.at(0), q.at(1), q.at(2), q.at(3)}));
-  }
-  EXPECT_EQ(edges, std::set<Quad>(truth.edges.begin(), truth.edges.end()));
-  for (std::size_t i = 0; i < truth.disks.size(); ++i) {
-    EXPECT_NEAR(page.at("result").at("x").at(i + 1), truth.disks[i].center[0], 1e-6);
+    ASSERT_EQ(page.at("errors"), Json::array());
+    std::set<Quad> edges;
+    for (const Json& q : page.at("result").at("edges")) {
+      edges.insert(canonical(Quad{q.at(0), q.at(1), q.at(2), q.at(3)}));
+    }
+    EXPECT_EQ(edges, std::set<Quad>(truth.edges.begin(), truth.edges.end()));
+    for (std::size_t i = 0; i < truth.disks.size(); ++i) {
+      EXPECT_NEAR(page.at("result").at("x").at(i + 1), truth.disks[i].center[0], 1e-6);
+    }
   }
 }
 

@@ -95,6 +95,25 @@ TEST_F(IndexCli, SnapshotsBeginInTheMiddle) {
   EXPECT_EQ(at(indexed, "1/3").code, 2);
 }
 
+TEST_F(IndexCli, MoviesBeginInTheMiddle) {
+  const auto movie = [&](const std::string& page, const std::string& from,
+                         const Arguments& more = {}) {
+    Arguments arguments{"movie", scene_, history_, "-o", file(page), "--from", from};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments).code;
+  };
+  for (const std::string& t :
+       {std::string("0"), std::string("1/3"), std::string("777.7"), std::string("1500")}) {
+    ASSERT_EQ(movie("plain", t), 0) << t;
+    ASSERT_EQ(movie("indexed", t, {"--index", index_}), 0) << t;
+    EXPECT_TRUE(read_bytes(file("plain")) == read_bytes(file("indexed"))) << t;
+  }
+  spoil_the_beginning();
+  EXPECT_EQ(movie("plain", "1400"), 2);
+  EXPECT_EQ(movie("indexed", "1400", {"--index", index_}), 0);
+  EXPECT_EQ(movie("indexed", "1/3", {"--index", index_}), 2);
+}
+
 // A history that was written anew is another one.
 TEST_F(IndexCli, OfAnotherHistoryAreRefused) {
   must({"simulate", scene_, "-o", history_, "--horizon", "1400"});
