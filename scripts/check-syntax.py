@@ -4,7 +4,7 @@
 usage: scripts/check-syntax.py BUILD FOLDER [JOBS]
 
 What a configured build (BUILD/compile_commands.json) compiles of FOLDER and has not compiled yet is compiled with the
-build's own options. Exit code 1 where one of the files does not compile.
+build's own options, but for sources that the build makes itself. Exit code 1 where one of the files does not compile.
 """
 import json
 import os
@@ -21,14 +21,15 @@ def commands(build, folder):
         words = shlex.split(entry["command"])
         at = words.index("-o")
         made = Path(entry["directory"]) / words[at + 1]
-        if folder in Path(entry["file"]).parents and not made.exists():
+        places = Path(entry["file"]).parents
+        if folder in places and build not in places and not made.exists():
             yield entry["file"], words[:at] + words[at + 2:] + ["-fsyntax-only"], entry["directory"]
 
 
 def main():
     if len(sys.argv) not in (3, 4):
         sys.exit(__doc__)
-    build, folder = Path(sys.argv[1]), Path(sys.argv[2]).resolve()
+    build, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
     jobs = int(sys.argv[3]) if len(sys.argv) == 4 else os.cpu_count()
     wanted = {file: (words, directory) for file, words, directory in commands(build, folder)}
     if not wanted:
