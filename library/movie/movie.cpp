@@ -39,8 +39,8 @@ Json report_json(const Explanation& report, const MovieData& data) {
     j["fault"] = {{"kind", report.fault->kind},
                   {"line", report.fault->line},
                   {"t", report.fault->t},
-                  {"truth", report.fault->truth},
-                  {"event", data.event_at_line}};
+                  {"truth", report.fault->truth}};
+    if (data.event_at_line) j["fault"]["event"] = *data.event_at_line;
   }
   if (!report.generators.empty()) {
     Json generators = Json::array();
@@ -61,6 +61,7 @@ Json facts_json(const Claim& claim, const MovieData& data, const Explanation* re
            {"y", round_nearest(scene.cy)},
            {"radius", round_nearest(scene.container_radius)}}},
          {"begin", data.begin},
+         {"leftOut", data.left_out},
          {"end", data.end},
          {"cut", data.cut},
          {"remarks", data.remarks},

@@ -35,6 +35,8 @@ class Collector {
   void replay_from(const IndexedCut& at) {
     replay_.read(at);
     is_replaying_ = true;
+    data_.left_out = at.cut.claims.all();
+    last_line_ = at.cut.line;
   }
   void replay_from_begin(const std::vector<Quad>& edges) {
     try {
@@ -45,6 +47,8 @@ class Collector {
     }
   }
   void replay(const Event& event, std::int64_t line) {
+    ++data_.left_out;
+    last_line_ = line;
     const auto* flip = std::get_if<FlipEvent>(&event);
     if (flip != nullptr && !is_replaying_) return;
     if (replay_.take(event) || flip == nullptr) return;
@@ -77,6 +81,9 @@ class Collector {
     data_.times.push_back(time(event));
     std::visit([&](const auto& kind) { describe(kind, event); }, event);
   }
+
+  // Of what is before the film.
+  std::int64_t last_line() const { return last_line_; }
 
   MovieData& data() { return data_; }
 
@@ -125,6 +132,7 @@ class Collector {
   const std::string& history_path_;
   Replay replay_;
   bool is_replaying_ = false;  // the flips before the film
+  std::int64_t last_line_ = 0;
   MovieData data_;
 };
 
@@ -190,6 +198,7 @@ MovieData movie_data(Claim& claim, const std::string& history_path, const MovieS
     collector.add(*event);
   }
   open();
+  if (line <= collector.last_line()) data.event_at_line.reset();
   data.end = round_nearest(history.header().horizon);
   if (const auto* stop = std::get_if<HistoryStop>(&history.ending())) {
     data.stop = *stop;

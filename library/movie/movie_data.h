@@ -36,6 +36,7 @@ struct MovieData {
   std::vector<double> velocities;
 
   double begin = 0;                    // from which it tells
+  std::int64_t left_out = 0;           // events before that
   std::vector<double> disks;           // x, y, radius, vx, vy of each then, all its events over
   std::vector<std::uint16_t> initial;  // l, r, s, e of each edge just after that
   std::string no_initial;              // why there is none, where there should be one
@@ -43,8 +44,9 @@ struct MovieData {
   bool cut = false;                    // whether the history goes on
   std::optional<HistoryStop> stop;     // where it ends with that
   std::vector<std::string> remarks;    // what the files do not tell, and what is odd in them
-  // The first event on the line asked for or a later one; their number where there is none.
-  std::size_t event_at_line = 0;
+  // The first event on the line asked for or a later one, their number where there is none; nothing
+  // where that line is before the begin.
+  std::optional<std::size_t> event_at_line = 0;
 };
 
 // Reads the history's events of the span. Velocities that it does not record are computed as

@@ -136,7 +136,7 @@ class EventList {
     if (report.fault && event === report.fault.event) {
       return report.fault.kind === "missing event" ? "refuted missing" : "refuted fault";
     }
-    if (event < report.prefixEvents) return "certified";
+    if (event + this.data.facts.leftOut < report.prefixEvents) return "certified";
     return report.verdict === "REFUTED" ? "refuted" : "undecided";
   }
 }

@@ -24,7 +24,7 @@ class Panel {
       notes.push(`${plural(this.replay.resolved, "flip")} named without orientation.`);
     }
     if (facts.stop) notes.unshift(`The run stopped at t = ${facts.stop.t}: ${facts.stop.reason}`);
-    if (facts.begin > 0) notes.unshift(`What happened up to t = ${facts.begin} is left out.`);
+    if (facts.begin > 0) notes.unshift(`What happened up to t = ${facts.begin} is left out: ${plural(facts.leftOut, "event")}.`);
     if (facts.cut) notes.unshift(`The history goes on after t = ${this.data.end}.`);
     element("notes").replaceChildren(...notes.map((note) => {
       const line = document.createElement("p");

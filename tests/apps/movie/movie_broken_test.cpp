@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -98,6 +99,44 @@ TEST_F(Movie, AHistoryWithoutAnInitialDiagramIsPlayedAsFarAsItGoes) {
     return element("broken").textContent;)js");
   ASSERT_EQ(page.at("errors"), Json::array());
   EXPECT_NE(page.at("result").get<std::string>().find("slides along"), std::string::npos);
+}
+
+// The report counts the events of the whole history.
+TEST_F(Movie, ARefutedHistoryIsShownFromTheMiddle) {
+  const std::string scene = reference(30, "50");
+  std::vector<std::string> lines = lines_of(read_bytes(simulated(scene)));
+  const auto flip = std::find_if(lines.begin() + 40, lines.end(), [](const std::string& line) {
+    return line.find("flip") != std::string::npos;
+  });
+  const double t = Json::parse(*flip).at("t");
+  const auto event = flip - lines.begin() - 1;
+  lines.erase(flip);
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  const std::string wrong = directory_.write("w.history.jsonl", text);
+  EXPECT_EQ(run({"certify", scene, wrong, "--report", file("w.report.json")}).code, 1);
+  const auto standing = [&](const std::string& from) {
+    const Json page =
+        run_in_page(movie(scene, wrong, {"--report", file("w.report.json"), "--from", from}), R"js(
+      const { data, list } = player, certified = [], faults = [];
+      for (let k = 0; k < Math.min(data.events, 60); ++k) {
+        if (list.standing(k) === "certified") certified.push(k + data.facts.leftOut);
+        if (list.standing(k).includes("missing")) faults.push(k + data.facts.leftOut);
+      }
+      return { certified, faults, leftOut: data.facts.leftOut };)js");
+    EXPECT_EQ(page.at("errors"), Json::array());
+    return page.at("result");
+  };
+  const Json before = standing(Json(t / 2).dump());
+  const auto left_out = before.at("leftOut").get<std::int64_t>();
+  EXPECT_GT(left_out, 0);
+  ASSERT_LT(left_out, event);
+  EXPECT_EQ(before.at("faults"), Json({event}));
+  EXPECT_EQ(before.at("certified").size(), event - left_out);
+  EXPECT_EQ(before.at("certified").front(), left_out);
+  const Json after = standing(Json(t + 1).dump());
+  EXPECT_EQ(after.at("faults"), Json::array());
+  EXPECT_EQ(after.at("certified"), Json::array());
 }
 
 // What happens before a movie begins may be what makes no sense.

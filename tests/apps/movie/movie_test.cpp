@@ -63,7 +63,7 @@ TEST_F(Movie, BeginsInTheMiddle) {
   EXPECT_EQ(result.at("middle"), 23.75);
   EXPECT_EQ(result.at("ends"), result.at("strip"));
   EXPECT_EQ(result.at("low"), "17.5");
-  EXPECT_NE(result.at("notes").get<std::string>().find("up to t = 17.5 is left out"),
+  EXPECT_NE(result.at("notes").get<std::string>().find("up to t = 17.5 is left out: "),
             std::string::npos);
 }
 
