@@ -43,19 +43,11 @@ struct Cost {
   double lead = 0, construct = 0, follow = 0;
 };
 
-class Nobody final : public EventSink {
- public:
-  void begin(const std::vector<Quad>&) override {}
-  void flip(double, const Quad&) override {}
-  void collide(double, GenId, GenId, const RoundedState&, const RoundedState&) override {}
-  void maneuver(double, GenId, const RoundedState&) override {}
-};
-
 double one_thread(const Scene& scene, const EngineOptions& options) {
   const double start = thread_cpu_seconds();
   Engine engine(motion_input(scene), maneuver_input(scene), options);
-  Nobody nobody;
-  if (engine.run(nobody).kind != Outcome::Kind::complete) {
+  NoSink sink;
+  if (engine.run(sink).kind != Outcome::Kind::complete) {
     throw std::runtime_error("the run is not complete");
   }
   return thread_cpu_seconds() - start;
@@ -94,7 +86,7 @@ std::vector<Cost> costs_of(const Scene& scene, const EngineOptions& options, int
   return costs;
 }
 
-// SlicedRun's way of dealing out the work, with these costs, on a core for each thread.
+// A run on a core for each thread, with these costs.
 class Schedule {
  public:
   Schedule(std::vector<Cost> costs, int threads) : costs_(std::move(costs)), threads_(threads) {
@@ -135,28 +127,21 @@ class Schedule {
     while (idle_ > 0 && take()) --idle_;
   }
   bool take() {
-    const std::size_t ready = std::count_if(slices_.begin() + first_, slices_.end(),
-                                            [](const State& s) { return s.led && !s.taken; });
-    const auto threads = static_cast<std::size_t>(threads_);
-    const bool all_led = slices_.back().led;
-    if (!leads_ && !all_led && slices_.size() - first_ <= 2 * threads &&
-        ready < (threads + 1) / 2) {
+    const auto state = [this](std::size_t k) -> State& { return slices_[first_ + k]; };
+    const SliceWork work = next_work(
+        slices_.size() - first_, [&](std::size_t k) { return state(k).led; },
+        [&](std::size_t k) { return state(k).taken; }, threads_, !leads_ && !slices_.back().led,
+        true);
+    const std::size_t k = first_ + work.slice;
+    if (work.kind == SliceWork::Kind::lead) {
       leads_ = true;
-      const std::size_t k = slices_.size() - 1;
       running_.insert({now_ + costs_[k].lead, k, true});
-      return true;
+    } else if (work.kind == SliceWork::Kind::follow) {
+      slices_[k].taken = true;
+      slices_[k].constructed = now_ + costs_[k].construct;
+      if (slices_[k].led) follow(k);
     }
-    for (const bool led : {true, false}) {
-      for (std::size_t k = first_; k < slices_.size(); ++k) {
-        State& s = slices_[k];
-        if (s.taken || s.led != led) continue;
-        s.taken = true;
-        s.constructed = now_ + costs_[k].construct;
-        if (led) follow(k);
-        return true;
-      }
-    }
-    return false;
+    return work.kind != SliceWork::Kind::none;
   }
   void follow(std::size_t k) {
     running_.insert({std::max(now_, slices_[k].constructed) + costs_[k].follow, k, false});

@@ -21,4 +21,13 @@ class EventSink {
   virtual void maneuver(double t, GenId disk, const RoundedState& state) = 0;
 };
 
+// Keeps nothing: for runs whose engine alone matters.
+class NoSink final : public EventSink {
+ public:
+  void begin(const std::vector<Quad>&) override {}
+  void flip(double, const Quad&) override {}
+  void collide(double, GenId, GenId, const RoundedState&, const RoundedState&) override {}
+  void maneuver(double, GenId, const RoundedState&) override {}
+};
+
 }  // namespace voroproof::internal

@@ -72,6 +72,36 @@ class Chunk final : public EventSink {
   std::vector<RoundedState> states_;
 };
 
+// What a thread of a run in slices does next, and with which of the slices that are not told yet.
+struct SliceWork {
+  enum class Kind { none, lead, follow };
+  Kind kind = Kind::none;
+  std::size_t slice = 0;
+};
+
+// Slices wait for followers, and not followers for slices; but few do, for what they take of
+// memory. Of `count` slices, the last of which is the one to lead into, is_led(k) and is_taken(k)
+// tell whether the leader is through with it and whether it has a follower. `may_lead`: nobody
+// leads, and there is something to lead. `may_follow_ahead`: a slice may have a follower before it
+// is led, who makes its first diagram meanwhile.
+template <class IsLed, class IsTaken>
+SliceWork next_work(std::size_t count, const IsLed& is_led, const IsTaken& is_taken, int threads,
+                    bool may_lead, bool may_follow_ahead) {
+  const auto many = static_cast<std::size_t>(threads);
+  std::size_t ready = 0;
+  for (std::size_t k = 0; k < count; ++k) ready += is_led(k) && !is_taken(k) ? 1 : 0;
+  if (may_lead && count <= 2 * many && ready < (many + 1) / 2) {
+    return {SliceWork::Kind::lead, count - 1};
+  }
+  for (const bool led : {true, false}) {
+    if (!led && !may_follow_ahead) continue;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!is_taken(k) && is_led(k) == led) return {SliceWork::Kind::follow, k};
+    }
+  }
+  return {};
+}
+
 // The work of a slice of a run on so many threads (Leader::lead()), by its number from 0.
 std::uint64_t work_of_slice(int slice, int threads, int disks);
 

@@ -62,15 +62,15 @@ void SlicedRun::work() {
   for (;;) {
     if (options_.slice_hooks.pause) options_.slice_hooks.pause();
     Slice* slice = nullptr;
-    Work work = Work::none;
+    SliceWork::Kind work = SliceWork::Kind::none;
     {
       std::unique_lock lock(mutex_);
       work = find_work(lock, slice);
     }
-    if (work == Work::none) return;
+    if (work == SliceWork::Kind::none) return;
     std::exception_ptr failure;
     try {
-      if (work == Work::lead) {
+      if (work == SliceWork::Kind::lead) {
         lead(*slice);
       } else {
         const Motion& leaders = leader_.motion();
@@ -84,46 +84,27 @@ void SlicedRun::work() {
     if (!failure) continue;
     {
       const std::lock_guard lock(mutex_);
-      (work == Work::lead ? leader_failure_ : slice->failure) = failure;
-      if (work == Work::lead) is_leading_ = false;
+      (work == SliceWork::Kind::lead ? leader_failure_ : slice->failure) = failure;
+      if (work == SliceWork::Kind::lead) is_leading_ = false;
     }
     changed_.notify_all();
     return;
   }
 }
 
-// The first slice without a follower, of those that the leader is through with, or the other one.
-Slice* SlicedRun::untaken(bool led) {
-  for (const auto& slice : slices_) {
-    if (!slice->taken && slice->led == led) return slice.get();
-  }
-  return nullptr;
-}
-
-// Slices wait for followers, and not followers for slices; but few do, for what they take of
-// memory.
-SlicedRun::Work SlicedRun::find_work(std::unique_lock<std::mutex>& lock, Slice*& slice) {
-  const std::size_t threads = options_.threads;
+SliceWork::Kind SlicedRun::find_work(std::unique_lock<std::mutex>& lock, Slice*& slice) {
   for (;;) {
-    if (ending_) return Work::none;
-    std::size_t ready = 0;
-    for (const auto& s : slices_) ready += s->led && !s->taken ? 1 : 0;
-    const bool can_lead =
-        !is_leading_ && !all_led_ && !leader_failure_ && slices_.size() <= 2 * threads;
-    if (can_lead && ready < (threads + 1) / 2) {
-      is_leading_ = true;
-      slice = slices_.back().get();
-      return Work::lead;
+    if (ending_) return SliceWork::Kind::none;
+    const SliceWork work = next_work(
+        slices_.size(), [this](std::size_t k) { return slices_[k]->led; },
+        [this](std::size_t k) { return slices_[k]->taken; }, options_.threads,
+        !is_leading_ && !all_led_ && !leader_failure_, !leader_failure_);
+    if (work.kind != SliceWork::Kind::none) {
+      slice = slices_[work.slice].get();
+      (work.kind == SliceWork::Kind::lead ? is_leading_ : slice->taken) = true;
+      return work.kind;
     }
-    // Of a slice that is led into just now the first diagram can be made meanwhile.
-    for (const bool led : {true, false}) {
-      if (!led && leader_failure_) continue;
-      slice = untaken(led);
-      if (slice == nullptr) continue;
-      slice->taken = true;
-      return Work::follow;
-    }
-    if (all_led_ || leader_failure_) return Work::none;
+    if (all_led_ || leader_failure_) return work.kind;
     changed_.wait(lock);
   }
 }

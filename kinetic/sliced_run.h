@@ -49,11 +49,8 @@ class SlicedRun {
   Motion& motion() { return leader_.motion(); }
 
  private:
-  enum class Work { none, lead, follow };
-
   void work();
-  Work find_work(std::unique_lock<std::mutex>& lock, Slice*& slice);
-  Slice* untaken(bool led);
+  SliceWork::Kind find_work(std::unique_lock<std::mutex>& lock, Slice*& slice);
   void lead(Slice& slice);
   void follow(Slice& slice, Motion& motion);
   void publish(Slice& slice, Chunk& chunk, const EngineStats& stats);

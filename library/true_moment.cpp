@@ -9,18 +9,6 @@
 #include "queries/replayed_motion.h"
 
 namespace voroproof::internal {
-namespace {
-
-class NoSink final : public EventSink {
- public:
-  void begin(const std::vector<Quad>&) override {}
-  void flip(double, const Quad&) override {}
-  void collide(double, GenId, GenId, const RoundedState&, const RoundedState&) override {}
-  void maneuver(double, GenId, const RoundedState&) override {}
-};
-
-}  // namespace
-
 std::unique_ptr<Engine> run_to(const Scene& scene, const Rational& t,
                                const EngineOptions& options) {
   MotionInput input = motion_input(scene);
