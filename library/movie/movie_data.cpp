@@ -24,14 +24,13 @@ void add_quad(std::vector<std::uint16_t>& ids, const Quad& q) {
 
 class Collector {
  public:
-  Collector(const Scene& scene, const std::string& history_path)
-      : scene_(scene), history_path_(history_path), replay_(scene, options_) {}
+  explicit Collector(const Scene& scene) : scene_(scene), replay_(scene, options_) {}
 
   void begin(const std::vector<Quad>& edges) {
     for (const Quad& q : edges) add_quad(data_.initial, q);
   }
 
-  // What follows up to open() is before the film.
+  // The events that are replayed are those before the movie, which begins with open().
   void replay_from(const IndexedCut& at) {
     replay_.read(at);
     is_replaying_ = true;
@@ -60,11 +59,10 @@ class Collector {
       return;
     }
     is_replaying_ = false;
-    data_.no_initial =
-        "the flip on line " + std::to_string(line) + " of " + history_path_ + " is of no edge";
+    data_.no_initial = "the flip on line " + std::to_string(line) + " is of no edge";
   }
 
-  // The film begins, at that time.
+  // The movie begins, at that time.
   void open(const Rational& t) {
     data_.begin = round_nearest(t);
     for (GenId g = 0; g < replay_.disks(); ++g) {
@@ -82,7 +80,7 @@ class Collector {
     std::visit([&](const auto& kind) { describe(kind, event); }, event);
   }
 
-  // Of what is before the film.
+  // The last line of what is before the movie; 0 where nothing is.
   std::int64_t last_line() const { return last_line_; }
 
   MovieData& data() { return data_; }
@@ -129,9 +127,8 @@ class Collector {
 
   const CertifyOptions options_ = recorded();
   const Scene& scene_;
-  const std::string& history_path_;
   Replay replay_;
-  bool is_replaying_ = false;  // the flips before the film
+  bool is_replaying_ = false;  // the flips before the movie
   std::int64_t last_line_ = 0;
   MovieData data_;
 };
@@ -173,7 +170,7 @@ MovieData movie_data(Claim& claim, const std::string& history_path, const MovieS
   if (span.from && *span.from > history.header().horizon) {
     throw InputError(history_path, 0, "horizon", "the movie would begin after it");
   }
-  Collector collector(claim.scene, history_path);
+  Collector collector(claim.scene);
   MovieData& data = collector.data();
   start(claim, history_path, span, options, collector);
   bool is_open = false;
@@ -182,13 +179,12 @@ MovieData movie_data(Claim& claim, const std::string& history_path, const MovieS
   };
   if (!span.from) open();
   while (const std::optional<Event> event = history.next()) {
-    const Rational t = exact_time(*event);
-    if (!is_open && t <= *span.from) {
+    if (!is_open && exact_time(*event) <= *span.from) {
       collector.replay(*event, history.line());
       continue;
     }
     open();
-    if (span.until && t > *span.until) continue;
+    if (span.until && exact_time(*event) > *span.until) continue;
     if (data.times.size() == max_movie_events) {
       throw InputError(history_path, history.line(), "",
                        "a movie holds at most " + std::to_string(max_movie_events) +

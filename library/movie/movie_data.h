@@ -17,7 +17,7 @@ inline constexpr std::size_t max_movie_events = 4'000'000;
 
 enum class MovieEvent : std::uint8_t { flip, collision, maneuver };
 
-// The part of the history that a film is of: what is after `from` and not after `until`. With an
+// The part of the history that a movie is of: what is after `from` and not after `until`. With an
 // index reading begins in the middle, and what the index says is taken at its word.
 struct MovieSpan {
   std::optional<Rational> from, until;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,6 +11,30 @@
 
 namespace voroproof::internal {
 namespace {
+
+// A history without one of its flips, and its report in w.report.json.
+class BrokenMovie : public Movie {
+ protected:
+  struct Wrong {
+    std::string history;
+    std::ptrdiff_t event;  // the number of the flip that is left out, from 0
+    double t;              // its time
+  };
+  Wrong without_a_flip(const std::string& scene) const {
+    std::vector<std::string> lines = lines_of(read_bytes(simulated(scene)));
+    const auto flip = std::find_if(lines.begin() + 40, lines.end(), [](const std::string& line) {
+      return line.find("flip") != std::string::npos;
+    });
+    const double t = Json::parse(*flip).at("t");
+    const auto event = flip - lines.begin() - 1;
+    lines.erase(flip);
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    const std::string history = directory_.write("w.history.jsonl", text);
+    EXPECT_EQ(run({"certify", scene, history, "--report", file("w.report.json")}).code, 1);
+    return {history, event, t};
+  }
+};
 
 TEST_F(Movie, FewDisksAndStoppedHistoriesPlay) {
   const std::string script = R"js(
@@ -36,19 +61,10 @@ TEST_F(Movie, FewDisksAndStoppedHistoriesPlay) {
   EXPECT_NE(page.at("result").at("notes").get<std::string>().find("too <hard>"), std::string::npos);
 }
 
-TEST_F(Movie, ARefutedHistoryShowsItsFaultAndWhereTheReplayBreaks) {
+TEST_F(BrokenMovie, ARefutedHistoryShowsItsFaultAndWhereTheReplayBreaks) {
   const std::string scene = reference(30, "50");
-  std::vector<std::string> lines = lines_of(read_bytes(simulated(scene)));
-  // One flip is left out. Somewhere later another one is not possible.
-  const auto flip = std::find_if(lines.begin() + 40, lines.end(), [](const std::string& line) {
-    return line.find("flip") != std::string::npos;
-  });
-  const auto event = flip - lines.begin() - 1;
-  lines.erase(flip);
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  const std::string wrong = directory_.write("w.history.jsonl", text);
-  EXPECT_EQ(run({"certify", scene, wrong, "--report", file("w.report.json")}).code, 1);
+  // Somewhere later another flip is not possible.
+  const auto [wrong, event, t] = without_a_flip(scene);
   const Json page = run_in_page(movie(scene, wrong, {"--report", file("w.report.json")}), R"js(
     const { data, replay, painter, state, view } = player;
     player.toFault();
@@ -102,22 +118,12 @@ TEST_F(Movie, AHistoryWithoutAnInitialDiagramIsPlayedAsFarAsItGoes) {
 }
 
 // The report counts the events of the whole history.
-TEST_F(Movie, ARefutedHistoryIsShownFromTheMiddle) {
+TEST_F(BrokenMovie, ARefutedHistoryIsShownFromTheMiddle) {
   const std::string scene = reference(30, "50");
-  std::vector<std::string> lines = lines_of(read_bytes(simulated(scene)));
-  const auto flip = std::find_if(lines.begin() + 40, lines.end(), [](const std::string& line) {
-    return line.find("flip") != std::string::npos;
-  });
-  const double t = Json::parse(*flip).at("t");
-  const auto event = flip - lines.begin() - 1;
-  lines.erase(flip);
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  const std::string wrong = directory_.write("w.history.jsonl", text);
-  EXPECT_EQ(run({"certify", scene, wrong, "--report", file("w.report.json")}).code, 1);
-  const auto standing = [&](const std::string& from) {
-    const Json page =
-        run_in_page(movie(scene, wrong, {"--report", file("w.report.json"), "--from", from}), R"js(
+  const auto [wrong, event, t] = without_a_flip(scene);
+  const auto standing = [&, &history = wrong](const std::string& from) {
+    const Json page = run_in_page(
+        movie(scene, history, {"--report", file("w.report.json"), "--from", from}), R"js(
       const { data, list } = player, certified = [], faults = [];
       for (let k = 0; k < Math.min(data.events, 60); ++k) {
         if (list.standing(k) === "certified") certified.push(k + data.facts.leftOut);
@@ -156,8 +162,8 @@ TEST_F(Movie, AHistoryThatBreaksBeforeTheMovieBeginsHasNoDiagram) {
     player.draw();
     return { words: element("broken").textContent, x: Array.from(player.motion.x) };)js");
   ASSERT_EQ(page.at("errors"), Json::array());
-  EXPECT_NE(page.at("result").at("words").get<std::string>().find("the flip on line " +
-                                                                  std::to_string(number) + " of"),
+  EXPECT_NE(page.at("result").at("words").get<std::string>().find(
+                "the flip on line " + std::to_string(number) + " is of no edge"),
             std::string::npos)
       << page;
 }
