@@ -48,6 +48,15 @@ bool exists(const std::string& path) {
   return std::filesystem::is_regular_file(path, error);
 }
 
+// Whether the header of the file can be read and is that of the run.
+bool is_of(const std::string& path, const HistoryHeader& wanted) {
+  try {
+    return difference(HistoryReader(path).header(), wanted).empty();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 std::string partial_of(const std::string& history) { return history + ".partial"; }
 
 }  // namespace
@@ -77,10 +86,9 @@ std::optional<BegunHistory> BegunHistory::find(const std::string& history,
   return best;
 }
 
-void BegunHistory::remove_beside_complete(const std::string& history, const HistoryHeader& wanted,
-                                          int disks) {
+void BegunHistory::remove_beside_complete(const std::string& history, const HistoryHeader& wanted) {
   const std::string partial = partial_of(history);
-  if (exists(partial) && read(partial, wanted, disks)) std::remove(partial.c_str());
+  if (exists(partial) && is_of(partial, wanted)) std::remove(partial.c_str());
   each_abandoned(history, [](const std::string& path) { std::remove(path.c_str()); });
 }
 

@@ -25,8 +25,7 @@ class BegunHistory {
 
   // Removes what other processes of that run have left beside HISTORY, which is complete. What a
   // living process writes stays, and so does HISTORY.partial where it is of something else.
-  static void remove_beside_complete(const std::string& history, const HistoryHeader& wanted,
-                                     int disks);
+  static void remove_beside_complete(const std::string& history, const HistoryHeader& wanted);
 
   const std::string& path() const { return path_; }
   // Whether it is HISTORY, and nothing is left to do.

@@ -242,7 +242,7 @@ ExitCode simulate(const Request& request) {
   const std::optional<BegunHistory> begun = find_begun(request, header, disks);
   if (begun && begun->complete(request.history)) {
     // A process that was killed once its history had its name removed nothing any more.
-    BegunHistory::remove_beside_complete(request.history, header, disks);
+    BegunHistory::remove_beside_complete(request.history, header);
     if (!request.quiet) std::cout << request.history << " is complete\n";
     return ExitCode::ok;
   }
