@@ -12,8 +12,6 @@
 #include "apps/run/begun_history.h"
 #include "apps/run/history_sink.h"
 #include "certify/certifier.h"
-#include "certify/fingerprint.h"
-#include "certify/replay.h"
 #include "exact/tower.h"
 #include "filtered/motion/options.h"
 #include "history/claim.h"
@@ -29,6 +27,7 @@
 #include "tests/fuzz/pieces.h"
 #include "tests/fuzz/target.h"
 #include "tests/history/temporary_directory.h"
+#include "tests/library/index_entry.h"
 
 namespace voroproof::internal::fuzz {
 namespace {
@@ -92,14 +91,6 @@ class Simulated {
   TemporaryDirectory folder_;
 };
 
-class Nobody final : public EventSink {
- public:
-  void begin(const std::vector<Quad>&) override {}
-  void flip(double, const Quad&) override {}
-  void collide(double, GenId, GenId, const RoundedState&, const RoundedState&) override {}
-  void maneuver(double, GenId, const RoundedState&) override {}
-};
-
 // Certifies the history of the scene up to its second part, and keeps what there is to go on with.
 class BegunShard {
  public:
@@ -140,26 +131,14 @@ std::string with_hashes_of_states(std::string_view bytes, const Scene& scene,
   std::string text;
   for (std::string line; std::getline(in, line); text += line + '\n') {
     nlohmann::ordered_json entry = nlohmann::ordered_json::parse(line, nullptr, false);
-    if (!entry.is_object() || !entry.contains("state") || !entry.contains("cut")) continue;
-    if (!entry["cut"].is_object() || !entry["cut"].contains("state_sha256")) continue;
-    Replay replay(scene, options);
-    Cut cut;
+    if (!entry.is_object()) continue;
     try {
-      for (auto [name, count] :
-           {std::pair("flips", &cut.claims.flips), std::pair("collisions", &cut.claims.collisions),
-            std::pair("maneuvers", &cut.claims.maneuvers)}) {
-        entry["cut"].at(name).get_to(*count);
-      }
-      entry["cut"].at("t").get_to(cut.t);
-      replay.read({.cut = cut, .state = entry["state"].dump(), .file = "index", .line = 1});
+      entry = testing::with_hash_of_state(entry, scene, options);
     } catch (const nlohmann::json::exception&) {
       continue;
-    } catch (const InputError& refusal) {
-      if (refusal.field() != "cut.state_sha256") continue;
+    } catch (const InputError&) {
+      continue;
     }
-    Fingerprint state;
-    replay.add_to(state);
-    entry["cut"]["state_sha256"] = state.hex();
     line = entry.dump();
   }
   return text;
@@ -250,9 +229,9 @@ bool resumes_history(std::string_view bytes) {
     int questions = 0;
     options.monitor = [&](double, std::uint64_t) { return ++questions < most_questions; };
     Engine engine(motion_input(scene), maneuver_input(scene), options);
-    Nobody nobody;
+    NoSink sink;
     try {
-      engine.resume([&](EventSink& told) { begun->tell(told); }, to_rational(begun->t0()), nobody);
+      engine.resume([&](EventSink& told) { begun->tell(told); }, to_rational(begun->t0()), sink);
     } catch (const OtherRun& other) {
       throw InputError("history", 0, "", other.what());
     }

@@ -54,19 +54,7 @@ class ForgedIndexes : public Indexes {
     return joined(place, entry, history, history);
   }
 
-  // The entry with the hash of its state.
-  Json with_hash(Json entry) const {
-    Replay replay(scene_, options_);
-    try {
-      replay.read(cut_of(entry));
-    } catch (const InputError& other) {
-      if (other.field() != "cut.state_sha256") throw;
-    }
-    Fingerprint state;
-    replay.add_to(state);
-    entry["cut"]["state_sha256"] = state.hex();
-    return entry;
-  }
+  Json with_hash(const Json& entry) const { return with_hash_of_state(entry, scene_, options_); }
 
   Replay replay_of(const Json& entry) const {
     Replay replay(scene_, options_);

@@ -18,6 +18,7 @@
 #include "library/shard_file.h"
 #include "tests/certify/claimed_history.h"
 #include "tests/history/temporary_directory.h"
+#include "tests/library/index_entry.h"
 #include "tests/support/random_scenes.h"
 
 namespace voroproof::internal::testing {
@@ -81,22 +82,6 @@ class Indexes : public ::testing::Test {
     std::string text;
     for (const Json& line : lines) text += line.dump() + "\n";
     directory_.write("a.index", text);
-  }
-
-  // The cut of an entry.
-  static IndexedCut cut_of(const Json& entry) {
-    const Json& c = entry["cut"];
-    return {.cut = {.part = c["part"],
-                    .t = c["t"],
-                    .claims = {c["flips"], c["collisions"], c["maneuvers"]},
-                    .line = c["line"],
-                    .offset = c["offset"],
-                    .header_sha256 = {},
-                    .claims_sha256 = c["claims_sha256"],
-                    .state_sha256 = c["state_sha256"]},
-            .state = entry["state"].dump(),
-            .file = "a.index",
-            .line = 1};
   }
 
   // The certificate of a shard, in a file. Reading begins at `start`, whatever an index would say.
