@@ -12,13 +12,6 @@ namespace voroproof::internal {
 
 namespace {
 
-// The history's horizon and the scene's, where they differ by more than the file can say.
-std::optional<std::array<Rational, 2>> other_horizon(const Scene& scene,
-                                                     const HistoryHeader& header) {
-  if (abs(Rational(header.horizon - scene.horizon)) <= header.horizon_error) return std::nullopt;
-  return std::array{header.horizon, scene.horizon};
-}
-
 // With --strict a horizon other than the scene's is a fault.
 Certificate refuted_for(const std::array<Rational, 2>& horizons) {
   Certificate c;
@@ -69,6 +62,12 @@ void complete(Certificate& c, const std::optional<std::array<Rational, 2>>& othe
 }
 
 }  // namespace
+
+std::optional<std::array<Rational, 2>> other_horizon(const Scene& scene,
+                                                     const HistoryHeader& header) {
+  if (abs(Rational(header.horizon - scene.horizon)) <= header.horizon_error) return std::nullopt;
+  return std::array{header.horizon, scene.horizon};
+}
 
 Certificate certify(const Scene& scene, HistorySource& history, const CertifyOptions& asked) {
   const CertifyOptions options = options_for(history, asked);

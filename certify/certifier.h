@@ -8,6 +8,7 @@
 // searches of filtered/search/; not the queue, nor the order of events, nor the first diagram.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -58,6 +59,11 @@ struct CertificationInterrupted {
   std::int64_t prefix_events = 0;
   double prefix_t = 0;
 };
+
+// The history's horizon and the scene's, where they differ by more than the file can say: what a
+// certificate tells of them (Certificate::other_horizon).
+std::optional<std::array<Rational, 2>> other_horizon(const Scene& scene,
+                                                     const HistoryHeader& header);
 
 // Certifies the history against the scene. Throws InputError where the history is not one of its
 // format or not of this scene.

@@ -49,14 +49,18 @@ ExitCode exit_code(Verdict verdict) {
   return ExitCode::undecided;
 }
 
-// The certificate of a history that a limit of the user's does not let be judged to its end.
-Certificate undecided(const std::string& reason, std::int64_t prefix_events, double prefix_t) {
-  Certificate certificate;
-  certificate.verdict = Verdict::undecided;
-  certificate.reason = reason;
-  certificate.prefix_events = prefix_events;
-  certificate.prefix_t = prefix_t;
-  return certificate;
+// Makes it the certificate of a history that a limit of the user's does not let be judged to its
+// end. What it says of horizons and file stays.
+void undecide(Certificate& certificate, const std::string& reason, std::int64_t prefix_events,
+              double prefix_t) {
+  Certificate at_limit;
+  at_limit.verdict = Verdict::undecided;
+  at_limit.reason = reason;
+  at_limit.prefix_events = prefix_events;
+  at_limit.prefix_t = prefix_t;
+  at_limit.other_horizon = certificate.other_horizon;
+  at_limit.remarks = std::move(certificate.remarks);
+  certificate = std::move(at_limit);
 }
 
 // Which shard a certificate is of, as its verdict says it: "SHARD 2/8 "; empty where it is of the
@@ -184,6 +188,9 @@ bool certify_claim(const Request& request, Claim& claim, const CertifyOptions& o
                    const CooperativeInterruption& interruption,
                    std::optional<BegunCertificate>& begun, ShardFile& file) {
   Certificate& certificate = file.shard.certificate;
+  // What is known whatever ends the run.
+  certificate.other_horizon = other_horizon(claim.scene, claim.history->header());
+  certificate.remarks = claim.remarks;
   try {
     if (begun || !request.part.empty()) {
       certify_shard_of(request, claim, options, begun, file);
@@ -195,11 +202,11 @@ bool certify_claim(const Request& request, Claim& claim, const CertifyOptions& o
     return true;
   } catch (const CertificationInterrupted& at) {
     if (!interruption.late()) throw Interrupted();
-    certificate = undecided(time_limit_reason(), at.prefix_events, at.prefix_t);
+    undecide(certificate, time_limit_reason(), at.prefix_events, at.prefix_t);
   } catch (const std::bad_alloc&) {
     if (!has_memory_limit()) throw;
     lift_memory_limit();
-    certificate = undecided(memory_limit_reason(), 0, 0);
+    undecide(certificate, memory_limit_reason(), 0, 0);
   }
   if (!request.part.empty()) throw Undecided(certificate.reason);
   return false;
@@ -222,9 +229,9 @@ SecondWords ask(const std::vector<SecondChecker>& seconds, const Request& reques
                                        request.options, [&] { return !interruption.requested(); });
     if (said.empty()) {
       if (!interruption.late()) throw Interrupted();
-      certificate =
-          undecided(time_limit_reason() + " while the " + std::string(checker.name) + " judges",
-                    certificate.prefix_events, certificate.prefix_t);
+      undecide(certificate,
+               time_limit_reason() + " while the " + std::string(checker.name) + " judges",
+               certificate.prefix_events, certificate.prefix_t);
       break;
     }
     words.emplace_back(checker, said);
