@@ -64,7 +64,7 @@ std::vector<Cost> costs_of(const Scene& scene, const EngineOptions& options, int
   for (bool is_last = false; !is_last;) {
     Cost cost;
     const MotionSnapshot start = leader.motion().snapshot();
-    Turns turns;
+    LedTurns turns;
     const double t0 = thread_cpu_seconds();
     const std::optional<double> border = leader.lead(
         turns, work_of_slice(static_cast<int>(costs.size()), threads, leaders.size()), nullptr);

@@ -8,9 +8,9 @@
 #include "filtered/search/point_cells.h"
 #include "kinetic/engine_stats.h"
 #include "kinetic/event_times.h"
+#include "kinetic/led_turns.h"
 #include "kinetic/present.h"
 #include "kinetic/static_diagram.h"
-#include "kinetic/turns.h"
 
 namespace voroproof::internal {
 
@@ -74,9 +74,9 @@ class Certified {
     present_.before_change();
     return motion_.maneuver(disk, t, vx, vy);
   }
-  // What the leader did (kinetic/turns.h): a collision, which tells the `time` of the instant
+  // What the leader did (kinetic/led_turns.h): a collision, which tells the `time` of the instant
   // unless that is null, or a maneuver.
-  void follow(const Turn& turn, const DdBall* time) {
+  void follow(const LedTurn& turn, const DdBall* time) {
     present_.before_change();
     motion_.follow(turn.i, turn.first, turn.j, turn.second, turn.v_scale);
     if (turn.i == turn.j) return;

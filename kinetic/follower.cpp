@@ -40,7 +40,7 @@ void Follower::construct() {
   flipping_.start();
 }
 
-void Follower::settle(const Turns& turns, const Rational& end) {
+void Follower::settle(const LedTurns& turns, const Rational& end) {
   turns_ = &turns;
   is_last_ = end == motion_.input().horizon;
   schedule_.end_at(end);
@@ -56,11 +56,11 @@ void Follower::announce() {
     schedule_.announce(nullptr);
     return;
   }
-  const Turns::Instant& next = turns_->instant(next_);
+  const LedTurns::Instant& next = turns_->instant(next_);
   turn_ = Event(next.exactly == nullptr ? Event::Kind::contact : Event::Kind::maneuver, 0);
   turn_.exactly = next.exactly;
   if (next.exactly == nullptr) {
-    const Turns::Contact& first = turns_->first_contact(next_);
+    const LedTurns::Contact& first = turns_->first_contact(next_);
     turn_.i = first.i;
     turn_.j = first.j;
     turn_.at = first.at;
@@ -86,7 +86,7 @@ bool Follower::step() {
   if (at_horizon_ && ties_.size() > 1 && (turns || !is_last_)) --stats_.ties;
   if (turns) {
     // What the leader has proved to be simultaneous, and the schedule does not know of.
-    turns_->each_contact(next_, [&](const Turns::Contact& c) {
+    turns_->each_contact(next_, [&](const LedTurns::Contact& c) {
       if (c.i == turn_.i && c.j == turn_.j && turn_.is_contact()) return;
       Event contact(Event::Kind::contact, 0);
       contact.i = c.i;
@@ -115,10 +115,10 @@ bool Follower::step() {
 }
 
 void Follower::process_turns() {
-  const Turns::Instant& instant = turns_->instant(next_);
+  const LedTurns::Instant& instant = turns_->instant(next_);
   instant_.set_time(instant.t);
   bool maneuvers = false;
-  turns_->each_turn(next_, [&](const Turn& turn) {
+  turns_->each_turn(next_, [&](const LedTurn& turn) {
     if (turn.i == turn.j) {
       if (!std::exchange(maneuvers, true)) arithmetic_.is_at(*instant.exactly);
       ++stats_.maneuvers;

@@ -10,8 +10,8 @@
 #include "kinetic/fetch.h"
 #include "kinetic/flipping.h"
 #include "kinetic/instant_record.h"
+#include "kinetic/led_turns.h"
 #include "kinetic/schedule.h"
-#include "kinetic/turns.h"
 
 namespace voroproof::internal {
 
@@ -29,7 +29,7 @@ class Follower {
   void construct();
   // Makes it the diagram just after that instant, for which the turns at t = 0 are needed. The
   // slice has these `turns`, which outlive this object, and ends with the events at `end`.
-  void settle(const Turns& turns, const Rational& end);
+  void settle(const LedTurns& turns, const Rational& end);
   // Tells the events of the slice, those at t = 0 included; calls `end_instant` after those of each
   // instant.
   template <class EndInstant>
@@ -66,7 +66,7 @@ class Follower {
   InstantRecord instant_;
   Flipping<Certified> flipping_;
   Fetch fetch_;
-  const Turns* turns_ = nullptr;
+  const LedTurns* turns_ = nullptr;
   std::size_t next_ = 0;     // of the instants of turns_
   Event turn_;               // the announced one
   bool is_last_ = false;     // the slice ends at the run's horizon

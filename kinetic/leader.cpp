@@ -28,7 +28,7 @@ Leader::Leader(MotionInput input, std::vector<ManeuverInput> maneuvers,
       cells_(motion_),
       stays_(motion_.size(), 0) {}
 
-std::optional<double> Leader::lead(Turns& turns, std::uint64_t work,
+std::optional<double> Leader::lead(LedTurns& turns, std::uint64_t work,
                                    const std::function<double(double, double)>& border) {
   turns_ = &turns;
   work_ = 0;
@@ -155,7 +155,7 @@ bool Leader::step() {
   turns_->begin_instant();
   for (const TimedEvent& timed : ties_) {
     const Event& e = timed.event;
-    if (e.is_contact()) turns_->add(Turns::Contact{e.i, e.j, e.at});
+    if (e.is_contact()) turns_->add(LedTurns::Contact{e.i, e.j, e.at});
     if (e.exactly != nullptr) turns_->set_exactly(*e.exactly);
   }
   if (!first.tight) {
@@ -195,8 +195,8 @@ void Leader::process_contact(GenId i, GenId j, bool lone) {
     turns_->last().time = impact.time_dd;
     turns_->last().tells_time = true;
   }
-  turns_->add(Turn{i, j, motion_.turned(i), motion_.turned(j), impact.first, impact.second,
-                   motion_.v_scale()});
+  turns_->add(LedTurn{i, j, motion_.turned(i), motion_.turned(j), impact.first, impact.second,
+                      motion_.v_scale()});
   ++work_;
   collapse_watch_.after_collision(i, j, arithmetic_.now(), maneuvers_.next_down());
   change(i);
@@ -208,7 +208,7 @@ void Leader::process_maneuvers(const std::vector<ManeuverInput>& together) {
   for (const ManeuverInput& m : together) {
     const RoundedState rounded = arithmetic_.maneuver(m.disk, m.t, m.vx, m.vy);
     const TurnedState state = motion_.turned(m.disk);
-    turns_->add(Turn{m.disk, m.disk, state, state, rounded, rounded, motion_.v_scale()});
+    turns_->add(LedTurn{m.disk, m.disk, state, state, rounded, rounded, motion_.v_scale()});
     ++work_;
   }
   for (const ManeuverInput& m : together) change(m.disk);

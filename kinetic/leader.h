@@ -17,8 +17,8 @@
 #include "kinetic/certified.h"
 #include "kinetic/engine.h"
 #include "kinetic/inelastic_collapse.h"
+#include "kinetic/led_turns.h"
 #include "kinetic/near_cells.h"
-#include "kinetic/turns.h"
 
 namespace voroproof::internal {
 
@@ -35,7 +35,7 @@ class Leader {
   // Returns a time after them and before all others at which to go on, or nothing where the horizon
   // is reached and its events are told. `border`, unless it is null, chooses that time. Throws
   // Undecided where a run would, and where it cannot tell; it is of no further use then.
-  std::optional<double> lead(Turns& turns, std::uint64_t work,
+  std::optional<double> lead(LedTurns& turns, std::uint64_t work,
                              const std::function<double(double, double)>& border);
 
   const Motion& motion() const { return motion_; }
@@ -92,7 +92,7 @@ class Leader {
   bool is_settled_ = false;  // all of it is processed
   std::vector<GenId> changed_;
   std::vector<GenId> near_disks_;  // the memory of search_near()
-  Turns* turns_ = nullptr;
+  LedTurns* turns_ = nullptr;
 };
 
 }  // namespace voroproof::internal

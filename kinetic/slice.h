@@ -10,7 +10,7 @@
 
 #include "kinetic/engine_stats.h"
 #include "kinetic/event_sink.h"
-#include "kinetic/turns.h"
+#include "kinetic/led_turns.h"
 #include "topology/diagram.h"
 
 namespace voroproof::internal {
@@ -112,7 +112,7 @@ struct Slice {
 
   // Written by the leader before `led`, read by the follower.
   Rational end;
-  Turns turns;
+  LedTurns turns;
 
   // The others are guarded by the run's mutex.
   bool led = false;      // as far as `end`

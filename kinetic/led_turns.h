@@ -14,7 +14,7 @@ namespace voroproof::internal {
 
 // A collision of i < j, or a maneuver of i = j: the states after it, and these as a history says
 // them. Nothing is said of the container's.
-struct Turn {
+struct LedTurn {
   GenId i, j;
   TurnedState first, second;
   RoundedState rounded_first, rounded_second;
@@ -22,7 +22,7 @@ struct Turn {
 };
 
 // All instants of a slice, in order.
-class Turns {
+class LedTurns {
  public:
   // A pair that comes into contact at the instant, in its motion before.
   struct Contact {
@@ -46,7 +46,7 @@ class Turns {
     contacts_.push_back(c);
     ++last().contacts;
   }
-  void add(const Turn& t) {
+  void add(const LedTurn& t) {
     turns_.push_back(t);
     ++last().turns;
   }
@@ -73,7 +73,7 @@ class Turns {
  private:
   std::vector<Instant> instants_;
   std::vector<Contact> contacts_;
-  std::vector<Turn> turns_;
+  std::vector<LedTurn> turns_;
   std::deque<Rational> times_;  // stay where they are
 };
 
