@@ -38,15 +38,8 @@ struct Request {
 };
 
 ExitCode exit_code(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::certified:
-      return ExitCode::ok;
-    case Verdict::refuted:
-      return ExitCode::refuted;
-    case Verdict::undecided:
-      break;
-  }
-  return ExitCode::undecided;
+  if (verdict == Verdict::certified) return ExitCode::ok;
+  return verdict == Verdict::refuted ? ExitCode::refuted : ExitCode::undecided;
 }
 
 // Makes it the certificate of a history that a limit of the user's does not let be judged to its
