@@ -50,6 +50,8 @@ class Bisector {
 
  private:
   static constexpr int max_halvings = 20;
+  // Where the vertices of a file are not on the bisector no number of pieces is enough.
+  static constexpr std::size_t max_pieces = 4096;
 
   void append(const Vec2& start, const Vec2& end, double from, double sweep, double tolerance,
               int halvings, std::vector<Cubic>& out) const {
@@ -57,7 +59,7 @@ class Bisector {
     const double rho = p_ / (2 * (dot(d_, n) + s_));
     // Rounding can put the ends of a very short edge in the wrong order: then the
     // sweep leads through directions without a point.
-    if (halvings == 0 || !(rho > 0 && std::isfinite(rho))) {
+    if (halvings == 0 || out.size() >= max_pieces || !(rho > 0 && std::isfinite(rho))) {
       out.push_back({start, start, end, end});
       return;
     }

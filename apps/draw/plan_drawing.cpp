@@ -1,6 +1,7 @@
 #include "apps/draw/plan_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "library/diagram_geometry.h"
 #include "library/json_field.h"
@@ -18,11 +19,19 @@ PlanDrawing drawing_of(const JsonField& report) {
   PlanDrawing drawing;
   drawing.container_center = vec(report["container"]["center"]);
   drawing.container_radius = report["container"]["radius"].number();
+  // Cairo walks along whatever lies beyond the picture.
+  const auto require_near = [&](double length, const JsonField& field) {
+    if (!(std::fabs(length) <= 4 * drawing.container_radius)) {
+      field.fail("far beyond the container");
+    }
+  };
   for (const JsonField& vehicle : report["vehicles"].elements()) {
     PlanDrawing::DrawnVehicle drawn{vehicle["radius"].number(), {}};
+    require_near(drawn.radius, vehicle["radius"]);
     const JsonField way = vehicle["way"];
     for (const JsonField& knot : way.elements()) {
       drawn.way.push_back({knot[0].number(), {knot[1].number(), knot[2].number()}});
+      require_near(length(drawn.way.back().at - drawing.container_center), knot);
     }
     if (drawn.way.size() < 2) way.fail("fewer than two places");
     drawing.vehicles.push_back(std::move(drawn));

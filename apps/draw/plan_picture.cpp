@@ -25,8 +25,12 @@ class PlanPainter {
   void paint() {
     cairo_set_source_rgb(cairo_, 1, 1, 1);
     cairo_paint(cairo_);
-    disk(plan_.container_center, plan_.container_radius);
-    stroke(ink, 2);
+    // Cairo walks along all of it; one that is so much larger is hardly ever in the picture.
+    constexpr double most_pixels = 1e7;
+    if (plan_.container_radius * scale_ < most_pixels) {
+      disk(plan_.container_center, plan_.container_radius);
+      stroke(ink, 2);
+    }
     for (const PlanDrawing::DrawnVehicle& vehicle : plan_.vehicles) way(vehicle);
     for (std::size_t i = 0; i < plan_.vehicles.size(); ++i) ends(static_cast<int>(i));
     for (const Vec2& place : plan_.conjunctions) cross(place);

@@ -95,6 +95,17 @@ TEST(EdgeCurves, AreSegmentsBetweenEqualDisks) {
   }
 }
 
+// As no diagram has them, but a file may.
+TEST(EdgeCurves, OfVerticesThatAreOnNoBisectorHaveSomeEnd) {
+  DiagramFile d = random_diagram(9, 5);
+  d.disks[0].radius *= 40;
+  const EdgeCurves curves(d, 1e-6);
+  std::size_t most = 0;
+  for (const Quad& q : d.edges) most = std::max(most, curves.of(q).size());
+  EXPECT_GT(most, 4000u);
+  EXPECT_LT(most, 4200u);
+}
+
 TEST(EdgeCurves, KeepTheToleranceTheyAreGiven) {
   const DiagramFile d = random_diagram(9, 5);
   for (double tolerance : {1.0, 1e-2, 1e-5}) expect_true_curves(d, tolerance);

@@ -54,6 +54,25 @@ TEST_F(PlanCli, ReadsPlanFiles) {
   EXPECT_EQ(json("a.scene.json")["horizon"], 20);
 }
 
+TEST_F(PlanCli, NothingFarBeyondTheContainerIsDrawn) {
+  const std::string report = file("a.report.json"), picture = file("p.svg");
+  must({"plan", plan_file(crossing), "-o", file("a.scene.json"), "--report", report});
+  const Json whole = json("a.report.json");
+  Json changed = whole;
+  changed["container"]["radius"] = 1e-100;
+  directory_.write("a.report.json", changed.dump());
+  refused({"render", report, "-o", picture}, "vehicles[0].radius: far beyond the container");
+  changed = whole;
+  changed["vehicles"][1]["way"][0][2] = -1e30;
+  directory_.write("a.report.json", changed.dump());
+  refused({"render", report, "-o", picture}, "vehicles[1].way[0]: far beyond the container");
+  // A container that is as large as it may be stands for none.
+  changed = whole;
+  changed["container"]["radius"] = 1e100;
+  directory_.write("a.report.json", changed.dump());
+  must({"render", report, "-o", picture});
+}
+
 // `render` draws the picture of the plan from the report.
 TEST_F(PlanCli, ReportsAreDrawn) {
   const std::string scene = file("a.scene.json"), report = file("a.report.json");
