@@ -93,20 +93,20 @@ Flips::Found Flips::collapse_for(const FlipEvent& claim, HalfEdge h) {
   const double end = round_up(Rational(t + s_.options.tolerance));
   std::optional<Collapse> c =
       life.due ? std::optional(edges_.due(h / 2)) : edges_.first_collapse(q, life.from, end);
-  if (!c) {
+  if (c) {
+    const Moment m = Moment::of(q, *c);
+    if (instants_.in_time(m)) return {{m, m.lo, m.hi}};
+  } else {
     c = edges_.first_collapse(q, std::max(life.from, end), s_.search_end);
-    // Kept on beyond other events, the motion may lead to roots at which q is no longer an edge.
-    if (c) {
-      const auto [lo, hi] = interval_of(*c);
-      if (!proved_no_flip(s_.motion, q, lo, hi)) mistimed(q, *c, t);
-    }
-    refuter_.refute(Fault::spurious_event,
-                    "edge " + text_of(canonical(q)) + " does not collapse under its present motion",
-                    motion_witness(s_.motion, generators(q), t));
   }
-  const Moment m = Moment::of(q, *c);
-  if (!instants_.in_time(m)) mistimed(q, *c, t);
-  return {{m, m.lo, m.hi}};
+  // Kept on beyond other events, the motion may lead to roots at which q is no longer an edge.
+  if (c) {
+    const auto [lo, hi] = interval_of(*c);
+    if (c->kind == Collapse::Kind::now || !proved_no_flip(s_.motion, q, lo, hi)) mistimed(q, *c, t);
+  }
+  refuter_.refute(Fault::spurious_event,
+                  "edge " + text_of(canonical(q)) + " does not collapse under its present motion",
+                  motion_witness(s_.motion, generators(q), t));
 }
 
 // When an edge that is illegal since the present instant flips for this claim, or a refutation.
