@@ -131,6 +131,19 @@ def test_counts_beyond_a_gsd_file(tmp_path, what, count, reason):
     assert error.field == f"frame 0 {what}/N" and reason in error.reason, str(error)
 
 
+def test_an_array_of_a_gsd_file_that_no_memory_holds(tmp_path):
+    """The index of the file, of entries of 32 bytes, says how large the arrays are."""
+    path = tmp_path / "a.gsd"
+    write_gsd(path, [(0, [[0, 0, 0], [1, 0, 0]], {})])
+    data = bytearray(path.read_bytes())
+    index = int.from_bytes(data[8:16], "little")
+    # The box has 6 numbers in a row each. Such an array is far beyond the file, and is asked for all the same.
+    entry = next(k for k in range(index, len(data) - 32, 32) if int.from_bytes(data[k + 8:k + 16], "little") == 6)
+    data[entry + 24:entry + 28] = (2046820353).to_bytes(4, "little")
+    path.write_bytes(data)
+    assert "no frame can be read" in refusal("gsd", path, periodic="as-is").reason
+
+
 def test_databases(tmp_path):
     for k, (given, field, reason) in enumerate([
         ({"version": "3"}, "metadata version", "versions 1 and 2"),

@@ -49,7 +49,7 @@ class _Reader:
             table = Table(self.radius is not None or self.has_sizes)
             for k in range(len(frames)):
                 self.frame(table, frames, k)
-        except (OSError, RuntimeError, IndexError, KeyError) as error:
+        except (OSError, RuntimeError, IndexError, KeyError, MemoryError) as error:
             fail(self.path, 0, "", f"no frame can be read: {error}")
         finally:
             frames.close()
