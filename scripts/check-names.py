@@ -11,7 +11,6 @@ of the tests have a namespace of their own, with the names of a file in an unnam
 
 import pathlib
 import re
-import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -35,11 +34,19 @@ def definitions(path):
                 yield "::".join([*spaces, defined[1]]), f"{path.relative_to(ROOT)}:{number}"
 
 
+def sources(folder):
+    """All of the project: what begins with "build" is made."""
+    for path in sorted(folder.iterdir()):
+        if path.is_dir() and not path.name.startswith(("build", ".")):
+            yield from sources(path)
+        elif path.suffix in (".h", ".cpp"):
+            yield path
+
+
 def main():
-    listed = subprocess.run(["git", "ls-files", "*.h", "*.cpp"], cwd=ROOT, check=True, capture_output=True, text=True)
     places = {}
-    for name in listed.stdout.split():
-        for defined, place in definitions(ROOT / name):
+    for path in sources(ROOT):
+        for defined, place in definitions(path):
             places.setdefault(defined, []).append(place)
     twice = {name: where for name, where in places.items() if len(where) > 1}
     for name, where in sorted(twice.items()):
