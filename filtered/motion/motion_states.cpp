@@ -223,10 +223,11 @@ void MotionStates::replay() {
 // what has been lost so far.
 bool MotionStates::raise_for(double t) {
   const int before = bits_at(0);
-  if (before >= max_bits_) return false;
+  // A supply per time is nothing where there is no time.
+  if (before >= max_bits_ || !(horizon_ > 0)) return false;
   const double lost = before - goal_bits_;
   const double rate = t > 0 ? lost / t : 0;
-  slope_ = std::max({1.1 * rate, 1.4 * slope_, horizon_ > 0 ? 32 / horizon_ : 0});
+  slope_ = std::max({1.1 * rate, 1.4 * slope_, 32 / horizon_});
   return true;
 }
 
@@ -242,7 +243,7 @@ void MotionStates::apply_log() {
         replay();
       } else {
         throw Undecided("the state after the collision needs more than " +
-                        std::to_string(max_bits_) + " bits");
+                        std::to_string(horizon_ > 0 ? max_bits_ : bits_at(0)) + " bits");
       }
     }
   } catch (...) {
