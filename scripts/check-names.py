@@ -5,8 +5,7 @@ usage: scripts/check-names.py
 
 Two definitions of one qualified name in one program break C++'s rule of one definition: the compiler keeps one
 of them, and one copy of each function of a template over it, whatever the sizes are. No linker sees
-that where the template is the standard library's. Looked at are all sources that are linked together: those
-of the tests have a namespace of their own, with the names of a file in an unnamed one.
+that where the template is the standard library's. All sources are looked at, but for names in unnamed namespaces.
 """
 
 import pathlib

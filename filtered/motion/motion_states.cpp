@@ -223,7 +223,7 @@ void MotionStates::replay() {
 // what has been lost so far.
 bool MotionStates::raise_for(double t) {
   const int before = bits_at(0);
-  // A supply per time is nothing where there is no time.
+  // The supply is so many bits per unit of time: with the horizon 0 it cannot rise.
   if (before >= max_bits_ || !(horizon_ > 0)) return false;
   const double lost = before - goal_bits_;
   const double rate = t > 0 ? lost / t : 0;
