@@ -118,7 +118,9 @@ class EngineOver {
     sink_->begin(diagram_.quads());
     begun_ = true;
     flipping_.begin();
-    search_all();
+    flipping_.search_all();
+    // Flips make new pairs, and points may meet at a disk.
+    if (stats_.settling_flips > 0 || arithmetic_.has_points()) search_contacts();
     instant_.tell(*sink_);
   }
 
@@ -136,14 +138,14 @@ class EngineOver {
     told(resumption);
     resumption.finish(t0);
     schedule_.start(first_window(motion_), motion_.size(), round_down(t0));
-    search_all();
+    flipping_.search_all();
+    search_contacts();
     if (schedule_.take_due_flip() || schedule_.take_due_contact()) {
       throw OtherRun("something that is not told happens before the run can go on");
     }
   }
 
-  void search_all() {
-    flipping_.search_all();
+  void search_contacts() {
     for (int e = 0; e < schedule_.slots(); ++e) search_contact(e);
   }
 

@@ -21,6 +21,9 @@ namespace {
 
 using HalfEdge = Diagram::HalfEdge;
 
+// Where the spatial order leads from disk to disk, a walk takes a few steps.
+constexpr int kLongestWalk = 100;
+
 // The smallest pair of a point (radius 0) and another generator that touch. Tangencies vanish there
 // and nowhere else: the point's cell has no area, the vertices around it coincide, and neither walk
 // of the construction needs to end. Each disk is tried with the points between its extreme
@@ -92,7 +95,35 @@ class Construction {
   static constexpr GenId no_ray = -2;
 
   void insert(GenId i, GenId near) {
-    GenId j = near;
+    const HalfEdge h = around(i, diagram_.anchor(near));
+    if (in_conflict(i, h)) {
+      start_at_vertex(i, h);
+    } else {
+      start_on_ray(i, nearest_of(i, h));
+    }
+    while (!link_.empty()) {
+      const LinkEdge edge = link_.back();
+      link_.pop_back();
+      if (!absorbs(i, edge)) continue;
+      const HalfEdge t = Diagram::twin(edge.h);
+      const HalfEdge a = diagram_.next(t);  // from org(h) to the outer apex
+      const HalfEdge b = diagram_.next(a);
+      const GenId l = diagram_.org(edge.h), r = diagram_.dest(edge.h);
+      diagram_.flip(edge.h);
+      link_.push_back({a, r, no_ray});
+      link_.push_back({b, l, no_ray});
+    }
+  }
+
+  // The vertex on the left of h is in conflict with i.
+  void start_at_vertex(GenId i, HalfEdge h) {
+    const HalfEdge sides[3] = {h, diagram_.next(h), diagram_.previous(h)};
+    for (const HalfEdge side : sides) link_.push_back({side, diagram_.apex(side), no_ray});
+    diagram_.insert_in_vertex(h, i);
+  }
+
+  // Starts on the edge that i's cell certainly meets.
+  void start_on_ray(GenId i, GenId j) {
     HalfEdge exit = exit_edge(j, i);
     while (!meets(i, j, diagram_.dest(exit))) {
       j = diagram_.dest(exit);
@@ -100,19 +131,49 @@ class Construction {
     }
     const auto halves = diagram_.insert_in_edge(exit, i);
     // halves[0] has i as apex on its own side, halves[1] on its twin's.
-    std::vector<LinkEdge> link{{halves[0], no_ray, j}, {Diagram::twin(halves[1]), no_ray, j}};
-    while (!link.empty()) {
-      const LinkEdge edge = link.back();
-      link.pop_back();
-      if (!absorbs(i, edge)) continue;
-      const HalfEdge t = Diagram::twin(edge.h);
-      const HalfEdge a = diagram_.next(t);  // from org(h) to the outer apex
-      const HalfEdge b = diagram_.next(a);
-      const GenId l = diagram_.org(edge.h), r = diagram_.dest(edge.h);
-      diagram_.flip(edge.h);
-      link.push_back({a, r, no_ray});
-      link.push_back({b, l, no_ray});
+    link_ = {{halves[0], no_ray, j}, {Diagram::twin(halves[1]), no_ray, j}};
+  }
+
+  // A half-edge, on the left of which is the triangle of centres that contains the centre of i, or
+  // one near it: found by a walk from h in plain doubles, proved by nothing.
+  HalfEdge around(GenId i, HalfEdge h) const {
+    const Site<DoubleBall>& p = predicates_.rough(i);
+    const auto is_beyond = [&](HalfEdge side) {
+      const GenId g = diagram_.org(side), k = diagram_.dest(side);
+      if (g == container_id || k == container_id) return false;
+      const Site<DoubleBall>&a = predicates_.rough(g), &b = predicates_.rough(k);
+      return (b.x.mid - a.x.mid) * (p.y.mid - a.y.mid) < (b.y.mid - a.y.mid) * (p.x.mid - a.x.mid);
+    };
+    HalfEdge h0 = h;
+    if (is_beyond(h)) h0 = Diagram::twin(h);
+    // Triangles of centres may overlap, and a walk among them need not end.
+    for (int steps = 0; steps < kLongestWalk; ++steps) {
+      const HalfEdge next = diagram_.next(h0), previous = diagram_.previous(h0);
+      if (is_beyond(next)) {
+        h0 = Diagram::twin(next);
+      } else if (is_beyond(previous)) {
+        h0 = Diagram::twin(previous);
+      } else {
+        break;
+      }
     }
+    return h0;
+  }
+
+  // Of the disks of the vertex on the left of h the one that is nearest to the centre of i, about.
+  GenId nearest_of(GenId i, HalfEdge h) const {
+    const Site<DoubleBall>& p = predicates_.rough(i);
+    GenId nearest = no_ray;
+    double least = 0;
+    for (const GenId g : {diagram_.org(h), diagram_.dest(h), diagram_.apex(h)}) {
+      if (g == container_id) continue;
+      const Site<DoubleBall>& s = predicates_.rough(g);
+      const double far = std::hypot(s.x.mid - p.x.mid, s.y.mid - p.y.mid) - s.r.mid;
+      if (nearest != no_ray && !(far < least)) continue;
+      nearest = g;
+      least = far;
+    }
+    return nearest;
   }
 
   // The edge of cell j through which the ray of j and i leaves it: from j's centre
@@ -196,22 +257,29 @@ class Construction {
     return false;
   }
 
-  bool absorbs(GenId i, const LinkEdge& edge) {
-    const HalfEdge t = Diagram::twin(edge.h);
-    const GenId l = diagram_.org(edge.h), r = diagram_.dest(edge.h), x = diagram_.apex(t);
-    if (x == i) return false;
+  // Whether i is nearer to the vertex on the left of h than the vertex's own generators.
+  bool in_conflict(GenId i, HalfEdge h) {
+    const GenId l = diagram_.org(h), r = diagram_.dest(h), x = diagram_.apex(h);
     const auto in_circle = [&](auto at, auto) -> std::optional<bool> {
-      const auto site = at(i);
-      const auto v = triple(at, r, l, x);
-      const Sign f = sign(cotangency(at(r), at(l), at(x), site));
+      const auto& site = at(i);
+      const auto v = triple(at, l, r, x);
+      if constexpr (std::is_same_v<std::decay_t<decltype(site)>, Site<DoubleBall>>) {
+        // Cheaper than the cotangency, and nearly always enough.
+        const Sign s = sign(incircle_value(v, site, false));
+        if (is_certain(s)) return s == Sign::negative;
+      }
+      const Sign f = sign(cotangency(at(l), at(r), at(x), site));
       const Sign s = incircle(v, site, false, f);
       if (s == Sign::unknown) return std::nullopt;
       return s == Sign::negative;
     };
-    const bool conflict = predicates_.decide(in_circle, [&] {
-      return certainly_touches({l, r, x, i});
-    });
-    if (!conflict) return false;
+    return predicates_.decide(in_circle, [&] { return certainly_touches({l, r, x, i}); });
+  }
+
+  bool absorbs(GenId i, const LinkEdge& edge) {
+    const HalfEdge t = Diagram::twin(edge.h);
+    const GenId l = diagram_.org(edge.h), r = diagram_.dest(edge.h), x = diagram_.apex(t);
+    if (x == i || !in_conflict(i, t)) return false;
     // Both ends of the edge are in conflict. All of it is, unless both circles of (l,
     // r, i) exist and lie on it.
     const bool both = predicates_.decide([&](auto at, auto) -> std::optional<bool> {
@@ -255,6 +323,7 @@ class Construction {
 
   InstantPredicates predicates_;
   Diagram diagram_;
+  std::vector<LinkEdge> link_;  // of the growing cell, those that are not examined
 };
 
 std::vector<GenId> insertion_order(const Motion& motion, double t) {

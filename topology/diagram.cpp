@@ -1,9 +1,35 @@
 #include "topology/diagram.h"
 
 #include <algorithm>
+#include <compare>
+#include <cstddef>
 #include <stdexcept>
 
 namespace voroproof::internal {
+
+namespace {
+
+// Sorts items of which those of a smaller generator are smaller: few have the same one, so that it
+// takes little more than linear time. Returns where those of each generator begin, the container's
+// first, and the end.
+template <class Item, class Generator>
+std::vector<std::size_t> sort_by_generator(std::vector<Item>& items, int disks,
+                                           const Generator& generator) {
+  std::vector<std::size_t> begins(static_cast<std::size_t>(disks) + 2, 0);
+  for (const Item& item : items) ++begins[generator(item) + 2];
+  for (std::size_t k = 1; k < begins.size(); ++k) begins[k] += begins[k - 1];
+  std::vector<Item> sorted(items.size());
+  std::vector<std::size_t> next = begins;
+  for (const Item& item : items) sorted[next[generator(item) + 1]++] = item;
+  const auto place = [&](std::size_t k) {
+    return sorted.begin() + static_cast<std::ptrdiff_t>(begins[k]);
+  };
+  for (std::size_t k = 1; k < begins.size(); ++k) std::sort(place(k - 1), place(k));
+  items.swap(sorted);
+  return begins;
+}
+
+}  // namespace
 
 Diagram::HalfEdge Diagram::new_edge(GenId a, GenId b) {
   const auto h = static_cast<HalfEdge>(halves_.size());
@@ -21,6 +47,7 @@ void Diagram::link(HalfEdge a, HalfEdge b, HalfEdge c) {
 }
 
 void Diagram::start(GenId a, GenId b) {
+  halves_.reserve(6 * static_cast<std::size_t>(disks_) - 6);  // of the diagram of all disks
   const HalfEdge ca = new_edge(container_id, a);
   const HalfEdge ab = new_edge(a, b);
   const HalfEdge bc = new_edge(b, container_id);
@@ -43,6 +70,17 @@ std::array<Diagram::HalfEdge, 2> Diagram::insert_in_edge(HalfEdge h, GenId g) {
   link(copy, twin(gr), twin(lg));
   link(lg, gr, lower);
   return {copy, h};
+}
+
+void Diagram::insert_in_vertex(HalfEdge h, GenId g) {
+  const HalfEdge el = previous(h), re = previous(el);  // triangle l r e
+  const GenId l = org(h), r = org(re), e = org(el);
+  const HalfEdge lg = new_edge(l, g);
+  const HalfEdge rg = new_edge(r, g);
+  const HalfEdge eg = new_edge(e, g);
+  link(h, rg, twin(lg));
+  link(re, eg, twin(rg));
+  link(el, lg, twin(eg));
 }
 
 void Diagram::flip(HalfEdge h) {
@@ -76,7 +114,7 @@ std::vector<Quad> Diagram::quads() const {
   std::vector<Quad> all;
   all.reserve(halves_.size() / 2);
   for (int edge = 0; edge < edges(); ++edge) all.push_back(canonical(quad(2 * edge)));
-  std::sort(all.begin(), all.end());
+  sort_by_generator(all, disks_, [](const Quad& q) { return q.l; });
   return all;
 }
 
@@ -145,41 +183,77 @@ Diagram::HalfEdge find_edge(const Diagram& diagram, const Quad& q) {
   return found;
 }
 
+namespace {
+
+// The half-edges of a diagram that is being put together, by the vertex on their left: an oriented
+// triple names at most one vertex, so the successor of a half-edge is found by its rotated triple.
+class Corners {
+ public:
+  using HalfEdge = Diagram::HalfEdge;
+  struct Corner {
+    GenId org, dest, apex;
+    HalfEdge half;
+    auto operator<=>(const Corner&) const = default;
+    Triple vertex() const { return {org, dest, apex}; }
+  };
+
+  // Of the edges 0, 1, ... in this order; their generators exist.
+  Corners(int disks, const std::vector<Quad>& edges) {
+    corners_.reserve(2 * edges.size());
+    HalfEdge h = 0;
+    for (const Quad& q : edges) {
+      corners_.push_back({q.l, q.r, q.e, h++});
+      corners_.push_back({q.r, q.l, q.s, h++});
+    }
+    begins_ = sort_by_generator(corners_, disks, [](const Corner& c) { return c.org; });
+  }
+
+  // In their order.
+  const std::vector<Corner>& all() const { return corners_; }
+  // The half-edge of the triple, or -1.
+  HalfEdge find(const Triple& t) const {
+    const auto place = [this](GenId g) {
+      return corners_.begin() + static_cast<std::ptrdiff_t>(begins_[g + 1]);
+    };
+    const auto it = std::lower_bound(place(t[0]), place(t[0] + 1), Corner{t[0], t[1], t[2], -1});
+    return it != corners_.end() && it->vertex() == t ? it->half : -1;
+  }
+
+ private:
+  std::vector<Corner> corners_;
+  std::vector<std::size_t> begins_;  // of those that start at each generator
+};
+
+}  // namespace
+
 Diagram diagram_of(int disks, const std::vector<Quad>& edges) {
   Diagram d(disks);
   const auto fail = [](const std::string& reason) { throw std::invalid_argument(reason); };
-  // Half-edges by (org, dest, apex): an oriented triple names at most one vertex, so
-  // the successor of a half-edge is found by its rotated triple.
-  std::vector<std::pair<Triple, Diagram::HalfEdge>> corners;
-  corners.reserve(2 * edges.size());
+  d.halves_.reserve(2 * edges.size());
   for (const Quad& q : edges) {
     for (const GenId g : {q.l, q.r, q.s, q.e}) {
       if (g < container_id || g >= disks) fail("there is no generator " + std::to_string(g));
     }
-    const Diagram::HalfEdge h = d.new_edge(q.l, q.r);
-    corners.push_back({{q.l, q.r, q.e}, h});
-    corners.push_back({{q.r, q.l, q.s}, Diagram::twin(h)});
+    d.new_edge(q.l, q.r);
   }
-  std::sort(corners.begin(), corners.end());
   const auto name = [](const Triple& t) {
     return "[" + std::to_string(t[0]) + "," + std::to_string(t[1]) + "," + std::to_string(t[2]) +
            "]";
   };
-  for (std::size_t k = 1; k < corners.size(); ++k) {
-    if (corners[k].first == corners[k - 1].first) {
-      fail("vertex " + name(corners[k].first) + " is named by two edges on one side");
+  const Corners corners(disks, edges);
+  for (std::size_t k = 1; k < corners.all().size(); ++k) {
+    const Triple t = corners.all()[k].vertex();
+    if (t == corners.all()[k - 1].vertex()) {
+      fail("vertex " + name(t) + " is named by two edges on one side");
     }
   }
-  for (const auto& [t, h] : corners) {
-    const Triple rotated{t[1], t[2], t[0]};
-    const auto it = std::lower_bound(
-        corners.begin(), corners.end(), rotated,
-        [](const auto& corner, const Triple& wanted) { return corner.first < wanted; });
-    if (it == corners.end() || it->first != rotated) {
-      fail("vertex " + name(t) + " lacks an edge between " + std::to_string(t[1]) + " and " +
-           std::to_string(t[2]));
+  for (const Corners::Corner& c : corners.all()) {
+    const Diagram::HalfEdge next = corners.find({c.dest, c.apex, c.org});
+    if (next < 0) {
+      fail("vertex " + name(c.vertex()) + " lacks an edge between " + std::to_string(c.dest) +
+           " and " + std::to_string(c.apex));
     }
-    d.halves_[it->second].previous = h;
+    d.halves_[next].previous = c.half;
   }
   std::string why;
   if (!d.is_valid(&why)) fail(why);

@@ -34,6 +34,9 @@ class Diagram {
   // the side of the old apex(twin h) [first] and of the old apex(h) [second]: the
   // two remaining parts of the old edge.
   std::array<HalfEdge, 2> insert_in_edge(HalfEdge h, GenId g);
+  // Puts a new generator g in the place of the V-vertex on the left of h: its cell gets three
+  // edges. The half-edges of the triangle stay, with g as their apex.
+  void insert_in_vertex(HalfEdge h, GenId g);
   // Replaces the edge of h, with quadruplet [l,r,s,e], by [s,e,r,l]; h then runs
   // from s to e. Precondition: s != e.
   void flip(HalfEdge h);

@@ -12,26 +12,13 @@
 
 #include "exact/directions.h"
 #include "exact/predicates.h"
+#include "filtered/motion/enclosures.h"
 #include "filtered/motion/motion.h"
 #include "filtered/numbers/stats.h"
 #include "filtered/search/collapse.h"
 #include "filtered/search/ladder.h"
 
 namespace voroproof::internal {
-
-// What a predicate asks: the sites, and constants that are not the motion's.
-template <class T>
-class SitesAt {
- public:
-  SitesAt(const std::vector<Site<T>>& sites, const std::vector<T>& constants)
-      : sites_(&sites), constants_(&constants) {}
-  const Site<T>& operator()(GenId g) const { return (*sites_)[g + 1]; }
-  const T& constant(std::size_t k) const { return (*constants_)[k]; }
-
- private:
-  const std::vector<Site<T>>* sites_;
-  const std::vector<T>* constants_;
-};
 
 class InstantPredicates {
  public:
@@ -41,15 +28,11 @@ class InstantPredicates {
       : motion_(motion), counts_(counts), t_(t), constants_(std::move(constants)) {
     const double nearest = round_nearest(t);
     const DoubleBall at(nearest, distance(t, nearest));
-    const DdBall at_dd(nearest, 0, distance(t, nearest));
-    for (GenId g = container_id; g < motion.size(); ++g) {
-      doubles_.push_back(motion.site(g, at));
-      dds_.push_back(motion.site(g, at_dd));
-    }
+    doubles_.reserve(motion.size() + 1);
+    for (GenId g = container_id; g < motion.size(); ++g) doubles_.push_back(motion.site(g, at));
     for (const Rational& q : constants_) {
       const double x = round_nearest(q);
       double_constants_.emplace_back(x, distance(q, x));
-      dd_constants_.emplace_back(x, 0, distance(q, x));
     }
   }
 
@@ -67,11 +50,8 @@ class InstantPredicates {
     using Answer = typename std::decay_t<decltype(proof())>::value_type;
     Ladder<Answer> ladder(counts_, Predicate::incircle);
     if (motion_.options().filters) {
-      const Rung doubles{
-          Tier::filter,
-          [&] { return predicate(SitesAt<DoubleBall>(doubles_, double_constants_), OwnRoot{}); }};
-      const Rung dds{Tier::dd,
-                     [&] { return predicate(SitesAt<DdBall>(dds_, dd_constants_), OwnRoot{}); }};
+      const Rung doubles{Tier::filter, [&] { return predicate(DoubleSites(*this), OwnRoot{}); }};
+      const Rung dds{Tier::dd, [&] { return predicate(DdSites(*this), OwnRoot{}); }};
       if (const auto r = ladder.climb(doubles, dds)) return *r;
     }
     const Rung balls{Tier::ball, [&] { return predicate(BallSites(*this), OwnRoot{}); }};
@@ -116,7 +96,29 @@ class InstantPredicates {
     return std::fabs(round_nearest(Rational(q - to_rational(nearest)))) * (1 + 0x1p-50);
   }
 
-  // Sites and constants in balls, computed when asked for.
+  // What a predicate asks: the sites, and constants that are not the motion's. In doubles they are
+  // at hand; else they are computed when asked for.
+  class DoubleSites {
+   public:
+    explicit DoubleSites(const InstantPredicates& p) : p_(&p) {}
+    const Site<DoubleBall>& operator()(GenId g) const { return p_->rough(g); }
+    const DoubleBall& constant(std::size_t k) const { return p_->double_constants_[k]; }
+
+   private:
+    const InstantPredicates* p_;
+  };
+
+  class DdSites {
+   public:
+    explicit DdSites(const InstantPredicates& p) : p_(&p), t_(dd_of(p.t_)) {}
+    Site<DdBall> operator()(GenId g) const { return p_->motion_.site(g, t_); }
+    DdBall constant(std::size_t k) const { return dd_of(p_->constants_[k]); }
+
+   private:
+    const InstantPredicates* p_;
+    DdBall t_;
+  };
+
   class BallSites {
    public:
     explicit BallSites(const InstantPredicates& p)
@@ -147,9 +149,7 @@ class InstantPredicates {
   Rational t_;
   std::vector<Rational> constants_;
   std::vector<Site<DoubleBall>> doubles_;
-  std::vector<Site<DdBall>> dds_;
   std::vector<DoubleBall> double_constants_;
-  std::vector<DdBall> dd_constants_;
 };
 
 // The counterclockwise tangent circle of the vertex [a,b,c].

@@ -90,6 +90,12 @@ TEST(Diagram, TwoDisksHaveOneDiagram) {
   EXPECT_EQ(diagram_of(2, d.quads()).quads(), d.quads());
 }
 
+std::vector<GenId> sorted(const Triple& v) {
+  std::vector<GenId> all(v.begin(), v.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 TEST(Diagram, InsertionIsWhatItsCommentSays) {
   for (Diagram::HalfEdge h = 0; h < 6; ++h) {
     Diagram d(3);
@@ -104,6 +110,40 @@ TEST(Diagram, InsertionIsWhatItsCommentSays) {
     EXPECT_NE(a, b);
     EXPECT_EQ(d.rotate(b), a);
     EXPECT_EQ((std::set<GenId>{d.dest(a), d.dest(b)}), (std::set<GenId>{old.l, old.r}));
+  }
+}
+
+// A cell in the place of a vertex is one on an edge of it that has grown over the vertex.
+TEST(Diagram, InsertionInAVertexIsAFlipAwayFromThatInAnEdge) {
+  Diagram three(3);
+  three.start(0, 1);
+  three.insert_in_edge(0, 2);
+  for (Diagram::HalfEdge h = 0; h < 2 * three.edges(); ++h) {
+    Diagram larger(4), other(4);
+    for (Diagram* d : {&larger, &other}) {
+      d->start(0, 1);
+      d->insert_in_edge(0, 2);
+    }
+    const Triple vertex = end_vertex(larger.quad(h));
+    const Diagram::HalfEdge sides[3] = {h, larger.next(h), larger.previous(h)};
+    Quad before[3];
+    for (int k = 0; k < 3; ++k) before[k] = larger.quad(sides[k]);
+    larger.insert_in_vertex(h, 3);
+    expect_consistent(larger);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(larger.apex(sides[k]), 3);
+      EXPECT_EQ(larger.org(sides[k]), before[k].l);
+      EXPECT_EQ(larger.dest(sides[k]), before[k].r);
+    }
+    EXPECT_EQ(larger.neighbours(3), sorted(vertex));
+    // The part of the edge that keeps its number is on the side of the vertex.
+    const auto parts = other.insert_in_edge(h, 3);
+    EXPECT_EQ(other.apex(parts[1]), before[0].e);
+    // Its cell grows to the vertex by one flip of the other edges' common one.
+    const Diagram::HalfEdge gone = Diagram::twin(parts[1]);
+    ASSERT_EQ(other.apex(gone), 3);
+    other.flip(gone);
+    EXPECT_EQ(other.quads(), larger.quads());
   }
 }
 
