@@ -60,9 +60,14 @@ bool Leader::is_stale(const Entry& e) const {
   return motion_.state_id(e.i) != e.state_i || motion_.state_id(e.j) != e.state_j;
 }
 
+const Leader::Entry* Leader::head() {
+  return queue_.top([this](const Entry& e) { return is_stale(e); });
+}
+
 // Nothing happens before this time.
-double Leader::next_key() const {
-  const double key = queue_.empty() ? kInfinity : queue_.top().key;
+double Leader::next_key() {
+  const Entry* const next = head();
+  const double key = next == nullptr ? kInfinity : next->key;
   return std::min({key, maneuvers_.next_down(), round_down(horizon_)});
 }
 
@@ -71,9 +76,10 @@ std::optional<Event> Leader::take(double bound) {
   const double maneuvers = has_maneuvers_ ? kInfinity : maneuvers_.next_down();
   const double horizon = has_horizon_ ? kInfinity : round_down(horizon_);
   const double exact = std::min(maneuvers, horizon);
-  while (!queue_.empty() && queue_.top().key <= std::min(bound, exact)) {
+  while (const Entry* const next = head()) {
+    if (!(next->key <= std::min(bound, exact))) break;
     Patience::ask();
-    const Entry e = queue_.top();
+    const Entry e = *next;
     queue_.pop();
     if (is_stale(e)) continue;
     if (e.j == kLeaves) {

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <queue>
 #include <set>
 #include <utility>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "kinetic/inelastic_collapse.h"
 #include "kinetic/led_turns.h"
 #include "kinetic/near_cells.h"
+#include "kinetic/waiting_queue.h"
 
 namespace voroproof::internal {
 
@@ -60,7 +60,8 @@ class Leader {
   std::optional<Event> take(double bound);
   void put_back(const Event& event, double key);
   bool is_tied(const Event& event) const;
-  double next_key() const;
+  const Entry* head();
+  double next_key();
   bool is_stale(const Entry& e) const;
   void process_due();
   void process_contact(GenId i, GenId j, bool lone);
@@ -80,7 +81,7 @@ class Leader {
   double horizon_up_;
   InelasticCollapse collapse_watch_;
   NearCells cells_;
-  std::priority_queue<Entry> queue_;
+  WaitingQueue<Entry> queue_;
   std::vector<int> stays_;  // of each disk: how often the time was found at which it leaves
   bool started_ = false;
   std::uint64_t work_ = 0;  // done

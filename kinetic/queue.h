@@ -2,19 +2,18 @@
 // entry, so there are no stale ones (paper, Lemma 6 and after).
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
+
+#include "kinetic/moving_bound.h"
 
 namespace voroproof::internal {
 
 // Items are 0 .. items-1, at least one. A key is a time that the item's next event does not
 // precede; an item without one has the key infinity. Equal keys are ordered by item.
 //
-// Most keys change before their time comes: only items with keys before a bound are in a heap, the
-// others wait in no order. When the heap is empty the bound moves on, by steps that follow the
-// number of items that they bring into the heap.
+// Only items with keys before a bound are in a heap: see MovingBound.
 class EventQueue {
  public:
   explicit EventQueue(int items)
@@ -39,8 +38,8 @@ class EventQueue {
     const double old = key_[item];
     key_[item] = key;
     if (at == kWaits) {
-      if (key < bound_) push({key, item});
-    } else if (!(key < bound_)) {
+      if (key < bound_.value()) push({key, item});
+    } else if (!(key < bound_.value())) {
       remove(at);
     } else if (key < old) {
       rise(at, {key, item});
@@ -50,10 +49,7 @@ class EventQueue {
   }
 
  private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   static constexpr int kArity = 4;
-  static constexpr std::size_t kPart = 32;  // one in so many is in the heap, more or less
-  static constexpr std::size_t kBlock = 8;
   static constexpr int kWaits = -1;  // the place of an item that is not in the heap
 
   // Key and item side by side: siblings share a cache line.
@@ -67,55 +63,20 @@ class EventQueue {
   };
 
   void refill() {
-    if (!(bound_ + step_ > bound_) || !gather(bound_ + step_)) {
-      // This is reached at the start, and where the next keys are far off.
-      const double least = *std::min_element(key_.begin(), key_.end());
-      if (!std::isfinite(least)) return;
-      if (step_ == 0) step_ = mean_delay(least) / kPart;
-      gather(std::max(least + step_, std::nextafter(least, kInfinity)));
-    }
-    // The next step takes as many as are worth the passage through all keys, more or less.
-    if (heap_.size() < key_.size() / (2 * kPart)) {
-      step_ = 2 * step_;
-    } else if (heap_.size() > 2 * key_.size() / kPart) {
-      step_ = 0.5 * step_;
-    }
+    bound_.move(key_, [this] {
+      gather();
+      return heap_.size();
+    });
   }
 
-  // The mean of the finite keys, counted from `least`.
-  double mean_delay(double least) const {
-    double sum = 0;
-    int count = 0;
-    for (const double key : key_) {
-      if (std::isfinite(key)) {
-        sum += key - least;
-        ++count;
-      }
-    }
-    return sum / count;
-  }
-
-  // Moves the bound on and makes a heap of the items with keys before it; it is empty so far.
-  // False if there are none.
-  bool gather(double bound) {
-    bound_ = bound;
-    const std::size_t items = key_.size();
-    for (std::size_t first = 0; first < items; first += kBlock) {
-      const std::size_t last = std::min(first + kBlock, items);
-      if (last - first == kBlock) {
-        // Most blocks have none: all keys are compared at once, without a branch for each.
-        int any = 0;
-        for (std::size_t k = 0; k < kBlock; ++k) any |= int(key_[first + k] < bound);
-        if (any == 0) continue;
-      }
-      for (std::size_t k = first; k < last; ++k) {
-        if (key_[k] < bound) heap_.push_back({key_[k], static_cast<int>(k)});
-      }
-    }
+  // Makes a heap of the items with keys before the bound; it is empty so far.
+  void gather() {
+    each_before(key_, bound_.value(), [this](std::size_t k) {
+      heap_.push_back({key_[k], static_cast<int>(k)});
+    });
     const int size = static_cast<int>(heap_.size());
     for (int at = 0; at < size; ++at) place_[heap_[at].item] = at;
     for (int at = (size - 2) / kArity; at >= 0 && size > 1; --at) sink(at, Entry(heap_[at]));
-    return size > 0;
   }
 
   void push(const Entry& entry) {
@@ -166,8 +127,7 @@ class EventQueue {
   std::vector<double> key_;
   std::vector<int> place_;  // in the heap
   std::vector<Entry> heap_;
-  double bound_ = -kInfinity;  // of the heap's keys
-  double step_ = 0;            // by which the bound moves on
+  MovingBound bound_;  // of the heap's keys
 };
 
 }  // namespace voroproof::internal
