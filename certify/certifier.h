@@ -39,7 +39,8 @@ struct CertifyOptions {
   Rational law_tolerance{1, 1000000000};  // of velocities, relative to the speeds involved
   bool strict = false;      // swaps, unoriented quadruplets and another horizon are refuted
   bool unoriented = false;  // quadruplets may exchange their third generators, as in .evtsq files
-  int threads = 1;          // for all events of the recorded truth; the certificate is the same
+  // For all events of the recorded truth, and for the initial diagram. The certificate is the same.
+  int threads = 1;
   bool judges_flips() const { return events == EventKinds::all; }
   // Recorded truth, all events: the history is certified in parts of so many claims at least, and
   // of one in 512 of that for each disk.

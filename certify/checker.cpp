@@ -202,7 +202,8 @@ void Checker::take_initial_diagram() {
   } catch (const std::invalid_argument& e) {
     refuter_.refute(Fault::wrong_initial_diagram, e.what());
   }
-  if (const auto f = initial_fault(s_.diagram, motion, 0, s_.certificate.tiers)) {
+  if (const auto f =
+          initial_fault(s_.diagram, motion, 0, s_.certificate.tiers, s_.options.threads)) {
     Witness w;
     if (f->vertex && f->conflict) {
       w = conflict_witness(motion, *f->vertex, *f->conflict, 0);

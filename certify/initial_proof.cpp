@@ -1,8 +1,12 @@
 #include "certify/initial_proof.h"
 
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <vector>
 
@@ -36,27 +40,31 @@ Sign angle_order(const std::array<T, 2>& a, const std::array<T, 2>& b) {
 
 class InitialProof {
  public:
-  InitialProof(const Diagram& diagram, Motion& motion, const Rational& t, TierCounts& counts)
+  InitialProof(const Diagram& diagram, Motion& motion, const Rational& t, TierCounts& counts,
+               int threads)
       : diagram_(diagram),
         motion_(motion),
         t_(t),
         counts_(counts),
+        threads_(threads),
         predicates_(motion, t, counts) {}
 
+  // What doubles prove is proved by all threads; the rest is left to this one.
   std::optional<InitialFault> fault() {
-    for (HalfEdge h = 0; h < 2 * diagram_.edges(); h += 2) {
-      require_tangency(diagram_.org(h), diagram_.dest(h));
+    const int edges = diagram_.edges();
+    for (const int e : unproved(edges, [this](int k) { return prove_tangency(2 * k); })) {
+      require_tangency(diagram_.org(2 * e), diagram_.dest(2 * e));
     }
-    for (HalfEdge h = 0; h < 2 * diagram_.edges(); ++h) {
-      // Each vertex once, at its smallest half-edge.
-      if (h > diagram_.next(h) || h > diagram_.previous(h)) continue;
+    for (const HalfEdge h : unproved(2 * edges, [this](int k) { return prove_vertex(k); })) {
       if (auto f = vertex_fault(h)) return f;
     }
-    for (HalfEdge h = 0; h < 2 * diagram_.edges(); h += 2) {
-      if (auto f = edge_fault(diagram_.quad(h))) return f;
+    for (const int e :
+         unproved(edges, [this](int k) { return prove_edge(diagram_.quad(2 * k)); })) {
+      if (auto f = edge_fault(diagram_.quad(2 * e))) return f;
     }
-    for (GenId g = container_id; g < diagram_.disks(); ++g) {
-      if (auto f = cell_fault(g)) return f;
+    for (const int k :
+         unproved(diagram_.disks() + 1, [this](int g) { return prove_cell(g - 1); })) {
+      if (auto f = cell_fault(k - 1)) return f;
     }
     return std::nullopt;
   }
@@ -78,17 +86,118 @@ class InitialProof {
     }
   }
 
+  // The direction from g to its vertex with i and j.
+  template <class Sites, class Root>
+  static auto direction(Sites& at, Root& root, GenId g, GenId i, GenId j) {
+    const auto base = at(g);
+    using Vec = std::array<std::decay_t<decltype(base.x)>, 2>;
+    const auto v = triple_at(at, g, i, j);
+    if (g != container_id) return Vec(circle_direction(v, root));
+    const auto z = tangent_circle(v, root);
+    return Vec{z[0] - base.x, z[1] - base.y};
+  }
+
+  // ---- In doubles: how many signs prove it, or nothing where they do not. Any thread may ask.
+  // ----
+
+  // Those of 0 .. count-1, in this order, that `prove` does not.
+  template <class Prove>
+  std::vector<int> unproved(int count, const Prove& prove) {
+    struct Block {
+      std::vector<int> unproved;
+      std::uint64_t signs = 0;
+    };
+    constexpr int kBlock = 4096;
+    std::vector<Block> blocks(static_cast<std::size_t>((count + kBlock - 1) / kBlock));
+    const auto work = [&](std::size_t b) {
+      const int first = static_cast<int>(b) * kBlock;
+      for (int k = first; k < std::min(first + kBlock, count); ++k) {
+        const auto signs = motion_.options().filters ? prove(k) : std::nullopt;
+        blocks[b].signs += signs.value_or(0);
+        if (!signs) blocks[b].unproved.push_back(k);
+      }
+    };
+    if (threads_ == 1 || blocks.size() < 2) {
+      for (std::size_t b = 0; b < blocks.size(); ++b) work(b);
+    } else {
+      namespace tbb = oneapi::tbb;
+      tbb::task_arena(threads_).execute(
+          [&] { tbb::parallel_for(std::size_t{0}, blocks.size(), work); });
+    }
+    std::vector<int> all;
+    for (const Block& block : blocks) {
+      all.insert(all.end(), block.unproved.begin(), block.unproved.end());
+      counts_.count(Predicate::incircle, Tier::filter, block.signs);
+    }
+    return all;
+  }
+
+  std::optional<int> prove_tangency(HalfEdge h) const {
+    const GenId a = diagram_.org(h), b = diagram_.dest(h);
+    const Sign s = sign(tangency(predicates_.rough(a), predicates_.rough(b)));
+    return s == tangency_sign(a, b) ? std::optional(1) : std::nullopt;
+  }
+  std::optional<int> prove_vertex(HalfEdge h) const {
+    if (!is_named_by(h)) return 0;
+    const auto at = [this](GenId g) { return predicates_.rough(g); };
+    const Sign s =
+        circle_exists(triple_at(at, diagram_.org(h), diagram_.dest(h), diagram_.apex(h)));
+    return s == Sign::positive ? std::optional(1) : std::nullopt;
+  }
+  // Legal: both in-circle functions at once.
+  std::optional<int> prove_edge(const Quad& q) const {
+    if (q.s == q.e) return 0;
+    const auto at = [this](GenId g) { return predicates_.rough(g); };
+    const auto l = at(q.l), r = at(q.r), s = at(q.s), e = at(q.e);
+    const Sign f = sign(cotangency(l, r, s, e));
+    const auto [start, end] = EdgeTriples<DoubleBall>::of(q, {l, r, s, e});
+    const bool legal = incircle(start, e, q.e == container_id, f) == Sign::positive &&
+                       incircle(end, s, q.s == container_id, f) == Sign::positive;
+    return legal ? std::optional(2) : std::nullopt;
+  }
+  // The vertices turn once; each direction is computed once.
+  std::optional<int> prove_cell(GenId g) const {
+    const auto at = [this](GenId i) { return predicates_.rough(i); };
+    const OwnRoot root;
+    const HalfEdge first = diagram_.anchor(g);
+    const auto vertex = [&](HalfEdge h) {
+      return direction(at, root, g, diagram_.dest(h), diagram_.apex(h));
+    };
+    int falls = 0, steps = 0;
+    auto d = vertex(first);
+    HalfEdge h = first;
+    do {
+      h = diagram_.rotate(h);
+      const auto e = vertex(h);
+      // Around the container the vertices run clockwise.
+      const Sign step = g == container_id ? angle_order(e, d) : angle_order(d, e);
+      if (step == Sign::unknown) return std::nullopt;
+      falls += step == Sign::negative;
+      ++steps;
+      d = e;
+    } while (h != first);
+    return falls == 1 ? std::optional(steps) : std::nullopt;
+  }
+
+  // ---- By all tiers. ----
+
+  // Each vertex is named once: by its smallest half-edge.
+  bool is_named_by(HalfEdge h) const { return h < diagram_.next(h) && h < diagram_.previous(h); }
+  static Sign tangency_sign(GenId a, GenId b) {
+    return a == container_id || b == container_id ? Sign::negative : Sign::positive;
+  }
+
   // Two generators, neither of which lies in the other nor is a point of its boundary.
   void require_tangency(GenId a, GenId b) {
     const Sign s = decide([&](auto at, auto) { return sign(tangency(at(a), at(b))); });
-    const bool wall = a == container_id || b == container_id;
-    if (s == (wall ? Sign::negative : Sign::positive)) return;
+    if (s == tangency_sign(a, b)) return;
     throw Undecided(s == Sign::zero ? "a point touches another generator: its cell has no area"
                                     : "a generator lies inside another",
                     std::min(a, b), std::max(a, b));
   }
 
   std::optional<InitialFault> vertex_fault(HalfEdge h) {
+    if (!is_named_by(h)) return std::nullopt;
     const GenId a = diagram_.org(h), b = diagram_.dest(h), c = diagram_.apex(h);
     const Sign s = decide([&](auto at, auto) { return circle_exists(triple_at(at, a, b, c)); });
     if (s == Sign::positive) return std::nullopt;
@@ -101,29 +210,8 @@ class InitialProof {
                         {}};
   }
 
-  bool may_be_rough() const { return motion_.options().filters; }
-  void count_rough(int signs) {
-    for (int k = 0; k < signs; ++k) counts_.count(Predicate::incircle, Tier::filter);
-  }
-
-  // Whether q is certainly legal: both in-circle functions at once, in doubles. False says nothing.
-  bool certainly_legal(const Quad& q) {
-    if (!may_be_rough()) return false;
-    const auto at = [this](GenId g) { return predicates_.rough(g); };
-    const auto l = at(q.l), r = at(q.r), s = at(q.s), e = at(q.e);
-    const Sign f = sign(cotangency(l, r, s, e));
-    const auto [start, end] = EdgeTriples<DoubleBall>::of(q, {l, r, s, e});
-    if (incircle(start, e, q.e == container_id, f) != Sign::positive ||
-        incircle(end, s, q.s == container_id, f) != Sign::positive) {
-      return false;
-    }
-    count_rough(2);
-    return true;
-  }
-
   std::optional<InitialFault> edge_fault(const Quad& q) {
     if (q.s == q.e) return std::nullopt;
-    if (certainly_legal(q)) return std::nullopt;
     const auto side = [&](bool at_start) {
       return decide([&](auto at, auto) {
         const auto l = at(q.l), r = at(q.r), s = at(q.s), e = at(q.e);
@@ -162,48 +250,9 @@ class InitialProof {
                         {}};
   }
 
-  // The direction from g to its vertex with i and j.
-  template <class Sites, class Root>
-  static auto direction(Sites& at, Root& root, GenId g, GenId i, GenId j) {
-    const auto base = at(g);
-    using Vec = std::array<std::decay_t<decltype(base.x)>, 2>;
-    const auto v = triple_at(at, g, i, j);
-    if (g != container_id) return Vec(circle_direction(v, root));
-    const auto z = tangent_circle(v, root);
-    return Vec{z[0] - base.x, z[1] - base.y};
-  }
-
-  // Whether doubles prove what cell_fault() asks for; each direction is computed once.
-  bool turns_once(GenId g) {
-    if (!may_be_rough()) return false;
-    const auto at = [this](GenId i) { return predicates_.rough(i); };
-    const OwnRoot root;
-    const HalfEdge first = diagram_.anchor(g);
-    const auto vertex = [&](HalfEdge h) {
-      return direction(at, root, g, diagram_.dest(h), diagram_.apex(h));
-    };
-    int falls = 0, steps = 0;
-    auto d = vertex(first);
-    HalfEdge h = first;
-    do {
-      h = diagram_.rotate(h);
-      const auto e = vertex(h);
-      // Around the container the vertices run clockwise.
-      const Sign step = g == container_id ? angle_order(e, d) : angle_order(d, e);
-      if (step == Sign::unknown) return false;
-      falls += step == Sign::negative;
-      ++steps;
-      d = e;
-    } while (h != first);
-    if (falls != 1) return false;
-    count_rough(steps);
-    return true;
-  }
-
   // The vertices around g must turn exactly once: among the steps from each to the next exactly
   // one falls back in angle.
   std::optional<InitialFault> cell_fault(GenId g) {
-    if (turns_once(g)) return std::nullopt;
     const HalfEdge first = diagram_.anchor(g);
     int falls = 0;
     bool turns = false;
@@ -240,14 +289,15 @@ class InitialProof {
   Motion& motion_;
   Rational t_;
   TierCounts& counts_;
+  int threads_;
   InstantPredicates predicates_;
 };
 
 }  // namespace
 
 std::optional<InitialFault> initial_fault(const Diagram& diagram, Motion& motion, const Rational& t,
-                                          TierCounts& counts) {
-  return InitialProof(diagram, motion, t, counts).fault();
+                                          TierCounts& counts, int threads) {
+  return InitialProof(diagram, motion, t, counts, threads).fault();
 }
 
 }  // namespace voroproof::internal

@@ -28,8 +28,9 @@ struct InitialFault {
 
 // Checks 0 and 2 to 4 for the sites at time t of a diagram of motion.size() >= 2 disks, whose
 // incidences (point 1) are valid. Where no fault is found, there provably is none. `motion` is the
-// motion just after t. Throws Undecided, also where point 0 fails: there is no diagram then.
+// motion just after t. So many threads work on it, which changes nothing that is found. Throws
+// Undecided, also where point 0 fails: there is no diagram then.
 std::optional<InitialFault> initial_fault(const Diagram& diagram, Motion& motion, const Rational& t,
-                                          TierCounts& counts);
+                                          TierCounts& counts, int threads);
 
 }  // namespace voroproof::internal

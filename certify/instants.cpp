@@ -100,7 +100,7 @@ std::vector<int> Instants::prove_hidden_anew(const std::vector<int>& edges) {
   if (hidden.empty()) return edges;
   revealed_ = std::max(revealed_, round_up(revealed));
   const Rational at = to_rational(revealed_);
-  if (initial_fault(s_.diagram, s_.motion, at, s_.certificate.tiers)) {
+  if (initial_fault(s_.diagram, s_.motion, at, s_.certificate.tiers, s_.options.threads)) {
     throw Undecided("the diagram is not proved after a generator lay inside another",
                     hidden.begin()->first, hidden.begin()->second);
   }

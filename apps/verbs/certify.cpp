@@ -345,7 +345,8 @@ void add_certify(Verb& program) {
             "files, too, under the recorded truth. The history is certified only if both certify "
             "it.");
   verb.whole("--threads", request->options.threads, 1, 1024,
-             "The number of threads for the recorded truth. The certificate is the same.");
+             "The number of threads for the recorded truth, and for the initial diagram of both "
+             "truths. The certificate is the same.");
   verb.output("--report", request->report, "Write everything that was found here, as JSON.");
   verb.text("--part", request->part, "I/N",
             "Certify the I-th of N shards of a history, under the recorded truth, and write its "

@@ -22,7 +22,9 @@ struct TierCounts {
   std::array<std::array<std::uint64_t, static_cast<int>(Tier::count)>,
              static_cast<int>(Predicate::count)>
       decided{};
-  void count(Predicate p, Tier t) { ++decided[static_cast<int>(p)][static_cast<int>(t)]; }
+  void count(Predicate p, Tier t, std::uint64_t decisions = 1) {
+    decided[static_cast<int>(p)][static_cast<int>(t)] += decisions;
+  }
   TierCounts& operator+=(const TierCounts& o) {
     for (std::size_t p = 0; p < decided.size(); ++p) {
       for (std::size_t t = 0; t < decided[p].size(); ++t) decided[p][t] += o.decided[p][t];

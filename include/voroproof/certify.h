@@ -36,7 +36,8 @@ struct CertifyOptions {
   Number tolerance{1e-6};      // of times
   Number law_tolerance{1e-9};  // of velocities, relative to the speeds involved
   bool strict = false;         // swaps, unoriented edges and another horizon are refuted
-  int threads = 1;             // for all events of the recorded truth; the report is the same
+  // For all events of the recorded truth, and for the initial diagram. The report is the same.
+  int threads = 1;
   int max_bits = 32768;
   // Called now and then with the time and the number of events judged; false interrupts.
   std::function<bool(double t, std::int64_t events)> monitor;

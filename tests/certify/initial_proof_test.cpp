@@ -45,7 +45,11 @@ class Sites {
   }
   std::optional<InitialFault> fault(const Diagram& d, const Rational& t = 0) {
     TierCounts counts;
-    return initial_fault(d, motion_, t, counts);
+    return fault(d, t, 1, counts);
+  }
+  std::optional<InitialFault> fault(const Diagram& d, const Rational& t, int threads,
+                                    TierCounts& counts) {
+    return initial_fault(d, motion_, t, counts, threads);
   }
 
  private:
@@ -319,6 +323,28 @@ TEST(InitialProof, NoOtherDiagramPasses) {
   EXPECT_GT(wrong, 100);
   EXPECT_GT(edges, 0);
   EXPECT_GT(vertices, 0);
+}
+
+// What is found, and what it took, is the same for all numbers of threads.
+TEST(InitialProof, ThreadsFindTheSame) {
+  Random random(4);
+  Sites s(random_scene({.n = 3000, .density = 0.1}, random));
+  Diagram d = s.just_after(0);
+  std::vector<HalfEdge> last;
+  for (HalfEdge h = 2 * d.edges() - 2; last.size() < 3; h -= 2) {
+    if (d.quad(h).s != d.quad(h).e) last.push_back(h);
+  }
+  for (int wrong = 0; wrong <= 3; ++wrong) {
+    TierCounts alone;
+    const auto fault = s.fault(d, 0, 1, alone);
+    EXPECT_EQ(fault.has_value(), wrong > 0);
+    for (const int threads : {2, 3, 16}) {
+      TierCounts counts;
+      EXPECT_EQ(told(s.fault(d, 0, threads, counts)), told(fault));
+      EXPECT_EQ(counts.decided, alone.decided);
+    }
+    if (wrong < 3) d.flip(last[wrong]);
+  }
 }
 
 // The same edges are right at one time and wrong at another: two go apart, and those across come to
