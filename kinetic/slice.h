@@ -102,8 +102,8 @@ SliceWork next_work(std::size_t count, const IsLed& is_led, const IsTaken& is_ta
   return {};
 }
 
-// The work of a slice of a run on so many threads (Leader::lead()), by its number from 0.
-std::uint64_t work_of_slice(int slice, int threads, int disks);
+// The work of a slice of a run (Leader::lead()), by its number from 0.
+std::uint64_t work_of_slice(int slice, int disks);
 
 struct Slice {
   int number = 0;

@@ -14,12 +14,12 @@ namespace {
 constexpr std::size_t kChunk = 1024;
 // Between two looks at whether the run is still wanted, while nothing is there to tell.
 constexpr std::chrono::milliseconds kLook(10);
-// The disks that turn or change their square in a slice, per disk: with few threads, and at least.
-// Each slice begins with a diagram from scratch, which costs about as much as two flips a disk;
-// many threads have something to do only if there are many slices.
-constexpr double kMostWork = 12, kLeastWork = 6;
+// The disks that turn or change their square in a slice, per disk. Each slice begins with a diagram
+// from scratch, which costs about as much as a flip a disk; but short slices leave no thread alone
+// at the end, take less memory, and give many threads something to do.
+constexpr double kWork = 4;
 // The first slices are shorter, for others to begin soon.
-constexpr double kWorkOfFirst = 3;
+constexpr double kWorkOfFirst = 1.5;
 
 // States beyond double-doubles do not wait: the leader has a thread of its own as it is.
 MotionOptions now(MotionOptions options) {
@@ -29,9 +29,8 @@ MotionOptions now(MotionOptions options) {
 
 }  // namespace
 
-std::uint64_t work_of_slice(int slice, int threads, int disks) {
-  const double most = std::max(kLeastWork, 2 * kMostWork / threads);
-  return static_cast<std::uint64_t>(disks * std::min(most, kWorkOfFirst * (slice + 1)));
+std::uint64_t work_of_slice(int slice, int disks) {
+  return static_cast<std::uint64_t>(disks * std::min(kWork, kWorkOfFirst * (slice + 1)));
 }
 
 SlicedRun::SlicedRun(MotionInput input, std::vector<ManeuverInput> maneuvers,
@@ -113,9 +112,8 @@ SliceWork::Kind SlicedRun::find_work(std::unique_lock<std::mutex>& lock, Slice*&
 void SlicedRun::lead(Slice& slice) {
   Motion& motion = leader_.motion();
   const SliceHooks& hooks = options_.slice_hooks;
-  const std::uint64_t work = hooks.work
-                                 ? hooks.work(slice.number)
-                                 : work_of_slice(slice.number, options_.threads, motion.size());
+  const std::uint64_t work =
+      hooks.work ? hooks.work(slice.number) : work_of_slice(slice.number, motion.size());
   const std::optional<double> border = leader_.lead(slice.turns, work, hooks.border);
   std::unique_ptr<Slice> next;
   if (border) {
