@@ -10,7 +10,7 @@ results=$build/bench/results
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DVOROPROOF_BENCH=ON
 cmake --build "$build" --target voroproof_bench_runs voroproof_bench_growth \
-  voroproof_bench_rebuild
+  voroproof_bench_rebuild voroproof_bench_slices voroproof_bench_first_diagram voroproof_bench_dense
 # Not there without Google Benchmark.
 predicates=$build/voroproof_bench_predicates
 if cmake --build "$build" --target help | grep -q voroproof_bench_predicates; then
@@ -40,6 +40,13 @@ echo
 for n in 30 100 300; do
   "$build/voroproof_bench_rebuild" --n $n --horizon 100 --repeats 3 --json "$results/rebuild_$n.json"
 done
+echo
+
+"$build/voroproof_bench_first_diagram" --json "$results/first_diagram.json"
+echo
+"$build/voroproof_bench_slices" --json "$results/slices.json"
+echo
+"$build/voroproof_bench_dense" --json "$results/dense.json"
 echo
 
 # The denser, the shorter.
