@@ -36,7 +36,8 @@ inline CollideEvent exact_collision(const Rational& t, GenId j, const ExactVec2&
   return claim;
 }
 
-// The scene with the diagram that its history begins with.
+// The scene with the diagram that its history begins with. A run that stops before there is one has
+// none.
 struct Begun {
   Scene scene;
   CertifyOptions options;
@@ -45,7 +46,7 @@ struct Begun {
 
   explicit Begun(Scene of, const CertifyOptions& asked = recorded())
       : scene(std::move(of)), options(asked), history(run(scene)), replay(scene, options) {
-    if (scene.disks.size() >= 2) {
+    if (!history.initial.empty()) {
       replay.diagram() = diagram_of(static_cast<int>(scene.disks.size()), history.initial);
     }
   }
