@@ -1,11 +1,13 @@
 #include "certify/initial_proof.h"
 
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <vector>
@@ -121,6 +123,9 @@ class InitialProof {
       for (std::size_t b = 0; b < blocks.size(); ++b) work(b);
     } else {
       namespace tbb = oneapi::tbb;
+      // As many threads are allowed as are asked for, also more than the machine has.
+      const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                        static_cast<std::size_t>(threads_));
       tbb::task_arena(threads_).execute(
           [&] { tbb::parallel_for(std::size_t{0}, blocks.size(), work); });
     }

@@ -23,6 +23,17 @@ TEST_F(CertifyCli, OwnHistoriesUnderBothTruths) {
             lines_of(read_file(path)).size() - 2);
 }
 
+// The libraries below say nothing of their own about it.
+TEST_F(CertifyCli, MoreThreadsThanTheMachineHas) {
+  const std::string scene = reference(2000, "0.1"), path = history(scene);
+  for (const char* truth : {"exact", "recorded"}) {
+    const Result out = must({"certify", scene, path, "--truth", truth, "--threads", "1000",
+                             "--quiet", "--report", file("r.json")});
+    EXPECT_EQ(out.out, "s CERTIFIED\n");
+    EXPECT_EQ(out.err, "");
+  }
+}
+
 // The verdict on collisions alone cannot be taken for the whole claim: stdout and report say so
 // whatever the options.
 TEST_F(CertifyCli, CollisionsAlone) {
