@@ -99,7 +99,7 @@ class Construction {
     if (in_conflict(i, h)) {
       start_at_vertex(i, h);
     } else {
-      start_on_ray(i, nearest_of(i, h));
+      start_on_ray(i, of_nearest(i, h));
     }
     while (!link_.empty()) {
       const LinkEdge edge = link_.back();
@@ -122,13 +122,13 @@ class Construction {
     diagram_.insert_in_vertex(h, i);
   }
 
-  // Starts on the edge that i's cell certainly meets.
-  void start_on_ray(GenId i, GenId j) {
-    HalfEdge exit = exit_edge(j, i);
-    while (!meets(i, j, diagram_.dest(exit))) {
-      j = diagram_.dest(exit);
-      exit = exit_edge(j, i);
+  // Starts on an edge that i's cell certainly meets. Looks for it from the origin of `from`.
+  void start_on_ray(GenId i, HalfEdge from) {
+    HalfEdge exit = exit_edge(from, i);
+    while (!meets(i, diagram_.org(exit), diagram_.dest(exit))) {
+      exit = exit_edge(Diagram::twin(exit), i);
     }
+    const GenId j = diagram_.org(exit);
     const auto halves = diagram_.insert_in_edge(exit, i);
     // halves[0] has i as apex on its own side, halves[1] on its twin's.
     link_ = {{halves[0], no_ray, j}, {Diagram::twin(halves[1]), no_ray, j}};
@@ -144,64 +144,71 @@ class Construction {
       const Site<DoubleBall>&a = predicates_.rough(g), &b = predicates_.rough(k);
       return (b.x.mid - a.x.mid) * (p.y.mid - a.y.mid) < (b.y.mid - a.y.mid) * (p.x.mid - a.x.mid);
     };
-    HalfEdge h0 = h;
-    if (is_beyond(h)) h0 = Diagram::twin(h);
+    if (is_beyond(h)) h = Diagram::twin(h);
     // Triangles of centres may overlap, and a walk among them need not end.
     for (int steps = 0; steps < kLongestWalk; ++steps) {
-      const HalfEdge next = diagram_.next(h0), previous = diagram_.previous(h0);
+      const HalfEdge next = diagram_.next(h), previous = diagram_.previous(h);
       if (is_beyond(next)) {
-        h0 = Diagram::twin(next);
+        h = Diagram::twin(next);
       } else if (is_beyond(previous)) {
-        h0 = Diagram::twin(previous);
+        h = Diagram::twin(previous);
       } else {
         break;
       }
     }
-    return h0;
+    return h;
   }
 
-  // Of the disks of the vertex on the left of h the one that is nearest to the centre of i, about.
-  GenId nearest_of(GenId i, HalfEdge h) const {
+  // Of the half-edges of the triangle of h the one that starts at the disk nearest to the centre of
+  // i, about.
+  HalfEdge of_nearest(GenId i, HalfEdge h) const {
     const Site<DoubleBall>& p = predicates_.rough(i);
-    GenId nearest = no_ray;
+    HalfEdge nearest = -1;
     double least = 0;
-    for (const GenId g : {diagram_.org(h), diagram_.dest(h), diagram_.apex(h)}) {
-      if (g == container_id) continue;
-      const Site<DoubleBall>& s = predicates_.rough(g);
+    for (const HalfEdge side : {h, diagram_.next(h), diagram_.previous(h)}) {
+      if (diagram_.org(side) == container_id) continue;
+      const Site<DoubleBall>& s = predicates_.rough(diagram_.org(side));
       const double far = std::hypot(s.x.mid - p.x.mid, s.y.mid - p.y.mid) - s.r.mid;
-      if (nearest != no_ray && !(far < least)) continue;
-      nearest = g;
+      if (nearest >= 0 && !(far < least)) continue;
+      nearest = side;
       least = far;
     }
     return nearest;
   }
 
-  // The edge of cell j through which the ray of j and i leaves it: from j's centre
-  // through i's, or for the container from the boundary through i's centre inwards.
-  HalfEdge exit_edge(GenId j, GenId i) {
-    const HalfEdge first = diagram_.anchor(j);
-    HalfEdge h = first;
+  // The edge through which the ray of j, the origin of `from`, and i leaves the cell of j: from j's
+  // centre through i's, or for the container from the boundary through i's centre inwards. Looks on
+  // both sides of `from`, the nearest edges first: a cell may have many.
+  HalfEdge exit_edge(HalfEdge from, GenId i) {
+    HalfEdge up = from, down = from;
     do {
-      const GenId s = diagram_.apex(Diagram::twin(h)), k = diagram_.dest(h), e = diagram_.apex(h);
-      const bool here = predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
-        const auto base = at(j), target = at(i);
-        using T = std::decay_t<decltype(base.x)>;
-        const Direction<T> ray{target.x - base.x, target.y - base.y};
-        if (j != container_id) {
-          return on_arc<T>(vertex_direction(at, root, j, s, k), vertex_direction(at, root, j, k, e),
-                           ray, true);
-        }
-        // The edges run clockwise around the container's centre.
-        const auto direction = [&](GenId a, GenId b) {
-          const auto z = tangent_circle(triple(at, j, a, b), root);
-          return Direction<T>{z[0] - base.x, z[1] - base.y};
-        };
-        return on_arc<T>(direction(k, e), direction(s, k), ray, true);
-      });
-      if (here) return h;
-      h = diagram_.rotate(h);
-    } while (h != first);
+      if (is_exit(up, i)) return up;
+      up = diagram_.rotate(up);
+      if (up == down) break;
+      down = diagram_.next(Diagram::twin(down));
+      if (is_exit(down, i)) return down;
+    } while (up != down);
     throw std::logic_error("static diagram: a ray leaves a cell through none of its edges");
+  }
+
+  bool is_exit(HalfEdge h, GenId i) {
+    const GenId j = diagram_.org(h), k = diagram_.dest(h);
+    const GenId s = diagram_.apex(Diagram::twin(h)), e = diagram_.apex(h);
+    return predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
+      const auto base = at(j), target = at(i);
+      using T = std::decay_t<decltype(base.x)>;
+      const Direction<T> ray{target.x - base.x, target.y - base.y};
+      if (j != container_id) {
+        return on_arc<T>(vertex_direction(at, root, j, s, k), vertex_direction(at, root, j, k, e),
+                         ray, true);
+      }
+      // The edges run clockwise around the container's centre.
+      const auto direction = [&](GenId a, GenId b) {
+        const auto z = tangent_circle(triple(at, j, a, b), root);
+        return Direction<T>{z[0] - base.x, z[1] - base.y};
+      };
+      return on_arc<T>(direction(k, e), direction(s, k), ray, true);
+    });
   }
 
   // Whether the point y where that ray meets the edge j|k is nearer to i than to j. If

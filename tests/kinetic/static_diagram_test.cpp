@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -130,6 +133,33 @@ TEST(StaticDiagram, Rings) {
     }
     ASSERT_TRUE(is_acceptable(scene));
     EXPECT_EQ(expect_diagram(scene), !touching_container);
+  }
+}
+
+// A cell of as many edges as there are disks is not walked around for each of them: the predicates
+// decided are a few per disk, along the container and around a huge disk.
+TEST(StaticDiagram, CellsOfManyEdges) {
+  Random random(6);
+  const int n = 2000;
+  for (const bool along_container : {true, false}) {
+    Scene scene = scene_of(10000, 0, {});
+    if (!along_container) scene.disks.push_back(disk(0, 0, 5000, 0, 0));
+    for (int k = 0; k < n; ++k) {
+      const double angle = 2 * std::numbers::pi * k / n;
+      const double r = uniform(random, 1, 6), gap = uniform(random, 0.1, 3);
+      const double reach = along_container ? 10000 - r - gap : 5000 + r + gap;
+      scene.disks.push_back(disk(Rational(reach * std::cos(angle)),
+                                 Rational(reach * std::sin(angle)), Rational(r), 0, 0));
+    }
+    std::shuffle(scene.disks.begin(), scene.disks.end(), random);
+    TierCounts counts;
+    const Motion motion(motion_input(scene), {});
+    const Diagram diagram = static_diagram(motion, 0, counts);
+    EXPECT_TRUE(diagram.is_valid());
+    std::uint64_t decided = 0;
+    for (const std::uint64_t k : counts.decided[static_cast<int>(Predicate::incircle)])
+      decided += k;
+    EXPECT_LT(decided, 60u * n);
   }
 }
 
