@@ -65,7 +65,7 @@ class InitialProof {
       if (auto f = edge_fault(diagram_.quad(2 * e))) return f;
     }
     for (const int k :
-         unproved(diagram_.disks() + 1, [this](int g) { return prove_cell(g - 1); })) {
+         unproved(diagram_.disks() + 1, [this](int k) { return prove_cell(k - 1); })) {
       if (auto f = cell_fault(k - 1)) return f;
     }
     return std::nullopt;
@@ -99,8 +99,7 @@ class InitialProof {
     return Vec{z[0] - base.x, z[1] - base.y};
   }
 
-  // ---- In doubles: how many signs prove it, or nothing where they do not. Any thread may ask.
-  // ----
+  // ---- In doubles, for any thread: the number of signs that prove it, or nothing. ----
 
   // Those of 0 .. count-1, in this order, that `prove` does not.
   template <class Prove>

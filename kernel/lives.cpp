@@ -27,7 +27,10 @@ class Lives {
         first_open_(part.first) {}
 
   void run() {
-    for (std::size_t k = 0; k < part_.first; ++k) walk_.apply(claims_[k]);
+    for (std::size_t k = 0; k < part_.first; ++k) {
+      line_ = claims_[k].line;
+      walk_.apply(claims_[k]);
+    }
     line_ = 1;
     if (part_.first == 0) check_initial(walk_);
     latest_ = std::make_shared<Instant>(at(part_.begin));

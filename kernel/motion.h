@@ -49,6 +49,7 @@ struct Walk {
   Four four(int k) const;
   // The edge that a flip names, or -1; with --unoriented the quadruplet may be a mirrored one.
   int edge_of(const Claim& flip, bool* mirrored = nullptr) const;
+  // Throws Stop (refuted) where a flip names no edge.
   void apply(const Claim& claim);
 };
 

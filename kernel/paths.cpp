@@ -234,7 +234,11 @@ int Walk::edge_of(const Claim& flip, bool* mirrored) const {
 }
 
 void Walk::apply(const Claim& claim) {
-  if (claim.kind == Claim::Kind::flip) diagram->flip(edge_of(claim));
+  if (claim.kind == Claim::Kind::flip) {
+    const int k = edge_of(claim);
+    if (k < 0) refute("wrong quadruple: the diagram has no such edge");
+    diagram->flip(k);
+  }
   for (int k = claim.first; k < 2; ++k) ++leg_of[claim.id[k] + 1];
 }
 

@@ -9,7 +9,7 @@
 
 namespace voroproof::internal {
 
-// An Entry has a `key`; of two the lesser is the one with the greater key, as heaps want it.
+// An Entry has a finite `key`; of two the lesser is the one with the greater key, as heaps want it.
 template <class Entry>
 class WaitingQueue {
  public:
