@@ -145,5 +145,28 @@ TEST(KernelDiagram, PartsFollowEachOther) {
   EXPECT_EQ(from, p.history.horizon);
 }
 
+// A part begins with the diagram that the flips before it lead to: it is refuted where one of them
+// names no edge, as the first part is.
+TEST(KernelDiagram, FlipsOfNoEdgeBeforeAPart) {
+  const std::string scene =
+      scene_of(disk("-9", "0", "1", "0", "0") + "," + disk("9", "0", "1", "0", "0") + "," +
+                   disk("0", "9", "1", "0", "0"),
+               "10000");
+  std::string initial = "[";
+  for (const Quad& q : edges_of(tetrahedron(-1, 0, 2, 1))) {
+    initial += (initial.size() > 1 ? ",[" : "[") + std::to_string(q.l) + "," + std::to_string(q.r) +
+               "," + std::to_string(q.s) + "," + std::to_string(q.e) + "]";
+  }
+  initial += "]";
+  std::vector<std::string> claims;
+  for (int k = 1; k < 9000; ++k) {
+    claims.push_back("{\"t\":" + std::to_string(k) + ",\"flip\":[0,1,-1,-1]}");
+  }
+  const Result r = check(scene, history_of(scene, claims, "10000", initial), {});
+  EXPECT_EQ(r.verdict, Verdict::refuted);
+  EXPECT_EQ(r.reason, "wrong quadruple: the diagram has no such edge");
+  EXPECT_EQ(r.line, 2);
+}
+
 }  // namespace
 }  // namespace voroproof_kernel
