@@ -38,7 +38,7 @@ TimedEvent EventTimes::tight(const Event& event) const {
   if (!motion_.options().filters) {
     dd = by_ball(event);
   } else if (event.is_flip()) {
-    dd = collapses_.refine_until(event.quad, lo, hi, is_fine);
+    dd = collapses_.refine_until(event.quad, lo, hi, rounds_to_leading);
   } else {
     dd = contacts_.refine(event.i, event.j, middle(event.at));
   }

@@ -118,6 +118,8 @@ class CollapseSearch {
  private:
   // Does what refine() does, by an in-circle function instead of the flip polynomial.
   DdBall refine_on_branch(const Quad& q, double lo, double hi) const;
+  // Does it where [lo, hi] is too wide for a Newton step, by halving it first.
+  DdBall refine_halved(const Quad& q, double lo, double hi) const;
   Collapse in_doubles(const Quad& q, const BernsteinForm& form, double start, double end) const;
   Collapse past_hidden(const Quad& q, double start, double end) const;
   Collapse in_pieces(const Quad& q, double start, double end) const;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "exact/patience.h"
 #include "filtered/numbers/subdivision.h"
@@ -24,10 +25,33 @@ DdBall CollapseSearch::newton(const Quad& q, double lo, double hi) const {
 }
 
 DdBall CollapseSearch::refine(const Quad& q, double lo, double hi) const {
-  const DdBall root = newton(q, lo, hi);
-  if (root.rad < 0.25 * (hi - lo)) return root;
-  const DdBall by_branch = refine_on_branch(q, lo, hi);
-  return by_branch.rad < root.rad ? by_branch : root;
+  DdBall best = newton(q, lo, hi);
+  for (const auto way : {&CollapseSearch::refine_on_branch, &CollapseSearch::refine_halved}) {
+    if (best.rad < 0.25 * (hi - lo)) break;
+    const DdBall root = (this->*way)(q, lo, hi);
+    if (root.rad < best.rad) best = root;
+  }
+  return best;
+}
+
+DdBall CollapseSearch::refine_halved(const Quad& q, double lo, double hi) const {
+  const bool cocircular = flip_polynomial_is_cocircularity(motion_, q);
+  const auto sign_at = [&](double t) {
+    return sign(flip_value(motion_, q, DdBall(t), cocircular));
+  };
+  const Sign at_lo = sign_at(lo);
+  if (is_certain(at_lo) && sign_at(hi) == -at_lo) {
+    for (;;) {
+      const double middle = 0.5 * (lo + hi);
+      if (!(lo < middle && middle < hi)) break;
+      const Sign s = sign_at(middle);
+      if (s != at_lo && s != -at_lo) break;
+      (s == at_lo ? lo : hi) = middle;
+      const DdBall root = newton(q, lo, hi);
+      if (root.rad < 0.25 * (hi - lo)) return root;
+    }
+  }
+  return {0.5 * (lo + hi), 0, std::numeric_limits<double>::infinity()};
 }
 
 DdBall CollapseSearch::refine_on_branch(const Quad& q, double lo, double hi) const {
