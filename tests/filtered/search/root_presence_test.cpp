@@ -81,6 +81,35 @@ TEST(RootPresence, EqualRadiiHaveDoubleRootsThatCount) {
   EXPECT_GT(tally.without, 100);
 }
 
+// After a flip the search starts next to the edge's old root: the first double on either side of
+// it.
+TEST(RootPresence, StartsNextToARoot) {
+  Random random(8);
+  Tally tally;
+  for (int k = 0; k < 8; ++k) {
+    const Scene scene = random_scene({}, random);
+    Motion motion(motion_input(scene), {});
+    for (const Quad& q : construct_initial(motion)) {
+      if (q.s == q.e) continue;
+      const P f = flip_polynomial(scene, q);
+      const SturmSequence<Rational> sturm(f);
+      for (RootInterval root : isolate_roots(f, Rational(0), Rational(100))) {
+        refine(f, root, Rational(1, Integer(1) << 80));
+        for (const double start : {round_down(root.lo), round_up(root.hi)}) {
+          for (const double length : {0x1p-20, 1.0, 1000.0}) {
+            const double end = start + length;
+            const bool truth = sturm.count(to_rational(start), to_rational(end)) > 0;
+            EXPECT_EQ(flip_polynomial_has_root(motion, q, start, end), truth) << text(q);
+            ++(truth ? tally.with : tally.without);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(tally.with, 500);
+  EXPECT_GT(tally.without, 100);
+}
+
 // A double root and no change of sign: a fourth disk that grazes the circle of three at rest.
 TEST(RootPresence, AGrazedCircleIsARoot) {
   const Scene scene = scene_of(1000, 100,
