@@ -9,7 +9,6 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <stdexcept>
 
 #include "exact/directions.h"
@@ -364,36 +363,6 @@ Instant instant_at(const Rational& t) {
   now.dd = DdBall(nearest, 0, std::fabs(round_nearest(Rational(t - to_rational(nearest)))) * 1.01);
   now.exact = [t](ExactMotion&) { return ExactTime(t); };
   return now;
-}
-
-long settle(Diagram& diagram, Motion& motion, const Instant& now, TierCounts& counts) {
-  CollapseSearch search(motion, counts);
-  std::set<std::pair<Quad, HalfEdge>> illegal;
-  const DoubleBall t = DoubleBall::hull(now.lo, now.hi);
-  const auto examine = [&](HalfEdge h) {
-    const Quad q = diagram.quad(h);
-    if (q.s == q.e) return;
-    const Sign f = sign(cotangency(motion.site(q.l, t), motion.site(q.r, t), motion.site(q.s, t),
-                                   motion.site(q.e, t)));
-    if (is_certain(f)) return;
-    if (search.from(q, now, now.hi).kind == Collapse::Kind::now) {
-      illegal.insert({canonical(q), h & ~1});
-    }
-  };
-  for (HalfEdge h = 0; h < 2 * diagram.edges(); h += 2) examine(h);
-  long flips = 0;
-  while (!illegal.empty()) {
-    const HalfEdge h = illegal.begin()->second;
-    illegal.erase(illegal.begin());
-    const HalfEdge around[4] = {diagram.next(h), diagram.previous(h), diagram.next(h ^ 1),
-                                diagram.previous(h ^ 1)};
-    for (const HalfEdge a : around) illegal.erase({canonical(diagram.quad(a)), a & ~1});
-    diagram.flip(h);
-    ++flips;
-    examine(h);
-    for (const HalfEdge a : around) examine(a);
-  }
-  return flips;
 }
 
 }  // namespace voroproof::internal
