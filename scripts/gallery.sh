@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/gallery and its index, docs/gallery/README.md: counterparts of the
-# paper's figures, and what the program draws besides. Needs the built program, a minute or two,
-# chromium for the stills of movies and matplotlib (scripts/install-deps.sh browser plots).
+# paper's figures, and what the program draws besides. Needs the built program, chromium for the
+# stills of movies and matplotlib (scripts/install-deps.sh browser plots); a minute or two, and an
+# hour on two processors for the experiments.
 #
-# usage: scripts/gallery.sh [PROGRAM]
+# usage: scripts/gallery.sh [PROGRAM [FOLDER]]
+#
+# FOLDER keeps the results of the experiments, SET.json: those that it has are not run again.
 #
 # A figure is a `figure` line and a `panel` line for each of its pictures. What a panel's command
 # draws goes into the file that it gets as its last argument.
@@ -14,6 +17,7 @@ program=$(realpath "${1:-build/voroproof}")
 out=docs/gallery
 index=$out/README.md
 work=$(mktemp -d)
+experiments=$(realpath "${2:-$work}")
 trap 'rm -rf "$work"' EXIT
 /usr/bin/python3 -c "import matplotlib" 2>"$work/import" || {
   echo "gallery: matplotlib is not installed: scripts/install-deps.sh plots" >&2
@@ -69,15 +73,16 @@ probed() {
   "$program" render "$work/diagram.json" --probe "$3" --size "$4" -o "$5"
 }
 
-# measured SET SCALE HORIZON FILE: an experiment of the paper's and its plots. Only those of the
+# measured SET FILE: an experiment of the paper's at its full size, and its plots. Only those of the
 # initial speed have a panel of predictions, which take longer than all else.
 measured() {
   local predictions=off
   [ "$1" != speed ] || predictions=on
-  "$program" experiment "$1" --scale "$2" --horizon "$3" --predictions "$predictions" \
-    -o "$work/$1.json" --quiet
-  /usr/bin/python3 scripts/plot-experiments.py "$work/$1.json" -o "$work"
-  mv "$work/$1.png" "$4"
+  [ -e "$experiments/$1.json" ] ||
+    "$program" experiment "$1" --scale 1 --seeds 5 --threads "$(nproc)" \
+      --predictions "$predictions" -o "$experiments/$1.json" --quiet
+  /usr/bin/python3 scripts/plot-experiments.py "$experiments/$1.json" -o "$work"
+  mv "$work/$1.png" "$2"
 }
 
 # ways PRESET SIZE FILE: starts, goals and ways of a plan.
@@ -165,16 +170,16 @@ for t in 0 40; do
 done
 
 figure "Figures 18 to 22: the experiments" \
-  "The paper's data sets with fewer disks and shorter horizons (the headings give both; scale 1 is the paper's), from \`voroproof experiment SET --scale S --horizon T -o FILE.json\` by \`scripts/plot-experiments.py FILE.json\`. Counts are small and curves rough at such scales. Roots are predictions by the rule that the paper prints: any root of a flip polynomial, collapse of its edge or not. Seconds are those of one run, on whatever machine made this page and however busy it was, and no measurement: [docs/experiments.md](../experiments.md) and [docs/benchmarks.md](../benchmarks.md) have those."
-panel figure18.png 820 "Fig. 18, number of disks: seconds of the run and of its steps" measured reference 0.2 200
+  "The paper's data sets at its full size, T = 1000, five seeds: means, and standard deviations over the seeds as bars or bands (of distances and speeds those among the disks), from \`voroproof experiment SET --scale 1 --seeds 5 -o FILE.json\` by \`scripts/plot-experiments.py FILE.json\`. [docs/experiments.md](../experiments.md) sets them beside what the paper says. Roots are predictions by the rule that the paper prints: any root of a flip polynomial, collapse of its edge or not. Seconds are those of a machine that did other work besides, and no measurement: [docs/benchmarks.md](../benchmarks.md) has those."
+panel figure18.png 820 "Fig. 18, number of disks: seconds of the run and of its steps" measured reference
 close_row
-panel figure19.png 820 "Fig. 19, initial speed: seconds, events that occur, events that are predicted" measured speed 0.05 200
+panel figure19.png 820 "Fig. 19, initial speed: seconds, events that occur, events that are predicted" measured speed
 close_row
-panel figure20.png 820 "Fig. 20, greatest radius: events, distance to the first neighbours, speeds at the end" measured size 0.1 300
+panel figure20.png 820 "Fig. 20, greatest radius: events, distance to the first neighbours, speeds at the end" measured size
 close_row
-panel figure21.png 820 "Fig. 21, density: events, distance to the first neighbours, speeds at the end" measured density 0.1 200
+panel figure21.png 820 "Fig. 21, density: events, distance to the first neighbours, speeds at the end" measured density
 close_row
-panel figure22.png 820 "Fig. 22, restitution: flips and collisions per 10 units of time" measured restitution 0.5 600
+panel figure22.png 820 "Fig. 22, restitution: flips and collisions per 10 units of time" measured restitution
 
 figure "Figure 23: five vehicles" \
   "Starts on the left, goals on the right, by \`voroproof plan --preset five -o SCENE --picture FILE\`. Vehicle 0 would meet 1, 2, 3 and 4 one after the other. At even speeds it hits 1 at t = 8; it waits at the orange dot instead, and all four are avoided by that. Violet cross: the conjunction that was predicted and is avoided. Red: the nearest any two come, with the certified gap in the report."

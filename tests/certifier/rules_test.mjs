@@ -53,6 +53,15 @@ test("a file that is not of its format is invalid, with file, line and field", (
   }
 });
 
+test("a part begins after the flips before it, which may be of no edge", () => {
+  const lines = history.toString().trimEnd().split("\n"), flips = [];
+  for (let k = 1; k < 9000; ++k) flips.push(`{"t":${k / 10000},"flip":[0,1,-1,-1]}`);
+  const wrong = [lines[0], ...flips, lines.at(-1)].join("\n") + "\n";
+  const [reason, verdict] = lastTwo(certify(scene, bytes(wrong)));
+  assert.equal(verdict, "s REFUTED");
+  assert.match(reason, /^c line 2: wrong quadruple: the diagram has no such edge/);
+});
+
 test("extensions are ignored where they may stand", () => {
   const extended = bytes(scene.toString().replace('"format"', '"x-a": [{"x-b": null}], "format"'));
   const claims = history.toString().replace(/[0-9a-f]{64}/, hash(extended)).replaceAll('{"t"', '{"x-k":1,"t"');

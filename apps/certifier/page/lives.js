@@ -45,7 +45,10 @@ class LifeCheck {
   run(progress) {
     const { part, problem, claims } = this;
     this.walk = new Walk(problem);
-    for (let k = 0; k < part.first; ++k) this.walk.apply(claims[k]);
+    for (let k = 0; k < part.first; ++k) {
+      this.line = claims[k].line;
+      this.walk.apply(claims[k]);
+    }
     this.line = 1;
     if (part.first === 0) checkInitial(this.walk);
     this.latest = Instant.at(part.from);

@@ -233,8 +233,13 @@ class Walk {
     return { k: isMirrored && this.problem.unoriented ? this.diagram.find([l, r, e, s]) : k, isMirrored };
   }
 
+  // Throws Stop (refuted) where a flip names no edge.
   apply(claim) {
-    if (claim.kind === "flip") this.diagram.flip(this.edgeOf(claim).k);
+    if (claim.kind === "flip") {
+      const { k } = this.edgeOf(claim);
+      if (k < 0) refute("wrong quadruple: the diagram has no such edge", { t: claim.t, quad: claim.quad });
+      this.diagram.flip(k);
+    }
     for (let k = claim.first; k < 2; ++k) ++this.legOf[claim.ids[k] + 1];
   }
 }
