@@ -4,29 +4,36 @@
 #include <compare>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 
 namespace voroproof::internal {
 
 namespace {
 
-// Sorts items of which those of a smaller generator are smaller: few have the same one, so that it
-// takes little more than linear time. Returns where those of each generator begin, the container's
-// first, and the end.
-template <class Item, class Generator>
-std::vector<std::size_t> sort_by_generator(std::vector<Item>& items, int disks,
-                                           const Generator& generator) {
-  std::vector<std::size_t> begins(static_cast<std::size_t>(disks) + 2, 0);
-  for (const Item& item : items) ++begins[generator(item) + 2];
-  for (std::size_t k = 1; k < begins.size(); ++k) begins[k] += begins[k - 1];
-  std::vector<Item> sorted(items.size());
-  std::vector<std::size_t> next = begins;
-  for (const Item& item : items) sorted[next[generator(item) + 1]++] = item;
-  const auto place = [&](std::size_t k) {
-    return sorted.begin() + static_cast<std::ptrdiff_t>(begins[k]);
+template <class Item>
+struct Sorted {
+  std::vector<Item> items;
+  std::vector<std::size_t> begins;  // of each generator, the container first; then the end
+};
+
+// `count` items, item(k) of the generator generator(k), sorted: an item of a smaller generator is
+// the smaller one. Few have the same generator, so that it takes little more than linear time; and
+// no item is kept twice.
+template <class Item, class GeneratorOf, class ItemAt>
+Sorted<Item> sorted_by_generator(std::size_t count, int disks, const GeneratorOf& generator,
+                                 const ItemAt& item) {
+  // The place of generator g is g + 1; until the items are in, begins are one place further on.
+  std::vector<std::size_t> begins(static_cast<std::size_t>(disks) + 3, 0);
+  for (std::size_t k = 0; k < count; ++k) ++begins[generator(k) + 3];
+  for (std::size_t place = 1; place < begins.size(); ++place) begins[place] += begins[place - 1];
+  std::vector<Item> items(count);
+  for (std::size_t k = 0; k < count; ++k) items[begins[generator(k) + 2]++] = item(k);
+  begins.pop_back();
+  const auto at = [&](std::size_t place) {
+    return items.begin() + static_cast<std::ptrdiff_t>(begins[place]);
   };
-  for (std::size_t k = 1; k < begins.size(); ++k) std::sort(place(k - 1), place(k));
-  items.swap(sorted);
-  return begins;
+  for (std::size_t place = 1; place < begins.size(); ++place) std::sort(at(place - 1), at(place));
+  return {std::move(items), std::move(begins)};
 }
 
 }  // namespace
@@ -111,11 +118,10 @@ std::vector<GenId> Diagram::neighbours(GenId g) const {
 }
 
 std::vector<Quad> Diagram::quads() const {
-  std::vector<Quad> all;
-  all.reserve(halves_.size() / 2);
-  for (int edge = 0; edge < edges(); ++edge) all.push_back(canonical(quad(2 * edge)));
-  sort_by_generator(all, disks_, [](const Quad& q) { return q.l; });
-  return all;
+  const auto edge = [](std::size_t k) { return 2 * static_cast<HalfEdge>(k); };
+  const auto smaller = [&](std::size_t k) { return std::min(org(edge(k)), dest(edge(k))); };
+  const auto named = [&](std::size_t k) { return canonical(quad(edge(k))); };
+  return sorted_by_generator<Quad>(halves_.size() / 2, disks_, smaller, named).items;
 }
 
 bool Diagram::is_valid(std::string* why) const {
@@ -199,29 +205,28 @@ class Corners {
 
   // Of the edges 0, 1, ... in this order; their generators exist.
   Corners(int disks, const std::vector<Quad>& edges) {
-    corners_.reserve(2 * edges.size());
-    HalfEdge h = 0;
-    for (const Quad& q : edges) {
-      corners_.push_back({q.l, q.r, q.e, h++});
-      corners_.push_back({q.r, q.l, q.s, h++});
-    }
-    begins_ = sort_by_generator(corners_, disks, [](const Corner& c) { return c.org; });
+    const auto corner = [&](std::size_t k) -> Corner {
+      const Quad& q = edges[k / 2];
+      const auto half = static_cast<HalfEdge>(k);
+      return k % 2 == 0 ? Corner{q.l, q.r, q.e, half} : Corner{q.r, q.l, q.s, half};
+    };
+    const auto org = [&](std::size_t k) { return corner(k).org; };
+    corners_ = sorted_by_generator<Corner>(2 * edges.size(), disks, org, corner);
   }
 
   // In their order.
-  const std::vector<Corner>& all() const { return corners_; }
+  const std::vector<Corner>& all() const { return corners_.items; }
   // The half-edge of the triple, or -1.
   HalfEdge find(const Triple& t) const {
     const auto place = [this](GenId g) {
-      return corners_.begin() + static_cast<std::ptrdiff_t>(begins_[g + 1]);
+      return all().begin() + static_cast<std::ptrdiff_t>(corners_.begins[g + 1]);
     };
     const auto it = std::lower_bound(place(t[0]), place(t[0] + 1), Corner{t[0], t[1], t[2], -1});
-    return it != corners_.end() && it->vertex() == t ? it->half : -1;
+    return it != all().end() && it->vertex() == t ? it->half : -1;
   }
 
  private:
-  std::vector<Corner> corners_;
-  std::vector<std::size_t> begins_;  // of those that start at each generator
+  Sorted<Corner> corners_;
 };
 
 }  // namespace
