@@ -12,8 +12,8 @@ namespace voroproof::internal {
 
 namespace {
 
-// Relative width below which a time needs no further refinement before it is compared
-// and rounded: both nearly always succeed then.
+// Relative width below which balls are not asked for a time before it is compared and rounded:
+// both nearly always succeed then.
 constexpr double fine_width = 1e-20;
 
 bool is_fine(const DdBall& t) { return t.rad <= fine_width * (1 + t.hi) || rounds_to_leading(t); }

@@ -97,9 +97,7 @@ class CollapseSearch {
       enclose(best, below, above);
       below = std::max(lo, below);
       above = std::min(hi, above);
-      DdBall next = refine(q, below, above);
-      // Where roots are close together, f tells less than an in-circle function.
-      if (!(next.rad < 0.5 * best.rad)) next = refine_on_branch(q, below, above);
+      const DdBall next = refine(q, below, above);
       if (!(next.rad < 0.5 * best.rad)) break;
       best = next;
     }
@@ -116,9 +114,8 @@ class CollapseSearch {
   bool has_rational_motion(const Quad& q) const;
 
  private:
-  // Does what refine() does, by an in-circle function instead of the flip polynomial.
-  DdBall refine_on_branch(const Quad& q, double lo, double hi) const;
-  // Does it where [lo, hi] is too wide for a Newton step, by halving it first.
+  // Does what refine() does where [lo, hi] is too wide for a Newton step: halves it by the signs of
+  // the flip polynomial until a step gains.
   DdBall refine_halved(const Quad& q, double lo, double hi) const;
   Collapse in_doubles(const Quad& q, const BernsteinForm& form, double start, double end) const;
   Collapse past_hidden(const Quad& q, double start, double end) const;

@@ -26,11 +26,11 @@ DdBall CollapseSearch::newton(const Quad& q, double lo, double hi) const {
 
 DdBall CollapseSearch::refine(const Quad& q, double lo, double hi) const {
   DdBall best = newton(q, lo, hi);
-  for (const auto way : {&CollapseSearch::refine_on_branch, &CollapseSearch::refine_halved}) {
-    if (best.rad < 0.25 * (hi - lo)) break;
-    const DdBall root = (this->*way)(q, lo, hi);
-    if (root.rad < best.rad) best = root;
-  }
+  const auto is_enough = [&] { return best.rad < 0.25 * (hi - lo); };
+  const auto take = [&](const DdBall& root) { best = root.rad < best.rad ? root : best; };
+  // Where roots are close together, f tells less than an in-circle function.
+  if (!is_enough()) take(refine_branch(motion_, q, lo, hi));
+  if (!is_enough()) take(refine_halved(q, lo, hi));
   return best;
 }
 
@@ -52,10 +52,6 @@ DdBall CollapseSearch::refine_halved(const Quad& q, double lo, double hi) const 
     }
   }
   return {0.5 * (lo + hi), 0, std::numeric_limits<double>::infinity()};
-}
-
-DdBall CollapseSearch::refine_on_branch(const Quad& q, double lo, double hi) const {
-  return refine_branch(motion_, q, lo, hi);
 }
 
 namespace {
