@@ -43,7 +43,10 @@ bool has_root_in_balls(const Motion& motion, const Quad& q, double start, double
   return false;
 }
 
-// Up to where doubles show that there is no root, or that there is one.
+// The most pieces that are looked at.
+constexpr int kMaxLooks = 200;
+
+// What doubles show: that there is a root, or up to where there is none.
 struct Shown {
   bool has_root;
   double reached;
@@ -63,7 +66,6 @@ Shown at_once(const Motion& motion, const Quad& q, double start, double end) {
 
 // Over pieces: doubles do not tell roots near the start from each other beside what the polynomial
 // is at a far end. A piece that does not show all is made shorter, down to `least`.
-constexpr int kMaxLooks = 200;
 Shown in_pieces(const Motion& motion, const Quad& q, double start, double end, double least) {
   double from = start, length = end - start;
   for (int looks = 0; looks < kMaxLooks && from < end && length >= least; ++looks) {
