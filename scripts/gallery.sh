@@ -6,7 +6,7 @@
 #
 # usage: scripts/gallery.sh [PROGRAM [FOLDER]]
 #
-# FOLDER keeps the results of the experiments, SET.json: those that it has are not run again.
+# FOLDER keeps the results of the experiments, SET.json: what it has is not run again.
 #
 # A figure is a `figure` line and a `panel` line for each of its pictures. What a panel's command
 # draws goes into the file that it gets as its last argument.
@@ -17,7 +17,8 @@ program=$(realpath "${1:-build/voroproof}")
 out=docs/gallery
 index=$out/README.md
 work=$(mktemp -d)
-experiments=$(realpath "${2:-$work}")
+experiments=${2:-$work}
+mkdir -p "$experiments"
 trap 'rm -rf "$work"' EXIT
 /usr/bin/python3 -c "import matplotlib" 2>"$work/import" || {
   echo "gallery: matplotlib is not installed: scripts/install-deps.sh plots" >&2
@@ -80,7 +81,7 @@ measured() {
   [ "$1" != speed ] || predictions=on
   [ -e "$experiments/$1.json" ] ||
     "$program" experiment "$1" --scale 1 --seeds 5 --threads "$(nproc)" \
-      --predictions "$predictions" -o "$experiments/$1.json" --quiet
+      --predictions "$predictions" -o "$experiments/$1.json" --resume --quiet
   /usr/bin/python3 scripts/plot-experiments.py "$experiments/$1.json" -o "$work"
   mv "$work/$1.png" "$2"
 }
