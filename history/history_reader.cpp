@@ -320,11 +320,12 @@ void HistoryReader::read_header(std::string_view text, const std::string& wanted
 
 std::optional<Event> HistoryReader::next() {
   if (ending_) return std::nullopt;
+  const std::int64_t begin = lines_.offset();
   const auto text = lines_.next(max_event_line);
   if (!text)
     throw InputError(path_, lines_.number(), "", "incomplete: the file ends without an end line");
   extensions_.clear();
-  if (auto event = plain_lines_.event(*text, last_id_)) {
+  if (auto event = plain_lines_.event(*text, lines_.ahead(), begin, last_id_)) {
     check_time({time(*event), {}}, "t");
     counts_.flips += std::holds_alternative<FlipEvent>(*event);
     counts_.collisions += std::holds_alternative<CollideEvent>(*event);

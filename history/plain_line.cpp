@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -16,22 +17,27 @@ namespace {
 namespace json = simdjson::ondemand;
 using Value = simdjson::simdjson_result<json::value>;
 
-// Each says whether the value is what it is named after, and takes it over.
+// Each says whether the value is what it is named after, and takes it over. (Values are handed on
+// by reference: processors wait where a copy reads at once what was just written in pieces.)
 
 // Digits that matter, those after the zeros that a number begins with, fit into 64 bits where they
 // are no more than this. simdjson 3.0 takes 0. with more of them for another number. What the
 // writer writes has 17.
-constexpr std::ptrdiff_t most_digits = 19;
+constexpr std::size_t most_digits = 19;
 
 bool has_few_digits(std::string_view token) {
   if (token.size() <= most_digits) return true;
-  std::string_view mantissa = token.substr(0, token.find_first_of("eE"));
-  mantissa.remove_prefix(std::min(mantissa.find_first_of("123456789"), mantissa.size()));
-  return std::count_if(mantissa.begin(), mantissa.end(),
-                       [](char c) { return '0' <= c && c <= '9'; }) <= most_digits;
+  token.remove_prefix(static_cast<std::size_t>(
+      std::find_if(token.begin(), token.end(), [](char c) { return '1' <= c && c <= '9'; }) -
+      token.begin()));
+  if (token.size() <= most_digits) return true;
+  const std::string_view mantissa = token.substr(0, token.find_first_of("eE"));
+  return std::count_if(mantissa.begin(), mantissa.end(), [](char c) {
+           return '0' <= c && c <= '9';
+         }) <= static_cast<std::ptrdiff_t>(most_digits);
 }
 
-bool is_number(Value value, double& x) {
+[[gnu::always_inline]] inline bool is_number(Value& value, double& x) {
   std::string_view token;
   if (value.raw_json_token().get(token) || !has_few_digits(token)) return false;
   if (value.get_double().get(x)) return false;
@@ -39,7 +45,7 @@ bool is_number(Value value, double& x) {
   return x != 0 || token == "0";
 }
 
-bool is_id(Value value, int lowest, int last_id, int& out) {
+[[gnu::always_inline]] inline bool is_id(Value& value, int lowest, int last_id, int& out) {
   std::string_view token;
   std::int64_t id = 0;
   if (value.raw_json_token().get(token) || value.get_int64().get(id)) return false;
@@ -49,7 +55,7 @@ bool is_id(Value value, int lowest, int last_id, int& out) {
 
 // `is_element(element, k)` for the elements of an array of n.
 template <class IsElement>
-bool is_array(Value value, int n, IsElement&& is_element) {
+[[gnu::always_inline]] inline bool is_array(Value& value, int n, IsElement&& is_element) {
   json::array array;
   if (value.get_array().get(array)) return false;
   int k = 0;
@@ -61,26 +67,26 @@ bool is_array(Value value, int n, IsElement&& is_element) {
 }
 
 template <std::size_t n>
-bool are_ids(Value value, int last_id, std::array<int, n>& ids) {
+[[gnu::always_inline]] inline bool are_ids(Value& value, int last_id, std::array<int, n>& ids) {
   return is_array(value, n,
-                  [&](Value id, int k) { return is_id(id, container_id, last_id, ids[k]); });
+                  [&](Value& id, int k) { return is_id(id, container_id, last_id, ids[k]); });
 }
 
-bool is_vector(Value value, std::optional<Vec2>& v) {
+bool is_vector(Value& value, std::optional<Vec2>& v) {
   Vec2& out = v.emplace();
-  return is_array(value, 2, [&](Value x, int k) { return is_number(x, out[k]); });
+  return is_array(value, 2, [&](Value& x, int k) { return is_number(x, out[k]); });
 }
 
 // Whether the value is a collision's two vectors: null for the container, and only for it.
-bool are_vectors(Value value, GenId i, std::array<std::optional<Vec2>, 2>& v) {
-  return is_array(value, 2, [&](Value element, int k) {
+bool are_vectors(Value& value, GenId i, std::array<std::optional<Vec2>, 2>& v) {
+  return is_array(value, 2, [&](Value& element, int k) {
     bool null = false;
     if (k == 0 && i == container_id) return !element.is_null().get(null) && null;
     return is_vector(element, v[k]);
   });
 }
 
-bool is_flip(Value value, int last_id, FlipEvent& flip) {
+[[gnu::always_inline]] inline bool is_flip(Value& value, int last_id, FlipEvent& flip) {
   std::array<int, 4> ids{};
   if (!are_ids(value, last_id, ids)) return false;
   const Quad quad{ids[0], ids[1], ids[2], ids[3]};
@@ -89,7 +95,7 @@ bool is_flip(Value value, int last_id, FlipEvent& flip) {
   return true;
 }
 
-bool is_pair(Value value, int last_id, CollideEvent& c) {
+bool is_pair(Value& value, int last_id, CollideEvent& c) {
   std::array<int, 2> ids{};
   if (!are_ids(value, last_id, ids) || ids[0] >= ids[1]) return false;
   c.i = ids[0];
@@ -101,37 +107,76 @@ bool is_pair(Value value, int last_id, CollideEvent& c) {
 
 class PlainLineReader::Implementation {
  public:
-  std::optional<Event> event(std::string_view line, int last_id) {
-    // simdjson reads beyond the end.
-    buffer_.assign(line);
-    buffer_.reserve(buffer_.size() + simdjson::SIMDJSON_PADDING);
-    json::document document;
-    json::object object;
-    if (parser_.iterate(buffer_.data(), line.size(), buffer_.capacity()).get(document) ||
-        document.get_object().get(object)) {
-      return std::nullopt;
+  Implementation() {
+#ifdef SIMDJSON_THREADS_ENABLED
+    parser_.threaded = false;
+#endif
+  }
+
+  std::optional<Event> event(std::string_view line, std::string_view text, std::int64_t begin,
+                             int last_id) {
+    // The second time it is the line alone.
+    for (int k = 0; k < 2 && !is_at(begin); ++k) load(line, text, begin);
+    if (!is_at(begin)) return std::nullopt;
+    std::optional<Event> event = next_event(last_id);
+    ++next_;
+    // An object of this form has no brace inside: it ends with the first one.
+    const std::size_t end = std::min(line.find('}'), line.size() - 1);
+    const bool fills = line[end] == '}' && line.find_first_not_of(" \t\r", end + 1) == line.npos;
+    return fills ? event : std::nullopt;
+  }
+
+ private:
+  // So many bytes are split at once, or one line.
+  static constexpr std::size_t kBytes = 1 << 14;
+
+  // Whether the next object begins there in the file.
+  bool is_at(std::int64_t begin) {
+    return next_ != objects_.end() && next_.error() == simdjson::SUCCESS &&
+           first_ + static_cast<std::int64_t>(next_.current_index()) == begin;
+  }
+
+  // Has simdjson split whole lines of the text. Where it took one of them for something else before
+  // it came to their end it splits line by line up to there.
+  void load(std::string_view line, std::string_view text, std::int64_t begin) {
+    const bool amid = first_ <= begin && begin < end_;
+    std::string_view lines = line;
+    if (!amid) {
+      const std::size_t end = text.substr(0, kBytes).rfind('\n');
+      if (end != text.npos && end > line.size()) lines = text.substr(0, end + 1);
+      end_ = begin + static_cast<std::int64_t>(lines.size());
     }
+    first_ = begin;
+    // simdjson reads beyond the end.
+    buffer_.reserve(lines.size() + simdjson::SIMDJSON_PADDING);
+    buffer_.assign(lines);
+    if (parser_.iterate_many(buffer_.data(), buffer_.size(), buffer_.size()).get(objects_)) {
+      objects_ = {};
+    }
+    next_ = objects_.begin();
+  }
+
+  std::optional<Event> next_event(int last_id) {
+    json::document_reference document;
+    json::object object;
+    if ((*next_).get(document) || document.get_object().get(object)) return std::nullopt;
     double t = 0;
     std::optional<Event> event;
     int seen = 0;
     for (auto field : object) {
       json::raw_json_string key;
       if (field.key().get(key)) return std::nullopt;
-      if (!take(key, field.value(), last_id, seen, t, event)) return std::nullopt;
+      Value value = field.value();
+      if (!take(key, value, last_id, seen, t, event)) return std::nullopt;
     }
-    // Nothing may follow the object.
-    if (!event || document.current_location().error() != simdjson::OUT_OF_BOUNDS) {
-      return std::nullopt;
-    }
-    std::visit([t](auto& e) { e.t = t; }, *event);
+    if (event) std::visit([t](auto& e) { e.t = t; }, *event);
     return event;
   }
 
- private:
   // Takes the members in the order of the writer: the time, what happened, then perhaps v, then
   // perhaps p.
-  static bool take(json::raw_json_string key, Value value, int last_id, int& seen, double& t,
-                   std::optional<Event>& event) {
+  [[gnu::always_inline]] static bool take(json::raw_json_string key, Value& value, int last_id,
+                                          int& seen, double& t, std::optional<Event>& event) {
     enum { nothing, time, what, velocities, centres };
     if (seen == nothing) {
       seen = time;
@@ -154,7 +199,11 @@ class PlainLineReader::Implementation {
   }
 
   json::parser parser_;
-  std::string buffer_;
+  std::string buffer_;      // what is split
+  std::int64_t first_ = 0;  // where that begins in the file
+  std::int64_t end_ = 0;    // where the last lines split at once end in the file
+  json::document_stream objects_;
+  json::document_stream::iterator next_;
 };
 
 PlainLineReader::PlainLineReader() : implementation_(std::make_unique<Implementation>()) {}
@@ -162,8 +211,9 @@ PlainLineReader::PlainLineReader(PlainLineReader&&) noexcept = default;
 PlainLineReader& PlainLineReader::operator=(PlainLineReader&&) noexcept = default;
 PlainLineReader::~PlainLineReader() = default;
 
-std::optional<Event> PlainLineReader::event(std::string_view line, int last_id) {
-  return implementation_->event(line, last_id);
+std::optional<Event> PlainLineReader::event(std::string_view line, std::string_view text,
+                                            std::int64_t begin, int last_id) {
+  return implementation_->event(line, text, begin, last_id);
 }
 
 }  // namespace voroproof::internal

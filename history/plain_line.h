@@ -1,6 +1,7 @@
 // Lines of a history in their usual form, read at a glance.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -10,7 +11,7 @@
 namespace voroproof::internal {
 
 // Reads what needs no second look: keys in the writer's order, JSON numbers only. simdjson does the
-// work, and its parser's memory is used again for every line.
+// work: it splits many lines at once, and its parser's memory is used again.
 class PlainLineReader {
  public:
   PlainLineReader();
@@ -19,8 +20,12 @@ class PlainLineReader {
   ~PlainLineReader();
 
   // The event of a line that is right in form. Nothing where it is anything else: then the strict
-  // reader tells what, and what is wrong with it. Ids must be at most last_id.
-  std::optional<Event> event(std::string_view line, int last_id);
+  // reader tells what, and what is wrong with it. Ids must be at most last_id. `begin`: how many
+  // bytes of the file are before the line. `text`: the line, and as much as is at hand of what
+  // follows it in the file. A file is read from its beginning to its end, though lines may be
+  // skipped.
+  std::optional<Event> event(std::string_view line, std::string_view text, std::int64_t begin,
+                             int last_id);
 
  private:
   class Implementation;

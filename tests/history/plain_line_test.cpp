@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "history/error.h"
@@ -16,9 +20,10 @@ namespace {
 
 constexpr int last_id = 12;
 
+// The line alone.
 std::optional<Event> plain_event(std::string_view line) {
-  static PlainLineReader reader;
-  return reader.event(line, last_id);
+  PlainLineReader reader;
+  return reader.event(line, line, 0, last_id);
 }
 
 const std::vector<std::string> plain_lines = {
@@ -65,6 +70,8 @@ std::string told(const Event& event) {
   }
   return std::to_string(event.index()) + out;
 }
+
+std::string told(const std::optional<Event>& event) { return event ? told(*event) : "nothing"; }
 
 // The line as the strict reader takes it: an extension keeps it from being plain.
 std::string strictly(const TemporaryDirectory& directory, std::string line) {
@@ -121,6 +128,46 @@ TEST(PlainLine, WhatIsAlmostPlainIsReadAlike) {
     ASSERT_EQ(told(*event), strictly(directory, line)) << line;
   }
   EXPECT_GT(plain, 500);
+  EXPECT_GT(refused, 1000);
+}
+
+// Lines are split many at once, and what one of them is does not depend on the others.
+TEST(PlainLine, ALineIsWhatItIsAlone) {
+  std::mt19937_64 random(6);
+  const std::string alphabet = "0-.,[]{}\":\\x \n\n\r";
+  int plain = 0, refused = 0;
+  for (int file = 0; file < 400; ++file) {
+    std::string text;
+    const std::uint64_t lines = 1 + random() % 600, edits = random() % 4 == 0 ? 0 : random() % 20;
+    for (std::uint64_t k = 0; k < lines; ++k) {
+      text += plain_lines[random() % plain_lines.size()] + "\n";
+    }
+    for (std::uint64_t k = 0; k < edits; ++k) {
+      const std::size_t at = random() % text.size();
+      if (random() % 2 == 0) {
+        text[at] = alphabet[random() % alphabet.size()];
+      } else {
+        text.insert(at, 1, alphabet[random() % alphabet.size()]);
+      }
+    }
+    PlainLineReader reader;
+    // What is at hand of the text ends somewhere, in the middle of a line or not.
+    std::size_t at_hand = 0;
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      const std::string_view line(text.data() + begin, end - begin);
+      if (at_hand < end) at_hand = std::min(text.size(), end + random() % 60000);
+      const std::string_view ahead(text.data() + begin, at_hand - begin);
+      // Lines may be skipped.
+      if (random() % 50 != 0) {
+        const auto event = reader.event(line, ahead, static_cast<std::int64_t>(begin), last_id);
+        ASSERT_EQ(told(event), told(plain_event(line))) << line;
+        ++(event ? plain : refused);
+      }
+      begin = end + 1;
+    }
+  }
+  EXPECT_GT(plain, 50000);
   EXPECT_GT(refused, 1000);
 }
 
