@@ -238,7 +238,7 @@ void Checker::end_all_lives(const Moment& m, bool closed) {
 
 // The end of a part: nothing may be left that has to happen up to that time.
 void Checker::finish_part(const PartEnd& end) {
-  claims_.stand_at(claims_.history().line());
+  claims_.stand_at(claims_.read_to());
   instants_.require_maneuvers_before(next_below(end.t - s_.tolerance_up));
   instants_.leave();
   end_all_lives(Moment::at(end.t), true);
@@ -252,7 +252,7 @@ void Checker::finish_part(const PartEnd& end) {
 
 void Checker::finish() {
   const HistorySource& history = claims_.history();
-  claims_.stand_at(history.line());
+  claims_.stand_at(claims_.read_to());
   const auto* stop = std::get_if<HistoryStop>(&history.ending());
   // What the file cannot say for certain is not held against it.
   Rational end = s_.header.horizon - s_.header.horizon_error;

@@ -27,21 +27,31 @@ bool Claims::wants_more() const {
                            time(near_.back().event) <= time(near_.front().event) + 2 * tolerance_);
 }
 
+ReadAhead::Claim* Claims::next() {
+  ReadAhead::Claim* const claim = ahead_.first();
+  read_to_ = claim != nullptr ? claim->line : history().line();
+  return claim;
+}
+
 bool Claims::read() {
-  std::optional<Event> event = history_.next();
-  while (event && kinds_ == EventKinds::collisions && std::holds_alternative<FlipEvent>(*event)) {
+  ReadAhead::Claim* claim = next();
+  while (claim != nullptr && kinds_ == EventKinds::collisions &&
+         std::holds_alternative<FlipEvent>(claim->event)) {
     ++passed_over_;
-    event = history_.next();
+    ahead_.drop_first();
+    claim = next();
   }
-  if (!event) {
+  if (claim == nullptr) {
     ended_ = true;
     return false;
   }
-  const HalfEdge place = place_ahead(0).half;
-  const bool overlooked = full_ && time(*event) <= taken_ + 2 * tolerance_;
-  near_.push_back({std::move(*event), history_.line(), place, {}, false, overlooked});
-  times_.push_back(time(near_.back().event));
-  lines_.push_back(history_.line());
+  const double t = time(claim->event);
+  const bool overlooked = full_ && t <= taken_ + 2 * tolerance_;
+  near_.push_back(
+      {std::move(claim->event), claim->line, place_ahead(0).half, {}, false, overlooked});
+  times_.push_back(t);
+  lines_.push_back(claim->line);
+  ahead_.drop_first();
   return true;
 }
 
@@ -79,13 +89,14 @@ bool Claims::has_unchecked(const Maneuver& due, const Rational& tolerance) {
   const double latest = round_up(Rational(due.t + tolerance));
   try {
     while (near_.empty() || time(near_.back().event) <= latest) {
-      std::optional<Event> event = history_.next();
-      if (!event) {
+      ReadAhead::Claim* const claim = next();
+      if (claim == nullptr) {
         // A file that stops early may stop before it.
-        const auto* stop = std::get_if<HistoryStop>(&history_.ending());
+        const auto* stop = std::get_if<HistoryStop>(&history().ending());
         return stop != nullptr && stop->t <= latest;
       }
-      near_.push_back({std::move(*event), history_.line(), -1, {}});
+      near_.push_back({std::move(claim->event), claim->line, -1, {}});
+      ahead_.drop_first();
       if (is_it(near_.back().event)) return true;
     }
     return false;
@@ -96,7 +107,7 @@ bool Claims::has_unchecked(const Maneuver& due, const Rational& tolerance) {
 
 std::int64_t Claims::line_at(double t) const {
   const auto it = std::upper_bound(times_.begin(), times_.end(), t);
-  return it == times_.end() ? history_.line() : lines_[it - times_.begin()];
+  return it == times_.end() ? read_to_ : lines_[it - times_.begin()];
 }
 
 std::int64_t Claims::proved_before(double t) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "certify/moment.h"
+#include "certify/read_ahead.h"
 #include "certify/replay.h"
 #include "filtered/numbers/next_double.h"
 #include "history/history_source.h"
@@ -45,17 +46,18 @@ class Claims {
   };
 
   // `most_near` claims that are near each other are looked at together, at most. `places`: for the
-  // claims in their order, as far as somebody knows, what a claim is about. Whoever is wrong there
-  // makes the checker slower. `kinds`: others are passed over.
+  // claims in their order, what a claim is about; empty: locate() finds out, for claims that are
+  // read ahead. Whoever is wrong there makes the checker slower. `kinds`: others are passed over.
   Claims(HistorySource& history, double tolerance, std::size_t most_near, EventKinds kinds,
          std::vector<Replay::Place> places)
-      : history_(history),
+      : ahead_(history, places.empty() ? kAhead : 0),
         tolerance_(tolerance),
         most_near_(most_near),
         kinds_(kinds),
-        places_(std::move(places)) {}
+        places_(std::move(places)),
+        read_to_(history.line()) {}
 
-  const HistorySource& history() const { return history_; }
+  const HistorySource& history() const { return ahead_.history(); }
 
   // ---- Reading. ----
   // Reads the claims that follow within twice the tolerance of the next one: their true order may
@@ -74,7 +76,16 @@ class Claims {
   // What is known of the claim that will be read after so many others.
   Replay::Place place_ahead(std::size_t far) const {
     const std::size_t k = times_.size() + far;
-    return k < places_.size() ? places_[k] : Replay::Place{};
+    if (k < places_.size()) return places_[k];
+    const ReadAhead::Claim* const claim = ahead_.after(far);
+    return claim != nullptr ? claim->place : Replay::Place{};
+  }
+  // Finds out what the claim is about that will be read after so many others, where it is at hand
+  // and nobody knows: `find` tells, from the event.
+  template <class Find>
+  void locate(std::size_t far, Find&& find) {
+    if (!places_.empty()) return;
+    if (ReadAhead::Claim* const claim = ahead_.after(far)) claim->place = find(claim->event);
   }
   // Makes the k-th of the near claims the one being checked.
   void take(std::size_t k);
@@ -109,16 +120,23 @@ class Claims {
   // ---- What the lines say. ----
   // The line of the first claim later than t, or the last line read.
   std::int64_t line_at(double t) const;
+  // The line of the last claim read; at the end, where the history ends.
+  std::int64_t read_to() const { return read_to_; }
   // How many of the claims proved are before t.
   std::int64_t proved_before(double t) const;
   // Whether the last claim read is of this time.
   bool last_is_at(double t) const { return !times_.empty() && times_.back() == t; }
 
  private:
+  // So many claims are read before those that are taken, where their places are to be found.
+  static constexpr std::size_t kAhead = 12;
+
   bool wants_more() const;
   bool read();
+  // The next claim of the history, which is to be dropped then; null at the end.
+  ReadAhead::Claim* next();
 
-  HistorySource& history_;
+  ReadAhead ahead_;
   double tolerance_;
   std::size_t most_near_;
   EventKinds kinds_;
@@ -130,6 +148,7 @@ class Claims {
   std::vector<double> times_;          // of the claims read
   std::vector<std::int64_t> lines_;    // theirs
   std::vector<Replay::Place> places_;  // of the claims, read or not
+  std::int64_t read_to_;
   std::optional<Event> current_;
   std::int64_t line_ = 1;
   HalfEdge place_ = -1;

@@ -13,8 +13,8 @@ namespace {
 // The smallest parts are so many times smaller than most.
 constexpr int kSmall = 8;
 
-// So many claims are read before the first of them is taken.
-constexpr std::size_t kAhead = 4;
+// So many claims are read before the one before them is taken.
+constexpr std::size_t kAhead = 3;
 
 }  // namespace
 
@@ -37,30 +37,37 @@ Event ClaimList::take(std::size_t k) {
 // A part of a history as a history.
 class PartReader::Section : public HistorySource {
  public:
-  // `rest`: the history, where the part is the last; `ended` where it has given all its claims.
-  Section(const HistoryHeader& header, ClaimList claims, HistorySource* rest, bool ended)
-      : header_(header), claims_(std::move(claims)), rest_(rest), ended_(ended) {}
+  // `rest`: what follows these claims, where the part is the last.
+  Section(const HistoryHeader& header, ClaimList claims, ReadAhead* rest)
+      : header_(header), claims_(std::move(claims)), rest_(rest) {}
 
   void set_next_line(std::int64_t line) { next_line_ = line; }
 
   const HistoryHeader& header() const override { return header_; }
   std::optional<Event> next() override {
-    if (taken_ < claims_.size()) return claims_.take(taken_++);
-    taken_ = claims_.size() + 1;
-    return ended_ ? std::nullopt : rest_->next();
+    if (taken_ < claims_.size()) {
+      line_ = claims_.line(taken_);
+      return claims_.take(taken_++);
+    }
+    ReadAhead::Claim* const claim = rest_ != nullptr ? rest_->first() : nullptr;
+    if (claim == nullptr) {
+      line_ = rest_ != nullptr ? rest_->history().line() : next_line_;
+      return std::nullopt;
+    }
+    line_ = claim->line;
+    Event event = std::move(claim->event);
+    rest_->drop_first();
+    return event;
   }
-  std::int64_t line() const override {
-    if (taken_ > claims_.size()) return rest_ != nullptr ? rest_->line() : next_line_;
-    return taken_ == 0 ? 1 : claims_.line(taken_ - 1);
-  }
+  std::int64_t line() const override { return line_; }
   // A part that is not the last does not stop.
   const std::variant<HistoryEnd, HistoryStop>& ending() const override {
     static const std::variant<HistoryEnd, HistoryStop> goes_on;
-    return rest_ != nullptr ? rest_->ending() : goes_on;
+    return rest_ != nullptr ? rest_->history().ending() : goes_on;
   }
   // Only the last part has counts.
-  const HistoryCounts& counts() const override { return rest_->counts(); }
-  bool counts_match() const override { return rest_->counts_match(); }
+  const HistoryCounts& counts() const override { return rest_->history().counts(); }
+  bool counts_match() const override { return rest_->history().counts_match(); }
   std::vector<std::string> remarks() const override { return {}; }
   std::optional<std::int64_t> shadow_line(const Quad&, double, double) const override {
     return std::nullopt;
@@ -70,8 +77,8 @@ class PartReader::Section : public HistorySource {
   const HistoryHeader& header_;
   ClaimList claims_;
   std::size_t taken_ = 0;
-  HistorySource* rest_;
-  bool ended_;
+  ReadAhead* rest_;
+  std::int64_t line_ = 1;
   std::int64_t next_line_ = 0;  // of the claim after the part
 };
 
@@ -86,7 +93,7 @@ PartReader::PartReader(const Scene& scene, const MotionInput& input, HistorySour
       size_(std::max(options.least_part, options.least_part * scene.disks.size() / 512)),
       horizon_(header_.horizon.get_d()),
       replay_(scene, options),
-      ahead_(kAhead),
+      ahead_(history, kAhead),
       before_(replay_) {
   if (!marks) return;
   offset_ = history.offset();
@@ -109,7 +116,7 @@ void PartReader::start_at(const IndexedCut& start) {
   offset_ = cut.offset;
   begin_marks(cut.claims_sha256);
   // Behind a cut there is a claim.
-  if (!next_claim()) throw InputError(start.file, start.line, "cut.offset", "no event follows");
+  if (!ahead_.first()) throw InputError(start.file, start.line, "cut.offset", "no event follows");
 }
 
 void PartReader::begin_marks(const std::string& claims_sha256) {
@@ -136,21 +143,10 @@ Cut PartReader::cut() const {
           state.hex()};
 }
 
-// The next claim, or null. Reads a little ahead, so that what a claim is about is in the caches
-// when it is taken.
-const PartReader::ReadClaim* PartReader::next_claim() {
-  while (ahead_.size() < kAhead && !exhausted_) {
-    std::optional<Event> event = history_.next();
-    exhausted_ = !event;
-    if (!event) break;
-    replay_.prefetch(*event);
-    ahead_.push_back(ReadClaim(std::move(*event), history_.line(), history_.offset()));
-  }
-  return ahead_.empty() ? nullptr : &ahead_.front();
-}
-
+// Precondition: there is one.
 void PartReader::take_next_claim() {
-  ReadClaim& claim = ahead_.front();
+  if (const auto* later = ahead_.after(kAhead)) replay_.prefetch(later->event);
+  ReadAhead::Claim& claim = *ahead_.first();
   const auto place = clear_ ? replay_.take(claim.event) : std::nullopt;
   clear_ = place.has_value();
   places_.push_back(place.value_or(Replay::Place{}));
@@ -160,13 +156,13 @@ void PartReader::take_next_claim() {
   taken_.add(claim.event);
   if (fingerprint_) fingerprint_->add(claim.event, claim.line);
   claims_.add(std::move(claim.event), claim.line);
-  ahead_.pop_front();
+  ahead_.drop_first();
 }
 
 // Collisions and maneuvers at t = 0 come before the initial diagram.
 void PartReader::begin_history() {
   for (;;) {
-    const ReadClaim* next = next_claim();
+    const ReadAhead::Claim* next = ahead_.first();
     if (!next || !clear_ || time(next->event) != 0 ||
         std::holds_alternative<FlipEvent>(next->event))
       break;
@@ -207,7 +203,7 @@ std::size_t PartReader::least_size(double t) const {
 
 // Whether the part may end before the next claim, which is there.
 bool PartReader::may_end() const {
-  return claims_.size() >= least_size(last_) && time(ahead_.front().event) - last_ > gap_;
+  return claims_.size() >= least_size(last_) && time(ahead_.after(0)->event) - last_ > gap_;
 }
 
 std::optional<Part> PartReader::next() {
@@ -219,14 +215,14 @@ std::optional<Part> PartReader::next() {
     places_.reserve(size_);
     take_next_claim();
   }
-  while (const ReadClaim* next = clear_ ? next_claim() : nullptr) {
+  while (const ReadAhead::Claim* next = clear_ ? ahead_.first() : nullptr) {
     if (!may_end()) {
       take_next_claim();
       continue;
     }
     const double until = last_ + 0.5 * (time(next->event) - last_);
     in_parts_ += claims_.size();
-    auto section = std::make_unique<Section>(header_, std::exchange(claims_, {}), nullptr, true);
+    auto section = std::make_unique<Section>(header_, std::exchange(claims_, {}), nullptr);
     section->set_next_line(next->line);
     Part part{number_++,
               std::move(section),
@@ -242,10 +238,8 @@ std::optional<Part> PartReader::next() {
 
 std::optional<Part> PartReader::last_part() {
   done_ = true;
-  const bool ended = next_claim() == nullptr;
-  for (ReadClaim& claim : ahead_) claims_.add(std::move(claim.event), claim.line);
   return Part{number_++,
-              std::make_unique<Section>(header_, std::move(claims_), &history_, ended),
+              std::make_unique<Section>(header_, std::move(claims_), &ahead_),
               std::move(places_),
               std::move(before_),
               begin_,

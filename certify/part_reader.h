@@ -1,7 +1,6 @@
 // The recorded truth, in parts: the history dealt out.
 #pragma once
 
-#include <boost/circular_buffer.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include "certify/certifier.h"
 #include "certify/checker.h"
 #include "certify/fingerprint.h"
+#include "certify/read_ahead.h"
 #include "certify/replay.h"
 #include "certify/shard.h"
 
@@ -77,15 +77,8 @@ class PartReader {
   Cut cut() const;
 
  private:
-  struct ReadClaim {
-    ReadClaim(Event&& e, std::int64_t l, std::int64_t o)
-        : event(std::move(e)), line(l), offset(o) {}
-    Event event;
-    std::int64_t line, offset;
-  };
   class Section;
 
-  const ReadClaim* next_claim();
   void take_next_claim();
   void begin_history();
   void take_initial_diagram();
@@ -104,8 +97,7 @@ class PartReader {
   std::size_t size_;  // claims of a part, at least
   double horizon_;    // nearly
   Replay replay_;     // of the claims taken
-  boost::circular_buffer<ReadClaim> ahead_;  // of the history, read and not yet taken
-  bool exhausted_ = false;                   // nothing is left in it
+  ReadAhead ahead_;   // of the history, read and not yet taken
   // The present part.
   std::size_t number_ = 0;
   ClaimList claims_;

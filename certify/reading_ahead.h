@@ -12,9 +12,14 @@ namespace voroproof::internal {
 // Asks for the memory of claims that are soon to be checked. What a claim is about is found step by
 // step, each from what the one before has asked for: the half-edge h, those of its two triangles,
 // their twins' triangles, and the generators on the way.
-[[gnu::always_inline]] inline void read_ahead(const Setting& s, const Claims& claims,
+[[gnu::always_inline]] inline void read_ahead(const Setting& s, Claims& claims,
                                               const EdgeLives& edges, const PairLives& pairs) {
   using HalfEdge = Diagram::HalfEdge;
+  claims.locate(11, [&](const Event& event) {
+    s.replay.prefetch(event);
+    return Replay::Place{};
+  });
+  claims.locate(8, [&](const Event& event) { return s.replay.place_of(event); });
   const Diagram& d = s.diagram;
   const auto generator = [&](GenId g) { __builtin_prefetch(&s.motion.doubles(g)); };
   if (const HalfEdge h = claims.place_ahead(8).half; h >= 0) {

@@ -171,7 +171,7 @@ std::optional<Diagram::HalfEdge> Replay::flip(const FlipEvent& claim) {
     const Quad found = diagram_.quad(g);
     if (found.s == q.s && found.e == q.e) h = g;
     if (found.s == q.e && found.e == q.s) mirrored = g;
-    return false;
+    return h >= 0 && !options_->unoriented;
   });
   if (options_->unoriented &&
       (h < 0 || (mirrored >= 0 &&
@@ -215,6 +215,14 @@ void Replay::prefetch(const Event& event) const {
   if (f == nullptr || diagram_.edges() == 0) return;
   const GenId g = f->quad.l == container_id ? f->quad.r : f->quad.l;
   if (g >= 0 && g < disks()) diagram_.prefetch(diagram_.anchor(g));
+}
+
+Replay::Place Replay::place_of(const Event& event) const {
+  if (diagram_.edges() == 0) return {};
+  if (const auto* f = std::get_if<FlipEvent>(&event)) return {find(f->quad)};
+  if (const auto* c = std::get_if<CollideEvent>(&event)) return {diagram_.anchor(c->j), c->i};
+  const auto& m = std::get<ManeuverEvent>(event);
+  return {diagram_.anchor(m.disk), m.disk};
 }
 
 std::optional<Replay::Place> Replay::take(const Event& event) {

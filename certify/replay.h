@@ -108,6 +108,8 @@ class Replay : public GivenMotion {
   // Becomes what that text says. Throws InputError where it is none of this scene, or has not the
   // hash that the cut names.
   void read(const IndexedCut& at);
+  // What the claim is about, as far as the present diagram tells.
+  Place place_of(const Event& event) const;
   // Asks for the memory where take() will begin: of a flip, to look for the edge.
   void prefetch(const Event& event) const;
   // Asks for the memory of a disk's path and velocity.
