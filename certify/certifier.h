@@ -41,6 +41,9 @@ struct CertifyOptions {
   bool unoriented = false;  // quadruplets may exchange their third generators, as in .evtsq files
   // For all events of the recorded truth, and for the initial diagram. The certificate is the same.
   int threads = 1;
+  // Exact truth: whether the certificate tells how far the claimed times of flips are from the true
+  // ones (Certificate::ulps_max).
+  bool measures_times = true;
   bool judges_flips() const { return events == EventKinds::all; }
   // Recorded truth, all events: the history is certified in parts of so many claims at least, and
   // of one in 512 of that for each disk.

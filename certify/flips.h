@@ -55,6 +55,7 @@ class Flips {
   Found collapse_for(const FlipEvent& claim, HalfEdge h);
   Found present_collapse(const Quad& q, const EdgeLives::Life& life, const Rational& claimed);
   [[noreturn]] void mistimed(const Quad& q, const Collapse& c, const Rational& claimed);
+  DdBall true_time(const Moment& m, double claimed, double near) const;
   void count_ulps(const Moment& m, double claimed);
 
   Setting& s_;

@@ -237,6 +237,7 @@ ExitCode certify_files(Request& request) {
   CertifyOptions& options = request.options;
   options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
   options.events = request.events == "all" ? EventKinds::all : EventKinds::collisions;
+  options.measures_times = !request.report.empty();
   const std::vector<SecondChecker> seconds =
       second_checkers(request.kernel, request.proved, options, request.part.empty());
   require_shards(request);

@@ -158,6 +158,7 @@ void begin(std::optional<SelfCheck>& check, const Scene& scene, const Request& r
            HistorySink& sink) {
   CertifyOptions options;
   options.strict = true;
+  options.measures_times = false;
   options.motion.max_bits = request.motion.max_bits;
   check.emplace(scene, options);
   sink.observe([&check](const HistoryHeader& header) { check->begin(header); },

@@ -11,27 +11,13 @@
 #include "certify/part_reader.h"
 #include "history/error.h"
 #include "history/scene_motion.h"
+#include "tests/certify/broken_history.h"
 #include "tests/certify/claimed_history.h"
 #include "tests/certify/dealt_parts.h"
 #include "tests/certify/same_claim.h"
 
 namespace voroproof::internal::testing {
 namespace {
-
-// A history that cannot be read beyond so many claims.
-class BrokenHistory : public MemoryHistory {
- public:
-  BrokenHistory(const ClaimedHistory& history, std::size_t readable)
-      : MemoryHistory(history), left_(readable) {}
-  std::optional<Claim> next() override {
-    if (left_ == 0) throw InputError("broken", line() + 1, "", "cannot be read");
-    --left_;
-    return MemoryHistory::next();
-  }
-
- private:
-  std::size_t left_;
-};
 
 // A line that cannot be read: what is before is dealt out as far as parts have ended; the rest of
 // it is lost.
