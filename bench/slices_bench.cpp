@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <ctime>
 #include <exception>
@@ -53,8 +54,8 @@ double one_thread(const Scene& scene, const EngineOptions& options) {
   return thread_cpu_seconds() - start;
 }
 
-// The slices of a run.
-std::vector<Cost> costs_of(const Scene& scene, const EngineOptions& options) {
+// The slices of a run with so many threads.
+std::vector<Cost> costs_of(const Scene& scene, const EngineOptions& options, int threads) {
   Leader leader(motion_input(scene), maneuver_input(scene), options.motion);
   if (!leader.possible()) throw std::runtime_error("the scene is none for slices");
   const Motion& leaders = leader.motion();
@@ -66,8 +67,9 @@ std::vector<Cost> costs_of(const Scene& scene, const EngineOptions& options) {
     const MotionSnapshot start = leader.motion().snapshot();
     LedTurns turns;
     const double t0 = thread_cpu_seconds();
-    const std::optional<double> border =
-        leader.lead(turns, work_of_slice(static_cast<int>(costs.size()), leaders.size()), nullptr);
+    const std::uint64_t work =
+        work_of_slice(static_cast<int>(costs.size()), begin, leader.work(), leaders, threads);
+    const std::optional<double> border = leader.lead(turns, work, nullptr);
     const double t1 = thread_cpu_seconds();
     cost.lead = t1 - t0;
     motion.follow(start);
@@ -179,26 +181,23 @@ void bench(const SceneChoice& choice, const std::vector<int>& all_threads, int r
               choice.density, repeats);
   std::printf("%8s %8s %12s %12s %12s %12s %10s\n", "threads", "slices", "CPU / one's", "leading",
               "diagrams", "bound", "speed-up");
-  std::vector<double> wholes;
-  std::vector<std::vector<Cost>> runs;
-  for (int r = 0; r < repeats; ++r) {
-    wholes.push_back(one_thread(scene, options));
-    runs.push_back(costs_of(scene, options));
-  }
-  const std::size_t slices = runs.back().size();
   for (const int threads : all_threads) {
+    std::size_t slices = 0;
     std::vector<double> cpu, leading, constructing, speed;
-    for (std::size_t r = 0; r < runs.size(); ++r) {
+    for (int r = 0; r < repeats; ++r) {
+      const double whole = one_thread(scene, options);
+      const std::vector<Cost> costs = costs_of(scene, options, threads);
+      slices = costs.size();
       Cost sum;
-      for (const Cost& c : runs[r]) {
+      for (const Cost& c : costs) {
         sum.lead += c.lead;
         sum.construct += c.construct;
         sum.follow += c.follow;
       }
-      cpu.push_back((sum.lead + sum.construct + sum.follow) / wholes[r]);
-      leading.push_back(sum.lead / wholes[r]);
-      constructing.push_back(sum.construct / wholes[r]);
-      speed.push_back(wholes[r] / Schedule(runs[r], threads).end());
+      cpu.push_back((sum.lead + sum.construct + sum.follow) / whole);
+      leading.push_back(sum.lead / whole);
+      constructing.push_back(sum.construct / whole);
+      speed.push_back(whole / Schedule(costs, threads).end());
     }
     // Leading is one thread's, and no more than all is done by all.
     const double bound = std::min(1 / median(leading), threads / median(cpu));

@@ -31,10 +31,10 @@ Leader::Leader(MotionInput input, std::vector<ManeuverInput> maneuvers,
 std::optional<double> Leader::lead(LedTurns& turns, std::uint64_t work,
                                    const std::function<double(double, double)>& border) {
   turns_ = &turns;
-  work_ = 0;
+  const std::uint64_t end = work_ + work;
   if (!std::exchange(started_, true)) start();
   while (step()) {
-    if (work_ < work) continue;
+    if (work_ < end) continue;
     const double hi = arithmetic_.now().hi, lo = next_key();
     const double between = border ? border(hi, lo) : hi + (lo - hi) * kPart;
     if (hi < between && between < lo) return between;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "filtered/motion/motion.h"
 #include "kinetic/engine_stats.h"
 #include "kinetic/event_sink.h"
 #include "kinetic/led_turns.h"
@@ -102,8 +103,10 @@ SliceWork next_work(std::size_t count, const IsLed& is_led, const IsTaken& is_ta
   return {};
 }
 
-// The work of a slice of a run (Leader::lead()), by its number from 0.
-std::uint64_t work_of_slice(int slice, int disks);
+// The work of the next slice of a run (Leader::lead()) with so many threads: by its number from 0,
+// when it begins, and the work before it.
+std::uint64_t work_of_slice(int slice, double begin, std::uint64_t before, const Motion& motion,
+                            int threads);
 
 struct Slice {
   int number = 0;

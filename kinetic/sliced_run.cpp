@@ -15,11 +15,13 @@ constexpr std::size_t kChunk = 1024;
 // Between two looks at whether the run is still wanted, while nothing is there to tell.
 constexpr std::chrono::milliseconds kLook(10);
 // The disks that turn or change their square in a slice, per disk. Each slice begins with a diagram
-// from scratch, which costs about as much as a flip a disk; but short slices leave no thread alone
-// at the end, take less memory, and give many threads something to do.
+// from scratch, which costs about as much as a flip a disk; but shorter slices take less memory.
 constexpr double kWork = 4;
-// The first slices are shorter, for others to begin soon.
-constexpr double kWorkOfFirst = 1.5;
+// The first slices are shorter, for others to begin soon, and the last ones, for no thread to be
+// left alone at the end.
+constexpr double kWorkOfFirst = 1.5, kWorkOfLast = 1.5;
+// A slice takes no more than this of a thread's part of what is to come.
+constexpr double kPart = 1.65;
 
 // States beyond double-doubles do not wait: the leader has a thread of its own as it is.
 MotionOptions now(MotionOptions options) {
@@ -29,8 +31,17 @@ MotionOptions now(MotionOptions options) {
 
 }  // namespace
 
-std::uint64_t work_of_slice(int slice, int disks) {
-  return static_cast<std::uint64_t>(disks * std::min(kWork, kWorkOfFirst * (slice + 1)));
+std::uint64_t work_of_slice(int slice, double begin, std::uint64_t before, const Motion& motion,
+                            int threads) {
+  const double disks = motion.size();
+  double work = std::min(kWork, kWorkOfFirst * (slice + 1));
+  if (begin > 0) {
+    // What is to come, if there is as much of it in every unit of time.
+    const double rest =
+        static_cast<double>(before) / disks * (motion.input().horizon.get_d() / begin - 1);
+    work = std::min(work, std::max(kWorkOfLast, kPart * rest / threads));
+  }
+  return static_cast<std::uint64_t>(disks * work);
 }
 
 SlicedRun::SlicedRun(MotionInput input, std::vector<ManeuverInput> maneuvers,
@@ -112,8 +123,9 @@ SliceWork::Kind SlicedRun::find_work(std::unique_lock<std::mutex>& lock, Slice*&
 void SlicedRun::lead(Slice& slice) {
   Motion& motion = leader_.motion();
   const SliceHooks& hooks = options_.slice_hooks;
-  const std::uint64_t work =
-      hooks.work ? hooks.work(slice.number) : work_of_slice(slice.number, motion.size());
+  const std::uint64_t work = hooks.work ? hooks.work(slice.number)
+                                        : work_of_slice(slice.number, slice.begin, leader_.work(),
+                                                        motion, options_.threads);
   const std::optional<double> border = leader_.lead(slice.turns, work, hooks.border);
   std::unique_ptr<Slice> next;
   if (border) {

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "corpus/generate.h"
+#include "kinetic/slice.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scene_run.h"
 
@@ -264,6 +265,45 @@ TEST(EngineSlices, ThatDoNotJoin) {
     };
     EXPECT_EQ(expect_same(whole, run_with(scene, options)), 0u);
   }
+}
+
+// The first slices are short, and the last ones the more so the more threads there are; the run's
+// own lengths lead to its horizon.
+TEST(EngineSlices, AreShorterAtBothEnds) {
+  MotionInput input;
+  input.container_radius = 1000;
+  input.horizon = 100;
+  for (int k = 0; k < 100; ++k) {
+    input.disks.push_back({Rational(10 * (k % 10)), Rational(10 * (k / 10)), 1, 1, 0, 1});
+  }
+  const Motion motion(input, {});
+  const auto work = [&](int slice, double begin, double before, int threads) {
+    return static_cast<double>(work_of_slice(slice, begin, static_cast<std::uint64_t>(100 * before),
+                                             motion, threads)) /
+           100;
+  };
+  EXPECT_LT(work(0, 0, 0, 2), work(1, 2, 1.5, 2));
+  EXPECT_LT(work(1, 2, 1.5, 2), work(5, 20, 10, 2));
+  double most = 4;
+  for (const int threads : {2, 4, 8, 16, 64}) {
+    if (threads <= 8) {
+      EXPECT_EQ(work(5, 20, 10, threads), 4);
+    }
+    double before = 10, last = 4;
+    int slice = 5;
+    // As much happens in every unit of time.
+    while (before < 50) {
+      const double w = work(slice++, 2 * before, before, threads);
+      EXPECT_LE(w, last + 0.01) << threads;
+      EXPECT_GE(w, 1) << threads;
+      last = w;
+      before += w;
+    }
+    EXPECT_LE(last, most) << threads;
+    most = last;
+    EXPECT_LE(slice, 50);
+  }
+  EXPECT_LT(most, 2);
 }
 
 // Threads that are late make no difference.
