@@ -62,8 +62,6 @@ MotionStates::MotionStates(MotionInput input, const MotionOptions& options,
     }
   }
   const std::size_t n = input_.disks.size();
-  start_.assign(n, 0.0);
-  given_.assign(n, nullptr);
   fixed_.resize(n + 1);
   balls_.resize(n + 1);
   begin();
@@ -98,8 +96,15 @@ void MotionStates::set_laws() {
 const DiskInput& MotionStates::initial_state(GenId g) const {
   DiskInput& d = input_.disks[g];
   // Nothing is written where nothing is to be taken over: the other thread may be here, too.
-  if (given_[g] != nullptr) std::exchange(given_[g], nullptr)->state(g, d);
+  if (!restarts_.empty() && restarts_[g].given != nullptr) {
+    std::exchange(restarts_[g].given, nullptr)->state(g, d);
+  }
   return d;
+}
+
+MotionStates::Restart& MotionStates::restart_of(GenId g) {
+  if (restarts_.empty()) restarts_.resize(input_.disks.size());
+  return restarts_[g];
 }
 
 void MotionStates::restart(GenId g, double t, const Rational& x, const Rational& y,
@@ -111,15 +116,13 @@ void MotionStates::restart(GenId g, double t, const Rational& x, const Rational&
   d.vx = vx;
   d.vy = vy;
   v_scale_ = std::max({v_scale_, exponent_of(vx), exponent_of(vy)});
-  given_[g] = nullptr;
-  start_[g] = t;
+  restart_of(g) = {t, nullptr};
   balls_[g + 1].reset();
 }
 
 void MotionStates::restart(GenId g, double t, const GivenMotion& given) {
   wait();
-  given_[g] = &given;
-  start_[g] = t;
+  restart_of(g) = {t, &given};
   balls_[g + 1].reset();
 }
 

@@ -40,7 +40,7 @@ class MotionStates {
   // Disk g with the centre and the velocity of its initial state, or of its last restart().
   const DiskInput& initial_state(GenId g) const;
   // When the initial state of a disk holds: 0 unless it was restarted.
-  double initial_time(GenId g) const { return start_[g]; }
+  double initial_time(GenId g) const { return restarts_.empty() ? 0 : restarts_[g].t; }
   // Does what Motion::restart() does; the state is one at time t.
   void restart(GenId g, double t, const Rational& x, const Rational& y, const Rational& vx,
                const Rational& vy);
@@ -132,10 +132,16 @@ class MotionStates {
   void replay();
   bool raise_for(double t);
 
-  // Where `given_` is set for a disk, its state is yet to be taken over from there.
+  // The last restart of a disk, at 0 where there was none.
+  struct Restart {
+    double t = 0;
+    const GivenMotion* given = nullptr;  // where its state is yet to be taken over from
+  };
+  Restart& restart_of(GenId g);
+
   mutable MotionInput input_;
-  mutable std::vector<const GivenMotion*> given_;
-  DiskInput container_;  // at rest; its radius is positive here
+  mutable std::vector<Restart> restarts_;  // per disk; empty as long as none was restarted
+  DiskInput container_;                    // at rest; its radius is positive here
   int max_bits_;
   int goal_bits_;
   double slope_ = 0;  // further bits per unit of time before the horizon
@@ -143,7 +149,6 @@ class MotionStates {
   std::int64_t x_scale_ = 0, v_scale_ = 0;        // exponents
   std::int64_t far_scale_ = 0, reach_scale_ = 0;  // of the farthest coordinate, the least reach
   std::uint64_t replays_ = 0;
-  std::vector<double> start_;  // per disk: when its initial state holds
   std::shared_ptr<MotionLog> log_;
   std::size_t size_ = 0;        // of the log, as far as these states go
   std::size_t handed_ = 0;      // records that are applied or handed over
