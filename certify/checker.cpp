@@ -1,6 +1,5 @@
 #include "certify/checker.h"
 
-#include <numeric>
 #include <stdexcept>
 
 #include "certify/initial_proof.h"
@@ -14,12 +13,6 @@
 namespace voroproof::internal {
 
 namespace {
-
-std::vector<int> first_integers(int count) {
-  std::vector<int> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), 0);
-  return numbers;
-}
 
 // Edges have the same numbers in both as a rule, though not where claims were swapped.
 bool same_edges(const Diagram& a, const Diagram& b) {
@@ -173,7 +166,7 @@ void Checker::start() {
   pairs_.assign(0);
   const Moment now = Moment::at(Rational(0));
   s_.chronology.note_collisions(now);
-  edges_.begin(first_integers(s_.diagram.edges()), now);
+  edges_.begin_all(now);
   front_.begun = true;
 }
 
@@ -233,7 +226,7 @@ void Checker::resume(double t) {
 // `closed`: nothing may be left that has to happen at m itself either.
 void Checker::end_all_lives(const Moment& m, bool closed) {
   pairs_.end_all(m, closed ? PairEnd::end : PairEnd::turn);
-  edges_.end(first_integers(s_.diagram.edges()), m, closed);
+  edges_.end_all(m, closed);
 }
 
 // The end of a part: nothing may be left that has to happen up to that time.

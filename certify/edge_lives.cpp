@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "certify/blocks.h"
 #include "certify/edge_proof.h"
 #include "certify/witness.h"
 #include "certify/wording.h"
@@ -136,6 +137,14 @@ void EdgeLives::end(std::span<const int> edges, const Moment& m, bool closed) {
   for (const int e : edges) batch_.add(s_.diagram.quad(2 * e), lives_[e].from, m.hi);
   batch_.prove();
   for (std::size_t k = 0; k < edges.size(); ++k) end_life(edges[k], m, closed, k);
+}
+
+void EdgeLives::begin_all(const Moment& m) {
+  each_block(s_.diagram.edges(), [&](std::span<const int> edges) { begin(edges, m); });
+}
+
+void EdgeLives::end_all(const Moment& m, bool closed) {
+  each_block(s_.diagram.edges(), [&](std::span<const int> edges) { end(edges, m, closed); });
 }
 
 bool EdgeLives::left_out(const Moment& m) {

@@ -64,9 +64,11 @@ class EdgeLives {
   void assign() { lives_.assign(s_.diagram.edges(), {}); }
   void assign_legal_from(double t) { lives_.assign(s_.diagram.edges(), Life{.from = t}); }
   void begin(std::span<const int> edges, const Moment& m);
+  void begin_all(const Moment& m);
   // The lives end at m without a flip of these edges; `closed`: a collapse at m itself is missed,
   // too.
   void end(std::span<const int> edges, const Moment& m, bool closed = false);
+  void end_all(const Moment& m, bool closed);
   // Ends the lives of the edges beside one that is about to flip at m.
   void end_beside(const EdgeRing& ring, const Moment& m);
   // The edge has flipped at m, the diagram is that after it: its life and those beside it begin.

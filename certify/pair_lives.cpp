@@ -1,9 +1,9 @@
 #include "certify/pair_lives.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
+#include "certify/blocks.h"
 #include "exact/patience.h"
 #include "filtered/numbers/next_double.h"
 
@@ -135,9 +135,8 @@ std::vector<PairLives::Open> PairLives::open(double t) {
 
 void PairLives::end_all(const Moment& m, PairEnd why) {
   if (!near_.assigned()) {
-    std::vector<int> edges(since_.size());
-    std::iota(edges.begin(), edges.end(), 0);
-    end(edges, m, why);
+    each_block(static_cast<int>(since_.size()),
+               [&](std::span<const int> edges) { end(edges, m, why); });
     return;
   }
   reach(m, next_below(m.lo));
