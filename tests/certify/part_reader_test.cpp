@@ -148,6 +148,17 @@ TEST(PartReader, ClaimsThatMakeNoSenseAreInTheLastPart) {
   EXPECT_EQ(sizes(deal(lone(), at_once, options)), (std::vector<std::size_t>{3}));
 }
 
+// A history of fewer claims than an eighth of a part is of two parts, the first half as long as the
+// other, unless that is short, too.
+TEST(PartReader, ShorterHistoriesAreTwoParts) {
+  std::vector<double> times;
+  for (int k = 1; k <= 99; ++k) times.push_back(k);
+  const ClaimedHistory h = hits(times);
+  EXPECT_EQ(sizes(deal(lone(), h, in_parts_of(1000))), (std::vector<std::size_t>{33, 66}));
+  EXPECT_EQ(sizes(deal(lone(), h, in_parts_of(3200))), (std::vector<std::size_t>{50, 49}));
+  EXPECT_EQ(sizes(deal(lone(), h, in_parts_of(6400))), (std::vector<std::size_t>{99}));
+}
+
 // So many claims at least, but an eighth of it in the first part, and fewer towards the end.
 TEST(PartReader, PartsAreOfTheSizeAskedFor) {
   std::vector<double> times;
