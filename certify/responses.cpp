@@ -32,9 +32,11 @@ bool Responses::certainly_near(const CollideEvent& claim, int side, const BallVe
 // than a part in 1024.
 void Responses::check_state(const CollideEvent& claim, int side, const RoundedState& truth) {
   const GenId g = side == 0 ? claim.i : claim.j;
-  const ExactVec2 true_v{to_rational(truth.vx), to_rational(truth.vy)};
-  const auto v = exact_velocity(claim, side);
-  if (v && !certainly_equal(claim, side, truth)) {
+  const auto true_velocity = [&] {
+    return ExactVec2{to_rational(truth.vx), to_rational(truth.vy)};
+  };
+  if (claim.v[side] && !certainly_equal(claim, side, truth)) {
+    const ExactVec2 v = *exact_velocity(claim, side), true_v = true_velocity();
     const ExactPair before = s_.replay.velocities(claim.i, claim.j);
     Rational speed = length_bound(before[1]);
     if (claim.i != container_id) speed += length_bound(before[0]);
@@ -42,7 +44,7 @@ void Responses::check_state(const CollideEvent& claim, int side, const RoundedSt
         4 * s_.options.tolerance * speed * speed / s_.law.reach(claim.i, claim.j);
     const Rational allowed =
         s_.options.law_tolerance * speed + std::min(turned, Rational(speed / 1024));
-    if (norm2(minus(*v, true_v)) > square(allowed)) {
+    if (norm2(minus(v, true_v)) > square(allowed)) {
       refuter_.refute(Fault::wrong_response,
                       "the velocity is (" + number_text(true_v[0].get_d()) + ", " +
                           number_text(true_v[1].get_d()) +
@@ -50,7 +52,7 @@ void Responses::check_state(const CollideEvent& claim, int side, const RoundedSt
     }
   }
   if (claim.p[side] && !certainly_near(claim, side, ball(Vec2{truth.px, truth.py}))) {
-    check_center(g, exact_center(claim, side), true_v,
+    check_center(g, exact_center(claim, side), true_velocity(),
                  {to_rational(truth.px), to_rational(truth.py)});
   }
 }

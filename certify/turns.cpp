@@ -27,18 +27,18 @@ void Turns::collide(const CollideEvent& claim) {
 Moment Turns::contact_of(const CollideEvent& claim) {
   const GenId i = claim.i, j = claim.j;
   const NextContact c = pairs_.exact().next_contact(i, j);
-  const Rational claimed = exact_time(*claims_.current());
+  const auto claimed = [this] { return exact_time(*claims_.current()); };
   if (c.kind == NextContact::Kind::none) {
     refuter_.refute(Fault::spurious_event,
                     "generators " + text_of(i, j) + " do not touch under their present motion",
-                    motion_witness(s_.motion, {i, j}, claimed));
+                    motion_witness(s_.motion, {i, j}, claimed()));
   }
   if (i != container_id && s_.points.is_point(i) && s_.points.is_point(j)) {
     // They meet then, and do not approach there: the gap has a double root.
-    pairs_.exact().require_no_meeting(i, j, Moment::at(claimed + s_.options.tolerance));
+    pairs_.exact().require_no_meeting(i, j, Moment::at(claimed() + s_.options.tolerance));
     refuter_.refute(Fault::spurious_event,
                     "generators " + text_of(i, j) + " are points that do not meet by then",
-                    motion_witness(s_.motion, {i, j}, claimed));
+                    motion_witness(s_.motion, {i, j}, claimed()));
   }
   const Moment m = pairs_.exact().moment_of(i, j, c);
   if (m.hi >= s_.horizon_down && s_.chronology.compare(m, Moment::at(s_.last_instant)) > 0) {
@@ -46,7 +46,7 @@ Moment Turns::contact_of(const CollideEvent& claim) {
                                                between(m.lo, m.hi) + ", after the horizon");
   }
   if (instants_.in_time(m)) return m;
-  const bool near = to_rational(c.lo) - claimed <= mistimed_tolerances * s_.options.tolerance;
+  const bool near = to_rational(c.lo) - claimed() <= mistimed_tolerances * s_.options.tolerance;
   Divergence d = refuter_.at_claim(near ? Fault::wrong_time : Fault::spurious_event,
                                    "generators " + text_of(i, j) + " touch " + between(c.lo, c.hi));
   d.true_contact = {i, j};
