@@ -21,8 +21,8 @@ class LineSource {
   // `limit` bytes, or the file cannot be read.
   std::optional<std::string_view> next(std::size_t limit);
 
-  // The line that next() gave last, and what has been read of those after it. The view holds as long
-  // as that of the line.
+  // The line that next() gave last, and what has been read of those after it. The view holds as
+  // long as that of the line.
   std::string_view ahead() const { return {buffer_.data() + given_, end_ - given_}; }
 
   // The number of the line that next() gave last; 0 before the first.
