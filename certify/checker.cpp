@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "certify/fetch_ahead.h"
 #include "certify/initial_proof.h"
-#include "certify/reading_ahead.h"
 #include "certify/witness.h"
 #include "certify/wording.h"
 #include "exact/patience.h"
@@ -124,7 +124,7 @@ void Checker::prove(const PartEnd* end) {
 
 bool Checker::refill() {
   return claims_.refill([this] {
-    if (front_.begun && s_.options.judges_flips()) read_ahead(s_, claims_, edges_, pairs_);
+    if (front_.begun && s_.options.judges_flips()) fetch_ahead(s_, claims_, edges_, pairs_);
   });
 }
 

@@ -1,5 +1,5 @@
-// Memory asked for in time: large diagrams do not fit into the nearest caches. Nothing here changes
-// anything. (Always inline: g++ leaves out calls of functions that do nothing else.)
+// Memory asked for in time: large diagrams do not fit into the nearest caches. Nothing is decided
+// here. (Always inline: g++ leaves out calls of functions that do nothing else.)
 #pragma once
 
 #include "certify/claims.h"
@@ -12,9 +12,10 @@ namespace voroproof::internal {
 // Asks for the memory of claims that are soon to be checked. What a claim is about is found step by
 // step, each from what the one before has asked for: the half-edge h, those of its two triangles,
 // their twins' triangles, and the generators on the way.
-[[gnu::always_inline]] inline void read_ahead(const Setting& s, Claims& claims,
-                                              const EdgeLives& edges, const PairLives& pairs) {
+[[gnu::always_inline]] inline void fetch_ahead(const Setting& s, Claims& claims,
+                                               const EdgeLives& edges, const PairLives& pairs) {
   using HalfEdge = Diagram::HalfEdge;
+  // Where nobody has said what they are about: as far as the present diagram tells.
   claims.locate(11, [&](const Event& event) {
     s.replay.prefetch(event);
     return Replay::Place{};
