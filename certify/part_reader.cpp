@@ -192,13 +192,13 @@ void PartReader::take_initial_diagram() {
 
 // How many claims the present part has to have before it may end at the time t. The first part and
 // the last ones are small: at the beginning other threads wait for it, at the end for each other.
-// The claims read so far tell how many are to come. A short history is of two parts, the first half
-// as long as the other.
+// The claims read so far tell how many are to come. Of a short history of many disks the first
+// part is half as long as what follows.
 std::size_t PartReader::least_size(double t) const {
   const std::size_t small = size_ / kSmall, most = number_ == 0 ? small : size_;
   if (!(t > 0)) return most;
   const double to_come = static_cast<double>(in_parts_ + claims_.size()) * (horizon_ / t - 1);
-  const std::size_t least = number_ == 0 ? small / kSmall : small;
+  const std::size_t least = number_ == 0 ? std::max(options_.least_part, small) / kSmall : small;
   return static_cast<std::size_t>(
       std::clamp(0.5 * to_come, static_cast<double>(least), static_cast<double>(most)));
 }

@@ -148,15 +148,29 @@ TEST(PartReader, ClaimsThatMakeNoSenseAreInTheLastPart) {
   EXPECT_EQ(sizes(deal(lone(), at_once, options)), (std::vector<std::size_t>{3}));
 }
 
-// A history of fewer claims than an eighth of a part is of two parts, the first half as long as the
-// other, unless that is short, too.
-TEST(PartReader, ShorterHistoriesAreTwoParts) {
+// 1024 of them, at rest until the horizon 0.
+Scene many_disks() {
+  Scene scene = scene_of(100'000, 0, {});
+  for (int k = 0; k < 1024; ++k) {
+    scene.disks.push_back(disk(100 * (k % 32), 100 * (k / 32), 1, 0, 0));
+  }
+  return scene;
+}
+
+// A history of many disks and few claims is of two parts, the first half as long as the other,
+// unless that is short even for few disks.
+TEST(PartReader, ShorterHistoriesOfManyDisksAreTwoParts) {
   std::vector<double> times;
   for (int k = 1; k <= 99; ++k) times.push_back(k);
   const ClaimedHistory h = hits(times);
-  EXPECT_EQ(sizes(deal(lone(), h, in_parts_of(1000))), (std::vector<std::size_t>{33, 66}));
-  EXPECT_EQ(sizes(deal(lone(), h, in_parts_of(3200))), (std::vector<std::size_t>{50, 49}));
-  EXPECT_EQ(sizes(deal(lone(), h, in_parts_of(6400))), (std::vector<std::size_t>{99}));
+  EXPECT_EQ(sizes(deal(lone(), h, in_parts_of(400))), (std::vector<std::size_t>{50, 49}));
+  EXPECT_EQ(sizes(deal(lone(), h, in_parts_of(1000))), (std::vector<std::size_t>{99}));
+  const Scene scene = many_disks();
+  ClaimedHistory many = h;
+  many.header.initial = run(scene).initial;
+  EXPECT_EQ(sizes(deal(scene, many, in_parts_of(200))), (std::vector<std::size_t>{33, 50, 16}));
+  EXPECT_EQ(sizes(deal(scene, many, in_parts_of(400))), (std::vector<std::size_t>{50, 49}));
+  EXPECT_EQ(sizes(deal(scene, many, in_parts_of(1000))), (std::vector<std::size_t>{99}));
 }
 
 // So many claims at least, but an eighth of it in the first part, and fewer towards the end.
@@ -185,20 +199,14 @@ TEST(PartReader, PartsAreOfTheSizeAskedFor) {
 
 // Many disks make for larger parts: for each one in 512 of what is asked for.
 TEST(PartReader, PartsGrowWithTheDisks) {
-  Scene scene = scene_of(100'000, 1000, {});
-  for (int k = 0; k < 1024; ++k) {
-    scene.disks.push_back(disk(100 * (k % 32), 100 * (k / 32), 1, 0, 0));
-  }
+  Scene scene = many_disks();
   for (int k = 1; k < 500; ++k) scene.maneuvers.push_back({Rational(k), k, 0, 0});
   ClaimedHistory h;
   h.header.horizon = 1000;
   for (int k = 1; k < 500; ++k) h.events.emplace_back(ManeuverEvent{double(k), k});
   h.count();
   // Any diagram: it is taken for what it is.
-  scene.horizon = 0;
-  Scene still = scene;
-  still.maneuvers.clear();
-  h.header.initial = run(still).initial;
+  h.header.initial = run(many_disks()).initial;
   scene.horizon = 1000;
   const CertifyOptions options = in_parts_of(40);
   const std::vector<std::size_t> parts = sizes(deal(scene, h, options));
