@@ -46,8 +46,9 @@ class Claims {
   };
 
   // `most_near` claims that are near each other are looked at together, at most. `places`: for the
-  // claims in their order, what a claim is about; empty: locate() finds out, for claims that are
-  // read ahead. Whoever is wrong there makes the checker slower. `kinds`: others are passed over.
+  // claims in their order, what a claim is about; empty: see
+  // unplaced_ahead(). Whoever is wrong there makes the checker slower. `kinds`: others are passed
+  // over.
   Claims(HistorySource& history, double tolerance, std::size_t most_near, EventKinds kinds,
          std::vector<Replay::Place> places)
       : ahead_(history, places.empty() ? kAhead : 0),
@@ -80,12 +81,10 @@ class Claims {
     const ReadAhead::Claim* const claim = ahead_.after(far);
     return claim != nullptr ? claim->place : Replay::Place{};
   }
-  // Finds out what the claim is about that will be read after so many others, where it is at hand
-  // and nobody knows: `find` tells, from the event.
-  template <class Find>
-  void locate(std::size_t far, Find&& find) {
-    if (!places_.empty()) return;
-    if (ReadAhead::Claim* const claim = ahead_.after(far)) claim->place = find(claim->event);
+  // The claim that will be read after so many others, where it is at hand and nobody has said what
+  // it is about, for whoever finds out to say so; else null.
+  ReadAhead::Claim* unplaced_ahead(std::size_t far) {
+    return places_.empty() ? ahead_.after(far) : nullptr;
   }
   // Makes the k-th of the near claims the one being checked.
   void take(std::size_t k);

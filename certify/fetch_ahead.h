@@ -16,11 +16,8 @@ namespace voroproof::internal {
                                                const EdgeLives& edges, const PairLives& pairs) {
   using HalfEdge = Diagram::HalfEdge;
   // Where nobody has said what they are about: as far as the present diagram tells.
-  claims.locate(11, [&](const Event& event) {
-    s.replay.prefetch(event);
-    return Replay::Place{};
-  });
-  claims.locate(8, [&](const Event& event) { return s.replay.place_of(event); });
+  if (const auto* const claim = claims.unplaced_ahead(11)) s.replay.prefetch(claim->event);
+  if (auto* const claim = claims.unplaced_ahead(8)) claim->place = s.replay.place_of(claim->event);
   const Diagram& d = s.diagram;
   const auto generator = [&](GenId g) { __builtin_prefetch(&s.motion.doubles(g)); };
   if (const HalfEdge h = claims.place_ahead(8).half; h >= 0) {

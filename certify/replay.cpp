@@ -218,7 +218,6 @@ void Replay::prefetch(const Event& event) const {
 }
 
 Replay::Place Replay::place_of(const Event& event) const {
-  if (diagram_.edges() == 0) return {};
   if (const auto* f = std::get_if<FlipEvent>(&event)) return {find(f->quad)};
   if (const auto* c = std::get_if<CollideEvent>(&event)) return {diagram_.anchor(c->j), c->i};
   const auto& m = std::get<ManeuverEvent>(event);
@@ -242,14 +241,14 @@ std::optional<Replay::Place> Replay::take(const Event& event) {
     note_collision(*c, computed);
     if (c->i != container_id) turn(c->i, event);
     turn(c->j, event);
-    return Place{diagram_.anchor(c->j), c->i};
+    return place_of(event);
   }
   const auto& m = std::get<ManeuverEvent>(event);
   const auto k = scheduled(m, exact_time(event));
   if (!k) return std::nullopt;
   note_maneuver(*k, m);
   turn(m.disk, event);
-  return Place{diagram_.anchor(m.disk), m.disk};
+  return place_of(event);
 }
 
 }  // namespace voroproof::internal

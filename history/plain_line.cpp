@@ -108,6 +108,7 @@ bool is_pair(Value& value, int last_id, CollideEvent& c) {
 class PlainLineReader::Implementation {
  public:
   Implementation() {
+    // No thread of its own: whoever reads decides how many there are.
 #ifdef SIMDJSON_THREADS_ENABLED
     parser_.threaded = false;
 #endif
