@@ -12,7 +12,8 @@ code is 0 if every fault is found but those that say why none can be ("survives"
 
 --only NAME  only this fault; may be given more than once
 --resume     leaves alone what has a result already, and believes how long the tests took
---check      only checks that each fault can be made in the tree as it is, and is in the document
+--check      only checks that each fault can be made in the tree as it is, and is in the document;
+             also those that the proved checker is tried with (tests/proofs/faults.py)
 """
 
 import argparse
@@ -28,6 +29,7 @@ import time
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
 FAULTS = pathlib.Path(__file__).with_name("faults.json")
+OF_PROOFS = TREE / "tests" / "proofs" / "faults.json"  # some have a text of their own
 DOCUMENT = TREE / "docs" / "seeded-faults.md"
 
 # The test programs of each room: name, target to build, command in the build directory.
@@ -83,6 +85,12 @@ def check(faults):
             faulty(fault, TREE)
             if f"| {fault['name']} |" not in document:
                 raise ValueError(f"{fault['name']}: {DOCUMENT.name} does not have it")
+        except ValueError as e:
+            wrong.append(str(e))
+    for fault in json.loads(OF_PROOFS.read_text()):
+        try:
+            if "file" in fault:
+                faulty(fault, TREE)
         except ValueError as e:
             wrong.append(str(e))
     return wrong
