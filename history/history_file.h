@@ -174,6 +174,9 @@ class HistoryReader {
 
  private:
   void read_header(std::string_view text, const std::string& wanted_sha256);
+  std::optional<Event> next_line();
+  // Of a line that is not in the usual form; nothing of the last line.
+  std::optional<Event> read_strictly(std::string_view text);
   void check_time(const Number& t, const char* field);
 
   std::string path_;

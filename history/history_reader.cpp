@@ -320,20 +320,30 @@ void HistoryReader::read_header(std::string_view text, const std::string& wanted
 
 std::optional<Event> HistoryReader::next() {
   if (ending_) return std::nullopt;
+  return next_line();
+}
+
+std::optional<Event> HistoryReader::next_line() {
   const std::int64_t begin = lines_.offset();
   const auto text = lines_.next(max_event_line);
   if (!text)
     throw InputError(path_, lines_.number(), "", "incomplete: the file ends without an end line");
   extensions_.clear();
-  if (auto event = plain_lines_.event(*text, lines_.ahead(), begin, last_id_)) {
+  std::optional<Event> event = plain_lines_.event(*text, lines_.ahead(), begin, last_id_);
+  if (event) {
     check_time({time(*event), {}}, "t");
-    counts_.flips += std::holds_alternative<FlipEvent>(*event);
-    counts_.collisions += std::holds_alternative<CollideEvent>(*event);
-    counts_.maneuvers += std::holds_alternative<ManeuverEvent>(*event);
-    EventLimit::check(counts_);
-    return event;
+  } else {
+    event = read_strictly(*text);
   }
-  Line line = read_line(*text, path_, lines_.number(), last_id_, header_.horizon);
+  if (event) {
+    counts_.add(*event);
+    EventLimit::check(counts_);
+  }
+  return event;
+}
+
+std::optional<Event> HistoryReader::read_strictly(std::string_view text) {
+  Line line = read_line(text, path_, lines_.number(), last_id_, header_.horizon);
   extensions_ = std::move(line.extensions);
   if (!(line.seen & end_line)) check_time(line.time, line.seen & stop_line ? "stopped" : "t");
   if (line.ending) {
@@ -342,11 +352,8 @@ std::optional<Event> HistoryReader::next() {
     ending_ = std::move(line.ending);
     return std::nullopt;
   }
-  const bool flips = line.seen & flip_line, collides = line.seen & collide_line;
-  ++(flips ? counts_.flips : collides ? counts_.collisions : counts_.maneuvers);
-  EventLimit::check(counts_);
-  if (flips) return flip_of(line);
-  if (collides) return collision_of(line);
+  if (line.seen & flip_line) return flip_of(line);
+  if (line.seen & collide_line) return collision_of(line);
   return maneuver_of(line);
 }
 

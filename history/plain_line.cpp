@@ -114,17 +114,17 @@ class PlainLineReader::Implementation {
 #endif
   }
 
-  std::optional<Event> event(std::string_view line, std::string_view text, std::int64_t begin,
-                             int last_id) {
+  // Whether the line is right in form. What `event` is then is the line's; else it may be anything.
+  bool read(std::string_view line, std::string_view text, std::int64_t begin, int last_id,
+            std::optional<Event>& event) {
     // The second time it is the line alone.
     for (int k = 0; k < 2 && !is_at(begin); ++k) load(line, text, begin);
-    if (!is_at(begin)) return std::nullopt;
-    std::optional<Event> event = next_event(last_id);
+    if (!is_at(begin)) return false;
+    const bool right = next_event(last_id, event);
     ++next_;
     // An object of this form has no brace inside: it ends with the first one.
     const std::size_t end = std::min(line.find('}'), line.size() - 1);
-    const bool fills = line[end] == '}' && line.find_first_not_of(" \t\r", end + 1) == line.npos;
-    return fills ? event : std::nullopt;
+    return right && line[end] == '}' && line.find_first_not_of(" \t\r", end + 1) == line.npos;
   }
 
  private:
@@ -157,21 +157,20 @@ class PlainLineReader::Implementation {
     next_ = objects_.begin();
   }
 
-  std::optional<Event> next_event(int last_id) {
+  bool next_event(int last_id, std::optional<Event>& event) {
     json::document_reference document;
     json::object object;
-    if ((*next_).get(document) || document.get_object().get(object)) return std::nullopt;
+    if ((*next_).get(document) || document.get_object().get(object)) return false;
     double t = 0;
-    std::optional<Event> event;
     int seen = 0;
     for (auto field : object) {
       json::raw_json_string key;
-      if (field.key().get(key)) return std::nullopt;
+      if (field.key().get(key)) return false;
       Value value = field.value();
-      if (!take(key, value, last_id, seen, t, event)) return std::nullopt;
+      if (!take(key, value, last_id, seen, t, event)) return false;
     }
     if (event) std::visit([t](auto& e) { e.t = t; }, *event);
-    return event;
+    return event.has_value();
   }
 
   // Takes the members in the order of the writer: the time, what happened, then perhaps v, then
@@ -214,7 +213,9 @@ PlainLineReader::~PlainLineReader() = default;
 
 std::optional<Event> PlainLineReader::event(std::string_view line, std::string_view text,
                                             std::int64_t begin, int last_id) {
-  return implementation_->event(line, text, begin, last_id);
+  std::optional<Event> event;
+  if (!implementation_->read(line, text, begin, last_id, event)) event.reset();
+  return event;
 }
 
 }  // namespace voroproof::internal
