@@ -47,11 +47,11 @@ bool Claims::read() {
   }
   const double t = time(claim->event);
   const bool overlooked = full_ && t <= taken_ + 2 * tolerance_;
-  near_.push_back(
-      {std::move(claim->event), claim->line, place_ahead(0).half, {}, false, overlooked});
+  near_.emplace_back(std::move(claim->event), claim->line, place_ahead(0).half, overlooked);
   times_.push_back(t);
   lines_.push_back(claim->line);
   ahead_.drop_first();
+  if (times_.size() + 16 < places_.size()) __builtin_prefetch(&places_[times_.size() + 16]);
   return true;
 }
 
@@ -95,7 +95,7 @@ bool Claims::has_unchecked(const Maneuver& due, const Rational& tolerance) {
         const auto* stop = std::get_if<HistoryStop>(&history().ending());
         return stop != nullptr && stop->t <= latest;
       }
-      near_.push_back({std::move(claim->event), claim->line, -1, {}});
+      near_.emplace_back(std::move(claim->event), claim->line, -1, false);
       ahead_.drop_first();
       if (is_it(near_.back().event)) return true;
     }

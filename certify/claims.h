@@ -33,10 +33,13 @@ class Claims {
   using HalfEdge = Diagram::HalfEdge;
 
   struct Claim {
+    Claim(Event&& e, std::int64_t l, HalfEdge p, bool o)
+        : event(std::move(e)), line(l), place(p), overlooked(o) {}
+
     Event event;
     std::int64_t line;
     HalfEdge place;  // what it is about, as far as somebody knows, or -1
-    Tie tie;
+    Tie tie{};
     bool placed = false;  // no order with another is known: it stays where the file has it
     // Others were taken without a look at it: more were near these than are looked at together.
     bool overlooked = false;

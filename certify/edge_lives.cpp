@@ -100,13 +100,14 @@ void EdgeLives::end_life(int edge, const Moment& m, bool closed, std::size_t k) 
   ++s_.certificate.edge_lives;
   Life& life = lives_[edge];
   if (life.pending) return;
+  life.clear_end = batch_.rootless(k);
   if (life.illegal) {
     if ((life.born == front_.instant && !closed) || left_out(front_.moment)) return;
     Collapse c;
     c.lo = c.hi = m.lo;
     throw Refuted{refuter_.missing_flip(s_.diagram.quad(2 * edge), c)};
   }
-  if (!life.due && batch_.rootless(k)) return;
+  if (!life.due && life.clear_end) return;
   const Quad q = s_.diagram.quad(2 * edge);
   if (!life.due) {
     if (batch_.one_root(k) && proved_free_of_one(s_.motion, q, m.hi, batch_.end_sign(k))) return;
@@ -126,10 +127,15 @@ void EdgeLives::end_life(int edge, const Moment& m, bool closed, std::size_t k) 
 
 void EdgeLives::begin(std::span<const int> edges, const Moment& m) {
   batch_.clear();
-  for (const int e : edges) batch_.add(s_.diagram.quad(2 * e), m.lo, m.hi);
+  for (const int e : edges) {
+    if (!lives_[e].clear_end) batch_.add(s_.diagram.quad(2 * e), m.lo, m.hi);
+  }
   batch_.prove_instant();
-  for (std::size_t k = 0; k < edges.size(); ++k)
-    begin_life(edges[k], m, nullptr, batch_.rootless(k));
+  std::size_t asked = 0;
+  for (const int e : edges) {
+    const bool rootless = lives_[e].clear_end || batch_.rootless(asked++);
+    begin_life(e, m, nullptr, rootless);
+  }
 }
 
 void EdgeLives::end(std::span<const int> edges, const Moment& m, bool closed) {
@@ -187,7 +193,7 @@ void EdgeLives::end_beside(const EdgeRing& ring, const Moment& m) {
   const auto& e = ring.edges;
   batch_.prove_around(ring.q, ring.outer,
                       {lives_[e[0]].from, lives_[e[1]].from, lives_[e[2]].from, lives_[e[3]].from},
-                      m.hi);
+                      m.lo, m.hi);
   for (int k = 0; k < 4; ++k) end_life(e[k], m, false, k);
 }
 
@@ -195,9 +201,7 @@ void EdgeLives::begin_after_flip(int edge, const EdgeRing& ring, const Moment& m
                                  const IsolatedRoot* own) {
   begin_life(edge, m, own, false);
   const Quad& q = ring.q;
-  if (ring.count == 4) {
-    batch_.prove_around_flipped(q, ring.outer, m.lo, m.hi);
-  } else {
+  if (ring.count < 4) {
     batch_.clear();
     for (const int e : ring.near()) batch_.add(s_.diagram.quad(2 * e), m.lo, m.hi);
     batch_.prove_instant();
@@ -207,16 +211,22 @@ void EdgeLives::begin_after_flip(int edge, const EdgeRing& ring, const Moment& m
     const GenId g = ring.outer[k];
     const bool same = (g == q.l || g == q.r || g == q.s || g == q.e) &&
                       same_generators(s_.diagram.quad(2 * ring.edges[k]), q);
-    begin_life(ring.edges[k], m, same ? own : nullptr, batch_.rootless(k));
+    const bool rootless = ring.count < 4 ? batch_.rootless(k) : batch_.rootless_flipped(k);
+    begin_life(ring.edges[k], m, same ? own : nullptr, rootless);
   }
 }
 
+// Recorded truth: a disk is in one place before and after it turns, so that what is not cotangent
+// before is not so after. Under the exact truth the place after a collision is rounded.
 void EdgeLives::postpone(std::span<const int> edges, const Moment& m) {
   turned_since_ = turned_since_ || first_left_out_ || last_flip_;
+  const bool continuous = s_.options.truth == Truth::recorded && m.lo == m.hi;
   for (const int e : edges) {
     Life& life = lives_[e];
     if (!life.pending) pending_.push_back(e);
+    const bool clear_end = life.clear_end && continuous;
     life = {};
+    life.clear_end = clear_end;
     life.from = m.lo;
     life.born = front_.instant;
     life.pending = true;

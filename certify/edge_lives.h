@@ -42,6 +42,8 @@ class EdgeLives {
     bool illegal = false;  // it has to flip at that instant
     bool due = false;      // it collapses at its root due(), next
     bool pending = false;  // it begins when all that turns at that instant has turned
+    // Ended, or pending after its end: its generators are proved not to be cotangent at the end.
+    bool clear_end = false;
   };
 
   EdgeLives(Setting& s, Front& front, const Refuter& refuter)
@@ -80,8 +82,11 @@ class EdgeLives {
   // where all of them together are none.
   void postpone(std::span<const int> edges, const Moment& m);
   bool any_pending() const { return !pending_.empty(); }
-  // The pending edges, which are to begin now.
-  std::vector<int> take_pending() { return std::exchange(pending_, {}); }
+  // Exchanges the pending edges, which are to begin now, for the vector, which is cleared.
+  void take_pending(std::vector<int>& edges) {
+    edges.clear();
+    pending_.swap(edges);
+  }
   // The edge is proved to be legal just after `from`, at the present instant or a little later.
   void begin_proved(int edge, double from) {
     lives_[edge] = {.from = from, .born = front_.instant};

@@ -84,8 +84,8 @@ Flips::Found Flips::collapse_for(const FlipEvent& claim, HalfEdge h) {
   const EdgeLives::Life& life = edges_.life(h / 2);
   std::optional<IsolatedRoot> easy;
   if (!life.illegal && !life.due) {
-    const IsolatedRoot root = edges_.claimed_root(q, claim.t);
-    if (proved_first_collapse(s_.motion, q, life.from, root.lo, root.hi)) return {root};
+    IsolatedRoot root = edges_.claimed_root(q, claim.t);
+    if (proved_first_collapse(s_.motion, q, life.from, root.lo, root.hi)) return {std::move(root)};
     easy = edges_.bracket(q, life.from, claim.t);
   }
   if (easy && proved_free(s_.motion, q, life.from, easy->lo)) return {*easy};

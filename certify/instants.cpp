@@ -1,6 +1,7 @@
 #include "certify/instants.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <set>
 #include <utility>
@@ -58,9 +59,10 @@ void Instants::begin_pending_lives() {
   if (!s_.options.judges_flips() && front_.begun) s_.chronology.note_collisions(front_.moment);
   if (!edges_.any_pending()) return;
   s_.chronology.note_collisions(front_.moment);
-  const std::vector<int> edges = edges_.take_pending();
-  if (s_.points.any()) require_areas(edges);
-  edges_.begin(prove_hidden_anew(edges), front_.moment);
+  edges_.take_pending(beginning_);
+  if (s_.points.any()) require_areas(beginning_);
+  prove_hidden_anew(beginning_);
+  edges_.begin(beginning_, front_.moment);
 }
 
 // The points among the generators of these edges, which are all around the disks that have turned,
@@ -83,10 +85,10 @@ void Instants::require_areas(const std::vector<int>& edges) const {
 // Recorded truth: of the pairs around the disks that have turned at the present instant, those of
 // which one generator has lain inside the other since they last met. At a time at which none does
 // so any more the whole diagram is proved anew: in the hidden moment nothing was. The lives of the
-// edges with both of such a pair among their generators begin then. Gives the other edges.
-std::vector<int> Instants::prove_hidden_anew(const std::vector<int>& edges) {
+// edges with both of such a pair among their generators begin then. Leaves the other edges.
+void Instants::prove_hidden_anew(std::vector<int>& edges) {
   RecordedContacts& recorded = pairs_.recorded().contacts();
-  if (!recorded.carries_any() || s_.diagram.edges() == 0) return edges;
+  if (!recorded.carries_any() || s_.diagram.edges() == 0) return;
   std::set<std::pair<GenId, GenId>> hidden;
   Rational revealed;
   for (const int e : edges) {
@@ -97,31 +99,26 @@ std::vector<int> Instants::prove_hidden_anew(const std::vector<int>& edges) {
     if (!t) throw Undecided("a generator lies inside another for long", pair.first, pair.second);
     revealed = std::max(revealed, *t);
   }
-  if (hidden.empty()) return edges;
+  if (hidden.empty()) return;
   revealed_ = std::max(revealed_, round_up(revealed));
   const Rational at = to_rational(revealed_);
   if (initial_fault(s_.diagram, s_.motion, at, s_.certificate.tiers, s_.options.threads)) {
     throw Undecided("the diagram is not proved after a generator lay inside another",
                     hidden.begin()->first, hidden.begin()->second);
   }
-  std::vector<int> rest;
-  for (const int e : edges) {
+  const auto concerned = [&](int e) {
     const Quad q = s_.diagram.quad(2 * e);
     const auto among = [&](GenId g) { return g == q.l || g == q.r || g == q.s || g == q.e; };
-    const bool concerned = std::any_of(hidden.begin(), hidden.end(), [&](const auto& pair) {
-      return among(pair.first) && among(pair.second);
-    });
-    if (concerned) {
-      edges_.begin_proved(e, revealed_);
-    } else {
-      rest.push_back(e);
-    }
-  }
+    return std::any_of(hidden.begin(), hidden.end(),
+                       [&](const auto& pair) { return among(pair.first) && among(pair.second); });
+  };
+  const auto begun = std::stable_partition(edges.begin(), edges.end(), std::not_fn(concerned));
+  std::for_each(begun, edges.end(), [&](int e) { edges_.begin_proved(e, revealed_); });
+  edges.erase(begun, edges.end());
   for (const auto& pair : hidden) {
     ++s_.certificate.proved_anew;
     recorded.reveal(pair, at);
   }
-  return rest;
 }
 
 bool Instants::in_time(const Moment& m) {

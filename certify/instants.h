@@ -45,7 +45,7 @@ class Instants {
 
  private:
   void require_areas(const std::vector<int>& edges) const;
-  std::vector<int> prove_hidden_anew(const std::vector<int>& edges);
+  void prove_hidden_anew(std::vector<int>& edges);
 
   Setting& s_;
   const Claims& claims_;
@@ -54,8 +54,9 @@ class Instants {
   EdgeLives& edges_;
   PairLives& pairs_;
   TurnOrder& order_;
-  std::int64_t tie_ = 0;  // what is tied so is simultaneous with the front
-  double revealed_ = 0;   // up to here a generator lay inside another at the last such moment
+  std::int64_t tie_ = 0;        // what is tied so is simultaneous with the front
+  std::vector<int> beginning_;  // edges whose lives begin
+  double revealed_ = 0;         // up to here a generator lay inside another at the last such moment
 };
 
 }  // namespace voroproof::internal

@@ -33,6 +33,10 @@ class ClaimList {
   void add(Event&& event, std::int64_t line);
   Event take(std::size_t k);  // each once
   std::int64_t line(std::size_t k) const { return claims_[k].line; }
+  // Asks for the memory of a claim, if there is one, that is taken later.
+  [[gnu::always_inline]] void prefetch(std::size_t k) const {
+    if (k < claims_.size()) __builtin_prefetch(&claims_[k]);
+  }
 
  private:
   static constexpr GenId kOther = container_id - 1;  // no generator

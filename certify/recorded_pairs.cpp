@@ -19,6 +19,14 @@ T excess(const Motion& motion, GenId i, GenId j, double t) {
   return Contact<T>(motion.moving_site(i, at), motion.moving_site(j, at)).c;
 }
 
+// Whether the excess, of a disk inside the container negated, is certainly above both.
+template <class T>
+bool certainly_above(const Motion& motion, GenId i, GenId j, double t, double a, double b) {
+  T over = excess<T>(motion, i, j, t);
+  if (i == container_id) over = -over;
+  return sign(over - T(a)) == Sign::positive && sign(over - T(b)) == Sign::positive;
+}
+
 }  // namespace
 
 // How far roundings of the file may have moved the two towards each other.
@@ -28,20 +36,18 @@ Rational RecordedPairs::rounding(GenId i, GenId j) const {
 }
 
 // Whether two certainly overlap at t by no more than half of what is a rounding, so that nothing
-// has to be carried on; and their tangency certainly has the right sign. Doubles do not tell so
-// much.
+// has to be carried on; and their tangency certainly has the right sign. Doubles tell so much of
+// disks that have turned some times, double-doubles of nearly all.
 bool RecordedPairs::certainly_shallow(GenId i, GenId j, double t) const {
   const DoubleMotion &m = s_.motion.doubles(i), &n = s_.motion.doubles(j);
   const double reach = std::fabs(m.r + n.r);
   const double lines = std::max(1, s_.replay.turns(i) + s_.replay.turns(j));
   const double depth = 0x1p-52 * std::fabs(s_.motion.doubles(container_id).r) * lines;
   if (!(8 * depth <= reach)) return false;
-  const DdBall over = excess<DdBall>(s_.motion, i, j, t);
-  const DdBall slack(depth * reach), product(4 * std::fabs(m.r) * std::fabs(n.r) * (1 - 0x1p-40));
-  if (i == container_id) {
-    return sign(over - slack) == Sign::negative && sign(over - product) == Sign::negative;
-  }
-  return sign(over + slack) == Sign::positive && sign(over + product) == Sign::positive;
+  const double least = -depth * reach;
+  const double tangent = -4 * std::fabs(m.r) * std::fabs(n.r) * (1 - 0x1p-40);
+  return certainly_above<DoubleBall>(s_.motion, i, j, t, least, tangent) ||
+         certainly_above<DdBall>(s_.motion, i, j, t, least, tangent);
 }
 
 bool RecordedPairs::certainly_part(GenId i, GenId j, double from) const {

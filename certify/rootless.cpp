@@ -54,7 +54,68 @@ LaneMask separated(const Lanes (&radius)[4], const Form<Lanes, 2> (&p)[6],
   return all;
 }
 
+// A tangency on each lane, at one time.
+struct Tangency {
+  Lanes value;
+  Bound<Lanes> bound;
+};
+
+// The lanes with these numbers, from 4 on of b.
+template <int... lane>
+Lanes lanes_of(const Lanes& a, const Lanes& b) {
+  return __builtin_shufflevector(a, b, lane...);
+}
+template <int... lane>
+Tangency lanes_of(const Tangency& a, const Tangency& b) {
+  return {
+      lanes_of<lane...>(a.value, b.value),
+      {lanes_of<lane...>(a.bound.size, b.bound.size), lanes_of<lane...>(a.bound.err, b.bound.err)}};
+}
+Lanes exchanged(const Lanes& halves) { return lanes_of<2, 3, 0, 1>(halves, halves); }
+
 }  // namespace
+
+// Four generators on each lane, over an interval [a, b] of each.
+//
+// Error bound. A coordinate at an end of the interval is x + v dt: dt, the product and the sum are
+// rounded once each, which is below 4u times all the magnitudes together, and the motion's own
+// errors add ex + ev |dt|; ex is that of the radius as well. The rest is by the rules of Bound.
+struct RootlessBatch::Window {
+  Window(const std::array<MotionLanes, 4>& generators, const Lanes& a, const Lanes& b);
+
+  Lanes x1[4], y1[4];         // at b
+  Lanes radius[4], error[4];  // error: of a coordinate and the radius
+  Lanes speed[4];             // at most
+  Lanes end;                  // b
+  Form<Lanes, 2> p[6];        // the tangencies of the pairs I, J
+  Lanes far[6], dr[6];        // of these: |x| + |y| at most, and |r|
+};
+
+[[gnu::always_inline]] inline RootlessBatch::Window::Window(
+    const std::array<MotionLanes, 4>& generators, const Lanes& a, const Lanes& b)
+    : end(b) {
+  Lanes x0[4], y0[4];
+  for (int i = 0; i < 4; ++i) {
+    const MotionLanes& g = generators[i];
+    const Lanes ta = a - g.t, tb = b - g.t;
+    x0[i] = g.x + g.vx * ta;
+    y0[i] = g.y + g.vy * ta;
+    x1[i] = g.x + g.vx * tb;
+    y1[i] = g.y + g.vy * tb;
+    radius[i] = g.r;
+    speed[i] = abs(g.vx) + abs(g.vy) + g.ev;
+    const Lanes size = abs(g.x) + abs(g.y) + abs(x0[i]) + abs(y0[i]) + abs(x1[i]) + abs(y1[i]);
+    error[i] = 4 * u * size + g.ex + g.ev * (abs(ta) + abs(tb));
+  }
+  for (int k = 0; k < 6; ++k) {
+    const int i = I[k], j = J[k];
+    const Form<Lanes, 1> x{{x0[i] - x0[j], x1[i] - x1[j]}}, y{{y0[i] - y0[j], y1[i] - y1[j]}};
+    const Lanes r = radius[i] - radius[j];
+    p[k] = tangency_of(x, y, Form<Lanes, 0>{{r}});
+    far[k] = larger(abs(x.c[0]) + abs(y.c[0]), abs(x.c[1]) + abs(y.c[1]));
+    dr[k] = abs(r);
+  }
+}
 
 int most_roots(unsigned above, unsigned below) {
   if (above == 0 || below == 0) return 0;
@@ -67,12 +128,9 @@ void RootlessBatch::prove() {
   for (std::size_t k = 0; k < spans_.size(); k += kLanes) {
     const std::size_t count = std::min(kLanes, spans_.size() - k);
     const std::array<const Span*, kLanes> of = lanes(k, count);
-    std::array<double, kLanes> a{}, b{};
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      a[i] = of[i]->a;
-      b[i] = of[i]->b;
-    }
-    judge(gather(of), a, b, k, count);
+    const Lanes a{of[0]->a, of[1]->a, of[2]->a, of[3]->a};
+    const Lanes b{of[0]->b, of[1]->b, of[2]->b, of[3]->b};
+    judge(Window(gather(of), a, b), k, count);
   }
 }
 
@@ -87,7 +145,7 @@ void RootlessBatch::prove_instant() {
 // The cotangency is the same function in whatever order the four are.
 
 void RootlessBatch::prove_around(const Quad& q, const std::array<GenId, 4>& outer,
-                                 const std::array<double, 4>& from, double b) {
+                                 const std::array<double, 4>& from, double a, double b) {
   found_.assign(kLanes, Found::nothing);
   end_signs_.resize(kLanes);
   const DoubleMotion &s = motion_.doubles(q.s), &e = motion_.doubles(q.e);
@@ -95,18 +153,9 @@ void RootlessBatch::prove_around(const Quad& q, const std::array<GenId, 4>& oute
       MotionLanes(motion_.doubles(q.l)), MotionLanes(motion_.doubles(q.r)), MotionLanes(e, e, s, s),
       MotionLanes(motion_.doubles(outer[0]), motion_.doubles(outer[1]), motion_.doubles(outer[2]),
                   motion_.doubles(outer[3]))};
-  judge(g, from, {b, b, b, b}, 0, kLanes);
-}
-
-void RootlessBatch::prove_around_flipped(const Quad& q, const std::array<GenId, 4>& outer, double a,
-                                         double b) {
-  found_.assign(kLanes, Found::nothing);
-  const DoubleMotion &l = motion_.doubles(q.l), &r = motion_.doubles(q.r);
-  const std::array<MotionLanes, 4> g{
-      MotionLanes(motion_.doubles(q.s)), MotionLanes(motion_.doubles(q.e)), MotionLanes(r, l, l, r),
-      MotionLanes(motion_.doubles(outer[0]), motion_.doubles(outer[1]), motion_.doubles(outer[2]),
-                  motion_.doubles(outer[3]))};
-  judge_at(g, a, b, 0, kLanes);
+  const Window window(g, load(from.data()), splat(b));
+  judge(window, 0, kLanes);
+  judge_flipped(window, a);
 }
 
 // The last of them again where there are fewer.
@@ -128,38 +177,12 @@ std::array<MotionLanes, 4> RootlessBatch::gather(const std::array<const Span*, k
 // The flip polynomials f of four quadruplets in the Bernstein basis of degree 8 over [a, b]:
 // without a root where all coefficients have one sign, and with one at most where they change it
 // once.
-//
-// Error bound. A coordinate at an end of the interval is x + v dt: dt, the product and the sum are
-// rounded once each, which is below 4u times all the magnitudes together, and the motion's own
-// errors add ex + ev |dt|; ex is that of the radius as well. The rest is by the rules of Bound.
-void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
-                          const std::array<double, kLanes>& from,
-                          const std::array<double, kLanes>& to, std::size_t first,
-                          std::size_t count) {
-  const Lanes a{from[0], from[1], from[2], from[3]}, b{to[0], to[1], to[2], to[3]};
-  Lanes x0[4], y0[4], x1[4], y1[4], radius[4], error[4];
-  for (int i = 0; i < 4; ++i) {
-    const MotionLanes& g = generators[i];
-    const Lanes ta = a - g.t, tb = b - g.t;
-    x0[i] = g.x + g.vx * ta;
-    y0[i] = g.y + g.vy * ta;
-    x1[i] = g.x + g.vx * tb;
-    y1[i] = g.y + g.vy * tb;
-    radius[i] = g.r;
-    const Lanes size = abs(g.x) + abs(g.y) + abs(x0[i]) + abs(y0[i]) + abs(x1[i]) + abs(y1[i]);
-    error[i] = 4 * u * size + g.ex + g.ev * (abs(ta) + abs(tb));
-  }
-  Form<Lanes, 2> p[6];
+void RootlessBatch::judge(const Window& w, std::size_t first, std::size_t count) {
   Bound<Lanes> bound[6];
   for (int k = 0; k < 6; ++k) {
-    const int i = I[k], j = J[k];
-    const Form<Lanes, 1> x{{x0[i] - x0[j], x1[i] - x1[j]}}, y{{y0[i] - y0[j], y1[i] - y1[j]}};
-    const Lanes dr = radius[i] - radius[j];
-    p[k] = tangency_of(x, y, Form<Lanes, 0>{{dr}});
-    const Lanes far = larger(abs(x.c[0]) + abs(y.c[0]), abs(x.c[1]) + abs(y.c[1]));
-    bound[k] = tangency_bound<Lanes>(far, abs(dr), error[i] + error[j]);
+    bound[k] = tangency_bound<Lanes>(w.far[k], w.dr[k], w.error[I[k]] + w.error[J[k]]);
   }
-  const Form<Lanes, 8> f = cotangency_of_pairs(p);
+  const Form<Lanes, 8> f = cotangency_of_pairs(w.p);
   const Lanes total = cotangency_error(bound);
   LaneMask positive = f.c[0] > total, negative = f.c[0] < -total;
   for (int k = 1; k < 9; ++k) {
@@ -172,7 +195,7 @@ void RootlessBatch::judge(const std::array<MotionLanes, 4>& generators,
     if (proved[k] != 0) found_[first + k] = Found::rootless;
   }
   if (!any(~proved)) return;
-  const LaneMask asked = separated(radius, p, bound) & ~proved;
+  const LaneMask asked = separated(w.radius, w.p, bound) & ~proved;
   for (std::size_t k = 0; k < count; ++k) {
     if (asked[k] != 0) count_roots(f, total, k, first + k);
   }
@@ -192,6 +215,43 @@ void RootlessBatch::count_roots(const Form<Lanes, 8>& f, const Lanes& total, std
   found_[k] = Found::one_root;
   const bool up = (above >> 8) != 0, down = (below >> 8) != 0;
   end_signs_[k] = up && down ? Sign::unknown : up ? Sign::positive : Sign::negative;
+}
+
+// Judges the edges of prove_around() as they are when q has flipped, over [since, b]. Their four
+// are s, e, one of l and r, and the outer one: of the tangencies at b two alone are not those of
+// before. A coordinate moves by at most |v| + ev times the interval from where it is at b.
+void RootlessBatch::judge_flipped(const Window& w, double since) {
+  const Lanes length = w.end - since;
+  Lanes error[4];
+  for (int i = 0; i < 4; ++i) {
+    error[i] = (w.error[i] + w.speed[i] * length) * bound_up + 1e-290;
+  }
+  Tangency before[6];
+  for (int k = 0; k < 6; ++k) {
+    before[k] = {w.p[k].c[2], tangency_bound<Lanes>(w.far[k], w.dr[k], error[I[k]] + error[J[k]])};
+  }
+  // On each lane the edge has `own`, of s and e the one that is its own before and after, the
+  // `other` of the two after, and r, l, l, r.
+  constexpr int own_outer = 1, l_own = 2, r_outer = 3, l_outer = 4, r_own = 5;
+  const Lanes x = exchanged(w.x1[2]), y = exchanged(w.y1[2]), r = exchanged(w.radius[2]);
+  const auto with_other = [&](int i) -> Tangency {
+    const Form<Lanes, 0> dx{{w.x1[i] - x}}, dy{{w.y1[i] - y}}, dr{{w.radius[i] - r}};
+    return {tangency_of(dx, dy, dr).c[0],
+            tangency_bound<Lanes>(abs(dx.c[0]) + abs(dy.c[0]), abs(dr.c[0]),
+                                  error[i] + exchanged(error[2]))};
+  };
+  const Tangency after[6] = {
+      with_other(2),     lanes_of<0, 5, 6, 3>(before[r_outer], before[l_outer]),
+      before[own_outer], lanes_of<2, 7, 4, 1>(before[r_own], before[l_own]),
+      with_other(3),     lanes_of<0, 5, 6, 3>(before[r_own], before[l_own])};
+  Form<Lanes, 0> p[6];
+  Bound<Lanes> bound[6];
+  for (int k = 0; k < 6; ++k) {
+    p[k] = {{after[k].value}};
+    bound[k] = after[k].bound;
+  }
+  const LaneMask proved = abs(cotangency_of_pairs(p).c[0]) > cotangency_error(bound);
+  for (std::size_t k = 0; k < kLanes; ++k) flipped_[k] = proved[k] != 0;
 }
 
 // Judges at one time with an uncertainty: the polynomials are constants. A coordinate moves by at

@@ -28,14 +28,14 @@ class RootlessBatch {
   void prove_instant();
   // prove() of the four edges around the V-edge q, no two of which are the same, numbered in the
   // order (r,e), (e,l), (l,s), (s,r): outer[k] is the third generator of the k-th on the side where
-  // q is not, and its interval is [from[k], b].
+  // q is not, and its interval is [from[k], b]. And prove_instant() of the same edges as they are
+  // when q has flipped, over [a, b]: rootless_flipped() tells of these.
   void prove_around(const Quad& q, const std::array<GenId, 4>& outer,
-                    const std::array<double, 4>& from, double b);
-  // prove_instant() of the same edges as they are after q has flipped.
-  void prove_around_flipped(const Quad& q, const std::array<GenId, 4>& outer, double a, double b);
+                    const std::array<double, 4>& from, double a, double b);
   // Whether the flip polynomial of the k-th provably has no root in its [a, b]: its four generators
   // are cotangent at no time of it, the ends included. False says nothing.
   bool rootless(std::size_t k) const { return found_[k] == Found::rootless; }
+  bool rootless_flipped(std::size_t k) const { return flipped_[k]; }
   // Whether provably it has at most one, and the four are separated throughout [a, b]: no disk
   // touches the inside of another, or leaves the container. False says nothing.
   bool one_root(std::size_t k) const { return found_[k] == Found::one_root; }
@@ -51,8 +51,9 @@ class RootlessBatch {
   static constexpr std::size_t kLanes = 4;
   std::array<const Span*, kLanes> lanes(std::size_t first, std::size_t count) const;
   std::array<MotionLanes, 4> gather(const std::array<const Span*, kLanes>& of) const;
-  void judge(const std::array<MotionLanes, 4>& generators, const std::array<double, kLanes>& from,
-             const std::array<double, kLanes>& to, std::size_t first, std::size_t count);
+  struct Window;
+  void judge(const Window& window, std::size_t first, std::size_t count);
+  void judge_flipped(const Window& window, double since);
   void count_roots(const Form<Lanes, 8>& f, const Lanes& total, std::size_t lane, std::size_t k);
   void judge_at(const std::array<MotionLanes, 4>& generators, double a, double b, std::size_t first,
                 std::size_t count);
@@ -61,6 +62,7 @@ class RootlessBatch {
   std::vector<Span> spans_;
   std::vector<Found> found_;
   std::vector<Sign> end_signs_;
+  std::array<bool, kLanes> flipped_{};  // rootless when q has flipped
 };
 
 // How many roots at most a polynomial has by Descartes' rule, where of its Bernstein coefficients,

@@ -124,7 +124,8 @@ TEST(RootlessBatch, AroundAFlip) {
         {{q.r, q.e}, {q.e, q.l}, {q.l, q.s}, {q.s, q.r}}};
     const std::array<GenId, 4> before{q.l, q.r, q.r, q.l}, after{q.s, q.s, q.e, q.e};
     RootlessBatch around(motion), alone(motion);
-    around.prove_around(q, outer, from, b);
+    const double since = b - std::ldexp(1, -static_cast<int>(random() % 24));
+    around.prove_around(q, outer, from, since, b);
     for (int n = 0; n < 4; ++n) {
       alone.add({ring[n][0], ring[n][1], outer[n], before[n]}, from[n], b);
     }
@@ -133,28 +134,59 @@ TEST(RootlessBatch, AroundAFlip) {
       proved += around.rootless(n);
       same += around.rootless(n) == alone.rootless(n) && around.one_root(n) == alone.one_root(n);
     }
-    const double c = b + std::ldexp(1, -static_cast<int>(random() % 16));
-    around.prove_around_flipped(q, outer, b, c);
     alone.clear();
-    for (int n = 0; n < 4; ++n) alone.add({ring[n][0], ring[n][1], outer[n], after[n]}, b, c);
+    for (int n = 0; n < 4; ++n) alone.add({ring[n][0], ring[n][1], outer[n], after[n]}, since, b);
     alone.prove_instant();
     for (int n = 0; n < 4; ++n) {
-      same_after += around.rootless(n) == alone.rootless(n);
-      if (!around.rootless(n)) continue;
+      same_after += around.rootless_flipped(n) == alone.rootless(n);
+      if (!around.rootless_flipped(n)) continue;
       ++proved_after;
       const Quad now{ring[n][0], ring[n][1], outer[n], after[n]};
       const int sign = cotangency_sign(in, now, b);
       ASSERT_NE(sign, 0);
-      for (int part = 1; part <= 8; ++part) {
-        ASSERT_EQ(cotangency_sign(in, now, part == 8 ? c : b + (c - b) * 0.125 * part), sign);
+      for (int part = 0; part < 8; ++part) {
+        ASSERT_EQ(cotangency_sign(in, now, since + (b - since) * 0.125 * part), sign);
       }
     }
   }
-  // In another order of the four the bound is another one, which tells over long intervals.
+  // In another order of the four the bound is another one, which tells over long intervals; after
+  // the flip it is one for twice the interval, and for where the four have been since `from`.
   EXPECT_GE(same, 1190);
-  EXPECT_GE(same_after, 1150);
+  EXPECT_GE(same_after, 1050);
   EXPECT_GT(proved, 600);
   EXPECT_GT(proved_after, 600);
+}
+
+// An edge beside a flip whose own root, after the flip, is in the short interval.
+TEST(RootlessBatch, NoRootIsLostBesideAFlip) {
+  Random random(11);
+  int with_root = 0;
+  for (int k = 0; k < 60; ++k) {
+    MotionInput in = random_input(100, 40, 1, random);
+    const MotionInput more = random_input(100, 20, 1, random);
+    in.disks.insert(in.disks.end(), more.disks.begin(), more.disks.end());
+    const Motion motion(in, {});
+    Quad q{0, 1, 2, 3};
+    if (k % 4 == 0) q.e = container_id;
+    const std::array<GenId, 4> outer{4, 5, 6, 7};
+    const std::array<Quad, 4> flipped{Quad{q.r, q.e, outer[0], q.s},
+                                      {q.e, q.l, outer[1], q.s},
+                                      {q.l, q.s, outer[2], q.e},
+                                      {q.s, q.r, outer[3], q.e}};
+    for (int n = 0; n < 4; ++n) {
+      const auto root = some_root(in, flipped[n], random);
+      if (!root) continue;
+      ++with_root;
+      for (int bits = 0; bits < 40; bits += 3) {
+        const double wide = std::ldexp(uniform(random, 0.5, 1), -bits);
+        const double since = (*root)[0] - wide, b = (*root)[1] + wide;
+        RootlessBatch batch(motion);
+        batch.prove_around(q, outer, {since - 1, since, since - wide, since - 4}, since, b);
+        ASSERT_FALSE(batch.rootless_flipped(n)) << "[" << since << ", " << b << "]";
+      }
+    }
+  }
+  EXPECT_GT(with_root, 100);
 }
 
 TEST(MostRoots, ByDescartesRule) {

@@ -174,6 +174,28 @@ TEST(Rules, NothingIsJudgedBetweenTwoTurnsOfAnInstant) {
   }
 }
 
+// Rule 5.13: a turn at the very instant of a collapse, which the life before does not prove to be
+// none. After it the edge has to flip.
+TEST(Rules, AnEdgeThatCollapsesAtATurnFlips) {
+  Scene scene = scene_of(10, Rational(5, 4),
+                         {disk(Rational(-1, 2), Rational(1, 4), Rational(1, 8), 0, 0),
+                          disk(Rational(3, 2), Rational(1, 4), Rational(1, 8), 0, 0),
+                          disk(Rational(1, 2), Rational(-3, 4), Rational(1, 8), 0, 0),
+                          disk(Rational(1, 2), Rational(9, 4), Rational(1, 8), 0, -1)});
+  scene.maneuvers = {{1, 3, 0, Rational(-1, 2)}};
+  const ClaimedHistory whole = claimed_history(scene, run(scene));
+  expect_certified(scene, whole);
+  ClaimedHistory h = whole;
+  std::erase_if(h.events, [](const auto& e) { return std::holds_alternative<FlipEvent>(e); });
+  ASSERT_EQ(h.events.size() + 1, whole.events.size());
+  h.count();
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    const Certificate c = judged(scene, h, truth);
+    ASSERT_EQ(c.verdict, Verdict::refuted) << told(scene, h, c);
+    EXPECT_EQ(c.divergence->fault, Fault::missing_event);
+  }
+}
+
 // Rule 3.11: a point enters a disk, is claimed to have hit it while it is inside, and leaves it on
 // the side from which it came. Meanwhile a maneuver drives a third disk there. The point has
 // another neighbour then, by no flip: with the third disk where it was the diagram is right, but it
