@@ -51,7 +51,9 @@ bool Claims::read() {
   times_.push_back(t);
   lines_.push_back(claim->line);
   ahead_.drop_first();
-  if (times_.size() + 16 < places_.size()) __builtin_prefetch(&places_[times_.size() + 16]);
+  // The places were written by whoever dealt out the part, perhaps another processor.
+  const std::size_t soon = times_.size() + 16;
+  if (soon < places_.size()) __builtin_prefetch(&places_[soon]);
   return true;
 }
 

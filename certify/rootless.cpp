@@ -230,8 +230,8 @@ void RootlessBatch::judge_flipped(const Window& w, double since) {
   for (int k = 0; k < 6; ++k) {
     before[k] = {w.p[k].c[2], tangency_bound<Lanes>(w.far[k], w.dr[k], error[I[k]] + error[J[k]])};
   }
-  // On each lane the edge has `own`, of s and e the one that is its own before and after, the
-  // `other` of the two after, and r, l, l, r.
+  // On each lane: `own` is the one of s and e that the edge has before the flip and after it,
+  // `other` the one that it gets. Of l and r it keeps r, l, l, r.
   constexpr int own_outer = 1, l_own = 2, r_outer = 3, l_outer = 4, r_own = 5;
   const Lanes x = exchanged(w.x1[2]), y = exchanged(w.y1[2]), r = exchanged(w.radius[2]);
   const auto with_other = [&](int i) -> Tangency {
