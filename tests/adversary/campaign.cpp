@@ -44,6 +44,8 @@ std::optional<FaultKind> favourite(Family family, Random& random) {
       return one_of({FaultKind::collision_at_end, FaultKind::miss_collision});
     case Family::inelastic:
       return one_of({FaultKind::twice_collision, FaultKind::restitution, FaultKind::mass});
+    case Family::round:
+      return one_of({FaultKind::miss_flip, FaultKind::silent_maneuver, FaultKind::early_maneuver});
     default:
       return std::nullopt;
   }

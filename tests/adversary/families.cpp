@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "tests/adversary/round_scenes.h"
 #include "tests/adversary/truth.h"
 
 namespace voroproof::internal::adversary {
@@ -379,6 +380,9 @@ SceneData scene_of(Family family, Random& random) {
     }
     case Family::meeting:
       add_meeting_points(s, random);
+      break;
+    case Family::round:
+      add_round(s, random);
       break;
     case Family::count:
       break;

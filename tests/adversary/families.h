@@ -55,6 +55,7 @@ enum class Family {
   resting,         // points that hit a disk head-on, most of them without restitution
   crowded,         // flips and maneuvers within a few tolerances of each other
   meeting,         // points that meet: at a disk, at the wall, at a maneuver, at the horizon
+  round,           // an edge collapses at the instant at which one of its generators turns
   large,           // n = 20 .. 60; the last, since it is drawn less often
   count
 };
@@ -62,14 +63,14 @@ inline constexpr std::array<std::string_view, static_cast<int>(Family::count)> f
     "generic",       "equal radii", "points",    "dense",   "log radii", "two",
     "maneuvers",     "inelastic",   "wall laws", "tiny",    "tiny fast", "fast",
     "near miss",     "stranger",    "lattice",   "mirror",  "touching",  "touch maneuver",
-    "horizon touch", "resting",     "crowded",   "meeting", "large"};
+    "horizon touch", "resting",     "crowded",   "meeting", "round",     "large"};
 
 inline std::string_view name(Family f) { return family_names[static_cast<std::size_t>(f)]; }
 
 // Whether the family's right histories can be told by long double: no ties that last.
 inline bool in_general_position(Family f) {
   return f != Family::lattice && f != Family::mirror && f != Family::touching &&
-         f != Family::resting && f != Family::meeting;
+         f != Family::resting && f != Family::meeting && f != Family::round;
 }
 
 // A scene of the family. Its disks are apart or touch exactly.

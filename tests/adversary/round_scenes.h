@@ -1,0 +1,13 @@
+// Scenes in which an edge collapses at the very instant at which one of its generators turns.
+#pragma once
+
+#include "tests/adversary/families.h"
+
+namespace voroproof::internal::adversary {
+
+// Adds four to six disks and points that are tangent to one circle at an instant, with binary
+// numbers throughout. Some of them have a maneuver then, or are hit by another disk. The horizon is
+// after that instant.
+void add_round(SceneData& s, Random& random);
+
+}  // namespace voroproof::internal::adversary
