@@ -67,6 +67,7 @@ void ClaimOrder::take(std::size_t k) {
 // claims the file's order stands; to prove claims simultaneous is expensive, and done once.
 std::size_t ClaimOrder::earliest() {
   std::vector<Claims::Claim>& near = claims_.near();
+  if (has_to_flip_now(near[0].event)) return 0;
   std::size_t best = 0;
   std::optional<Moment> first = moment_of(near[0]);
   if (!first) {
@@ -112,12 +113,19 @@ std::size_t ClaimOrder::earliest() {
   return best;
 }
 
+// Whether the claim is of an edge that is illegal since the present instant. Nothing precedes it.
+bool ClaimOrder::has_to_flip_now(const Event& event) const {
+  const auto* f = std::get_if<FlipEvent>(&event);
+  const HalfEdge h = f != nullptr ? s_.replay.find(f->quad) : -1;
+  return h >= 0 && edges_.life(h / 2).illegal;
+}
+
 // A flip may be claimed of an edge that stays as its generators move now. The edge may collapse
 // after one of them turns: the first near claim of such a turn, or 0 where there is none.
 std::size_t ClaimOrder::turn_before(const Event& event) {
   const auto* f = std::get_if<FlipEvent>(&event);
   const HalfEdge h = f != nullptr ? s_.replay.find(f->quad) : -1;
-  if (h < 0 || edges_.life(h / 2).illegal) return 0;
+  if (h < 0) return 0;
   const std::vector<GenId> four = generators(s_.diagram.quad(h));
   for (std::size_t k = 1; k < claims_.near().size(); ++k) {
     for (const GenId g : turned_by(claims_.near()[k].event)) {
@@ -135,7 +143,10 @@ std::optional<Moment> ClaimOrder::probe_flip(const FlipEvent& claim) {
   if (h < 0) return std::nullopt;
   if (edges_.life(h / 2).pending) instants_.begin_pending_lives();
   const EdgeLives::Life& life = edges_.life(h / 2);
-  if (life.illegal) return std::nullopt;
+  if (life.illegal) {
+    // It has to flip at the present instant, or is too late.
+    return life.born == front_.instant ? std::optional(front_.moment) : std::nullopt;
+  }
   const Quad q = s_.diagram.quad(h);
   if (life.due) return Moment::of(q, edges_.due(h / 2));
   if (const auto root = edges_.bracket(q, life.from, claim.t)) return root->m;

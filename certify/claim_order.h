@@ -41,6 +41,7 @@ class ClaimOrder {
 
  private:
   std::size_t earliest();
+  bool has_to_flip_now(const Event& event) const;
   std::size_t turn_before(const Event& event);
   const std::optional<Moment>& moment_of(Claims::Claim& claim);
   std::optional<Moment> probe(const Event& event);
