@@ -38,8 +38,8 @@ bool are_apart(const SceneData& s, const DiskData& disk, double t) {
 }  // namespace
 
 void add_round(SceneData& s, Random& random) {
-  const double x = random.integer(-20, 20), y = random.integer(-20, 20), t = random.integer(1, 2);
-  s.horizon = t + random.integer(1, 8) / 4.0;
+  const double x = random.integer(-20, 20), y = random.integer(-20, 20), t = random.integer(0, 2);
+  s.horizon = t + random.integer(t > 0 ? 0 : 1, 8) / 4.0;
   const auto quarters = [&] { return random.chance(0.3) ? 0 : random.integer(-8, 8) / 4.0; };
   // A circle of radius 10 that those outside it touch.
   const double radii[] = {0, 1.25, 2.5, 5};

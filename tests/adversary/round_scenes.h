@@ -6,8 +6,8 @@
 namespace voroproof::internal::adversary {
 
 // Adds four to six disks and points that are tangent to one circle at an instant, with binary
-// numbers throughout. Some of them have a maneuver then, or are hit by another disk. The horizon is
-// after that instant.
+// numbers throughout. Some of them have a maneuver then, or are hit by another disk. The instant
+// may be 0, or the horizon.
 void add_round(SceneData& s, Random& random);
 
 }  // namespace voroproof::internal::adversary
