@@ -114,6 +114,9 @@ class Lives {
     Instant& b = *births_[k].at;
     const Four four = walk_.four(k);
     if (b.is_point() || births_[k].own) return first_collapse(four, b.hi, end, notes_);
+    // A bracket that reaches to the end would leave nothing of this life to be looked at.
+    if (b.hi >= end && compare(b, end) >= 0) return {};
+    while (!b.is_point() && b.hi >= end) b.split((b.lo + b.hi) / 2);
     auto found = first_collapse(four, b.lo, end, notes_);
     // The birth is a root in a bracket in which this edge has a root or is illegal: either its root
     // is the same, or the bracket can be made so small that it holds none of this edge.
