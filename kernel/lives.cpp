@@ -80,8 +80,8 @@ class Lives {
   }
 
   // Takes an open claim near the one at hand that is before `now` in truth, if there is one: a
-  // turn, or a flip that changes an edge that ends a life now; of several the first in truth.
-  bool take_earlier(std::size_t claim, const Instant& now, const std::set<int>& ending) {
+  // turn, or a flip that changes one of the edges `ending`, or any; of several the first in truth.
+  bool take_earlier(std::size_t claim, const Instant& now, const std::set<int>* ending = nullptr) {
     const Rat most = claims_[claim].filed + 2 * p_.tolerance;
     while (first_open_ < part_.last && !open(first_open_)) ++first_open_;
     std::optional<std::pair<Instant, std::size_t>> first;
@@ -94,7 +94,7 @@ class Lives {
         const int k = walk_.edge_of(claims_[m]);
         if (k < 0) continue;
         const std::array<int, 4> near = walk_.diagram->around(k);
-        const auto ends = [&](int e) { return ending.count(e) == 1; };
+        const auto ends = [&](int e) { return ending == nullptr || ending->count(e) == 1; };
         if (!ends(k) && std::none_of(near.begin(), near.end(), ends)) continue;
         auto found = collapse(k, end.hi);
         if (found && compare(found->at, end) < 0) first = {found->at, m};
@@ -197,7 +197,8 @@ class Lives {
       refute("edge " + name(q) + " does not collapse by then");
     }
     const std::array<int, 4> near = walk_.diagram->around(k);
-    if (take_earlier(claim, found->at, {near.begin(), near.end()})) return flip(claim);
+    const std::set<int> ending(near.begin(), near.end());
+    if (take_earlier(claim, found->at, &ending)) return flip(claim);
     const Four four = walk_.four(k);
     // Both vanish where the rule of the largest id decides.
     const int end = simple ? -1 : four.incircle(found->after, false);
@@ -214,7 +215,11 @@ class Lives {
     if (p_.exact() && compare(*now, p_.history.horizon) > 0) refute("it is after the horizon");
     if (compare(*now, Rat(0)) <= 0) refute("the diagram at 0+ is that after all flips at 0");
     for (const int e : near) {
-      if (const auto missing = missed(e, now)) unclaimed(e, *missing);
+      const auto missing = missed(e, now);
+      if (!missing) continue;
+      // The flip that it waits for may wait for others further away.
+      if (take_earlier(claim, *now)) return flip(claim);
+      unclaimed(e, *missing);
     }
     note_order(now);
     if (!last_flip_ || compare(*now, *last_flip_) > 0) last_flip_ = now;
@@ -252,9 +257,12 @@ class Lives {
     if (!can_turn(claim)) refute("two turns of one disk are out of order");
     const Shared now = std::make_shared<Instant>(at(c.t));
     const std::set<int> all = edges_about(c);
-    if (take_earlier(claim, *now, all)) return turn(claim);
+    if (take_earlier(claim, *now, &all)) return turn(claim);
     for (const int k : all) {
-      if (const auto found = missed(k, now)) unclaimed(k, *found);
+      const auto found = missed(k, now);
+      if (!found) continue;
+      if (take_earlier(claim, *now)) return turn(claim);  // as in flip()
+      unclaimed(k, *found);
     }
     note_order(now);
     for (const int k : all) {
