@@ -14,7 +14,6 @@
 #include "history/json_reader.h"
 #include "history/line_source.h"
 #include "history/output_file.h"
-#include "history/plain_line.h"
 #include "history/scene.h"
 
 namespace voroproof::internal {
@@ -181,7 +180,6 @@ class HistoryReader {
 
   std::string path_;
   LineSource lines_;
-  PlainLineReader plain_lines_;
   int last_id_;
   HistoryHeader header_;
   double horizon_ = 0;  // rounded to nearest

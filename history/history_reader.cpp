@@ -8,6 +8,7 @@
 #include "history/format_version.h"
 #include "history/history_file.h"
 #include "history/json_reader.h"
+#include "history/plain_line.h"
 
 namespace voroproof::internal {
 namespace {
@@ -324,12 +325,11 @@ std::optional<Event> HistoryReader::next() {
 }
 
 std::optional<Event> HistoryReader::next_line() {
-  const std::int64_t begin = lines_.offset();
   const auto text = lines_.next(max_event_line);
   if (!text)
     throw InputError(path_, lines_.number(), "", "incomplete: the file ends without an end line");
   extensions_.clear();
-  std::optional<Event> event = plain_lines_.event(*text, lines_.ahead(), begin, last_id_);
+  std::optional<Event> event = plain_event(*text, last_id_);
   if (event) {
     check_time({time(*event), {}}, "t");
   } else {

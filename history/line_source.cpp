@@ -21,7 +21,6 @@ std::optional<std::string_view> LineSource::next(std::size_t limit) {
       throw InputError(path_, number_ + 1, "",
                        "a line of more than " + std::to_string(limit) + " bytes");
     if (found) {
-      given_ = begin_;
       begin_ += length + 1;
       ++number_;
       offset_ += static_cast<std::int64_t>(length) + 1;
@@ -31,7 +30,6 @@ std::optional<std::string_view> LineSource::next(std::size_t limit) {
     if (!fill()) {
       if (available == 0) return std::nullopt;
       const char* const rest = buffer_.data() + begin_;  // fill() may have moved it
-      given_ = begin_;
       begin_ = end_;
       ++number_;
       offset_ += static_cast<std::int64_t>(available);

@@ -21,10 +21,6 @@ class LineSource {
   // `limit` bytes, or the file cannot be read.
   std::optional<std::string_view> next(std::size_t limit);
 
-  // The line that next() gave last, and what has been read of those after it. The view holds as
-  // long as that of the line.
-  std::string_view ahead() const { return {buffer_.data() + given_, end_ - given_}; }
-
   // The number of the line that next() gave last; 0 before the first.
   std::int64_t number() const { return number_; }
   // The bytes up to the end of that line, its line end included.
@@ -41,7 +37,6 @@ class LineSource {
   ByteSource source_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // what is read and not yet given
-  std::size_t given_ = 0;            // where the line given last begins
   std::int64_t number_ = 0, offset_ = 0;
 };
 

@@ -15,6 +15,6 @@ if grep -E '(^|[^_[:alnum:]])voroproof::' <<<"$symbols"; then
   exit 1
 fi
 # Floating-point libraries, threads of its own and the like are not needed either.
-if ldd "$program" | grep -E 'libvoroproof|libtbb|libmpfr|libflint|libgmpxx|libsimdjson'; then
+if ldd "$program" | grep -E 'libvoroproof|libtbb|libmpfr|libflint|libgmpxx'; then
   exit 1
 fi

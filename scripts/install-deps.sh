@@ -23,7 +23,7 @@ packages=(
   libgmp-dev libmpfr-dev             # exact numbers
   libflint-dev                       # balls
   libboost-dev libcgal-dev           # ring buffers; spatial sorting; evidence; oracles of the tests
-  nlohmann-json3-dev libsimdjson-dev libexpat1-dev # files
+  nlohmann-json3-dev libexpat1-dev   # files
   zlib1g-dev libzstd-dev             # compressed files
   libcli11-dev                       # command line
   libssl-dev libcairo2-dev           # SHA-256, pictures
