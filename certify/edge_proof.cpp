@@ -85,6 +85,9 @@ struct Piece {
   double err;  // of each coefficient
 };
 
+// The times of a piece are rounded: each cut within one adds at most 16u of the greatest.
+double slop(const Piece& p) { return 0x1p-45 * std::fmax(std::fabs(p.a), std::fabs(p.b)); }
+
 // How many roots a piece has at most: 0, 1, or 2 for more.
 int most_roots(const Piece& p) {
   unsigned above = 0, below = 0;  // what is not a number may be both
@@ -168,11 +171,9 @@ bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts, int& l
   if (roots == 0) return true;
   // For four equal radii C is the in-circle function of both circles: it has risen, or no root.
   if (roots == 1 && p.degree == 4 && end_sign(p) == Sign::positive) return true;
-  // The times of a piece are rounded: each cut within one adds at most 16u of the greatest. With
-  // one root at most, what is positive at the end has been so throughout, or since the root.
-  const double slop = 0x1p-45 * std::fmax(std::fabs(p.a), std::fabs(p.b));
-  const double a = p.a - slop, b = p.b + slop;
-  if (roots == 1 && legal_over(m, q, p.b - slop, b, end_sign_of_cotangency(p)) &&
+  // With one root at most, what is positive at the end has been so throughout, or since the root.
+  const double a = p.a - slop(p), b = p.b + slop(p);
+  if (roots == 1 && legal_over(m, q, p.b - slop(p), b, end_sign_of_cotangency(p)) &&
       separated(m, q, a, b)) {
     return true;
   }
@@ -182,6 +183,20 @@ bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts, int& l
   Piece left, right;
   halve(p, half, left, right);
   return piece_free(m, q, left, cuts + 1, looks) && piece_free(m, q, right, cuts + 1, looks);
+}
+
+// Cuts off what comes before the last root of the piece, before the time `until`, as long as that
+// is free of collapses. Whether what is left certainly has one root, not at an end.
+bool cut_to_one_root(const Motion& m, const Quad& q, double until, Piece& piece, int& looks) {
+  for (int cuts = 0; !has_one_root(piece); ++cuts) {
+    const double half = 0.5 * (piece.a + piece.b);
+    if (cuts == kMaxCuts || !(piece.a < half && half < until)) return false;
+    Piece left, right;
+    halve(piece, half, left, right);
+    if (!piece_free(m, q, left, cuts + 1, looks)) return false;
+    piece = right;
+  }
+  return true;
 }
 
 bool free_in(const Motion& m, const Quad& q, double a, double b, int depth, int& looks) {
@@ -237,21 +252,20 @@ bool proved_collapse(const Motion& motion, const Quad& q, double a, double b) {
 }
 
 bool proved_first_collapse(const Motion& motion, const Quad& q, double from, double a, double b) {
-  BernsteinForm form;
-  if (q.s == q.e || !(from < a && a < b) || form_flip_polynomial<true>(motion, q, from, b, form)) {
-    return false;
-  }
-  // Pieces of [from, b] are free of collapses until one has a single root.
-  Piece piece{from, b, form.degree, form.c, form.err};
+  if (q.s == q.e || !(a < b)) return false;
+  Piece piece{};
   int looks = kMaxLooks;
-  for (int cuts = 0; !has_one_root(piece); ++cuts) {
-    const double half = 0.5 * (piece.a + piece.b);
-    if (cuts == kMaxCuts || !(piece.a < half && half < a)) return false;
-    Piece left, right;
-    halve(piece, half, left, right);
-    if (!piece_free(motion, q, left, cuts + 1, looks)) return false;
-    piece = right;
+  bool found = false;
+  double begin = from;
+  // What is left has a form of its own, with smaller errors, where that of the whole does not tell.
+  for (int forms = 0; !found && forms < 2; ++forms) {
+    BernsteinForm form;
+    if (!(begin < a) || form_flip_polynomial<true>(motion, q, begin, b, form)) return false;
+    piece = {begin, b, form.degree, form.c, form.err};
+    found = cut_to_one_root(motion, q, a, piece, looks);
+    begin = piece.a - slop(piece);
   }
+  if (!found) return false;
   // It is in [a, b] if the sign at a is that before it. The parameter x of a is rounded, and the
   // ends of the piece err: each cut rounds its middle once, by at most u M, M = |from| + |b|, and
   // keeps the errors of the two ends between which it lies, so that after kMaxCuts of them the
