@@ -21,10 +21,11 @@ bool turn_one_disk(const Event& a, const Event& b) {
   return false;
 }
 
-bool Claims::wants_more() const {
-  if (ended_) return false;
-  return near_.empty() || (near_.size() < most_near_ &&
-                           time(near_.back().event) <= time(near_.front().event) + 2 * tolerance_);
+bool Claims::wants_more() {
+  if (ended_ || near_.empty()) return !ended_;
+  if (near_.size() >= most_near_) return false;
+  const ReadAhead::Claim* const claim = next_of_kinds();
+  return claim != nullptr && time(claim->event) <= time(near_.front().event) + 2 * tolerance_;
 }
 
 ReadAhead::Claim* Claims::next() {
@@ -33,7 +34,7 @@ ReadAhead::Claim* Claims::next() {
   return claim;
 }
 
-bool Claims::read() {
+ReadAhead::Claim* Claims::next_of_kinds() {
   ReadAhead::Claim* claim = next();
   while (claim != nullptr && kinds_ == EventKinds::collisions &&
          std::holds_alternative<FlipEvent>(claim->event)) {
@@ -41,6 +42,11 @@ bool Claims::read() {
     ahead_.drop_first();
     claim = next();
   }
+  return claim;
+}
+
+bool Claims::read() {
+  ReadAhead::Claim* const claim = next_of_kinds();
   if (claim == nullptr) {
     ended_ = true;
     return false;

@@ -71,7 +71,7 @@ class Claims {
     while (wants_more() && read()) on_read();
     return !near_.empty();
   }
-  // The claims that are read and not yet checked: one, nearly always.
+  // The claims that have been read and not yet checked: one, nearly always.
   std::vector<Claim>& near() { return near_; }
   // Whether no other of them is so near the first that it may come before it.
   bool first_is_alone() const {
@@ -133,10 +133,12 @@ class Claims {
   // So many claims are read before those that are taken, where their places are to be found.
   static constexpr std::size_t kAhead = 12;
 
-  bool wants_more() const;
+  bool wants_more();
   bool read();
   // The next claim of the history, which is to be dropped then; null at the end.
   ReadAhead::Claim* next();
+  // The same, of the kinds asked for: others before it are passed over.
+  ReadAhead::Claim* next_of_kinds();
 
   ReadAhead ahead_;
   double tolerance_;

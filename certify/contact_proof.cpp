@@ -1,15 +1,54 @@
 #include "certify/contact_proof.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "certify/motion_lanes.h"
+#include "exact/rounding.h"
+#include "filtered/numbers/bound.h"
+#include "filtered/numbers/form.h"
 
 namespace voroproof::internal {
 
+namespace {
+
+// A disk's centre at two times.
+struct Centres {
+  double x0, y0, x1, y1;
+  double error;  // of each coordinate, as in quadruplets over an interval (rootless.cpp)
+
+  Centres(const DoubleMotion& m, double a, double b)
+      : x0(m.x + m.vx * (a - m.t)),
+        y0(m.y + m.vy * (a - m.t)),
+        x1(m.x + m.vx * (b - m.t)),
+        y1(m.y + m.vy * (b - m.t)),
+        error(4 * unit_roundoff *
+                  (std::fabs(m.x) + std::fabs(m.y) + std::fabs(x0) + std::fabs(y0) + std::fabs(x1) +
+                   std::fabs(y1)) +
+              m.ex + m.ev * (std::fabs(a - m.t) + std::fabs(b - m.t))) {}
+};
+
+// Whether two disks are apart throughout [a, b] by the Bernstein coefficients of the square of
+// their distance less that of their reach: sooner done than what follows, and enough nearly always.
+bool have_positive_gap(const DoubleMotion& i, const DoubleMotion& j, double a, double b) {
+  const Centres p(i, a, b), q(j, a, b);
+  const Form<double, 1> x{{p.x0 - q.x0, p.x1 - q.x1}}, y{{p.y0 - q.y0, p.y1 - q.y1}};
+  const double reach = i.r + j.r;
+  const Form<double, 2> gap = tangency_of(x, y, Form<double, 0>{{reach}});
+  const double far =
+      std::max(std::fabs(x.c[0]) + std::fabs(y.c[0]), std::fabs(x.c[1]) + std::fabs(y.c[1]));
+  const double limit = tangency_bound(far, reach, p.error + q.error).err * bound_up;
+  return gap.c[0] > limit && gap.c[1] > 2 * limit && gap.c[2] > limit;
+}
+
+}  // namespace
+
 bool proved_apart(const Motion& motion, GenId i, GenId j, double a, double b) {
+  const bool disks = i != container_id && j != container_id;
+  if (disks && have_positive_gap(motion.doubles(i), motion.doubles(j), a, b)) return true;
   if (motion.same_velocity(i, j)) return true;  // their distance never changes
   const DoubleBall start(a), end(b);
-  if (i == container_id || j == container_id) {
+  if (!disks) {
     // |d + w s|^2 - reach^2 is convex in s: negative at both ends, so between.
     const Contact<DoubleBall> k(motion.moving_site(i, end), motion.moving_site(j, end));
     return sign(k.c) == Sign::negative;

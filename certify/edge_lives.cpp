@@ -178,8 +178,9 @@ EdgeRing::EdgeRing(const Diagram& diagram, Diagram::HalfEdge h) : q(diagram.quad
   for (const Diagram::HalfEdge g :
        {diagram.next(h), diagram.previous(h), diagram.next(h ^ 1), diagram.previous(h ^ 1)}) {
     // In small configurations one edge may appear twice.
-    const auto seen = edges.begin() + count;
-    if (g / 2 == h / 2 || std::find(edges.begin(), seen, g / 2) != seen) continue;
+    bool seen = g / 2 == h / 2;
+    for (int k = 0; k < count; ++k) seen |= edges[k] == g / 2;
+    if (seen) continue;
     outer[count] = diagram.apex(g ^ 1);
     edges[count++] = g / 2;
   }

@@ -56,27 +56,6 @@ bool legal_over(const Motion& m, const Quad& q, double a, double b, Sign f) {
   return circles.end_in_start(f) == Sign::positive || circles.start_in_end(f) == Sign::positive;
 }
 
-// Whether the four are separated throughout [a, b]: the tangency of every two disks is positive,
-// that of a disk and the container negative, by the Bernstein coefficients of these quadratics.
-bool separated(const Motion& m, const Quad& q, double a, double b) {
-  const std::array<Site<DoubleBall>, 4> from = sites(m, q, DoubleBall(a));
-  const std::array<Site<DoubleBall>, 4> to = sites(m, q, DoubleBall(b));
-  const std::array<GenId, 4> ids{q.l, q.r, q.s, q.e};
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < i; ++j) {
-      const bool wall = ids[i] == container_id || ids[j] == container_id;
-      const DoubleBall ax = from[i].x - from[j].x, ay = from[i].y - from[j].y;
-      const DoubleBall bx = to[i].x - to[j].x, by = to[i].y - to[j].y;
-      const DoubleBall dr = from[i].r - from[j].r, dr2 = dr * dr;
-      for (const DoubleBall& p :
-           {ax * ax + ay * ay - dr2, ax * bx + ay * by - dr2, bx * bx + by * by - dr2}) {
-        if (sign(p) != (wall ? Sign::negative : Sign::positive)) return false;
-      }
-    }
-  }
-  return true;
-}
-
 // A polynomial in the Bernstein basis over a part of the life.
 struct Piece {
   double a, b;  // the part
@@ -174,7 +153,7 @@ bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts, int& l
   // With one root at most, what is positive at the end has been so throughout, or since the root.
   const double a = p.a - slop(p), b = p.b + slop(p);
   if (roots == 1 && legal_over(m, q, p.b - slop(p), b, end_sign_of_cotangency(p)) &&
-      separated(m, q, a, b)) {
+      are_separated(m, q, a, b)) {
     return true;
   }
   if (cuts >= kShort && legal_throughout(m, q, a, b)) return true;

@@ -36,11 +36,6 @@ int Replay::adjacency(GenId i, GenId j) const {
   return -1;
 }
 
-std::pair<GenId, GenId> Replay::pair_of(int edge) const {
-  if (diagram_.edges() == 0) return {container_id, 0};
-  return std::minmax(diagram_.org(2 * edge), diagram_.dest(2 * edge));
-}
-
 ExactPair Replay::velocities(GenId i, GenId j) const {
   ExactPair v;
   if (i != container_id) v[0] = velocities_[i].value();

@@ -2,6 +2,7 @@
 // has happened to the disks. Under the recorded truth that is all of the motion.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <string>
@@ -45,7 +46,11 @@ class Replay : public GivenMotion {
   // A V-edge between the two, or -1. With one disk there is one edge, 0, without incidences.
   int adjacency(GenId i, GenId j) const;
   // The generators on both sides of a V-edge, the smaller first.
-  std::pair<GenId, GenId> pair_of(int edge) const;
+  std::pair<GenId, GenId> pair_of(int edge) const {
+    if (diagram_.edges() == 0) return {container_id, 0};
+    const GenId i = diagram_.org(2 * edge), j = diagram_.dest(2 * edge);
+    return {std::min(i, j), std::max(i, j)};
+  }
 
   // ---- The disks. ----
   // The velocity as last claimed, or computed where the claim gives none.

@@ -10,10 +10,6 @@ std::optional<ExactVec2> exactly(const std::optional<Vec2>& v) {
 
 }  // namespace
 
-double time(const Event& event) {
-  return std::visit([](const auto& e) { return e.t; }, event);
-}
-
 Rational exact_time(const Event& event) {
   return std::visit([](const auto& e) { return e.exact ? e.exact->t : to_rational(e.t); }, event);
 }

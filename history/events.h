@@ -47,7 +47,9 @@ struct ManeuverEvent {
 
 using Event = std::variant<FlipEvent, CollideEvent, ManeuverEvent>;
 
-double time(const Event& event);
+inline double time(const Event& event) {
+  return std::visit([](const auto& e) { return e.t; }, event);
+}
 
 // Exactly what the line denotes. `side` is 0 for i and 1 for j.
 Rational exact_time(const Event& event);

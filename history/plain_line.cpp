@@ -2,10 +2,15 @@
 
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <system_error>
 
 namespace voroproof::internal {
 namespace {
+
+// As many as an id may have, and one more.
+constexpr std::ptrdiff_t most_id_digits = std::numeric_limits<GenId>::digits10 + 2;
 
 constexpr bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
@@ -44,10 +49,15 @@ class PlainLine {
   }
 
   [[gnu::always_inline]] bool is(char c) {
-    skip_spaces();
-    if (next_ == end_ || *next_ != c) return false;
+    if (!at(c)) return false;
     ++next_;
     return true;
+  }
+  // The same, not taken.
+  [[gnu::always_inline]] bool at(char c) {
+    if (next_ != end_ && *next_ == c) return true;
+    skip_spaces();
+    return next_ != end_ && *next_ == c;
   }
 
   // A member's name with its quotation marks, and the colon.
@@ -75,14 +85,20 @@ class PlainLine {
     return error == std::errc() && (x != 0 || (end - begin == 1 && *begin == '0'));
   }
 
-  bool id(int lowest, GenId& g) {
+  // The one way to write it: without zeros before it.
+  [[gnu::always_inline]] bool id(GenId lowest, GenId& g) {
     skip_spaces();
-    const char* const begin = next_;
-    const auto [end, error] = std::from_chars(begin, end_, g);
-    if (error != std::errc() || g < lowest || g > last_id_) return false;
-    next_ = end;
-    // The one way to write it.
-    return g <= 0 ? end - begin == (g < 0 ? 2 : 1) : *begin != '0';
+    const bool negative = next_ != end_ && *next_ == '-';
+    const char* const begin = next_ + (negative ? 1 : 0);
+    const char* const end = end_ - begin > most_id_digits ? begin + most_id_digits : end_;
+    const char* digit = begin;
+    std::int64_t value = 0;
+    for (; digit != end && is_digit(*digit); ++digit) value = 10 * value + (*digit - '0');
+    if (digit == begin || (*begin == '0' && (negative || digit != begin + 1))) return false;
+    if (negative) value = -value;
+    next_ = digit;  // what has more digits goes on with one
+    g = static_cast<GenId>(value);
+    return lowest <= value && value <= last_id_;
   }
 
   bool edge(Quad& quad) {
@@ -131,10 +147,6 @@ class PlainLine {
       if (!is(',')) return false;
     }
     return name("\"p\"") && read(centres);
-  }
-  bool at(char c) {
-    skip_spaces();
-    return next_ != end_ && *next_ == c;
   }
 
   bool nothing_else() {

@@ -229,6 +229,19 @@ template <bool nearly>
   return {};
 }
 
+// Whether the tangencies of these pairs have the signs of separated generators, coefficient by
+// coefficient.
+template <class Pairs>
+bool are_separated(const Ends& e) {
+  const Offsets<Pairs> d(e);
+  const Form<Lanes, 2> p = d.tangency();
+  const Lanes limit = bound_of(d, e).err * bound_up;
+  const auto wall = (Pairs::first(e.r) < 0) ^ (Pairs::second(e.r) < 0);
+  const Lanes side = wall ? -1 + Lanes{} : 1 + Lanes{};
+  return (exceeding(side * p.c[0], limit) & exceeding(side * p.c[1], 2 * limit) &
+          exceeding(side * p.c[2], limit)) == 0xf;
+}
+
 // Whether all coefficients are beyond their bounds on one side.
 template <int degree>
 bool has_one_sign(const Form<double, degree>& f, double err) {
@@ -286,6 +299,12 @@ bool form_flip_polynomial(const Motion& motion, const Quad& q, double a, double 
 bool form_for_collapse(const Motion& motion, const Quad& q, double a, double b,
                        BernsteinForm& out) {
   return form_flip_polynomial_of<true, true>(motion, q, a, b, out);
+}
+
+bool are_separated(const Motion& motion, const Quad& q, double a, double b) {
+  Ends ends;
+  place<true>(motion, q, a, b, ends);
+  return are_separated<PairsWithL>(ends) && are_separated<OtherPairs>(ends);
 }
 
 template bool form_flip_polynomial<true>(const Motion&, const Quad&, double, double,

@@ -24,4 +24,9 @@ bool form_flip_polynomial(const Motion& motion, const Quad& q, double a, double 
 // True: f has no root in [a, b].
 bool form_for_collapse(const Motion& motion, const Quad& q, double a, double b, BernsteinForm& out);
 
+// Whether the four generators of q are separated throughout [a, b], a <= b: the tangency of every
+// two disks is positive, that of a disk and the container negative. False says nothing.
+// Precondition: q.s != q.e.
+bool are_separated(const Motion& motion, const Quad& q, double a, double b);
+
 }  // namespace voroproof::internal

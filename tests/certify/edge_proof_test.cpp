@@ -13,6 +13,7 @@
 #include "certify/edge_circles.h"
 #include "certify/edge_signs.h"
 #include "certify/rootless.h"
+#include "filtered/search/bernstein.h"
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 
@@ -63,6 +64,28 @@ class FourDisks {
     const Rational beyond = x * x + y * y - reach * reach;
     return i == container_id ? sgn(beyond) < 0 : sgn(beyond) > 0;
   }
+  // Whether at every time of [a, b] no disk touches the inside of another or is not within the
+  // container: the square of the distance less that of the radii's difference is convex in time.
+  bool separated(double a, double b) const {
+    for (GenId i = container_id; i < 4; ++i) {
+      for (GenId j = std::max(i + 1, 0); j < 4; ++j) {
+        std::vector<Rational> times{to_rational(a), to_rational(b)};
+        if (i != container_id) {
+          const DiskInput &d = input_.disks[i], &o = input_.disks[j];
+          const Rational x = d.x - o.x, y = d.y - o.y, vx = d.vx - o.vx, vy = d.vy - o.vy;
+          const Rational v2 = vx * vx + vy * vy;
+          if (sgn(v2) > 0)
+            times.push_back(std::clamp(Rational(-(x * vx + y * vy) / v2), times[0], times[1]));
+        }
+        for (const Rational& t : times) {
+          const Site<Rational> p = site(i, t), q = site(j, t);
+          if (sign(tangency(p, q)) != (i == container_id ? Sign::negative : Sign::positive))
+            return false;
+        }
+      }
+    }
+    return true;
+  }
   // The sign of the cotangency, and those of the circles.
   std::pair<Sign, EdgeSigns> signs(const Quad& q, double t) const {
     const Site<Rational> l = site(q.l, t), r = site(q.r, t), s = site(q.s, t), e = site(q.e, t);
@@ -86,11 +109,11 @@ class FourDisks {
   }
 
  private:
-  Site<Rational> site(GenId g, double t) const {
+  Site<Rational> site(GenId g, double t) const { return site(g, to_rational(t)); }
+  Site<Rational> site(GenId g, const Rational& t) const {
     if (g == container_id) return {0, 0, Rational(-input_.container_radius)};
     const DiskInput& d = input_.disks[g];
-    const Rational s = to_rational(t);
-    return {d.x + d.vx * s, d.y + d.vy * s, d.radius};
+    return {d.x + d.vx * t, d.y + d.vy * t, d.radius};
   }
   MotionInput input_;
   double unit_;
@@ -217,6 +240,30 @@ TEST(EdgeProof, NoCollapseIsLostAtTheEndsOfTheRange) {
   }
 }
 
+// Disks that cross each other, and the container's edge.
+TEST(EdgeProof, GeneratorsAreSeparatedWhereThatIsSaid) {
+  Random random(11);
+  int truly = 0, said = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const FourDisks disks(k % 3 == 0 ? 200 : k % 3 == 1 ? 60 : 6, k % 5 == 0, random);
+    const double a = uniform(random, -40, 40);
+    const double b = a + std::ldexp(uniform(random, 1, 2), static_cast<int>(random() % 12) - 6);
+    const bool separated = disks.separated(a, b);
+    truly += separated;
+    const Motion motion(disks.input(), {});
+    bool all = true;
+    // Each pair at least once.
+    for (const Quad& q : {Quad{0, 1, 2, 3}, {0, 1, 2, container_id}, {container_id, 3, 0, 1}}) {
+      all = all && are_separated(motion, q, a, b);
+    }
+    ASSERT_TRUE(separated || !all) << k << " in [" << a << ", " << b << "]";
+    said += all;
+  }
+  EXPECT_GT(truly, 400);
+  EXPECT_LT(truly, 3600);
+  EXPECT_GT(said, truly * 8 / 10);
+}
+
 // The signs of both circles side by side, at instants, are those in rationals.
 TEST(EdgeProof, CirclesSideBySide) {
   Random random(9);
@@ -274,6 +321,7 @@ TEST(ContactProof, ManyPairsAtOnce) {
         apart = apart && disks.apart(i, j, part == 64 ? b : a + (b - a) * part / 64);
       }
       touching += !apart;
+      ASSERT_TRUE(apart || !proved_apart(motion, i, j, a, b)) << i << ", " << j;
       if (!batch.apart(n)) continue;
       ++proved;
       ASSERT_TRUE(apart) << i << " and " << j << " in [" << a << ", " << b << "]";
