@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certify/motion_lanes.h"
+#include "filtered/motion/motion_lanes.h"
 #include "exact/rounding.h"
 #include "filtered/numbers/bound.h"
 #include "filtered/numbers/form.h"

@@ -1,7 +1,7 @@
 // The two circles of a V-edge side by side, in doubles with error bounds.
 #pragma once
 
-#include "certify/motion_lanes.h"
+#include "filtered/motion/motion_lanes.h"
 #include "exact/generators.h"
 
 namespace voroproof::internal {

@@ -4,7 +4,7 @@
 #include <array>
 #include <bit>
 
-#include "certify/motion_lanes.h"
+#include "filtered/motion/motion_lanes.h"
 #include "exact/predicates.h"
 #include "exact/rounding.h"
 #include "filtered/numbers/bound.h"

@@ -58,7 +58,7 @@ struct RoughPair {
   double dx, dy, R, eta, reach, rho;
 
   RoughPair(const DoubleMotion& mi, const DoubleMotion& mj, double t, double h) {
-    const RoughSite i = rough_site(mi, t, h), j = rough_site(mj, t, h);
+    const RoughSite<double> i = rough_site(mi, t, h), j = rough_site(mj, t, h);
     dx = j.at.x - i.at.x;
     dy = j.at.y - i.at.y;
     R = std::fabs(dx) + std::fabs(dy);

@@ -40,6 +40,7 @@
 #include <cmath>
 
 #include "exact/rounding.h"
+#include "filtered/motion/motion_lanes.h"
 #include "filtered/motion/rough_site.h"
 #include "filtered/numbers/lanes.h"
 #include "filtered/search/edge_predicates.h"
@@ -108,15 +109,19 @@ class RoughCircles {
  private:
   using Places = std::array<int, 4>;
 
-  static std::array<RoughSite, 4> sites(const Motion& motion, const Quad& q, double lo, double hi) {
+  using Sites = RoughSite<Lanes>;  // of l, r, s and e
+
+  static Sites sites(const Motion& motion, const Quad& q, double lo, double hi) {
     const double c = 0.5 * (lo + hi);
     const double h = std::max(hi - c, c - lo) * (1 + 0x1p-50);
-    return {rough_site(motion.doubles(q.l), c, h), rough_site(motion.doubles(q.r), c, h),
-            rough_site(motion.doubles(q.s), c, h), rough_site(motion.doubles(q.e), c, h)};
+    return rough_site(MotionLanes(motion.doubles(q.l), motion.doubles(q.r), motion.doubles(q.s),
+                                  motion.doubles(q.e)),
+                      c, h);
   }
-  static Site<Lanes> pick(const std::array<RoughSite, 4>& sites, int start, int end) {
-    const Site<double>&a = sites[start].at, &b = sites[end].at;
-    return {Lanes{a.x, b.x, 0, 0}, Lanes{a.y, b.y, 0, 0}, Lanes{a.r, b.r, 0, 0}};
+  static Site<Lanes> pick(const Sites& sites, int start, int end) {
+    const auto [x, y, r] = sites.at;
+    return {Lanes{x[start], x[end], 0, 0}, Lanes{y[start], y[end], 0, 0},
+            Lanes{r[start], r[end], 0, 0}};
   }
   static Sign beyond(double x, double bound) {
     return x > bound ? Sign::positive : x < -bound ? Sign::negative : Sign::unknown;
@@ -155,12 +160,11 @@ class RoughCircles {
   }
 
   // The triples (l,s,r) and (r,e,l), a disk first: as tangent_triple().
-  RoughCircles(const Quad& q, const std::array<RoughSite, 4>& sites)
+  RoughCircles(const Quad& q, const Sites& sites)
       : RoughCircles(q, sites, q.l == container_id ? Places{2, 1, 0, 3} : Places{0, 2, 1, 3},
                      q.r == container_id ? Places{3, 0, 1, 2} : Places{1, 3, 0, 2}) {}
   // `start` and `end`: where base, j, k and the opposite are among the four sites.
-  RoughCircles(const Quad& q, const std::array<RoughSite, 4>& sites, const Places& start,
-               const Places& end)
+  RoughCircles(const Quad& q, const Sites& sites, const Places& start, const Places& end)
       : t_(pick(sites, start[0], end[0]), pick(sites, start[1], end[1]),
            pick(sites, start[2], end[2]), false),
         opposite_(pick(sites, start[3], end[3])),
@@ -168,8 +172,8 @@ class RoughCircles {
     const bool edge_of_container = q.l == container_id || q.r == container_id;
     with_container_[0] = edge_of_container || q.s == container_id;
     with_container_[1] = edge_of_container || q.e == container_id;
-    double error = 0;
-    for (const RoughSite& s : sites) error = std::max(error, s.error);
+    const Lanes& errors = sites.error;
+    const double error = std::max({errors[0], errors[1], errors[2], errors[3]});
     const auto size_of = [&](int k) {
       const Site<Lanes> s = pick(sites, start[k], end[k]);
       return abs(s.x - t_.base.x) + abs(s.y - t_.base.y) + abs(s.r - t_.base.r);

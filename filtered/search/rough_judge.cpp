@@ -29,7 +29,8 @@ Orientation orientation(const Site<double>& a, const Site<double>& b, const Site
 // nor that of the two beyond a common side, each of whose heights on it does.
 // Offsets err by eta each, in x and in y, the area by (size + 2 eta) eta and 3u of its products,
 // whose sum is at most size^2 / 4.
-Sign counterclockwise(const RoughSite& a, const RoughSite& b, const RoughSite& c, double spread) {
+Sign counterclockwise(const RoughSite<double>& a, const RoughSite<double>& b,
+                      const RoughSite<double>& c, double spread) {
   constexpr double u = unit_roundoff;
   const auto [area, size] = orientation(a.at, b.at, c.at);
   const double eta = 2 * std::max({a.error, b.error, c.error}) + u * size;
@@ -50,8 +51,8 @@ Judgement judge_cocircular(const Motion& motion, const Quad& q, double lo, doubl
   if (spread == 0 && after == Sign::positive) return Judgement::stays;
   const double c = 0.5 * (lo + hi);
   const double h = std::max(hi - c, c - lo) * (1 + 0x1p-50);
-  const RoughSite l = rough_site(motion.doubles(q.l), c, h);
-  const RoughSite r = rough_site(motion.doubles(q.r), c, h);
+  const RoughSite<double> l = rough_site(motion.doubles(q.l), c, h);
+  const RoughSite<double> r = rough_site(motion.doubles(q.r), c, h);
   const Sign start = counterclockwise(l, rough_site(motion.doubles(q.s), c, h), r, spread);
   if (start == Sign::negative) return Judgement::stays;
   const Sign end = counterclockwise(r, rough_site(motion.doubles(q.e), c, h), l, spread);

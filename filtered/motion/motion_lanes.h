@@ -1,9 +1,8 @@
-// The motion of four generators side by side, and intervals of four numbers: how the certifier
-// looks at several edges or pairs in one evaluation.
+// The motion of four generators side by side, and intervals of four numbers: several generators,
+// edges or pairs in one evaluation.
 #pragma once
 
 #include <cstddef>
-#include <cstring>
 #include <type_traits>
 
 #include "exact/predicates.h"
@@ -80,13 +79,11 @@ struct MotionLanes {
   // double of each motion to `first`, and so on.
   static void transpose(const double* a, const double* b, const double* c, const double* d,
                         Lanes& first, Lanes& second, Lanes& third, Lanes& fourth) {
-    Lanes r[4];
-    const double* from[4] = {a, b, c, d};
-    for (int k = 0; k < 4; ++k) std::memcpy(&r[k], from[k], sizeof r[k]);
-    const Lanes ab0 = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6);
-    const Lanes ab1 = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
-    const Lanes cd0 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6);
-    const Lanes cd1 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
+    const Lanes p = load(a), q = load(b), r = load(c), s = load(d);
+    const Lanes ab0 = __builtin_shufflevector(p, q, 0, 4, 2, 6);
+    const Lanes ab1 = __builtin_shufflevector(p, q, 1, 5, 3, 7);
+    const Lanes cd0 = __builtin_shufflevector(r, s, 0, 4, 2, 6);
+    const Lanes cd1 = __builtin_shufflevector(r, s, 1, 5, 3, 7);
     first = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
     second = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
     third = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
