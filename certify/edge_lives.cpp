@@ -175,14 +175,15 @@ void EdgeLives::require_none_after_left_out() {
 }
 
 EdgeRing::EdgeRing(const Diagram& diagram, Diagram::HalfEdge h) : q(diagram.quad(h)) {
+  const Diagram::HalfEdge back = diagram.previous(h), other_back = diagram.previous(h ^ 1);
   for (const Diagram::HalfEdge g :
-       {diagram.next(h), diagram.previous(h), diagram.next(h ^ 1), diagram.previous(h ^ 1)}) {
+       {diagram.previous(back), back, diagram.previous(other_back), other_back}) {
+    outer[count] = diagram.apex(g ^ 1);
+    edges[count] = g / 2;
     // In small configurations one edge may appear twice.
     bool seen = g / 2 == h / 2;
-    for (int k = 0; k < count; ++k) seen |= edges[k] == g / 2;
-    if (seen) continue;
-    outer[count] = diagram.apex(g ^ 1);
-    edges[count++] = g / 2;
+    for (int k = 0; k < 3; ++k) seen |= k < count && edges[k] == g / 2;
+    if (!seen) ++count;
   }
 }
 

@@ -67,14 +67,25 @@ struct Piece {
 // The times of a piece are rounded: each cut within one adds at most 16u of the greatest.
 double slop(const Piece& p) { return 0x1p-45 * std::fmax(std::fabs(p.a), std::fabs(p.b)); }
 
+// The coefficients beyond the error on either side, a bit for each. What is not a number is on
+// none.
+struct Sides {
+  unsigned all, positive, negative;
+
+  explicit Sides(const Piece& p) : all((2U << p.degree) - 1) {
+    const Lanes err = p.err + Lanes{};
+    const Lanes low = load(p.c.data()), high = load(p.c.data() + 4);
+    positive = all & (exceeding(low, err) | exceeding(high, err) << 4 |
+                      static_cast<unsigned>(p.c[8] > p.err) << 8);
+    negative = all & (exceeding(-low, err) | exceeding(-high, err) << 4 |
+                      static_cast<unsigned>(p.c[8] < -p.err) << 8);
+  }
+};
+
 // How many roots a piece has at most: 0, 1, or 2 for more.
 int most_roots(const Piece& p) {
-  unsigned above = 0, below = 0;  // what is not a number may be both
-  for (int k = 0; k <= p.degree; ++k) {
-    above |= (p.c[k] < -p.err ? 0U : 1U) << k;
-    below |= (p.c[k] > p.err ? 0U : 1U) << k;
-  }
-  return voroproof::internal::most_roots(above, below);
+  const Sides of(p);
+  return voroproof::internal::most_roots(of.all & ~of.negative, of.all & ~of.positive);
 }
 
 // The sign of the polynomial at the end of the piece.
@@ -115,12 +126,8 @@ void halve(const Piece& p, double at, Piece& left, Piece& right) {
 
 // Exactly one root, not at an end.
 bool has_one_root(const Piece& p) {
-  unsigned positive = 0, negative = 0;
-  for (int k = 0; k <= p.degree; ++k) {
-    positive |= static_cast<unsigned>(p.c[k] > p.err) << k;
-    negative |= static_cast<unsigned>(p.c[k] < -p.err) << k;
-  }
-  return roots_by_signs(positive, negative, p.degree) == 1;
+  const Sides of(p);
+  return roots_by_signs(of.positive, of.negative, p.degree) == 1;
 }
 
 // The sign at the parameter x, at which the value errs by no more than the bound of the

@@ -107,8 +107,6 @@ class RoughCircles {
   }
 
  private:
-  using Places = std::array<int, 4>;
-
   using Sites = RoughSite<Lanes>;  // of l, r, s and e
 
   static Sites sites(const Motion& motion, const Quad& q, double lo, double hi) {
@@ -118,11 +116,29 @@ class RoughCircles {
                                   motion.doubles(q.e)),
                       c, h);
   }
-  static Site<Lanes> pick(const Sites& sites, int start, int end) {
-    const auto [x, y, r] = sites.at;
-    return {Lanes{x[start], x[end], 0, 0}, Lanes{y[start], y[end], 0, 0},
-            Lanes{r[start], r[end], 0, 0}};
-  }
+
+  // What the two circles are made of, that of the start on the first lane and that of the end on
+  // the second; the other two lanes say nothing. The triples are (l,s,r) and (r,e,l), turned so
+  // that a disk is first, as tangent_triple() does.
+  struct Roles {
+    Site<Lanes> base, j, k, opposite;
+
+    Roles(const Quad& q, const Site<Lanes>& at) {
+      const LaneMask turned{q.l == container_id ? -1 : 0, q.r == container_id ? -1 : 0, 0, 0};
+      const auto set = [&](Lanes Site<Lanes>::*of) {
+        const Lanes& first = at.*of;
+        const Lanes second = __builtin_shufflevector(first, first, 2, 3, 0, 1);
+        const Lanes third = __builtin_shufflevector(first, first, 1, 0, 3, 2);
+        base.*of = turned ? second : first;
+        j.*of = turned ? third : second;
+        k.*of = turned ? first : third;
+        opposite.*of = __builtin_shufflevector(first, first, 3, 2, 1, 0);
+      };
+      set(&Site<Lanes>::x);
+      set(&Site<Lanes>::y);
+      set(&Site<Lanes>::r);
+    }
+  };
   static Sign beyond(double x, double bound) {
     return x > bound ? Sign::positive : x < -bound ? Sign::negative : Sign::unknown;
   }
@@ -159,29 +175,22 @@ class RoughCircles {
            4 * u * (ao_ * f.large + p * xy);
   }
 
-  // The triples (l,s,r) and (r,e,l), a disk first: as tangent_triple().
   RoughCircles(const Quad& q, const Sites& sites)
-      : RoughCircles(q, sites, q.l == container_id ? Places{2, 1, 0, 3} : Places{0, 2, 1, 3},
-                     q.r == container_id ? Places{3, 0, 1, 2} : Places{1, 3, 0, 2}) {}
-  // `start` and `end`: where base, j, k and the opposite are among the four sites.
-  RoughCircles(const Quad& q, const Sites& sites, const Places& start, const Places& end)
-      : t_(pick(sites, start[0], end[0]), pick(sites, start[1], end[1]),
-           pick(sites, start[2], end[2]), false),
-        opposite_(pick(sites, start[3], end[3])),
+      : RoughCircles(q, Roles(q, sites.at), sites.error) {}
+  RoughCircles(const Quad& q, const Roles& of, const Lanes& errors)
+      : t_(of.base, of.j, of.k, false),
+        opposite_(of.opposite),
         other_is_container_{q.e == container_id, q.s == container_id} {
     const bool edge_of_container = q.l == container_id || q.r == container_id;
     with_container_[0] = edge_of_container || q.s == container_id;
     with_container_[1] = edge_of_container || q.e == container_id;
-    const Lanes& errors = sites.error;
     const double error = std::max({errors[0], errors[1], errors[2], errors[3]});
-    const auto size_of = [&](int k) {
-      const Site<Lanes> s = pick(sites, start[k], end[k]);
+    const auto size_of = [&](const Site<Lanes>& s) -> Lanes {
       return abs(s.x - t_.base.x) + abs(s.y - t_.base.y) + abs(s.r - t_.base.r);
     };
-    const auto larger = [](const Lanes& a, const Lanes& b) { return 0.5 * (a + b + abs(a - b)); };
-    aj_ = size_of(1);
-    ak_ = size_of(2);
-    ao_ = size_of(3);
+    aj_ = size_of(of.j);
+    ak_ = size_of(of.k);
+    ao_ = size_of(of.opposite);
     const Lanes largest = larger(larger(aj_, ak_), ao_);
     r_ = (std::max(largest[0], largest[1]) + 6 * error) * (1 + 0x1p-40);
     eta_ = 2 * error + u * r_;
