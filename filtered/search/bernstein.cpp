@@ -6,7 +6,6 @@
 
 #include "exact/predicates.h"
 #include "exact/rounding.h"
-#include "filtered/motion/motion_lanes.h"
 #include "filtered/numbers/bound.h"
 #include "filtered/numbers/form.h"
 #include "filtered/numbers/lanes.h"
@@ -31,24 +30,31 @@ struct Ends {
 template <bool certified>
 [[gnu::always_inline]] inline void place(const Motion& motion, const Quad& q, double a, double b,
                                          Ends& e) {
-  const MotionLanes m(motion.doubles(q.l), motion.doubles(q.r), motion.doubles(q.s),
-                      motion.doubles(q.e));
-  const Lanes ta = a - m.t, tb = b - m.t;
-  e.r = m.r;
-  e.x0 = m.x + m.vx * ta;
-  e.y0 = m.y + m.vy * ta;
-  e.x1 = m.x + m.vx * tb;
-  e.y1 = m.y + m.vy * tb;
+  const DoubleMotion* m[4] = {&motion.doubles(q.l), &motion.doubles(q.r), &motion.doubles(q.s),
+                              &motion.doubles(q.e)};
+  const auto lanes = [&](double DoubleMotion::*member) {
+    return Lanes{m[0]->*member, m[1]->*member, m[2]->*member, m[3]->*member};
+  };
+  const Lanes t = lanes(&DoubleMotion::t);
+  const Lanes x = lanes(&DoubleMotion::x), y = lanes(&DoubleMotion::y);
+  const Lanes vx = lanes(&DoubleMotion::vx), vy = lanes(&DoubleMotion::vy);
+  const Lanes ta = a - t, tb = b - t;
+  e.r = lanes(&DoubleMotion::r);
+  e.x0 = x + vx * ta;
+  e.y0 = y + vy * ta;
+  e.x1 = x + vx * tb;
+  e.y1 = y + vy * tb;
   if constexpr (certified) {
     // x + v dt: dt, the product and the sum are rounded once each, so the error is
     // below u |x + v dt| + 2u(1+u) |v dt|, with |v dt| <= |x0| + |x| and likewise
     // for the other end: 4u times (all magnitudes together) covers it. The state's
     // own error adds ex + ev |dt|.
-    const Lanes size = abs(m.x) + abs(m.y);
+    const Lanes size = abs(x) + abs(y);
     const Lanes size0 = abs(e.x0) + abs(e.y0), size1 = abs(e.x1) + abs(e.y1);
-    e.err = 4 * u * (size + size0 + size1) + m.ex + m.ev * (abs(ta) + abs(tb));
-    e.err0 = 4 * u * (size + size0) + m.ex + m.ev * abs(ta);
-    e.err1 = 4 * u * (size + size1) + m.ex + m.ev * abs(tb);
+    const Lanes ex = lanes(&DoubleMotion::ex), ev = lanes(&DoubleMotion::ev);
+    e.err = 4 * u * (size + size0 + size1) + ex + ev * (abs(ta) + abs(tb));
+    e.err0 = 4 * u * (size + size0) + ex + ev * abs(ta);
+    e.err1 = 4 * u * (size + size1) + ex + ev * abs(tb);
   }
 }
 
