@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "filtered/motion/motion_lanes.h"
 #include "exact/rounding.h"
+#include "filtered/motion/motion_lanes.h"
 #include "filtered/numbers/bound.h"
 #include "filtered/numbers/form.h"
 

@@ -1,8 +1,8 @@
 // The two circles of a V-edge side by side, in doubles with error bounds.
 #pragma once
 
-#include "filtered/motion/motion_lanes.h"
 #include "exact/generators.h"
+#include "filtered/motion/motion_lanes.h"
 
 namespace voroproof::internal {
 

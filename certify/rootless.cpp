@@ -4,9 +4,9 @@
 #include <array>
 #include <bit>
 
-#include "filtered/motion/motion_lanes.h"
 #include "exact/predicates.h"
 #include "exact/rounding.h"
+#include "filtered/motion/motion_lanes.h"
 #include "filtered/numbers/bound.h"
 
 namespace voroproof::internal {
