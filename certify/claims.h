@@ -71,12 +71,10 @@ class Claims {
     while (wants_more() && read()) on_read();
     return !near_.empty();
   }
-  // The claims that have been read and not yet checked: one, nearly always.
+  // The claims that are read and not yet checked: one, nearly always.
   std::vector<Claim>& near() { return near_; }
   // Whether no other of them is so near the first that it may come before it.
-  bool first_is_alone() const {
-    return near_.size() == 1 || time(near_[1].event) > time(near_[0].event) + 2 * tolerance_;
-  }
+  bool first_is_alone() const { return near_.size() == 1; }
   // What is known of the claim that will be read after so many others.
   Replay::Place place_ahead(std::size_t far) const {
     const std::size_t k = times_.size() + far;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "certify/edge_circles.h"
 #include "certify/edge_signs.h"
@@ -73,12 +74,14 @@ struct Sides {
   unsigned all, positive, negative;
 
   explicit Sides(const Piece& p) : all((2U << p.degree) - 1) {
-    const Lanes err = p.err + Lanes{};
-    const Lanes low = load(p.c.data()), high = load(p.c.data() + 4);
-    positive = all & (exceeding(low, err) | exceeding(high, err) << 4 |
-                      static_cast<unsigned>(p.c[8] > p.err) << 8);
-    negative = all & (exceeding(-low, err) | exceeding(-high, err) << 4 |
-                      static_cast<unsigned>(p.c[8] < -p.err) << 8);
+    const auto beyond = [&p](double side) {
+      const Lanes err = p.err + Lanes{};
+      unsigned bits = exceeding(side * load(p.c.data()), err);
+      if (p.degree == 8) bits |= exceeding(side * load(p.c.data() + 4), err) << 4;
+      return bits | static_cast<unsigned>(side * p.c[p.degree] > p.err) << p.degree;
+    };
+    positive = beyond(1);
+    negative = beyond(-1);
   }
 };
 
@@ -185,6 +188,25 @@ bool cut_to_one_root(const Motion& m, const Quad& q, double until, Piece& piece,
   return true;
 }
 
+// The rest of [from, b] that certainly has one root, not at an end, after a time before `until` up
+// to which the edge does not collapse. What is left where the form of the whole does not tell has a
+// form of its own, with smaller errors.
+std::optional<Piece> piece_of_one_root(const Motion& m, const Quad& q, double from, double until,
+                                       double b) {
+  int looks = kMaxLooks;
+  double begin = from;
+  for (int forms = 0; forms < 2; ++forms) {
+    BernsteinForm form;
+    if (form_flip_polynomial<true>(m, q, begin, b, form)) break;
+    Piece piece{begin, b, form.degree, form.c, form.err};
+    if (cut_to_one_root(m, q, until, piece, looks)) return piece;
+    const double left = piece.a - slop(piece);
+    if (!(begin < left)) break;
+    begin = left;
+  }
+  return std::nullopt;
+}
+
 bool free_in(const Motion& m, const Quad& q, double a, double b, int depth, int& looks) {
   BernsteinForm form;
   if (form_for_collapse(m, q, a, b, form)) return true;
@@ -238,20 +260,10 @@ bool proved_collapse(const Motion& motion, const Quad& q, double a, double b) {
 }
 
 bool proved_first_collapse(const Motion& motion, const Quad& q, double from, double a, double b) {
-  if (q.s == q.e || !(a < b)) return false;
-  Piece piece{};
-  int looks = kMaxLooks;
-  bool found = false;
-  double begin = from;
-  // What is left has a form of its own, with smaller errors, where that of the whole does not tell.
-  for (int forms = 0; !found && forms < 2; ++forms) {
-    BernsteinForm form;
-    if (!(begin < a) || form_flip_polynomial<true>(motion, q, begin, b, form)) return false;
-    piece = {begin, b, form.degree, form.c, form.err};
-    found = cut_to_one_root(motion, q, a, piece, looks);
-    begin = piece.a - slop(piece);
-  }
+  if (q.s == q.e || !(from < a && a < b)) return false;
+  const std::optional<Piece> found = piece_of_one_root(motion, q, from, a, b);
   if (!found) return false;
+  const Piece& piece = *found;
   // It is in [a, b] if the sign at a is that before it. The parameter x of a is rounded, and the
   // ends of the piece err: each cut rounds its middle once, by at most u M, M = |from| + |b|, and
   // keeps the errors of the two ends between which it lies, so that after kMaxCuts of them the
