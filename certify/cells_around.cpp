@@ -12,10 +12,9 @@ void CellsAround::collect(GenId i, GenId j) {
     spokes_.push_back(0);
     return;
   }
-  const long spoke = ++collection_, any = ++collection_;
-  const auto add = [this](std::vector<int>& to, int edge, long stamp, long known) {
-    if (collected_[edge] >= known) return;
-    collected_[edge] = stamp;
+  const auto add = [this](std::vector<int>& to, int edge) {
+    if (collected_[edge]) return;
+    collected_[edge] = true;
     to.push_back(edge);
   };
   const auto each = [this, i, j](auto&& visit) {
@@ -32,7 +31,7 @@ void CellsAround::collect(GenId i, GenId j) {
   // What is needed of them soon is asked for on the way: the lives, the pairs, and the generators
   // on the other sides.
   each([&](Diagram::HalfEdge h) {
-    add(spokes_, h / 2, spoke, spoke);
+    add(spokes_, h / 2);
     const Diagram::HalfEdge rim = s_.diagram.next(h);
     s_.diagram.prefetch(s_.diagram.previous(rim ^ 1));
     edges_.prefetch(rim / 2);
@@ -42,10 +41,11 @@ void CellsAround::collect(GenId i, GenId j) {
   all_ = spokes_;
   each([&](Diagram::HalfEdge h) {
     const Diagram::HalfEdge rim = s_.diagram.next(h);
-    add(all_, rim / 2, any, spoke);
+    add(all_, rim / 2);
     edges_.prefetch(h / 2);
     __builtin_prefetch(&s_.motion.doubles(s_.diagram.apex(rim ^ 1)));
   });
+  for (const int edge : all_) collected_[edge] = false;
 }
 
 void CellsAround::end(GenId i, GenId j, const Moment& m) {

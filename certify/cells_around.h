@@ -17,7 +17,7 @@ class CellsAround {
       : s_(s), front_(front), edges_(edges), pairs_(pairs) {}
 
   // The diagram has been proved, or taken over.
-  void assign() { collected_.assign(s_.diagram.edges(), 0); }
+  void assign() { collected_.assign(s_.diagram.edges(), false); }
 
   // All lives around the two disks end at m, but that of the pair that collides. i may be the
   // container, for one disk. Before the start there are none.
@@ -35,8 +35,7 @@ class CellsAround {
   PairLives& pairs_;
   std::vector<GenId> turning_;     // flips are not judged: the disks that turn
   std::vector<int> spokes_, all_;  // of the last collection; all: with the rims
-  std::vector<long> collected_;    // by edge: the last collection it is in
-  long collection_ = 0;
+  std::vector<char> collected_;    // by edge, within collect(): whether it is among them
 };
 
 }  // namespace voroproof::internal

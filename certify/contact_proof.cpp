@@ -1,10 +1,10 @@
 #include "certify/contact_proof.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "exact/rounding.h"
 #include "filtered/motion/motion_lanes.h"
+#include "filtered/motion/window_places.h"
 #include "filtered/numbers/bound.h"
 #include "filtered/numbers/form.h"
 
@@ -12,40 +12,35 @@ namespace voroproof::internal {
 
 namespace {
 
-// A disk's centre at two times.
-struct Centres {
-  double x0, y0, x1, y1;
-  double error;  // of each coordinate, as in quadruplets over an interval (rootless.cpp)
+// The Bernstein coefficients over a window, times their binomials, of the square of the distance of
+// two generators less that of their reach.
+template <class T>
+struct Gap {
+  Form<T, 2> form;
+  T limit;  // of the error of a coefficient; the middle one errs by twice as much
 
-  Centres(const DoubleMotion& m, double a, double b)
-      : x0(m.x + m.vx * (a - m.t)),
-        y0(m.y + m.vy * (a - m.t)),
-        x1(m.x + m.vx * (b - m.t)),
-        y1(m.y + m.vy * (b - m.t)),
-        error(4 * unit_roundoff *
-                  (std::fabs(m.x) + std::fabs(m.y) + std::fabs(x0) + std::fabs(y0) + std::fabs(x1) +
-                   std::fabs(y1)) +
-              m.ex + m.ev * (std::fabs(a - m.t) + std::fabs(b - m.t))) {}
+  Gap(const WindowPlaces<T>& i, const WindowPlaces<T>& j, const T& reach) {
+    const Form<T, 1> x{{i.x0 - j.x0, i.x1 - j.x1}}, y{{i.y0 - j.y0, i.y1 - j.y1}};
+    form = tangency_of(x, y, Form<T, 0>{{reach}});
+    const T far = larger(abs(x.c[0]) + abs(y.c[0]), abs(x.c[1]) + abs(y.c[1]));
+    limit = tangency_bound(far, abs(reach), i.error + j.error).err * bound_up;
+  }
+
+  // Two disks are apart throughout.
+  auto is_positive() const {
+    return (form.c[0] > limit) & (form.c[1] > 2 * limit) & (form.c[2] > limit);
+  }
+  // A disk is inside the container at the end.
+  auto ends_negative() const { return form.c[2] < -limit; }
 };
-
-// Whether two disks are apart throughout [a, b] by the Bernstein coefficients of the square of
-// their distance less that of their reach: sooner done than what follows, and enough nearly always.
-bool have_positive_gap(const DoubleMotion& i, const DoubleMotion& j, double a, double b) {
-  const Centres p(i, a, b), q(j, a, b);
-  const Form<double, 1> x{{p.x0 - q.x0, p.x1 - q.x1}}, y{{p.y0 - q.y0, p.y1 - q.y1}};
-  const double reach = i.r + j.r;
-  const Form<double, 2> gap = tangency_of(x, y, Form<double, 0>{{reach}});
-  const double far =
-      std::max(std::fabs(x.c[0]) + std::fabs(y.c[0]), std::fabs(x.c[1]) + std::fabs(y.c[1]));
-  const double limit = tangency_bound(far, reach, p.error + q.error).err * bound_up;
-  return gap.c[0] > limit && gap.c[1] > 2 * limit && gap.c[2] > limit;
-}
 
 }  // namespace
 
 bool proved_apart(const Motion& motion, GenId i, GenId j, double a, double b) {
   const bool disks = i != container_id && j != container_id;
-  if (disks && have_positive_gap(motion.doubles(i), motion.doubles(j), a, b)) return true;
+  const DoubleMotion &mi = motion.doubles(i), &mj = motion.doubles(j);
+  const WindowPlaces<double> pi(mi, a, b), pj(mj, a, b);
+  if (disks && Gap<double>(pi, pj, mi.r + mj.r).is_positive()) return true;
   if (motion.same_velocity(i, j)) return true;  // their distance never changes
   const DoubleBall start(a), end(b);
   if (!disks) {
@@ -75,16 +70,13 @@ void ApartBatch::prove(double b) {
                         motion_.doubles(p[2]->i), motion_.doubles(p[3]->i));
     const MotionLanes j(motion_.doubles(p[0]->j), motion_.doubles(p[1]->j),
                         motion_.doubles(p[2]->j), motion_.doubles(p[3]->j));
-    const BallLanes start{{p[0]->a, p[1]->a, p[2]->a, p[3]->a}, {}}, end{splat(b), {}};
-    const Contact<BallLanes> before(i.moving_site(start), j.moving_site(start));
-    const Contact<BallLanes> after(i.moving_site(end), j.moving_site(end));
-    // Two disks: apart at a, and then parting, or never within reach, or still approaching at b. A
-    // disk and the container: inside at b, as at a.
-    const LaneMask never = negative(before.b * before.b - before.a * before.c);
-    const LaneMask not_yet = positive(after.c) & negative(after.b);
-    const LaneMask disks = positive(before.c) & (positive(before.b) | never | not_yet);
+    const Lanes from{p[0]->a, p[1]->a, p[2]->a, p[3]->a}, to = splat(b);
+    const Gap<Lanes> gap(WindowPlaces<Lanes>(i, from, to), WindowPlaces<Lanes>(j, from, to),
+                         i.r + j.r);
+    // A disk is inside the container at a, so that it is throughout if it is at b.
     const LaneMask wall = i.r < 0;
-    const LaneMask apart = (wall & negative(after.c)) | (~wall & disks);
+    const LaneMask apart =
+        (wall & LaneMask(gap.ends_negative())) | (~wall & LaneMask(gap.is_positive()));
     for (std::size_t k = 0; k < count; ++k) apart_[first + k] = apart[k] != 0;
   }
 }

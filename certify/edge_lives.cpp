@@ -65,13 +65,16 @@ std::optional<IsolatedRoot> EdgeLives::bracket(const Quad& q, double from, doubl
 
 // A life begins at m. `own`: m is a root of the edge's own polynomial, isolated so, and the edge
 // is what the flip there left. `rootless`: its generators are proved not to be cotangent at m.
-void EdgeLives::begin_life(int edge, const Moment& m, const IsolatedRoot* own, bool rootless) {
-  Life& life = lives_[edge];
-  life = {};
-  life.born = front_.instant;
-  life.from = own != nullptr ? own->hi : m.lo;
+inline void EdgeLives::begin_life(int edge, const Moment& m, const IsolatedRoot* own,
+                                  bool rootless) {
+  lives_[edge] = {.from = own != nullptr ? own->hi : m.lo, .born = front_.instant};
   const bool isolated = own != nullptr && m.root == nullptr;
-  if (isolated || rootless) return;
+  if (!isolated && !rootless) find_beginning(edge, m, own);
+}
+
+// What the edge is at m where that is not known.
+void EdgeLives::find_beginning(int edge, const Moment& m, const IsolatedRoot* own) {
+  Life& life = lives_[edge];
   const Quad q = s_.diagram.quad(2 * edge);
   if (q.s == q.e || (own == nullptr && proved_not_cotangent(s_.motion, q, m.lo, m.hi))) return;
   ++s_.certificate.beyond_filter;
@@ -96,18 +99,23 @@ void EdgeLives::begin_life(int edge, const Moment& m, const IsolatedRoot* own, b
 
 // The life ends at m without a flip of the edge; `closed`: a collapse at m itself is missed too.
 // Its quadruplet, over the time from its `from` to m.hi, is the k-th of the batch.
-void EdgeLives::end_life(int edge, const Moment& m, bool closed, std::size_t k) {
+inline void EdgeLives::end_life(int edge, const Moment& m, bool closed, std::size_t k) {
   ++s_.certificate.edge_lives;
   Life& life = lives_[edge];
   if (life.pending) return;
   life.clear_end = batch_.rootless(k);
+  if (life.illegal || life.due || !life.clear_end) find_end(edge, m, closed, k);
+}
+
+// The same where the edge's generators are not known to be cotangent at no time of the life.
+void EdgeLives::find_end(int edge, const Moment& m, bool closed, std::size_t k) {
+  Life& life = lives_[edge];
   if (life.illegal) {
     if ((life.born == front_.instant && !closed) || left_out(front_.moment)) return;
     Collapse c;
     c.lo = c.hi = m.lo;
     throw Refuted{refuter_.missing_flip(s_.diagram.quad(2 * edge), c)};
   }
-  if (!life.due && life.clear_end) return;
   const Quad q = s_.diagram.quad(2 * edge);
   if (!life.due) {
     if (batch_.one_root(k) && proved_free_of_one(s_.motion, q, m.hi, batch_.end_sign(k))) return;

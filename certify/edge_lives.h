@@ -110,7 +110,9 @@ class EdgeLives {
 
  private:
   void begin_life(int edge, const Moment& m, const IsolatedRoot* own, bool rootless);
+  void find_beginning(int edge, const Moment& m, const IsolatedRoot* own);
   void end_life(int edge, const Moment& m, bool closed, std::size_t k);
+  void find_end(int edge, const Moment& m, bool closed, std::size_t k);
 
   Setting& s_;
   Front& front_;

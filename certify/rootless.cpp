@@ -7,6 +7,7 @@
 #include "exact/predicates.h"
 #include "exact/rounding.h"
 #include "filtered/motion/motion_lanes.h"
+#include "filtered/motion/window_places.h"
 #include "filtered/numbers/bound.h"
 
 namespace voroproof::internal {
@@ -26,10 +27,38 @@ template <class P>
   return cotangency_of(p[0] * p[1], p[2] * p[3], p[4] * p[5]);
 }
 
-// The error of all its coefficients where those of the tangencies have these bounds.
-Lanes cotangency_error(const Bound<Lanes> (&tangencies)[6]) {
-  const Bound<Lanes> f = cotangency_of_pairs(tangencies);
+// Where four generators are and how far from there they may be, as one bound for all of them.
+struct Extent {
+  Lanes square{};  // dx^2 + dy^2 + dr^2 of two generators at an end of the window, at most
+  Lanes error{};   // of a coordinate and a radius, at most
+
+  // A pair of generators with this tangency at most, and radii that differ by dr.
+  void include(const Lanes& tangency, const Lanes& dr) {
+    square = larger(square, tangency + 2 * (dr * dr));
+  }
+
+  // The error of the coefficients of a tangency, before they are multiplied by binomials.
+  // |dx| + |dy| + |dr| is at most the square root of 3 dx^2 + 3 dy^2 + 3 dr^2.
+  Lanes of_tangency() const {
+    return tangency_bound_of<Lanes>(square_root(3 * square), square, 2 * error).err * bound_up;
+  }
+};
+
+// The error of the coefficients of the cotangency, likewise: those of the tangencies are at most
+// `size` in magnitude, each, and err by `err`.
+Lanes cotangency_error(const Lanes (&size)[6], const Lanes& err) {
+  const Lanes products = size[0] * size[1] + size[2] * size[3] + size[4] * size[5];
+  const Lanes all = size[0] + size[1] + size[2] + size[3] + size[4] + size[5];
+  const Bound<Lanes> f =
+      cotangency_bound<Lanes>({products, err * (all + 3 * err) + (8 * u * products + bound_tiny)});
   return (f.err + u * (80 * f.size)) * bound_up + 1e-290;
+}
+
+// Whether the cotangency is not zero, the tangencies being constants.
+LaneMask beyond_error(const Form<Lanes, 0> (&p)[6], const Extent& extent) {
+  Lanes size[6];
+  for (int k = 0; k < 6; ++k) size[k] = abs(p[k].c[0]);
+  return abs(cotangency_of_pairs(p).c[0]) > cotangency_error(size, extent.of_tangency());
 }
 
 // The bits of a set strictly between its lowest and its highest.
@@ -40,80 +69,57 @@ unsigned inside(unsigned bits) {
 constexpr std::array<int, 9> scale = binomials<8>();
 
 // Whether every tangency is positive, between a disk and the container negative, over the whole
-// time: p within its bound, coefficient by coefficient.
-LaneMask separated(const Lanes (&radius)[4], const Form<Lanes, 2> (&p)[6],
-                   const Bound<Lanes> (&bound)[6]) {
+// time: p within the error, coefficient by coefficient.
+LaneMask separated(const Lanes (&radius)[4], const Form<Lanes, 2> (&p)[6], const Lanes& err) {
   LaneMask all = ~LaneMask{};
   for (int k = 0; k < 6; ++k) {
     const LaneMask wall = (radius[I[k]] < 0) ^ (radius[J[k]] < 0);
     for (int i = 0; i < 3; ++i) {
-      const Lanes limit = (i == 1 ? 2 : 1) * bound[k].err * bound_up;
+      const Lanes limit = i == 1 ? 2 * err : err;
       all &= (wall & (p[k].c[i] < -limit)) | (~wall & (p[k].c[i] > limit));
     }
   }
   return all;
 }
 
-// A tangency on each lane, at one time.
-struct Tangency {
-  Lanes value;
-  Bound<Lanes> bound;
-};
-
 // The lanes with these numbers, from 4 on of b.
 template <int... lane>
 Lanes lanes_of(const Lanes& a, const Lanes& b) {
   return __builtin_shufflevector(a, b, lane...);
 }
-template <int... lane>
-Tangency lanes_of(const Tangency& a, const Tangency& b) {
-  return {
-      lanes_of<lane...>(a.value, b.value),
-      {lanes_of<lane...>(a.bound.size, b.bound.size), lanes_of<lane...>(a.bound.err, b.bound.err)}};
+Lanes largest(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
+  return larger(larger(a, b), larger(c, d));
 }
 Lanes exchanged(const Lanes& halves) { return lanes_of<2, 3, 0, 1>(halves, halves); }
 
 }  // namespace
 
-// Four generators on each lane, over an interval [a, b] of each.
-//
-// Error bound. A coordinate at an end of the interval is x + v dt: dt, the product and the sum are
-// rounded once each, which is below 4u times all the magnitudes together, and the motion's own
-// errors add ex + ev |dt|; ex is that of the radius as well. The rest is by the rules of Bound.
+// Four generators on each lane, over an interval [a, b] of each. What is not a number stays that way
+// in sizes, though it is lost where the larger of two is taken.
 struct RootlessBatch::Window {
+  using Places = WindowPlaces<Lanes>;
+
   Window(const std::array<MotionLanes, 4>& generators, const Lanes& a, const Lanes& b);
 
-  Lanes x1[4], y1[4];         // at b
-  Lanes radius[4], error[4];  // error: of a coordinate and the radius
-  Lanes speed[4];             // at most
-  Lanes end;                  // b
-  Form<Lanes, 2> p[6];        // the tangencies of the pairs I, J
-  Lanes far[6], dr[6];        // of these: |x| + |y| at most, and |r|
+  Places at[4];
+  Lanes radius[4];
+  Lanes end;            // b
+  Form<Lanes, 2> p[6];  // the tangencies of the pairs I, J
+  Extent extent;
 };
 
 [[gnu::always_inline]] inline RootlessBatch::Window::Window(
-    const std::array<MotionLanes, 4>& generators, const Lanes& a, const Lanes& b)
-    : end(b) {
-  Lanes x0[4], y0[4];
-  for (int i = 0; i < 4; ++i) {
-    const MotionLanes& g = generators[i];
-    const Lanes ta = a - g.t, tb = b - g.t;
-    x0[i] = g.x + g.vx * ta;
-    y0[i] = g.y + g.vy * ta;
-    x1[i] = g.x + g.vx * tb;
-    y1[i] = g.y + g.vy * tb;
-    radius[i] = g.r;
-    speed[i] = abs(g.vx) + abs(g.vy) + g.ev;
-    const Lanes size = abs(g.x) + abs(g.y) + abs(x0[i]) + abs(y0[i]) + abs(x1[i]) + abs(y1[i]);
-    error[i] = 4 * u * size + g.ex + g.ev * (abs(ta) + abs(tb));
-  }
+    const std::array<MotionLanes, 4>& of, const Lanes& a, const Lanes& b)
+    : at{Places(of[0], a, b), Places(of[1], a, b), Places(of[2], a, b), Places(of[3], a, b)},
+      radius{of[0].r, of[1].r, of[2].r, of[3].r},
+      end(b) {
+  extent.error = largest(at[0].error, at[1].error, at[2].error, at[3].error);
   for (int k = 0; k < 6; ++k) {
-    const int i = I[k], j = J[k];
-    const Form<Lanes, 1> x{{x0[i] - x0[j], x1[i] - x1[j]}}, y{{y0[i] - y0[j], y1[i] - y1[j]}};
-    const Lanes r = radius[i] - radius[j];
+    const Places &i = at[I[k]], &j = at[J[k]];
+    const Form<Lanes, 1> x{{i.x0 - j.x0, i.x1 - j.x1}}, y{{i.y0 - j.y0, i.y1 - j.y1}};
+    const Lanes r = radius[I[k]] - radius[J[k]];
     p[k] = tangency_of(x, y, Form<Lanes, 0>{{r}});
-    far[k] = larger(abs(x.c[0]) + abs(y.c[0]), abs(x.c[1]) + abs(y.c[1]));
-    dr[k] = abs(r);
+    extent.include(larger(p[k].c[0], p[k].c[2]), r);
   }
 }
 
@@ -178,24 +184,27 @@ std::array<MotionLanes, 4> RootlessBatch::gather(const std::array<const Span*, k
 // without a root where all coefficients have one sign, and with one at most where they change it
 // once.
 void RootlessBatch::judge(const Window& w, std::size_t first, std::size_t count) {
-  Bound<Lanes> bound[6];
+  Lanes size[6];
   for (int k = 0; k < 6; ++k) {
-    bound[k] = tangency_bound<Lanes>(w.far[k], w.dr[k], w.error[I[k]] + w.error[J[k]]);
+    const auto& c = w.p[k].c;
+    size[k] = larger(abs(c[0]), abs(c[2])) + 0.5 * abs(c[1]);
   }
+  const Lanes err = w.extent.of_tangency();
   const Form<Lanes, 8> f = cotangency_of_pairs(w.p);
-  const Lanes total = cotangency_error(bound);
-  LaneMask positive = f.c[0] > total, negative = f.c[0] < -total;
+  // Pays for the divisions by binomials, too.
+  const Lanes total = cotangency_error(size, err);
+  Lanes least = f.c[0], greatest = f.c[0];
   for (int k = 1; k < 9; ++k) {
-    const Lanes limit = total * static_cast<double>(scale[k]);
-    positive &= f.c[k] > limit;
-    negative &= f.c[k] < -limit;
+    const Lanes c = f.c[k] * (1.0 / scale[k]);
+    least = smaller(least, c);
+    greatest = larger(greatest, c);
   }
-  const LaneMask proved = positive | negative;
+  const LaneMask proved = (least > total) | (greatest < -total);
   for (std::size_t k = 0; k < count; ++k) {
     if (proved[k] != 0) found_[first + k] = Found::rootless;
   }
   if (!any(~proved)) return;
-  const LaneMask asked = separated(w.radius, w.p, bound) & ~proved;
+  const LaneMask asked = separated(w.radius, w.p, err) & ~proved;
   for (std::size_t k = 0; k < count; ++k) {
     if (asked[k] != 0) count_roots(f, total, k, first + k);
   }
@@ -221,36 +230,29 @@ void RootlessBatch::count_roots(const Form<Lanes, 8>& f, const Lanes& total, std
 // are s, e, one of l and r, and the outer one: of the tangencies at b two alone are not those of
 // before. A coordinate moves by at most |v| + ev times the interval from where it is at b.
 void RootlessBatch::judge_flipped(const Window& w, double since) {
-  const Lanes length = w.end - since;
-  Lanes error[4];
-  for (int i = 0; i < 4; ++i) {
-    error[i] = (w.error[i] + w.speed[i] * length) * bound_up + 1e-290;
-  }
-  Tangency before[6];
-  for (int k = 0; k < 6; ++k) {
-    before[k] = {w.p[k].c[2], tangency_bound<Lanes>(w.far[k], w.dr[k], error[I[k]] + error[J[k]])};
-  }
   // On each lane: `own` is the one of s and e that the edge has before the flip and after it,
   // `other` the one that it gets. Of l and r it keeps r, l, l, r.
   constexpr int own_outer = 1, l_own = 2, r_outer = 3, l_outer = 4, r_own = 5;
-  const Lanes x = exchanged(w.x1[2]), y = exchanged(w.y1[2]), r = exchanged(w.radius[2]);
-  const auto with_other = [&](int i) -> Tangency {
-    const Form<Lanes, 0> dx{{w.x1[i] - x}}, dy{{w.y1[i] - y}}, dr{{w.radius[i] - r}};
-    return {tangency_of(dx, dy, dr).c[0],
-            tangency_bound<Lanes>(abs(dx.c[0]) + abs(dy.c[0]), abs(dr.c[0]),
-                                  error[i] + exchanged(error[2]))};
+  const auto before = [&](int k) -> const Lanes& { return w.p[k].c[2]; };
+  Extent extent = w.extent;
+  const Lanes x = exchanged(w.at[2].x1), y = exchanged(w.at[2].y1), r = exchanged(w.radius[2]);
+  const auto with_other = [&](int i) -> Lanes {
+    const Form<Lanes, 0> dx{{w.at[i].x1 - x}}, dy{{w.at[i].y1 - y}}, dr{{w.radius[i] - r}};
+    const Lanes p = tangency_of(dx, dy, dr).c[0];
+    extent.include(p, dr.c[0]);
+    return p;
   };
-  const Tangency after[6] = {
-      with_other(2),     lanes_of<0, 5, 6, 3>(before[r_outer], before[l_outer]),
-      before[own_outer], lanes_of<2, 7, 4, 1>(before[r_own], before[l_own]),
-      with_other(3),     lanes_of<0, 5, 6, 3>(before[r_own], before[l_own])};
-  Form<Lanes, 0> p[6];
-  Bound<Lanes> bound[6];
-  for (int k = 0; k < 6; ++k) {
-    p[k] = {{after[k].value}};
-    bound[k] = after[k].bound;
-  }
-  const LaneMask proved = abs(cotangency_of_pairs(p).c[0]) > cotangency_error(bound);
+  const Form<Lanes, 0> p[6] = {{{with_other(2)}},
+                               {{lanes_of<0, 5, 6, 3>(before(r_outer), before(l_outer))}},
+                               {{before(own_outer)}},
+                               {{lanes_of<2, 7, 4, 1>(before(r_own), before(l_own))}},
+                               {{with_other(3)}},
+                               {{lanes_of<0, 5, 6, 3>(before(r_own), before(l_own))}}};
+  extent.square = larger(extent.square, exchanged(extent.square));
+  extent.error +=
+      largest(w.at[0].speed, w.at[1].speed, w.at[2].speed, w.at[3].speed) * (w.end - since);
+  extent.error = larger(extent.error, exchanged(extent.error)) * bound_up + 1e-290;
+  const LaneMask proved = beyond_error(p, extent);
   for (std::size_t k = 0; k < kLanes; ++k) flipped_[k] = proved[k] != 0;
 }
 
@@ -259,27 +261,23 @@ void RootlessBatch::judge_flipped(const Window& w, double since) {
 void RootlessBatch::judge_at(const std::array<MotionLanes, 4>& generators, double a, double b,
                              std::size_t first, std::size_t count) {
   const DoubleBall hull = DoubleBall::hull(a, b);
-  Lanes x[4], y[4], radius[4], error[4];
-  for (int i = 0; i < 4; ++i) {
-    const MotionLanes& g = generators[i];
-    const Lanes dt = hull.mid - g.t;
-    x[i] = g.x + g.vx * dt;
-    y[i] = g.y + g.vy * dt;
-    radius[i] = g.r;
-    const Lanes size = abs(g.x) + abs(g.y) + abs(x[i]) + abs(y[i]);
-    const Lanes speed = abs(g.vx) + abs(g.vy) + g.ev;
-    error[i] = (4 * u * size + g.ex + g.ev * abs(dt) + speed * hull.rad) * (1 + 0x1p-40) + 1e-290;
-  }
+  const Lanes middle = splat(hull.mid);
+  const WindowPlaces<Lanes> at[4] = {
+      {generators[0], middle, middle}, {generators[1], middle, middle},
+      {generators[2], middle, middle}, {generators[3], middle, middle}};
+  Extent extent;
+  extent.error = largest(at[0].error, at[1].error, at[2].error, at[3].error) +
+                 largest(at[0].speed, at[1].speed, at[2].speed, at[3].speed) * hull.rad;
+  extent.error = extent.error * bound_up + 1e-290;
   Form<Lanes, 0> p[6];
-  Bound<Lanes> bound[6];
   for (int k = 0; k < 6; ++k) {
     const int i = I[k], j = J[k];
-    const Form<Lanes, 0> dx{{x[i] - x[j]}}, dy{{y[i] - y[j]}}, dr{{radius[i] - radius[j]}};
+    const Form<Lanes, 0> dx{{at[i].x0 - at[j].x0}}, dy{{at[i].y0 - at[j].y0}};
+    const Form<Lanes, 0> dr{{generators[i].r - generators[j].r}};
     p[k] = tangency_of(dx, dy, dr);
-    bound[k] =
-        tangency_bound<Lanes>(abs(dx.c[0]) + abs(dy.c[0]), abs(dr.c[0]), error[i] + error[j]);
+    extent.include(p[k].c[0], dr.c[0]);
   }
-  const LaneMask proved = abs(cotangency_of_pairs(p).c[0]) > cotangency_error(bound);
+  const LaneMask proved = beyond_error(p, extent);
   for (std::size_t k = 0; k < count; ++k) {
     if (proved[k] != 0) found_[first + k] = Found::rootless;
   }

@@ -75,7 +75,7 @@ using Squared = decltype(squared(std::declval<const X&>()));
 
 // The tangency p of two sites whose centres differ by (dx, dy) and whose radii by dr.
 template <class X, class R>
-Squared<X> tangency_of(const X& dx, const X& dy, const R& dr) {
+[[gnu::always_inline]] inline Squared<X> tangency_of(const X& dx, const X& dy, const R& dr) {
   return squared(dx) + squared(dy) - squared(dr);
 }
 
@@ -84,7 +84,7 @@ Squared<X> tangency_of(const X& dx, const X& dy, const R& dr) {
 // is symmetric in a, b and c, and in the sites.)
 //
 // This is the flip polynomial, and its only definition. A may be a value, a value with its slope, a
-// polynomial, four numbers side by side, or a bound of one of these.
+// polynomial, or four numbers side by side.
 template <class A>
 Squared<A> cotangency_of(const A& a, const A& b, const A& c) {
   const A g = a - b - c;

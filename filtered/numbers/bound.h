@@ -11,7 +11,7 @@ namespace voroproof::internal {
 //
 // Rules, u = 2^-53. A coefficient of a product is a mean of products, with weights that add up to
 // 1, so that what holds of numbers holds of it.
-//   a +- b   err_a + err_b, and one rounding, u (size_a + size_b).
+//   a + b    err_a + err_b, and one rounding, u (size_a + size_b).
 //   a b      size_a err_b + size_b err_a + err_a err_b for the factors. Up to degree 8 it is a sum
 //            of at most five products: five roundings on the longest way, below 8 u size_a size_b.
 //            Underflow adds less than `bound_tiny`.
@@ -32,10 +32,6 @@ template <class T>
 [[gnu::always_inline]] inline Bound<T> operator+(const Bound<T>& a, const Bound<T>& b) {
   const T size = a.size + b.size;
   return {size, a.err + b.err + unit_roundoff * size};
-}
-template <class T>
-[[gnu::always_inline]] inline Bound<T> operator-(const Bound<T>& a, const Bound<T>& b) {
-  return a + b;
 }
 template <class T>
 [[gnu::always_inline]] inline Bound<T> operator*(const Bound<T>& a, const Bound<T>& b) {
@@ -65,6 +61,18 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline Bound<T> tangency_bound(const T& far, const T& err) {
   return tangency_bound_of<T>(far, far * far, err);
+}
+
+// The bound of the cotangency (a - b - c)^2 - 4 b c (cotangency_of()) from the sum of the bounds of
+// a, b and c, of size S and error E. It is a^2 + b^2 + c^2 - 2 (a b + b c + c a), so at most S^2 in
+// magnitude, and errors of a, b and c move it by at most 2 S E + E^2. The difference g of all three
+// is rounded twice, 2 u S, and with it g^2 errs by 4 u S^2; the squaring and the product, both at
+// most S^2 in magnitude, cost 8 u S^2 each, and the last difference one rounding.
+template <class T>
+[[gnu::always_inline]] inline Bound<T> cotangency_bound(const Bound<T>& sum) {
+  const T size = sum.size * sum.size;
+  return {size,
+          (2 * sum.size + sum.err) * sum.err + (24 * unit_roundoff * size + bound_tiny)};
 }
 
 // The bound of the determinant x1 y2 - y1 x2 of two offsets with |x| + |y| at most far1 and far2,

@@ -18,7 +18,23 @@ inline Lanes abs(const Lanes& a) {
 
 inline double abs(double a) { return std::fabs(a); }
 
-inline Lanes larger(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
+// b where one of the two is not a number. One instruction where there is one, which g++ does not
+// see.
+inline Lanes larger(const Lanes& a, const Lanes& b) {
+#ifdef __AVX__
+  return Lanes(_mm256_max_pd(a, b));
+#else
+  return a > b ? a : b;
+#endif
+}
+inline double larger(double a, double b) { return a > b ? a : b; }
+inline Lanes smaller(const Lanes& a, const Lanes& b) {
+#ifdef __AVX__
+  return Lanes(_mm256_min_pd(a, b));
+#else
+  return a < b ? a : b;
+#endif
+}
 
 inline Lanes square_root(const Lanes& a) {
 #ifdef __AVX__

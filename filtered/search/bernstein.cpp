@@ -81,7 +81,6 @@ Bound<Lanes> bound_of(const Offsets<Pairs>& d, const Ends& e) {
 Form<double, 4> lane(const Form<Lanes, 4>& f, int k) {
   return {{f.c[0][k], f.c[1][k], f.c[2][k], f.c[3][k], f.c[4][k]}};
 }
-Bound<double> lane(const Bound<Lanes>& b, int k) { return {b.size[k], b.err[k]}; }
 
 // What is made of a form later is paid for by its bound: at most 24 subdivisions, which round once
 // on each level of the scheme, and one evaluation, which rounds three times there; the weight 1 - x
@@ -94,7 +93,7 @@ template <int degree, class T>
 
 double cotangency_error(const Bound<Lanes>& with_l, const Bound<Lanes>& others) {
   const Bound<Lanes> abc = with_l * others;
-  return with_later_use<8>(cotangency_of(lane(abc, 0), lane(abc, 1), lane(abc, 2)));
+  return with_later_use<8>(cotangency_bound<double>({total(abc.size), total(abc.err)}));
 }
 
 template <bool certified>

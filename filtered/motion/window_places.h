@@ -1,0 +1,34 @@
+// Where a generator is at both ends of a window of time, and how precisely that is known: for
+// doubles, or for several generators or windows side by side.
+#pragma once
+
+#include "exact/rounding.h"
+#include "filtered/numbers/lanes.h"
+
+namespace voroproof::internal {
+
+// Error bound. A coordinate is x + v dt: dt, the product and the sum are rounded once each, which
+// is below 2 u |x| + 4 u |v dt|, and the motion's own errors add ex + ev |dt|. Who uses it
+// multiplies it by `bound_up`. It says nothing where a coordinate is no number or infinite.
+template <class T>
+struct WindowPlaces {
+  T x0, y0, x1, y1;  // at a and at b
+  T speed;           // of a coordinate, at most
+  T error;           // of each coordinate and of the radius, at most
+
+  // M: DoubleMotion, or MotionLanes.
+  template <class M>
+  [[gnu::always_inline]] WindowPlaces(const M& m, const T& a, const T& b) {
+    const T ta = a - m.t, tb = b - m.t;
+    x0 = m.x + m.vx * ta;
+    y0 = m.y + m.vy * ta;
+    x1 = m.x + m.vx * tb;
+    y1 = m.y + m.vy * tb;
+    const T v = abs(m.vx) + abs(m.vy);
+    speed = v + m.ev;
+    error = 2 * unit_roundoff * (abs(m.x) + abs(m.y)) + m.ex +
+            (4 * unit_roundoff * v + m.ev) * (abs(ta) + abs(tb));
+  }
+};
+
+}  // namespace voroproof::internal
