@@ -94,8 +94,8 @@ Lanes exchanged(const Lanes& halves) { return lanes_of<2, 3, 0, 1>(halves, halve
 
 }  // namespace
 
-// Four generators on each lane, over an interval [a, b] of each. What is not a number stays that way
-// in sizes, though it is lost where the larger of two is taken.
+// Four generators on each lane, over an interval [a, b] of each. What is not a number stays that
+// way in sizes, though it is lost where the larger of two is taken.
 struct RootlessBatch::Window {
   using Places = WindowPlaces<Lanes>;
 
@@ -108,8 +108,8 @@ struct RootlessBatch::Window {
   Extent extent;
 };
 
-[[gnu::always_inline]] inline RootlessBatch::Window::Window(
-    const std::array<MotionLanes, 4>& of, const Lanes& a, const Lanes& b)
+[[gnu::always_inline]] inline RootlessBatch::Window::Window(const std::array<MotionLanes, 4>& of,
+                                                            const Lanes& a, const Lanes& b)
     : at{Places(of[0], a, b), Places(of[1], a, b), Places(of[2], a, b), Places(of[3], a, b)},
       radius{of[0].r, of[1].r, of[2].r, of[3].r},
       end(b) {
@@ -242,12 +242,10 @@ void RootlessBatch::judge_flipped(const Window& w, double since) {
     extent.include(p, dr.c[0]);
     return p;
   };
-  const Form<Lanes, 0> p[6] = {{{with_other(2)}},
-                               {{lanes_of<0, 5, 6, 3>(before(r_outer), before(l_outer))}},
-                               {{before(own_outer)}},
-                               {{lanes_of<2, 7, 4, 1>(before(r_own), before(l_own))}},
-                               {{with_other(3)}},
-                               {{lanes_of<0, 5, 6, 3>(before(r_own), before(l_own))}}};
+  const Form<Lanes, 0> p[6] = {
+      {{with_other(2)}},     {{lanes_of<0, 5, 6, 3>(before(r_outer), before(l_outer))}},
+      {{before(own_outer)}}, {{lanes_of<2, 7, 4, 1>(before(r_own), before(l_own))}},
+      {{with_other(3)}},     {{lanes_of<0, 5, 6, 3>(before(r_own), before(l_own))}}};
   extent.square = larger(extent.square, exchanged(extent.square));
   extent.error +=
       largest(w.at[0].speed, w.at[1].speed, w.at[2].speed, w.at[3].speed) * (w.end - since);
@@ -262,9 +260,10 @@ void RootlessBatch::judge_at(const std::array<MotionLanes, 4>& generators, doubl
                              std::size_t first, std::size_t count) {
   const DoubleBall hull = DoubleBall::hull(a, b);
   const Lanes middle = splat(hull.mid);
-  const WindowPlaces<Lanes> at[4] = {
-      {generators[0], middle, middle}, {generators[1], middle, middle},
-      {generators[2], middle, middle}, {generators[3], middle, middle}};
+  const WindowPlaces<Lanes> at[4] = {{generators[0], middle, middle},
+                                     {generators[1], middle, middle},
+                                     {generators[2], middle, middle},
+                                     {generators[3], middle, middle}};
   Extent extent;
   extent.error = largest(at[0].error, at[1].error, at[2].error, at[3].error) +
                  largest(at[0].speed, at[1].speed, at[2].speed, at[3].speed) * hull.rad;

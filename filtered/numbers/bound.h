@@ -71,8 +71,7 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline Bound<T> cotangency_bound(const Bound<T>& sum) {
   const T size = sum.size * sum.size;
-  return {size,
-          (2 * sum.size + sum.err) * sum.err + (24 * unit_roundoff * size + bound_tiny)};
+  return {size, (2 * sum.size + sum.err) * sum.err + (24 * unit_roundoff * size + bound_tiny)};
 }
 
 // The bound of the determinant x1 y2 - y1 x2 of two offsets with |x| + |y| at most far1 and far2,
