@@ -36,14 +36,15 @@ void CellsAround::collect(GenId i, GenId j) {
     s_.diagram.prefetch(s_.diagram.previous(rim ^ 1));
     edges_.prefetch(rim / 2);
     pairs_.prefetch(h / 2);
-    __builtin_prefetch(&s_.motion.doubles(s_.diagram.dest(h)));
+    s_.motion.prefetch(s_.diagram.dest(h));
+    s_.replay.prefetch_turns(s_.diagram.dest(h));
   });
   all_ = spokes_;
   each([&](Diagram::HalfEdge h) {
     const Diagram::HalfEdge rim = s_.diagram.next(h);
     add(all_, rim / 2);
     edges_.prefetch(h / 2);
-    __builtin_prefetch(&s_.motion.doubles(s_.diagram.apex(rim ^ 1)));
+    s_.motion.prefetch(s_.diagram.apex(rim ^ 1));
   });
   for (const int edge : all_) collected_[edge] = false;
 }

@@ -186,12 +186,11 @@ EdgeRing::EdgeRing(const Diagram& diagram, Diagram::HalfEdge h) : q(diagram.quad
   const Diagram::HalfEdge back = diagram.previous(h), other_back = diagram.previous(h ^ 1);
   for (const Diagram::HalfEdge g :
        {diagram.previous(back), back, diagram.previous(other_back), other_back}) {
-    outer[count] = diagram.apex(g ^ 1);
-    edges[count] = g / 2;
     // In small configurations one edge may appear twice.
-    bool seen = g / 2 == h / 2;
-    for (int k = 0; k < 3; ++k) seen |= k < count && edges[k] == g / 2;
-    if (!seen) ++count;
+    const int edge = g / 2;
+    if (edge == h / 2 || edge == edges[0] || edge == edges[1] || edge == edges[2]) continue;
+    outer[count] = diagram.apex(g ^ 1);
+    edges[count++] = edge;
   }
 }
 

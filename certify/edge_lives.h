@@ -25,7 +25,7 @@ struct IsolatedRoot {
 // An edge that flips, and those of the two triangles beside it, each once.
 struct EdgeRing {
   Quad q;  // of the edge before the flip
-  std::array<int, 4> edges{};
+  std::array<int, 4> edges{-1, -1, -1, -1};
   std::array<GenId, 4> outer{};  // the generators beyond them
   int count = 0;
 
@@ -106,7 +106,7 @@ class EdgeLives {
   void require_none_after_left_out();
 
   // Asks for the memory of a life.
-  void prefetch(int edge) const { __builtin_prefetch(&lives_[edge]); }
+  void prefetch(int edge) const { internal::prefetch(&lives_[edge]); }
 
  private:
   void begin_life(int edge, const Moment& m, const IsolatedRoot* own, bool rootless);

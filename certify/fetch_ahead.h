@@ -19,7 +19,13 @@ namespace voroproof::internal {
   if (const auto* const claim = claims.unplaced_ahead(11)) s.replay.prefetch(claim->event);
   if (auto* const claim = claims.unplaced_ahead(8)) claim->place = s.replay.place_of(claim->event);
   const Diagram& d = s.diagram;
-  const auto generator = [&](GenId g) { __builtin_prefetch(&s.motion.doubles(g)); };
+  const auto generator = [&](GenId g) { s.motion.prefetch(g); };
+  const auto turning = [&](GenId g) {
+    if (g == container_id) return;
+    s.replay.prefetch(g);
+    s.motion.prefetch_restart(g);
+    s.law.prefetch(g);
+  };
   if (const HalfEdge h = claims.place_ahead(8).half; h >= 0) {
     d.prefetch(h);
     edges.prefetch(h / 2);
@@ -27,14 +33,15 @@ namespace voroproof::internal {
   }
   if (const auto [h, turns] = claims.place_ahead(6); h >= 0) {
     if (turns != Replay::Place::kNone) {
-      s.replay.prefetch(turns);
-      s.replay.prefetch(d.org(h));
+      turning(turns);
+      turning(d.org(h));
     }
     for (const HalfEdge g : {h, h ^ 1}) {
       const HalfEdge side = d.previous(g);
       d.prefetch(side);
       edges.prefetch(side / 2);
       generator(d.org(g));
+      s.replay.prefetch_turns(d.org(g));
     }
   }
   if (const HalfEdge h = claims.place_ahead(4).half; h >= 0) {

@@ -75,7 +75,7 @@ class PairLives {
   void check_contact(const CollideEvent& claim, int edge, const BallPair& at);
 
   // Asks for the memory of a life.
-  void prefetch(int edge) const { __builtin_prefetch(&since_[edge]); }
+  void prefetch(int edge) const { internal::prefetch(&since_[edge]); }
 
  private:
   // Also of the two whose collision is claimed then: it answers a contact, not a meeting of points.

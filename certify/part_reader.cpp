@@ -46,7 +46,7 @@ class PartReader::Section : public HistorySource {
   const HistoryHeader& header() const override { return header_; }
   std::optional<Event> next() override {
     if (taken_ < claims_.size()) {
-      claims_.prefetch(taken_ + 8);
+      claims_.prefetch(taken_);
       line_ = claims_.line(taken_);
       return claims_.take(taken_++);
     }

@@ -12,6 +12,7 @@
 #include "certify/read_ahead.h"
 #include "certify/replay.h"
 #include "certify/shard.h"
+#include "exact/prefetch.h"
 
 namespace voroproof::internal {
 
@@ -33,9 +34,12 @@ class ClaimList {
   void add(Event&& event, std::int64_t line);
   Event take(std::size_t k);  // each once
   std::int64_t line(std::size_t k) const { return claims_[k].line; }
-  // Asks for the memory of a claim, if there is one, that is taken later.
+  // Asks for the memory of claims that are taken after the k-th.
   [[gnu::always_inline]] void prefetch(std::size_t k) const {
-    if (k < claims_.size()) __builtin_prefetch(&claims_[k]);
+    if (k + 8 < claims_.size()) internal::prefetch(&claims_[k + 8]);
+    if (k + 4 >= claims_.size()) return;
+    const Quad& later = claims_[k + 4].quad;
+    if (later.l == kOther) internal::prefetch(&others_[later.r]);
   }
 
  private:

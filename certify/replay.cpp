@@ -11,8 +11,7 @@ Replay::Replay(const Scene& scene, const CertifyOptions& options)
     : scene_(&scene),
       options_(&options),
       diagram_(static_cast<int>(scene.disks.size())),
-      last_change_(scene.disks.size() + 1, 0),
-      turns_(scene.disks.size()) {
+      turns_(scene.disks.size() + 1) {
   for (const DiskInput& d : scene.disks) {
     velocities_.emplace_back(d.vx, d.vy);
     if (options.truth == Truth::recorded) paths_.emplace_back(d.x, d.y, velocities_.back());
@@ -79,9 +78,7 @@ void Replay::note_collision(const CollideEvent& claim, const std::optional<Exact
       const auto exact = exact_velocity(claim, side);
       velocities_[g] = Velocity(exact ? *exact : computed.value()[side]);
     }
-    last_change_[g + 1] = changes_;
-    ++turns_[g].count;
-    turns_[g].at_container = claim.i == container_id;
+    note_turn(g, claim.i == container_id);
   }
 }
 
@@ -153,9 +150,8 @@ void Replay::note_maneuver(std::size_t k, const ManeuverEvent& claim) {
   while (done_maneuvers_.erase(next_maneuver_) > 0) ++next_maneuver_;
   const Maneuver& m = scene_->maneuvers[k];
   velocities_[claim.disk] = Velocity(exact_velocity(claim).value_or(ExactVec2{m.vx, m.vy}));
-  last_change_[claim.disk + 1] = ++changes_;
-  ++turns_[claim.disk].count;
-  turns_[claim.disk].at_container = false;
+  ++changes_;
+  note_turn(claim.disk, false);
 }
 
 std::optional<Diagram::HalfEdge> Replay::flip(const FlipEvent& claim) {
@@ -187,13 +183,13 @@ void Replay::add_to(Fingerprint& fingerprint) const {
   }
   for (GenId g = container_id; g < disks(); ++g) {
     fingerprint.add(diagram_.anchor(g));
-    fingerprint.add(last_change_[g + 1]);
+    fingerprint.add(turns_[g + 1].last);
   }
   for (GenId g = 0; g < disks(); ++g) {
     velocities_[g].add_to(fingerprint);
     paths_[g].add_to(fingerprint);
-    fingerprint.add(turns_[g].count);
-    fingerprint.add(turns_[g].at_container);
+    fingerprint.add(turns_[g + 1].count);
+    fingerprint.add(turns_[g + 1].at_container);
   }
   fingerprint.add(changes_);
   fingerprint.add(static_cast<std::int64_t>(next_maneuver_));

@@ -12,6 +12,7 @@
 #include "certify/certifier.h"
 #include "certify/collision_law.h"
 #include "certify/path.h"
+#include "exact/prefetch.h"
 #include "topology/diagram.h"
 
 namespace voroproof::internal {
@@ -65,18 +66,18 @@ class Replay : public GivenMotion {
   // Where the two are at the time of the claim, enclosed; zero for the container.
   BallPair near_positions(const CollideEvent& claim) const;
   // Whether the motion of the disk has ever changed.
-  bool moved(GenId g) const { return last_change_[g + 1] != 0; }
+  bool moved(GenId g) const { return turns_[g + 1].last != 0; }
   // How many changes of the motion there have been, and whether the one of g was not after so many.
   int changes() const { return changes_; }
-  bool unchanged_since(GenId g, int changes) const { return last_change_[g + 1] <= changes; }
+  bool unchanged_since(GenId g, int changes) const { return turns_[g + 1].last <= changes; }
   // Whether the last thing that happened to both disks was their own collision.
   bool partners(GenId i, GenId j) const {
-    return i != container_id && moved(i) && last_change_[i + 1] == last_change_[j + 1];
+    return i != container_id && moved(i) && turns_[i + 1].last == turns_[j + 1].last;
   }
   // Whether the last thing that happened to the disk was a collision with the container.
-  bool hit_container(GenId g) const { return turns_[g].at_container; }
+  bool hit_container(GenId g) const { return turns_[g + 1].at_container; }
   // How many claims have moved the generator so far; 0 for the container.
-  int turns(GenId g) const { return g == container_id ? 0 : turns_[g].count; }
+  int turns(GenId g) const { return turns_[g + 1].count; }
 
   // The collision has happened; `computed` are the velocities where the claim gives none, and are
   // there if it does not.
@@ -117,16 +118,23 @@ class Replay : public GivenMotion {
   Place place_of(const Event& event) const;
   // Asks for the memory where take() will begin: of a flip, to look for the edge.
   void prefetch(const Event& event) const;
-  // Asks for the memory of a disk's path and velocity.
+  // Asks for the memory of a disk's path, velocity and turns.
   [[gnu::always_inline]] void prefetch(GenId g) const {
     if (g < 0) return;
-    const char* const path = reinterpret_cast<const char*>(&paths_[g]);
-    for (std::size_t byte = 0; byte < sizeof(Path); byte += 64) __builtin_prefetch(path + byte);
-    __builtin_prefetch(&velocities_[g]);
+    internal::prefetch(&paths_[g]);
+    internal::prefetch(&velocities_[g]);
+    prefetch_turns(g);
   }
+  // Asks for the memory of what is known of its turns.
+  [[gnu::always_inline]] void prefetch_turns(GenId g) const { internal::prefetch(&turns_[g + 1]); }
 
  private:
   std::optional<HalfEdge> flip(const FlipEvent& claim);
+  // The disk has turned with the last change.
+  void note_turn(GenId g, bool at_container) {
+    Turns& turns = turns_[g + 1];
+    turns = {changes_, turns.count + 1, at_container};
+  }
   void read_text(JsonReader& json);
   void read_disk(JsonReader& json, std::size_t g);
 
@@ -134,14 +142,14 @@ class Replay : public GivenMotion {
   const CertifyOptions* options_;
   Diagram diagram_;
   std::vector<Velocity> velocities_;
-  std::vector<Path> paths_;       // of the recorded truth
-  std::vector<int> last_change_;  // of each generator: of its motion, numbered; 0 for none
+  std::vector<Path> paths_;  // of the recorded truth
   int changes_ = 0;
   struct Turns {
+    int last = 0;  // which of all changes of motion it was; 0 for none
     int count = 0;
     bool at_container = false;  // the last of them
   };
-  std::vector<Turns> turns_;  // of each disk
+  std::vector<Turns> turns_;  // of each generator, the container first
   std::size_t next_maneuver_ = 0;
   std::set<std::size_t> done_maneuvers_;  // done, though past next_maneuver_
 };

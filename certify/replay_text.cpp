@@ -128,16 +128,16 @@ void Replay::put(std::string& out) const {
     internal::put(out, std::int64_t{diagram_.previous(static_cast<HalfEdge>(h))});
   });
   out += ",\"anchors\":";
-  put_array(out, last_change_.size(), [&](std::size_t g) {
+  put_array(out, turns_.size(), [&](std::size_t g) {
     internal::put(out, std::int64_t{diagram_.anchor(static_cast<GenId>(g) - 1)});
   });
   out += ",\"disks\":";
   put_array(out, paths_.size(), [&](std::size_t g) {
     out += '[';
-    internal::put(out, std::int64_t{last_change_[g + 1]});
+    internal::put(out, std::int64_t{turns_[g + 1].last});
     out += ',';
-    internal::put(out, std::int64_t{turns_[g].count});
-    out += turns_[g].at_container ? ",1," : ",0,";
+    internal::put(out, std::int64_t{turns_[g + 1].count});
+    out += turns_[g + 1].at_container ? ",1," : ",0,";
     velocities_[g].put(out);
     out += ',';
     paths_[g].put(out);
@@ -165,13 +165,13 @@ void Replay::read_disk(JsonReader& json, std::size_t g) {
   json.array_of<8>([&](std::size_t k) {
     switch (k) {
       case 0:
-        last_change_[g + 1] = static_cast<int>(json.integer(0, std::numeric_limits<int>::max()));
+        turns_[g + 1].last = static_cast<int>(json.integer(0, std::numeric_limits<int>::max()));
         break;
       case 1:
-        turns_[g].count = static_cast<int>(json.integer(0, std::numeric_limits<int>::max()));
+        turns_[g + 1].count = static_cast<int>(json.integer(0, std::numeric_limits<int>::max()));
         break;
       case 2:
-        turns_[g].at_container = json.integer(0, 1) == 1;
+        turns_[g + 1].at_container = json.integer(0, 1) == 1;
         break;
       case 3:
       case 4:

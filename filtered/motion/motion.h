@@ -16,6 +16,7 @@
 #include "exact/ball.h"
 #include "exact/generators.h"
 #include "exact/predicates.h"
+#include "exact/prefetch.h"
 #include "exact/rational.h"
 #include "filtered/motion/collision_relations.h"
 #include "filtered/motion/motion_states.h"
@@ -91,6 +92,15 @@ class Motion {
   const MotionOptions& options() const { return options_; }
 
   const DoubleMotion& doubles(GenId g) const { return doubles_[g + 1]; }
+  // Asks for the memory of doubles() and state_id(), and of what restart() changes.
+  [[gnu::always_inline]] void prefetch(GenId g) const {
+    internal::prefetch(&doubles_[g + 1]);
+    internal::prefetch(&state_[g + 1]);
+  }
+  [[gnu::always_inline]] void prefetch_restart(GenId g) const {
+    internal::prefetch(&seconds_[g + 1]);
+    states_->prefetch_restart(g);
+  }
   const SecondMotion& seconds(GenId g) const { return seconds_[g + 1]; }
   // doubles(g) and seconds(g) together, referred to the time of doubles(g).
   DdMotion double_doubles(GenId g) const {

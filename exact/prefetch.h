@@ -1,0 +1,17 @@
+// Memory asked for before it is needed. Nothing is decided by it.
+#pragma once
+
+#include <cstddef>
+
+namespace voroproof::internal {
+
+// Asks for all of an object, which need not be there: the address may be any. (Always inline: g++
+// leaves out calls of functions that do nothing else.)
+template <class T>
+[[gnu::always_inline]] inline void prefetch(const T* object) {
+  const char* const begin = reinterpret_cast<const char*>(object);
+  for (std::size_t byte = 0; byte < sizeof(T); byte += 64) __builtin_prefetch(begin + byte);
+  if constexpr (sizeof(T) > alignof(T)) __builtin_prefetch(begin + sizeof(T) - 1);
+}
+
+}  // namespace voroproof::internal
