@@ -64,6 +64,14 @@ CODE = [
     ("filtered/numbers/double_roots.cpp", "  const double y = 1 - x;\n"),
     ("filtered/numbers/double_roots.cpp", "      w, [&](double a, double b) { return y * a + x * b; },\n"),
     ("filtered/search/bernstein.cpp", "out.c[k] = f.c[k] * (1.0 / scale[k]);\n"),
+    ("exact/predicates.h", """  const A g = a - b - c;
+  const A twice = b + b;
+  const A four_times = twice + twice;
+  return squared(g) - four_times * c;
+"""),
+    ("filtered/motion/window_places.h", """    const T ta = a - m.t, tb = b - m.t;
+    x0 = m.x + m.vx * ta;
+"""),
     # proofs/Newton.v and proofs/Growth.v.
     ("filtered/search/newton_step.cpp", """  const double size = std::fabs(f), step = f / slope;
   const auto sigma_within = [&](double reach) { return (e_slope + curve * reach) * up; };
@@ -112,6 +120,7 @@ ROOM = [
 # Sums of products with so many roundings on the longest way from a product to the sum, in units of u times the sum of the
 # products' absolute values.
 BOUND, JUDGE = "filtered/numbers/bound.h", "filtered/search/rough_judge.cpp"
+PLACES = "filtered/motion/window_places.h"
 CIRCLES, CONTACT = "filtered/search/rough_circles.h", "filtered/search/contact.cpp"
 WAYS = [
     ("offset of two disks squared, less the reach squared", 3, CONTACT, r"(\d+) \* u \* \(R \* R \+ reach"),
@@ -126,6 +135,8 @@ WAYS = [
     ("A and B", 3, CIRCLES, r"(\d+) \* u \* k;"),
     ("G", 2, CIRCLES, r"(\d+) \* u \* f\.large \* \(k \+ ab\)"),
     ("C", 3, CIRCLES, r"(\d+) \* u \* \(ao_ \* f\.large \+ p \* xy\)"),
+    ("place at an end of a window: x", 1, PLACES, r"(\d+) \* unit_roundoff \* \(abs\(m\.x\)"),
+    ("place at an end of a window: v dt", 3, PLACES, r"\((\d+) \* unit_roundoff \* v"),
     ("coefficient of a product", 5, BOUND, r"a\.err \* \(b\.size \+ b\.err\) \+ \((\d+) \* unit_roundoff"),
 ]
 
@@ -204,6 +215,13 @@ def too_much_later_use():
             for degree in (4, 8) if room * degree < cost * degree + UNSCALED]
 
 
+def too_much_for_cotangency():
+    """Two roundings of g, twice in its square; the square and the product; their difference."""
+    product = constant(BOUND, r"a\.err \* \(b\.size \+ b\.err\) \+ \((\d+) \* unit_roundoff")
+    room, cost = constant(BOUND, r"sum\.err\) \* sum\.err \+ \((\d+) \* unit_roundoff"), 2 * 2 + 2 * product + 1
+    return [f"cotangency: {room} u is not more than {cost} u"] if room <= cost else []
+
+
 def circles():
     """Rough circles, R = 1: errors in theta, of which u is at most a quarter. The inputs' are those of the comment in the code."""
     theta = ("1b-51", "1b-" + str(constant(CIRCLES, r"theta_ <= 0x1p-(\d+)")))
@@ -279,7 +297,7 @@ def main():
         why = why_not(script)
         if why:
             bad.append(f"{name}: not proved:\n{script}{why}")
-    bad += too_much_later_use()
+    bad += too_much_later_use() + too_much_for_cotangency()
     for name, file, pattern, parts in ROOM:
         total = sum(bounds[part] for part in parts)
         if constant(file, pattern) <= total:
