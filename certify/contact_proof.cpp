@@ -28,7 +28,10 @@ struct Gap {
 
   // Two disks are apart throughout.
   auto is_positive() const {
-    return (form.c[0] > limit) & (form.c[1] > 2 * limit) & (form.c[2] > limit);
+    auto is = form.c[0] > limit;
+    is &= form.c[1] > 2 * limit;
+    is &= form.c[2] > limit;
+    return is;
   }
   // A disk is inside the container at the end.
   auto ends_negative() const { return form.c[2] < -limit; }
