@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "kernel/motion.h"
+#include "kernel/turns.h"
 
 namespace voroproof_kernel {
 namespace {
@@ -52,7 +52,7 @@ class Contacts {
         ++turns_[c.id[k]];
         by_[c.id[k]] = collision ? number : -1;
       }
-      if (c.first < 2) walk_.apply(c);
+      if (c.first < 2) turn(c);
     }
     line_ = p_.history.last_line;
     at_end_ = true;
@@ -62,12 +62,9 @@ class Contacts {
   }
 
  private:
-  using Two = std::pair<int, int>;
   static std::string name(Two two) {
     return "generators " + std::to_string(two.first) + " and " + std::to_string(two.second);
   }
-  // The sign of the gap of two generators where they overlap.
-  static int out(Two two) { return two.first == container ? 1 : -1; }
   Rat reach(Two two) const { return p_.reach(two.first, two.second); }
   Gap gap(Two two) const { return {walk_.leg(two.first), walk_.leg(two.second)}; }
 
@@ -80,7 +77,7 @@ class Contacts {
   bool shallow(Two two, const Rat& extreme) const {
     const Rat r = reach(two), d = delta(two);
     if (p_.exact() || 4 * d > r) return false;
-    return out(two) > 0 ? extreme <= square(r + d) : extreme >= square(r - d);
+    return inwards(two) > 0 ? extreme <= square(r + d) : extreme >= square(r - d);
   }
   bool near(const When& x, const Rat& t) const {
     return x.against(t - slack_) >= 0 && x.against(t + slack_) <= 0;
@@ -98,6 +95,17 @@ class Contacts {
       refute("overlap: " + name(two) + " overlap before " +
              about(turn > 0 ? turn : p_.history.horizon) + " and no collision in time answers it");
     }
+  }
+
+  void turn(const Claim& c) {
+    std::array<const Leg*, 2> before{};
+    for (int k = c.first; k < 2; ++k) before[k] = &walk_.leg(c.id[k]);
+    walk_.apply(c);
+    if (!p_.exact()) return;
+    if (c.first == 1 && c.kind == Claim::Kind::maneuver) before[0] = before[1];
+    // The file's times are within the tolerance of the true ones.
+    order_.forget_before(c.t - 4 * p_.tolerance);
+    order_.add(c, before, walk_);
   }
 
   void flip(const Claim& c) {
@@ -124,7 +132,7 @@ class Contacts {
       for (const Two& two : pairs(c.id[k])) {
         if (c.kind == Claim::Kind::collision && two >= Two(c.id[0], c.id[1])) continue;
         const Gap g = gap(two);
-        if (g.start <= c.t && g.value(c.t) == 0 && sgn(g.slope(c.t)) == out(two)) {
+        if (g.start <= c.t && g.value(c.t) == 0 && sgn(g.slope(c.t)) == inwards(two)) {
           refute(name(two) + " collide before that at the same instant");
         }
       }
@@ -142,12 +150,13 @@ class Contacts {
     }
     require_no_meeting(two, c.t);
     const Gap g = gap(two);
-    const When entry(g, out(two));
+    const When entry(g, inwards(two));
     const bool enters = g.has_roots() && entry.against(g.start) >= 0;
     continues_ = false;
     if (enters && near(entry, c.t)) return;
     const auto open = open_.find(two);
-    if (open != open_.end() && sgn(g.value(c.t)) == out(two) && sgn(g.slope(c.t)) == out(two) &&
+    if (open != open_.end() && sgn(g.value(c.t)) == inwards(two) &&
+        sgn(g.slope(c.t)) == inwards(two) &&
         (open->second.from.against(c.t - slack_) >= 0 ||
          (g.start >= c.t - slack_ && shallow(two, open->second.extreme)))) {
       continues_ = true;
@@ -210,8 +219,8 @@ class Contacts {
     const When before(start - 1), after(t + 1), lower(g, -1), upper(g, 1);
     std::vector<std::array<When, 2>> overlaps;  // on the whole lines
     if (!g.has_roots()) {
-      if (out(two) > 0 ? g.c > 0 : g.c < 0 && g.a == 0) overlaps = {{before, after}};
-    } else if (out(two) > 0) {
+      if (inwards(two) > 0 ? g.c > 0 : g.c < 0 && g.a == 0) overlaps = {{before, after}};
+    } else if (inwards(two) > 0) {
       overlaps = {{before, lower}, {upper, after}};
     } else {
       overlaps = {{lower, upper}};
@@ -227,9 +236,9 @@ class Contacts {
       if (old) last.reset();
       for (const Rat& s : {start, t, g.a > 0 ? Rat(g.start - g.b / g.a) : t}) {
         const Rat k = g.value(s), d2 = k + square(reach(two));
-        if (s < start || s > t || sgn(k) != out(two)) continue;
+        if (s < start || s > t || sgn(k) != inwards(two)) continue;
         if (x.against(s) > 0 || y.against(s) < 0) continue;
-        if (out(two) > 0 ? d2 > o.extreme : d2 < o.extreme) o.extreme = d2;
+        if (inwards(two) > 0 ? d2 > o.extreme : d2 < o.extreme) o.extreme = d2;
       }
       if (claim != nullptr && old == continues_) o.answer = claim->t;
       if (y.against(t) <= 0) {
@@ -248,6 +257,7 @@ class Contacts {
   Walk walk_;
   std::vector<std::int64_t> turns_;  // claims so far that moved a disk
   std::vector<std::int64_t> by_;     // the collision that turned it last, or -1
+  Turns order_;
   std::map<Two, Overlap> open_;
   std::map<Two, Rat> followed_;  // to where the lines of some that are no neighbours were
   bool at_end_ = false;
