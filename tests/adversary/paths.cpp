@@ -104,9 +104,10 @@ std::vector<Overlap> Motion::overlaps(int i, int j, Wide end) const {
   const Wide hair =
       (std::fabs(scene->cx) + std::fabs(scene->cy) + scene->radius) * static_cast<Wide>(1e-30);
   std::vector<Overlap> found;
-  const auto note = [&](Wide from, Wide to, Wide depth) {
+  // `first`: the depth at `from`. Where the two only touch, one overlap ends and another begins.
+  const auto note = [&](Wide from, Wide to, Wide depth, Wide first) {
     if (!(from < to) || !(depth > hair)) return;
-    if (!found.empty() && found.back().to >= from) {
+    if (!found.empty() && found.back().to >= from && first > hair) {
       found.back().to = to;
       if (depth > found.back().depth) found.back().depth = depth;
     } else {
@@ -125,17 +126,20 @@ std::vector<Overlap> Motion::overlaps(int i, int j, Wide end) const {
     if (i < 0) {
       // Outside before the first root and after the second.
       if (!g.exit(in) || !g.entry(out)) {
-        if (g(span / 2) < 0) note(since, until, std::max(depth_at(0), depth_at(span)));
+        if (g(span / 2) < 0) {
+          note(since, until, std::max(depth_at(0), depth_at(span)), depth_at(0));
+        }
       } else {
-        if (in > 0) note(since, since + std::min(in, span), depth_at(0));
-        if (out < span) note(since + std::max(out, Wide(0)), until, depth_at(span));
+        if (in > 0) note(since, since + std::min(in, span), depth_at(0), depth_at(0));
+        out = std::max(out, Wide(0));
+        if (out < span) note(since + out, until, depth_at(span), depth_at(out));
       }
     } else if (g.a == 0) {
-      if (g.c < 0) note(since, until, depth_at(0));
+      if (g.c < 0) note(since, until, depth_at(0), depth_at(0));
     } else if (g.entry(in) && g.exit(out) && out > 0 && in < span) {
       const Wide lo = std::max(in, Wide(0)), hi = std::min(out, span);
       const Wide middle = std::clamp(-g.b / g.a, lo, hi);
-      note(since + lo, since + hi, depth_at(middle));
+      note(since + lo, since + hi, depth_at(middle), depth_at(lo));
     }
   });
   if (!found.empty() && found.back().to >= end) found.back().open = true;
