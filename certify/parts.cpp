@@ -2,19 +2,16 @@
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
-#include <oneapi/tbb/task_group.h>
 
 #include <algorithm>
 #include <atomic>
-#include <deque>
 #include <limits>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "certify/checker.h"
 #include "certify/part_reader.h"
@@ -24,9 +21,7 @@ namespace voroproof::internal {
 
 namespace {
 
-// Parts are read in their order, by one thread at a time, proved by all, and their results added in
-// their order. Whoever is free reads on first, as long as few parts are at hand: so that others who
-// become free meanwhile find one to prove.
+// Parts are read in their order, proved by all threads, and their results added in their order.
 class PartwiseCertifier {
  public:
   // `task`: none for the whole.
@@ -54,7 +49,7 @@ class PartwiseCertifier {
     Certificate certificate;
     std::exception_ptr error;
   };
-  using Token = std::unique_ptr<Work>;
+  using Token = std::shared_ptr<Work>;
 
   // Reads what is before the first part to be proved.
   void skip() {
@@ -67,7 +62,7 @@ class PartwiseCertifier {
       reader_.next();
     }
     if (task_->from && place() != task_->from) throw OtherHistory();
-    first_ = finished_ = next_to_finish_ = reader_.number();
+    first_ = finished_ = reader_.number();
   }
   bool is_before_shard() const {
     if (task_->from) return static_cast<std::int64_t>(reader_.number()) < task_->from->part;
@@ -86,13 +81,23 @@ class PartwiseCertifier {
     // As many threads are allowed as are asked for, also more than the machine has.
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena arena(options_.threads);
-    most_at_hand_ = 2 * threads - 1;
     arena.execute([&] {
-      {
-        const std::lock_guard lock(dealing_);
-        read_on();
-      }
-      tasks_.wait();
+      // So many are in memory at once.
+      const std::size_t parts = 2 * threads - 1;
+      tbb::parallel_pipeline(
+          parts, tbb::make_filter<void, Token>(tbb::filter_mode::serial_in_order,
+                                               [this](tbb::flow_control& flow) {
+                                                 Token work = read();
+                                                 if (!work) flow.stop();
+                                                 return work;
+                                               }) &
+                     tbb::make_filter<Token, Token>(tbb::filter_mode::parallel,
+                                                    [this](const Token& work) {
+                                                      prove(*work);
+                                                      return work;
+                                                    }) &
+                     tbb::make_filter<Token, void>(tbb::filter_mode::serial_in_order,
+                                                   [this](const Token& work) { finish(*work); }));
     });
     try {
       if (error_) std::rethrow_exception(error_);
@@ -106,47 +111,6 @@ class PartwiseCertifier {
     }
   }
 
-  // A task reads the next part, if there is room for it. (Tasks that a thread adds are begun by it
-  // in the opposite order, and by others in this one.) Precondition, here and below: dealing_ is
-  // locked.
-  void read_on() {
-    if (all_read_ || reading_ || at_hand_ == most_at_hand_) return;
-    reading_ = true;
-    tasks_.run([this] {
-      Token work = read();
-      const std::lock_guard lock(dealing_);
-      reading_ = false;
-      all_read_ = work == nullptr;
-      if (all_read_) return;
-      ++at_hand_;
-      unproved_.push_back(std::move(work));
-      tasks_.run([this] { prove_earliest(); });
-      read_on();
-    });
-  }
-
-  // Of the parts that nobody has begun to prove. There is one for each such task.
-  void prove_earliest() {
-    Token work;
-    {
-      const std::lock_guard lock(dealing_);
-      work = std::move(unproved_.front());
-      unproved_.pop_front();
-    }
-    prove(*work);
-    std::vector<Token> done;  // their memory is given back when others may go on
-    const std::lock_guard lock(dealing_);
-    proved_[work->part.number] = std::move(work);
-    while (!proved_.empty() && proved_.begin()->first == next_to_finish_) {
-      done.push_back(std::move(proved_.begin()->second));
-      finish(*done.back());
-      proved_.erase(proved_.begin());
-      ++next_to_finish_;
-      --at_hand_;
-    }
-    read_on();
-  }
-
   // The next part, or null. What comes before a line that cannot be read may be refuted.
   Token read() {
     if (first_bad_ != kNone || reader_.done()) return nullptr;
@@ -154,7 +118,7 @@ class PartwiseCertifier {
     try {
       std::optional<Part> part = reader_.next();
       const bool due = task_ != nullptr && task_->is_due && task_->is_due();
-      return std::make_unique<Work>(
+      return std::make_shared<Work>(
           Work{std::move(*part), due ? place() : std::nullopt, {}, nullptr});
     } catch (const InputError&) {
       unreadable_ = std::current_exception();
@@ -226,15 +190,6 @@ class PartwiseCertifier {
   std::size_t first_ = 0;     // the number of the first part to be proved
   std::size_t finished_ = 0;  // of the first part that is not in total_
   std::mutex mutex_;          // of total_ and finished_, which report() reads
-
-  std::mutex dealing_;  // of all that follows
-  oneapi::tbb::task_group tasks_;
-  std::size_t most_at_hand_ = 0;  // parts that are read and not finished
-  std::size_t at_hand_ = 0;
-  bool reading_ = false, all_read_ = false;
-  std::deque<Token> unproved_;
-  std::map<std::size_t, Token> proved_;  // by number, those that wait for earlier ones
-  std::size_t next_to_finish_ = 0;
 };
 
 }  // namespace
