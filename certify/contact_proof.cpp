@@ -19,11 +19,15 @@ struct Gap {
   Form<T, 2> form;
   T limit;  // of the error of a coefficient; the middle one errs by twice as much
 
-  Gap(const WindowPlaces<T>& i, const WindowPlaces<T>& j, const T& reach) {
-    const Form<T, 1> x{{i.x0 - j.x0, i.x1 - j.x1}}, y{{i.y0 - j.y0, i.y1 - j.y1}};
+  // M: as in WindowPlaces.
+  template <class M>
+  Gap(const M& i, const M& j, const T& a, const T& b) {
+    const WindowPlaces<T> p(i, a, b), q(j, a, b);
+    const Form<T, 1> x{{p.x0 - q.x0, p.x1 - q.x1}}, y{{p.y0 - q.y0, p.y1 - q.y1}};
+    const T reach = i.r + j.r;
     form = tangency_of(x, y, Form<T, 0>{{reach}});
     const T far = larger(abs(x.c[0]) + abs(y.c[0]), abs(x.c[1]) + abs(y.c[1]));
-    limit = tangency_bound(far, abs(reach), i.error + j.error).err * bound_up;
+    limit = tangency_bound(far, abs(reach), p.error + q.error).err * bound_up;
   }
 
   // Two disks are apart throughout.
@@ -41,9 +45,7 @@ struct Gap {
 
 bool proved_apart(const Motion& motion, GenId i, GenId j, double a, double b) {
   const bool disks = i != container_id && j != container_id;
-  const DoubleMotion &mi = motion.doubles(i), &mj = motion.doubles(j);
-  const WindowPlaces<double> pi(mi, a, b), pj(mj, a, b);
-  if (disks && Gap<double>(pi, pj, mi.r + mj.r).is_positive()) return true;
+  if (disks && Gap<double>(motion.doubles(i), motion.doubles(j), a, b).is_positive()) return true;
   if (motion.same_velocity(i, j)) return true;  // their distance never changes
   const DoubleBall start(a), end(b);
   if (!disks) {
@@ -73,9 +75,7 @@ void ApartBatch::prove(double b) {
                         motion_.doubles(p[2]->i), motion_.doubles(p[3]->i));
     const MotionLanes j(motion_.doubles(p[0]->j), motion_.doubles(p[1]->j),
                         motion_.doubles(p[2]->j), motion_.doubles(p[3]->j));
-    const Lanes from{p[0]->a, p[1]->a, p[2]->a, p[3]->a}, to = splat(b);
-    const Gap<Lanes> gap(WindowPlaces<Lanes>(i, from, to), WindowPlaces<Lanes>(j, from, to),
-                         i.r + j.r);
+    const Gap<Lanes> gap(i, j, Lanes{p[0]->a, p[1]->a, p[2]->a, p[3]->a}, splat(b));
     // A disk is inside the container at a, so that it is throughout if it is at b.
     const LaneMask wall = i.r < 0;
     const LaneMask apart =

@@ -107,7 +107,7 @@ inline void EdgeLives::end_life(int edge, const Moment& m, bool closed, std::siz
   if (life.illegal || life.due || !life.clear_end) find_end(edge, m, closed, k);
 }
 
-// The same where the edge's generators are not known to be cotangent at no time of the life.
+// The same where the edge has to flip, or where the batch does not prove the life free of roots.
 void EdgeLives::find_end(int edge, const Moment& m, bool closed, std::size_t k) {
   Life& life = lives_[edge];
   if (life.illegal) {

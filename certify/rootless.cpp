@@ -21,13 +21,14 @@ constexpr double u = unit_roundoff;
 constexpr int I[6] = {0, 2, 0, 1, 0, 1};
 constexpr int J[6] = {1, 3, 2, 3, 3, 2};
 
-// cotangency_of() the six tangencies of four generators: forms or bounds of them.
+// cotangency_of() the six tangencies of four generators, which are forms.
 template <class P>
 [[gnu::always_inline]] inline auto cotangency_of_pairs(const P (&p)[6]) {
   return cotangency_of(p[0] * p[1], p[2] * p[3], p[4] * p[5]);
 }
 
-// Where four generators are and how far from there they may be, as one bound for all of them.
+// How far apart the four generators on a lane are, and how far each may be from where it is
+// computed: one bound for all of them.
 struct Extent {
   Lanes square{};  // dx^2 + dy^2 + dr^2 of two generators at an end of the window, at most
   Lanes error{};   // of a coordinate and a radius, at most
@@ -37,15 +38,15 @@ struct Extent {
     square = larger(square, tangency + 2 * (dr * dr));
   }
 
-  // The error of the coefficients of a tangency, before they are multiplied by binomials.
+  // The error of the coefficients of every tangency, before they are multiplied by binomials.
   // |dx| + |dy| + |dr| is at most the square root of 3 dx^2 + 3 dy^2 + 3 dr^2.
   Lanes of_tangency() const {
     return tangency_bound_of<Lanes>(square_root(3 * square), square, 2 * error).err * bound_up;
   }
 };
 
-// The error of the coefficients of the cotangency, likewise: those of the tangencies are at most
-// `size` in magnitude, each, and err by `err`.
+// The error of the coefficients of the cotangency, before they are multiplied by binomials. Those
+// of the six tangencies are at most `size` in magnitude, and err by at most `err`.
 Lanes cotangency_error(const Lanes (&size)[6], const Lanes& err) {
   const Lanes products = size[0] * size[1] + size[2] * size[3] + size[4] * size[5];
   const Lanes all = size[0] + size[1] + size[2] + size[3] + size[4] + size[5];

@@ -5,8 +5,8 @@
 
 namespace voroproof::internal {
 
-// Asks for all of an object, which need not be there: the address may be any. (Always inline: g++
-// leaves out calls of functions that do nothing else.)
+// Asks the processor for the memory of an object. The pointer is not followed, so that it may be
+// any address. (Always inline: g++ leaves out calls of functions that do nothing else.)
 template <class T>
 [[gnu::always_inline]] inline void prefetch(const T* object) {
   const char* const begin = reinterpret_cast<const char*>(object);

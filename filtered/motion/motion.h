@@ -92,11 +92,12 @@ class Motion {
   const MotionOptions& options() const { return options_; }
 
   const DoubleMotion& doubles(GenId g) const { return doubles_[g + 1]; }
-  // Asks for the memory of doubles() and state_id(), and of what restart() changes.
+  // Asks for the memory of doubles() and state_id().
   [[gnu::always_inline]] void prefetch(GenId g) const {
     internal::prefetch(&doubles_[g + 1]);
     internal::prefetch(&state_[g + 1]);
   }
+  // Asks for the memory of what restart() changes besides.
   [[gnu::always_inline]] void prefetch_restart(GenId g) const {
     internal::prefetch(&seconds_[g + 1]);
     states_->prefetch_restart(g);

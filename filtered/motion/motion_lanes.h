@@ -37,8 +37,6 @@ inline BallLanes operator*(const BallLanes& a, const BallLanes& b) {
   const Lanes m = a.mid * b.mid;
   return {m, (abs(a.mid) * b.rad + a.rad * (abs(b.mid) + b.rad) + abs(m) * u + kTiny) * kUp};
 }
-inline LaneMask positive(const BallLanes& a) { return a.mid > a.rad; }
-inline LaneMask negative(const BallLanes& a) { return a.mid < -a.rad; }
 inline Sign sign(const BallLanes& a, int lane) {
   return sign(DoubleBall(a.mid[lane], a.rad[lane]));
 }
@@ -63,15 +61,12 @@ struct MotionLanes {
         ex(splat(m.ex)),
         ev(splat(m.ev)) {}
 
-  // Motion::moving_site and Motion::site, on each lane.
-  MovingSite<BallLanes> moving_site(const BallLanes& time) const {
-    const BallLanes dt = time - BallLanes{t, Lanes{}};
-    const BallLanes v{vx, ev}, w{vy, ev};
-    return {BallLanes{x, ex} + v * dt, BallLanes{y, ex} + w * dt, v, w, {r, ex}};
-  }
+  // Motion::site, on each lane.
   Site<BallLanes> site(const BallLanes& time) const {
-    const MovingSite<BallLanes> s = moving_site(time);
-    return {s.x, s.y, s.r};
+    const BallLanes dt = time - BallLanes{t, Lanes{}};
+    return {BallLanes{x, ex} + BallLanes{vx, ev} * dt,
+            BallLanes{y, ex} + BallLanes{vy, ev} * dt,
+            {r, ex}};
   }
 
  private:

@@ -41,11 +41,12 @@ class MotionStates {
   // Disk g with the centre and the velocity of its initial state, or of its last restart().
   const DiskInput& initial_state(GenId g) const;
   // When the initial state of a disk holds: 0 unless it was restarted.
+  double initial_time(GenId g) const { return restarts_.empty() ? 0 : restarts_[g].t; }
+  // Asks for the memory of what restart() changes.
   [[gnu::always_inline]] void prefetch_restart(GenId g) const {
     if (!restarts_.empty()) internal::prefetch(&restarts_[g]);
     internal::prefetch(&balls_[g + 1]);
   }
-  double initial_time(GenId g) const { return restarts_.empty() ? 0 : restarts_[g].t; }
   // Does what Motion::restart() does; the state is one at time t.
   void restart(GenId g, double t, const Rational& x, const Rational& y, const Rational& vx,
                const Rational& vy);

@@ -8,8 +8,9 @@
 namespace voroproof::internal {
 
 // Error bound. A coordinate is x + v dt: dt, the product and the sum are rounded once each, which
-// is below 2 u |x| + 4 u |v dt|, and the motion's own errors add ex + ev |dt|. Who uses it
-// multiplies it by `bound_up`. It says nothing where a coordinate is no number or infinite.
+// is below 2 u |x| + 4 u |v dt|, and the motion's own errors add ex + ev |dt|. The bound is rounded
+// itself: what is made of it has to be multiplied by `bound_up`. It does not hold where a
+// coordinate is infinite or not a number, and need not be infinite then.
 template <class T>
 struct WindowPlaces {
   T x0, y0, x1, y1;  // at a and at b

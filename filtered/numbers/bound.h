@@ -9,12 +9,11 @@ namespace voroproof::internal {
 // A bound of numbers, or of all coefficients of forms (filtered/numbers/form.h) before they are
 // multiplied by binomials: |computed| <= size and |computed - true| <= err.
 //
-// Rules, u = 2^-53. A coefficient of a product is a mean of products, with weights that add up to
-// 1, so that what holds of numbers holds of it.
-//   a + b    err_a + err_b, and one rounding, u (size_a + size_b).
-//   a b      size_a err_b + size_b err_a + err_a err_b for the factors. Up to degree 8 it is a sum
-//            of at most five products: five roundings on the longest way, below 8 u size_a size_b.
-//            Underflow adds less than `bound_tiny`.
+// A product a b, u = 2^-53: size_a err_b + size_b err_a + err_a err_b for the factors. A
+// coefficient of it is a mean of products, with weights that add up to 1, so that what holds of
+// numbers holds of it. Up to degree 8 it is a sum of at most five products: five roundings on the
+// longest way, below 8 u size_a size_b. Underflow adds less than `bound_tiny`.
+//
 // Sizes and errors are rounded themselves, each a few times. Who uses a bound multiplies it by
 // `bound_up`, which is enough for 2^12 roundings one after the other.
 //
@@ -28,11 +27,6 @@ struct Bound {
 
 inline constexpr double bound_up = 1 + 0x1p-40, bound_tiny = 0x1p-1000;
 
-template <class T>
-[[gnu::always_inline]] inline Bound<T> operator+(const Bound<T>& a, const Bound<T>& b) {
-  const T size = a.size + b.size;
-  return {size, a.err + b.err + unit_roundoff * size};
-}
 template <class T>
 [[gnu::always_inline]] inline Bound<T> operator*(const Bound<T>& a, const Bound<T>& b) {
   const T size = a.size * b.size;

@@ -18,8 +18,8 @@ inline Lanes abs(const Lanes& a) {
 
 inline double abs(double a) { return std::fabs(a); }
 
-// b where one of the two is not a number. One instruction where there is one, which g++ does not
-// see.
+// The larger of two, and b where one of them is not a number. g++ does not make one instruction of
+// the comparison and the choice, where the processor has one.
 inline Lanes larger(const Lanes& a, const Lanes& b) {
 #ifdef __AVX__
   return Lanes(_mm256_max_pd(a, b));
@@ -28,6 +28,7 @@ inline Lanes larger(const Lanes& a, const Lanes& b) {
 #endif
 }
 inline double larger(double a, double b) { return a > b ? a : b; }
+// The smaller of two, likewise.
 inline Lanes smaller(const Lanes& a, const Lanes& b) {
 #ifdef __AVX__
   return Lanes(_mm256_min_pd(a, b));
