@@ -69,7 +69,8 @@ class LifeCheck {
       if ((k & 15) === 0) progress("lives of edges", part.end, claims.length);
       // Claims of the recorded truth may lie beyond the horizon.
       if (birth.at.against(end) > 0) return;
-      this.requireNoCollapse(k, end, isLast && problem.isExact);
+      const missing = this.missed(k, end, isLast && problem.isExact);
+      if (missing) this.unclaimed(k, missing);
     });
     if (this.leftOut && this.lastFlip && this.leftOut.against(this.lastFlip) < 0) {
       undecided("a flip is claimed after one that is left out", { t: this.leftOut.drawn() });
@@ -106,8 +107,8 @@ class LifeCheck {
   }
 
   // Takes a claim near the one at hand that is before `now` in truth, if there is one: a turn, or a flip that
-  // changes an edge of `ending`; of several the first in truth.
-  takeEarlier(number, now, ending) {
+  // changes an edge of `ending`, or any; of several the first in truth.
+  takeEarlier(number, now, ending = null) {
     const most = this.claims[number].filed.plus(this.problem.tolerance.scaled(1));
     while (this.firstOpen < this.part.end && !this.isOpen(this.firstOpen)) ++this.firstOpen;
     let first = null;
@@ -122,10 +123,10 @@ class LifeCheck {
     return first !== null;
   }
 
-  // When the claimed flip is, if that is before `now` and it changes an edge of `ending`; else null.
+  // When the claimed flip is, if that is before `now` and it changes an edge of `ending`, or any; else null.
   flipBefore(m, now, ending) {
     const { k } = this.walk.edgeOf(this.claims[m]);
-    if (k < 0 || ![k, ...this.walk.diagram.around(k)].some((e) => ending.has(e))) return null;
+    if (k < 0 || (ending && ![k, ...this.walk.diagram.around(k)].some((e) => ending.has(e)))) return null;
     const found = this.collapse(k, now.hi);
     return found !== null && found.at.against(now) < 0 ? found.at : null;
   }
@@ -150,6 +151,9 @@ class LifeCheck {
   collapse(k, end) {
     const { at, isOwn } = this.births[k], edge = this.walk.edge(k), { notes } = this;
     if (at.isPoint || isOwn) return firstCollapse(edge, at.hi, end, notes);
+    // A bracket that reaches to the end would leave nothing of this life to be looked at.
+    if (!at.hi.less(end) && at.againstTime(end) >= 0) return null;
+    while (!at.isPoint && !at.hi.less(end)) at.halve();
     let found = firstCollapse(edge, at.lo, end, notes);
     // The birth is a root in a bracket in which this edge has a root or is illegal: either its root is the
     // same, or the bracket can be made so small that it holds none of this edge.
@@ -175,14 +179,14 @@ class LifeCheck {
     return Form.variations(Form.common(once, at.form(at.lo, at.hi))) % 2 === 1;
   }
 
-  // A life of edge k that its own flip does not end: between its birth and `end` it does not collapse. `isLast`: at
-  // the horizon under the exact truth, where a collapse is due.
-  requireNoCollapse(k, end, isLast = false) {
+  // The collapse of edge k between its birth and an instant at which it does not flip, or null. `isLast`: at the
+  // horizon under the exact truth, where a collapse is due.
+  missed(k, end, isLast = false) {
     const birth = this.births[k].at, { problem, walk } = this, { horizon } = problem.history;
-    if (birth === end) return;
+    if (birth === end) return null;
     if (end.lo.less(birth.hi) || birth.isPoint) {
       const order = birth.against(end);
-      if (order === 0 && !isLast) return;
+      if (order === 0 && !isLast) return null;
       const quad = [...walk.diagram.edges[k]];
       if (order > 0) undecided(`what changes edge ${quadName(quad)}: the order`, { t: end.lo, quad });
     }
@@ -192,14 +196,27 @@ class LifeCheck {
     if (!found && isLast && walk.edge(k).at(end.hi).incircle(true) <= 0) {
       found = this.collapse(k, end.hi.plus(problem.tolerance));
     }
-    if (!found || found.at.against(end) >= (isLast ? 1 : 0)) return;
-    if (problem.isExact || found.at.againstTime(horizon.minus(problem.tolerance)) < 0) {
-      const quad = [...walk.diagram.edges[k]];
-      refute(`edge ${quadName(quad)} collapses at ${found.at.lo.about()}, and no flip is claimed`,
-        { t: found.at.drawn(), quad });
-    }
+    if (!found || found.at.against(end) >= (isLast ? 1 : 0)) return null;
+    if (problem.isExact || found.at.againstTime(horizon.minus(problem.tolerance)) < 0) return found;
     ++this.counts.horizonEvents;
     if (!this.leftOut || found.at.against(this.leftOut) < 0) this.leftOut = found.at;
+    return null;
+  }
+
+  unclaimed(k, { at }) {
+    const quad = [...this.walk.diagram.edges[k]];
+    refute(`edge ${quadName(quad)} collapses at ${at.lo.about()}, and no flip is claimed`, { t: at.drawn(), quad });
+  }
+
+  // Whether a claim that the flip missing at `now` may wait for was taken; without one the history is refuted.
+  takesFirst(number, now, edges) {
+    for (const k of edges) {
+      const missing = this.missed(k, now);
+      if (!missing) continue;
+      if (this.takeEarlier(number, now)) return true;
+      this.unclaimed(k, missing);
+    }
+    return false;
   }
 
   flip(number) {
@@ -223,7 +240,7 @@ class LifeCheck {
     if (this.takeEarlier(number, found.at, new Set(near))) return this.flip(number);
     const now = found.at.copy();
     this.checkFlip(this.walk.edge(k), found, now, isSimple, witness);
-    for (const e of near) this.requireNoCollapse(e, now);
+    if (this.takesFirst(number, now, near)) return this.flip(number);
     this.noteOrder(now);
     if (!this.lastFlip || now.against(this.lastFlip) > 0) this.lastFlip = now;
     this.walk.diagram.flip(k);
@@ -279,7 +296,7 @@ class LifeCheck {
     if (!this.canTurn(number)) refute("two turns of one disk are out of order", witness);
     const now = Instant.at(claim.t), all = this.edgesAbout(claim);
     if (this.takeEarlier(number, now, all)) return this.turn(number);
-    for (const k of all) this.requireNoCollapse(k, now);
+    if (this.takesFirst(number, now, all)) return this.turn(number);
     this.noteOrder(now);
     for (const k of all) {
       const { at, flip } = this.births[k];
