@@ -45,8 +45,8 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
       claims_(history, s_.tolerance_up, options.most_near, options.events, std::move(places)),
       refuter_(s_, claims_, front_),
       edges_(s_, front_, refuter_),
-      pairs_(s_, front_, refuter_),
       order_(s_, front_, refuter_),
+      pairs_(s_, front_, refuter_, order_),
       instants_(s_, claims_, front_, refuter_, edges_, pairs_, order_),
       around_(s_, front_, edges_, pairs_),
       flips_(s_, claims_, front_, refuter_, edges_, pairs_, order_, instants_),
@@ -159,6 +159,13 @@ void Checker::start() {
     process();
     refill();
   }
+  // A turn that is missing is told of as such: without it the diagram at 0+ is another.
+  const auto* stop =
+      claims_.near().empty() ? std::get_if<HistoryStop>(&claims_.history().ending()) : nullptr;
+  order_.require_order(stop == nullptr);
+  if (stop != nullptr && stop->t == 0) {
+    throw Undecided("the history stops at t = 0, perhaps before it has told of all turns then");
+  }
   claims_.stand_at(1);
   if (s_.options.judges_flips()) take_initial_diagram();
   edges_.assign();
@@ -265,8 +272,9 @@ void Checker::finish() {
   if (stop != nullptr && claims_.last_is_at(stop->t)) m = front_.moment;
   if (stop == nullptr) {
     instants_.leave();
-  } else if (s_.chronology.compare(m, front_.moment) > 0) {
-    instants_.begin_pending_lives();
+  } else {
+    order_.require_order(false);
+    if (s_.chronology.compare(m, front_.moment) > 0) instants_.begin_pending_lives();
   }
   end_all_lives(m, stop == nullptr);
   if (stop == nullptr && !history.counts_match()) {

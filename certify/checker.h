@@ -73,8 +73,8 @@ class Checker {
   Claims claims_;
   Refuter refuter_;
   EdgeLives edges_;
-  PairLives pairs_;
   TurnOrder order_;
+  PairLives pairs_;
   Instants instants_;
   CellsAround around_;
   Flips flips_;

@@ -72,21 +72,9 @@ void ExactPairs::require_no_contact(GenId i, GenId j, const Moment& m, PairEnd w
   if (c.kind == NextContact::Kind::none) return;
   const int order = s_.chronology.compare(moment_of(i, j, c), m);
   if (order > 0) return;
-  // Collisions come before maneuvers; with the velocities between two maneuvers nothing moves.
-  const bool averted = front_.maneuvering &&
-                       (i == *front_.maneuvering || j == *front_.maneuvering) &&
-                       !front_.maneuvered_now(i == *front_.maneuvering ? j : i);
-  if (order == 0 && why == PairEnd::turn && !averted) {
-    // They touch as something else happens. If they still approach after it, that is for their
-    // next life; but of collisions at one instant the smallest pair comes first.
-    if (front_.colliding && std::pair(i, j) < *front_.colliding) {
-      refuter_.refute(
-          Fault::wrong_order,
-          "generators " + text_of(i, j) + " touch and approach at the same instant and come first");
-    }
-    return;
-  }
-  throw Refuted{refuter_.missing_contact(i, j, c.lo, c.hi)};
+  Refuted missing{refuter_.missing_contact(i, j, c.lo, c.hi)};
+  if (order < 0 || why != PairEnd::turn) throw missing;
+  order_.note_due(i, j, std::move(missing.divergence));
 }
 
 }  // namespace voroproof::internal

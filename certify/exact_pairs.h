@@ -8,6 +8,7 @@
 #include "certify/front.h"
 #include "certify/refuter.h"
 #include "certify/setting.h"
+#include "certify/turn_order.h"
 
 namespace voroproof::internal {
 
@@ -17,8 +18,8 @@ enum class PairEnd { turn, flip, window, end };
 
 class ExactPairs {
  public:
-  ExactPairs(Setting& s, const Front& front, const Refuter& refuter)
-      : s_(s), front_(front), refuter_(refuter) {}
+  ExactPairs(Setting& s, const Front& front, const Refuter& refuter, TurnOrder& order)
+      : s_(s), front_(front), refuter_(refuter), order_(order) {}
 
   // The disk has turned at m, the present instant.
   void note_birth(GenId g, const Moment& m);
@@ -31,7 +32,8 @@ class ExactPairs {
   // Two points do not meet from the birth of their motion to m. Throws Undecided.
   void require_no_meeting(GenId i, GenId j, const Moment& m);
   // The pair does not touch while it approaches from the birth of its motion to m; at m itself it
-  // may only where its motion ends there, too. Throws Refuted.
+  // may only where its motion ends there, too: the order of the instant's turns is told. Throws
+  // Refuted.
   void require_no_contact(GenId i, GenId j, const Moment& m, PairEnd why);
 
  private:
@@ -47,6 +49,7 @@ class ExactPairs {
   Setting& s_;
   const Front& front_;
   const Refuter& refuter_;
+  TurnOrder& order_;
   std::vector<std::shared_ptr<const Birth>> births_;  // by disk; empty before the first
 };
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -15,19 +14,11 @@ struct Front {
   int instant = 0;     // numbers the instants at which events were proved
   bool begun = false;  // the diagram at 0+ is proved, and lives have begun
 
-  // What the claim being checked turns: the pair that collides, the disk of the maneuver.
+  // The pair of which the claim being checked is a collision.
   std::optional<std::pair<GenId, GenId>> colliding;
-  std::optional<GenId> maneuvering;
   // The disks whose motion has changed, and whose lives have not begun anew yet: nothing is looked
   // for of these.
   std::vector<GenId> turning;
-  std::unordered_map<GenId, int> maneuvered;  // the instants of the disks' last maneuvers
-
-  // Whether the disk has had a maneuver at the present instant.
-  bool maneuvered_now(GenId g) const {
-    const auto it = maneuvered.find(g);
-    return it != maneuvered.end() && it->second == instant;
-  }
 };
 
 }  // namespace voroproof::internal

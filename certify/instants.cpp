@@ -51,6 +51,7 @@ void Instants::advance(const Moment& m) {
 }
 
 void Instants::leave() {
+  order_.require_order(true);
   begin_pending_lives();
   edges_.require_none_illegal();
 }

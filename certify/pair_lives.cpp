@@ -46,7 +46,9 @@ void PairLives::end(const Open& life, const Moment& m, PairEnd why, bool apart) 
     pass_recorded(life, Moment(m), why);
     return;
   }
-  if (partners || apart || proved_apart(s_.motion, i, j, from, m.hi)) return;
+  if (apart || (!partners && proved_apart(s_.motion, i, j, from, m.hi))) return;
+  if (why == PairEnd::turn) order_.note_near(i, j);
+  if (partners) return;
   ++s_.certificate.beyond_filter;
   require_no_meeting(i, j, m);
   exact_.require_no_contact(i, j, m, why);

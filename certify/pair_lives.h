@@ -19,10 +19,11 @@ namespace voroproof::internal {
 
 class PairLives {
  public:
-  PairLives(Setting& s, const Front& front, const Refuter& refuter)
+  PairLives(Setting& s, const Front& front, const Refuter& refuter, TurnOrder& order)
       : s_(s),
         front_(front),
-        exact_(s, front, refuter),
+        order_(order),
+        exact_(s, front, refuter, order),
         recorded_(s, front, refuter),
         refuter_(refuter),
         apart_(s.motion),
@@ -87,6 +88,7 @@ class PairLives {
 
   Setting& s_;
   const Front& front_;
+  TurnOrder& order_;
   ExactPairs exact_;
   RecordedPairs recorded_;
   const Refuter& refuter_;

@@ -1,6 +1,12 @@
 #include "certify/turn_order.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "certify/wording.h"
@@ -9,8 +15,204 @@ namespace voroproof::internal {
 
 namespace {
 
+using Pair = std::pair<GenId, GenId>;
+// Two generators, and a state of each.
+using States = std::array<int, 4>;
+
 bool is_maneuver(const Turn& t) { return t.i == t.j; }
-bool involves(const Turn& t, GenId g) { return g != container_id && (g == t.i || g == t.j); }
+
+std::string text_of(const Turn& t) {
+  if (is_maneuver(t)) return "the maneuver of disk " + std::to_string(t.i);
+  return "the collision of generators " + voroproof::internal::text_of(t.i, t.j);
+}
+
+// Takes the turns of one instant again, in the order that the format gives them. What happens to
+// each disk has to be what the claims say of it, one after the other: then the claims are the true
+// ones, perhaps with some exchanged that share no disk.
+class InstantReplay {
+ public:
+  // `near`: all pairs that touch, perhaps with others; `due`: those that are known to be due.
+  InstantReplay(const Setting& s, const std::vector<Turn>& turns, const std::vector<Pair>& near,
+                const std::vector<DuePair>& due, bool complete)
+      : s_(s), turns_(turns), complete_(complete), exact_(s.motion) {
+    std::set<Pair> pairs(near.begin(), near.end());
+    for (const Turn& t : turns) {
+      for (const GenId g : {t.i, t.j}) {
+        if (g == container_id) continue;
+        std::vector<const Turn*>& of = chains_[g].turns;
+        if (of.empty() || of.back() != &t) of.push_back(&t);
+      }
+      if (!is_maneuver(t)) pairs.emplace(t.i, t.j);
+    }
+    for (const auto& [i, j] : pairs) {
+      near_[i].push_back(j);
+      near_[j].push_back(i);
+    }
+    for (const DuePair& d : due) known_due_.emplace(States{d.i, d.j, d.state_i, d.state_j}, &d);
+    for (const auto& [g, chain] : chains_) find_due(g);
+  }
+
+  // Says of the first turn that is missing or in a wrong place what is true. Throws Undecided.
+  std::optional<Divergence> fault() {
+    if (auto early = collide()) return early;
+    for (const Turn& t : turns_) {
+      if (is_maneuver(t) && head(t.i) == &t) ++chains_.at(t.i).taken;
+    }
+    for (const Turn& t : turns_) {
+      if (is_maneuver(t)) find_due(t.i);
+    }
+    if (auto early = collide()) return early;
+    for (const Turn& t : turns_) {
+      if (head(t.j) == &t) return misplaced(t, text_of(t) + " at the same instant comes earlier");
+    }
+    return std::nullopt;
+  }
+
+ private:
+  // Takes collisions, the smallest pair first, while any is due.
+  std::optional<Divergence> collide() {
+    while (!due_.empty()) {
+      const Pair pair = *due_.begin();
+      const Turn* const next = head(pair.second);
+      if (is_next(pair)) {
+        take(*next);
+      } else if (!complete_ && next == nullptr && head(pair.first) == nullptr) {
+        stand(pair);
+      } else {
+        return early(pair);
+      }
+    }
+    return std::nullopt;
+  }
+
+  // The turns of a disk.
+  struct Chain {
+    std::vector<const Turn*> turns;
+    std::size_t taken = 0;
+  };
+
+  // The next turn of a generator, or null.
+  const Turn* head(GenId g) const {
+    const auto it = chains_.find(g);
+    if (it == chains_.end() || it->second.taken == it->second.turns.size()) return nullptr;
+    return it->second.turns[it->second.taken];
+  }
+  // The present state of a generator.
+  int state(GenId g) const {
+    const Turn* const next = head(g);
+    if (next == nullptr) return s_.motion.state_id(g);
+    return g == next->i ? next->state_i : next->state_j;
+  }
+  States states(const Pair& pair) const {
+    return {pair.first, pair.second, state(pair.first), state(pair.second)};
+  }
+  // The collision of the pair is the next turn of both.
+  bool is_next(const Pair& pair) const {
+    const Turn* const next = head(pair.second);
+    return next != nullptr && Pair(next->i, next->j) == pair &&
+           (pair.first == container_id || head(pair.first) == next);
+  }
+  // The pair is due, and one of its disks turns in another way first, or not at all.
+  Divergence early(const Pair& pair) const {
+    const auto [i, j] = pair;
+    const auto is_of_pair = [&](const Turn& t) { return Pair(t.i, t.j) == pair; };
+    const auto known = known_due_.find(states(pair));
+    if (known != known_due_.end() && std::none_of(turns_.begin(), turns_.end(), is_of_pair)) {
+      return known->second->missing;
+    }
+    const Turn* const next = head(j) != nullptr ? head(j) : head(i);
+    return misplaced(next != nullptr ? *next : turns_.back(),
+                     "generators " + voroproof::internal::text_of(i, j) +
+                         " touch and approach at the same instant and come first");
+  }
+  Divergence misplaced(const Turn& t, std::string truth) const {
+    Divergence d;
+    d.fault = Fault::wrong_order;
+    d.line = t.line;
+    d.t = time(t.claim);
+    d.claim = t.claim;
+    d.truth = std::move(truth);
+    return d;
+  }
+  void take(const Turn& turn) {
+    for (const GenId g : {turn.i, turn.j}) {
+      if (g != container_id) ++chains_.at(g).taken;
+    }
+    for (const GenId g : {turn.i, turn.j}) {
+      if (g != container_id) find_due(g);
+    }
+  }
+
+  // The two turn next in a way that is not told.
+  void stand(const Pair& pair) {
+    standing_.insert({pair.first, pair.second});
+    for (const GenId g : {pair.first, pair.second}) find_due(g);
+  }
+  bool stands(GenId g) const { return g != container_id && standing_.contains(g); }
+
+  void find_due(GenId g) {
+    const auto it = near_.find(g);
+    if (it == near_.end()) return;
+    for (const GenId other : it->second) {
+      const Pair pair = std::minmax(g, other);
+      if (!stands(g) && !stands(other) && is_due(pair)) {
+        due_.insert(pair);
+      } else {
+        due_.erase(pair);
+      }
+    }
+  }
+  // Whether the two touch and approach as they are now. Of states that they were in between two of
+  // the claims this is known: they collided next, or their life told of it when it ended.
+  bool is_due(const Pair& pair) {
+    const auto [i, j] = pair;
+    if (is_next(pair) || known_due_.contains(states(pair))) return true;
+    if (were_claimed(i, j)) return false;
+    const Contact<Tower> k = contact(i, j);
+    return sign(k.c) == Sign::zero &&
+           sign(k.b) == (i == container_id ? Sign::positive : Sign::negative);
+  }
+  // Whether the two are in their present states at one time between claims, or before or after all.
+  bool were_claimed(GenId i, GenId j) const {
+    return std::max(begin(i), begin(j)) <= std::min(end(i), end(j));
+  }
+  // The present state of a generator holds after `begin` claims of the instant, up to `end`.
+  std::ptrdiff_t begin(GenId g) const {
+    const auto it = chains_.find(g);
+    if (it == chains_.end() || it->second.taken == 0) return 0;
+    return it->second.turns[it->second.taken - 1] - turns_.data() + 1;
+  }
+  std::ptrdiff_t end(GenId g) const {
+    const Turn* const next = head(g);
+    return next == nullptr ? std::ssize(turns_) : next - turns_.data();
+  }
+  Contact<Tower> contact(GenId i, GenId j) {
+    try {
+      const GenId turned = chains_.contains(i) ? i : j;
+      const Tower now = exact_.start(s_.motion.state_id(turned), turned);
+      const auto site = [&](GenId g) -> MovingSite<Tower> {
+        const ExactMotion::State& s = exact_.state(state(g), g);
+        const Tower dt = now - Tower(s.t_ref);
+        return {s.x + s.vx * dt, s.y + s.vy * dt, s.vx, s.vy, exact_.radius(g)};
+      };
+      return Contact<Tower>(site(i), site(j));
+    } catch (const BudgetExceeded& e) {
+      throw Undecided(
+          std::string("the order of the collisions of one instant is not decided: ") + e.what(), i,
+          j);
+    }
+  }
+
+  const Setting& s_;
+  const std::vector<Turn>& turns_;
+  const bool complete_;
+  ExactMotion exact_;
+  std::map<GenId, Chain> chains_;  // of the disks that turn
+  std::map<GenId, std::vector<GenId>> near_;
+  std::map<States, const DuePair*> known_due_;
+  std::set<GenId> standing_;
+  std::set<Pair> due_;
+};
 
 }  // namespace
 
@@ -26,121 +228,31 @@ void TurnOrder::require_no_flip_yet(GenId i, GenId j) const {
   }
 }
 
-void TurnOrder::require_first_at_start(GenId i, GenId j) {
-  const std::pair pair(i, j);
+void TurnOrder::note_due(GenId i, GenId j, Divergence missing) {
+  due_.push_back({i, j, s_.motion.state_id(i), s_.motion.state_id(j), std::move(missing)});
+}
+
+void TurnOrder::note_at_start(GenId i, GenId j) {
   const Instant now = s_.chronology.present(Moment::at(Rational(0)));
   for (const GenId g : {i, j}) {
     if (g == container_id) continue;
     for (GenId other = container_id; other < s_.motion.size(); ++other) {
-      const std::pair<GenId, GenId> near = std::minmax(g, other);
-      if (g == other || !(near < pair) || s_.replay.partners(near.first, near.second) ||
-          s_.contacts.certainly_apart(near.first, near.second, now)) {
-        continue;
-      }
-      if (s_.contacts.from(near.first, near.second, now, 0).kind == NextContact::Kind::now) {
-        refuter_.refute(Fault::wrong_order,
-                        "generators " + text_of(near.first, near.second) +
-                            " touch and approach at the same instant and come first");
+      const auto [a, b] = std::minmax(g, other);
+      if (a == b || Pair(a, b) == Pair(i, j) || s_.contacts.certainly_apart(a, b, now)) continue;
+      note_near(a, b);
+      if (s_.replay.partners(a, b)) continue;
+      if (s_.contacts.from(a, b, now, 0).kind == NextContact::Kind::now) {
+        note_due(a, b, refuter_.missing_contact(a, b, 0, 0));
       }
     }
+    if (i == j) break;
   }
 }
 
-void TurnOrder::require_no_contact_at_start(GenId g) {
-  if (s_.options.truth == Truth::recorded) return;
-  const Instant now = s_.chronology.present(Moment::at(Rational(0)));
-  for (GenId other = container_id; other < s_.motion.size(); ++other) {
-    const auto [i, j] = std::minmax(g, other);
-    if (i == j || s_.replay.partners(i, j) || front_.maneuvered_now(other) ||
-        s_.contacts.certainly_apart(i, j, now)) {
-      continue;
-    }
-    if (s_.contacts.from(i, j, now, 0).kind == NextContact::Kind::now) {
-      throw Refuted{refuter_.missing_contact(i, j, 0, 0)};
-    }
-  }
-}
-
-// The order takes the smallest of the pairs that are due, all of them before a maneuver. A pair
-// that has not turned since was due already when a greater one was claimed, and comes before it. It
-// shares no disk with what it passes. But in its right place its collision may make another pair
-// due: one of its disks and a disk which turns later. Then the claims do not commute.
-void TurnOrder::place(const Turn& turn) {
-  const auto maneuvers_end =
-      std::find_if(turns_.rbegin(), turns_.rend(), is_maneuver).base();  // begin() where none is
-  const auto since = std::find_if(turns_.rbegin(), turns_.rend(), [&](const Turn& t) {
-                       return involves(t, turn.i) || involves(t, turn.j);
-                     }).base();
-  auto at = since;
-  if (is_maneuver(turn)) {
-    if (maneuvers_end == turns_.begin()) {
-      at = turns_.end();
-    } else if (since <= maneuvers_end) {
-      at = maneuvers_end;
-    } else {
-      refuter_.refute(Fault::wrong_order, "the maneuver of disk " + std::to_string(turn.i) +
-                                              " at the same instant comes before the collision of "
-                                              "generators " +
-                                              text_of((since - 1)->i, (since - 1)->j));
-    }
-  } else {
-    // What a maneuver made due waits for the last of them.
-    const bool waits = since != turns_.begin() && is_maneuver(*(since - 1));
-    if (waits) at = std::max(since, maneuvers_end);
-    at = std::find_if(at, turns_.end(), [&](const Turn& t) {
-      return is_maneuver(t) || std::pair(turn.i, turn.j) < std::pair(t.i, t.j);
-    });
-  }
-  require_commutes(turn, {at, turns_.end()});
-  turns_.insert(at, turn);
-}
-
-// The turn is taken before these, each of which turned before it was claimed.
-void TurnOrder::require_commutes(const Turn& turn, std::span<const Turn> passed) const {
-  for (std::size_t k = 0; k < passed.size(); ++k) {
-    const Turn& later = passed[k];
-    for (const auto& [x, state] : {std::pair(later.i, later.state_i), {later.j, later.state_j}}) {
-      const auto before = passed.first(k);
-      const bool turned = std::any_of(before.begin(), before.end(),
-                                      [&, g = x](const Turn& t) { return involves(t, g); });
-      if (x == container_id || turned) continue;
-      for (const GenId g : {turn.i, turn.j}) {
-        const auto [i, j] = std::minmax(g, x);
-        if (g == container_id ||
-            (!is_maneuver(later) && std::pair(later.i, later.j) <= std::pair(i, j)) ||
-            !would_collide(g, {x, state})) {
-          continue;
-        }
-        refuter_.refute(Fault::wrong_order,
-                        "generators " + text_of(turn.i, turn.j) +
-                            " turn at the same instant and come earlier, and after them " +
-                            text_of(i, j));
-      }
-    }
-  }
-}
-
-// Whether g, as it moves since it turned at the present instant, touches and approaches another in
-// an earlier state. Throws Undecided.
-bool TurnOrder::would_collide(GenId g, const DiskState& other) const {
-  if (s_.contacts.certainly_apart(std::min(g, other.g), std::max(g, other.g),
-                                  s_.chronology.instant(front_.moment))) {
-    return false;
-  }
-  try {
-    ExactMotion exact(s_.motion);
-    const Tower now = exact.start(s_.motion.state_id(g), g);
-    const auto site = [&](GenId of, int id) -> MovingSite<Tower> {
-      const ExactMotion::State& s = exact.state(id, of);
-      const Tower dt = now - Tower(s.t_ref);
-      return {s.x + s.vx * dt, s.y + s.vy * dt, s.vx, s.vy, exact.radius(of)};
-    };
-    const Contact<Tower> k(site(g, s_.motion.state_id(g)), site(other.g, other.id));
-    return sign(k.c) == Sign::zero && sign(k.b) == Sign::negative;
-  } catch (const BudgetExceeded& e) {
-    throw Undecided(
-        std::string("the order of the collisions of one instant is not decided: ") + e.what(),
-        std::min(g, other.g), std::max(g, other.g));
+void TurnOrder::require_order(bool complete) const {
+  if (turns_.empty() || (turns_.size() == 1 && due_.empty())) return;
+  if (auto fault = InstantReplay(s_, turns_, near_, due_, complete).fault()) {
+    throw Refuted{*std::move(fault)};
   }
 }
 

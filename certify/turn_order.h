@@ -2,14 +2,14 @@
 // first; maneuvers; collisions that these bring about; flips. Claims that commute may be exchanged.
 #pragma once
 
-#include <span>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "certify/exact_pairs.h"
+#include "certify/certificate.h"
 #include "certify/front.h"
 #include "certify/refuter.h"
 #include "certify/setting.h"
-#include "filtered/search/carry.h"
 
 namespace voroproof::internal {
 
@@ -17,6 +17,15 @@ namespace voroproof::internal {
 struct Turn {
   GenId i, j;
   int state_i, state_j;
+  std::int64_t line;
+  Event claim;
+};
+
+// Two generators that touch and approach in these states (Motion::state_id).
+struct DuePair {
+  GenId i, j;
+  int state_i, state_j;
+  Divergence missing;  // the refutation where their collision is not claimed
 };
 
 class TurnOrder {
@@ -27,6 +36,8 @@ class TurnOrder {
   // Another instant begins.
   void clear() {
     turns_.clear();
+    near_.clear();
+    due_.clear();
     flipped_.clear();
   }
   // The edge q has flipped at the present instant.
@@ -34,25 +45,29 @@ class TurnOrder {
   // No flip at this instant has been claimed of a generator that turns at it, now. Throws Refuted.
   void require_no_flip_yet(GenId i, GenId j) const;
 
-  // At t = 0 no pair has a life yet that a turn would end. The first function requires that no
-  // smaller pair touches and approaches that has a generator of the pair i, j which collides; the
-  // second, that no pair does that has the disk g of a maneuver. Both throw Refuted.
-  void require_first_at_start(GenId i, GenId j);
-  void require_no_contact_at_start(GenId g);
-
-  // Exact truth: puts what has just been proved to turn at the present instant where the format's
-  // order has it, among those that turned before it. Throws Refuted and Undecided.
-  void place(const Turn& turn);
+  // Exact truth: this has been proved to turn at the present instant, as it was claimed.
+  void note(const Turn& turn) { turns_.push_back(turn); }
+  // Exact truth: the two touch and approach at the present instant, and one of them turns now
+  // without colliding with the other.
+  void note_due(GenId i, GenId j, Divergence missing);
+  // Exact truth: one of the two turns now, and they are not proved to be apart.
+  void note_near(GenId i, GenId j) { near_.emplace_back(i, j); }
+  // Both of all pairs of i and j but these two, which turn at t = 0: no pair has a life yet.
+  void note_at_start(GenId i, GenId j);
+  // What has turned at the present instant does so in the format's order, where claims that share
+  // no disk may be exchanged. `complete`: nothing else is claimed of the instant; it may be where
+  // a history stops. Throws Refuted and Undecided.
+  void require_order(bool complete) const;
 
  private:
-  void require_commutes(const Turn& turn, std::span<const Turn> passed) const;
-  bool would_collide(GenId g, const DiskState& other) const;
-
   Setting& s_;
   const Front& front_;
   const Refuter& refuter_;
-  std::vector<Turn> turns_;     // of this instant, in the order of the format
-  std::vector<GenId> flipped_;  // generators of the edges that have flipped at this instant
+  // Of this instant, in the order of the claims.
+  std::vector<Turn> turns_;
+  std::vector<std::pair<GenId, GenId>> near_;
+  std::vector<DuePair> due_;
+  std::vector<GenId> flipped_;  // generators of the edges that have flipped
 };
 
 }  // namespace voroproof::internal

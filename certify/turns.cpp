@@ -60,7 +60,7 @@ void Turns::collide_exactly(const CollideEvent& claim) {
   Moment m = contact_of(claim);
   instants_.advance(m);
   order_.require_no_flip_yet(i, j);
-  if (!front_.begun) order_.require_first_at_start(i, j);
+  if (!front_.begun) order_.note_at_start(i, j);
   around_.end(i, j, m);
   // The law between the claimed values first, while the state before is at hand.
   if (claim.v[1] && claim.p[1]) {
@@ -71,7 +71,7 @@ void Turns::collide_exactly(const CollideEvent& claim) {
       if (!s_.law.obeyed(claim, p, s_.replay.velocities(i, j), 0)) responses_.refute(claim, p);
     }
   }
-  const Turn turn{i, j, s_.motion.state_id(i), s_.motion.state_id(j)};
+  const Turn turn{i, j, s_.motion.state_id(i), s_.motion.state_id(j), claims_.line(), claim};
   front_.turning = {i, j};
   const Impact impact = s_.motion.collide(i, j, 0.5 * (m.lo + m.hi));
   m.kind = Moment::Kind::state;
@@ -90,7 +90,7 @@ void Turns::collide_exactly(const CollideEvent& claim) {
                 ExactVec2{to_rational(impact.second.vx), to_rational(impact.second.vy)}};
   }
   s_.replay.note_collision(claim, computed);
-  order_.place(turn);
+  order_.note(turn);
   around_.begin(m);
   front_.turning.clear();
 }
@@ -166,19 +166,16 @@ void Turns::maneuver(const ManeuverEvent& claim) {
   instants_.advance(m);
   const GenId g = claim.disk;
   order_.require_no_flip_yet(g, g);
-  front_.maneuvering = g;
-  if (!front_.begun) order_.require_no_contact_at_start(g);
+  if (!front_.begun && exact) order_.note_at_start(g, g);
   around_.end(container_id, g, m);
-  front_.maneuvering.reset();
-  front_.maneuvered[g] = front_.instant;
   front_.turning = {g};
   const ExactVec2 v{due.vx, due.vy};
   if (exact) {
-    const Turn turn{g, g, s_.motion.state_id(g), s_.motion.state_id(g)};
+    const Turn turn{g, g, s_.motion.state_id(g), s_.motion.state_id(g), claims_.line(), claim};
     const RoundedState s = s_.motion.maneuver(g, due.t, v[0], v[1]);
     front_.moment = m;
     pairs_.exact().note_birth(g, m);
-    order_.place(turn);
+    order_.note(turn);
     responses_.check_center(g, exact_center(claim), v, {to_rational(s.px), to_rational(s.py)});
     s_.replay.note_maneuver(*k, claim);
   } else {

@@ -45,7 +45,11 @@ class Contacts {
       ++number;
       const bool collision = c.kind == Claim::Kind::collision;
       if (c.kind == Claim::Kind::flip) flip(c);
-      if (p_.exact() && c.first < 2) require_first(c);
+      if (p_.exact() && c.first < 2) {
+        // The file's times are within the tolerance of the true ones.
+        require_order_until(c.t - 4 * p_.tolerance);
+        order_[c.t].begin(c, pairs_of(c), walk_);
+      }
       if (collision) judge(c);
       for (int k = c.first; k < 2; ++k) end_pairs(c.id[k], c.t, collision ? &c : nullptr);
       for (int k = c.first; k < 2; ++k) {
@@ -54,6 +58,7 @@ class Contacts {
       }
       if (c.first < 2) turn(c);
     }
+    while (!order_.empty()) require_order_of_first();
     line_ = p_.history.last_line;
     at_end_ = true;
     const Rat end = p_.history.horizon;
@@ -98,14 +103,20 @@ class Contacts {
   }
 
   void turn(const Claim& c) {
-    std::array<const Leg*, 2> before{};
-    for (int k = c.first; k < 2; ++k) before[k] = &walk_.leg(c.id[k]);
     walk_.apply(c);
-    if (!p_.exact()) return;
-    if (c.first == 1 && c.kind == Claim::Kind::maneuver) before[0] = before[1];
-    // The file's times are within the tolerance of the true ones.
-    order_.forget_before(c.t - 4 * p_.tolerance);
-    order_.add(c, before, walk_);
+    if (p_.exact()) order_[c.t].end(c, walk_);
+  }
+  // Of instants before t there are no other claims.
+  void require_order_until(const Rat& t) {
+    while (!order_.empty() && order_.begin()->first < t) require_order_of_first();
+  }
+  void require_order_of_first() {
+    const auto& [t, turns] = *order_.begin();
+    if (const auto fault = turns.fault(t)) {
+      line_ = fault->line;
+      refute(fault->why);
+    }
+    order_.erase(order_.begin());
   }
 
   void flip(const Claim& c) {
@@ -124,19 +135,6 @@ class Contacts {
     if (open == open_.end()) return;
     close(two, open->second, When(c.t));
     open_.erase(open);
-  }
-
-  // Exact: no smaller pair of these disks, before a maneuver no pair, touches and approaches now.
-  void require_first(const Claim& c) {
-    for (int k = c.first; k < 2; ++k) {
-      for (const Two& two : pairs(c.id[k])) {
-        if (c.kind == Claim::Kind::collision && two >= Two(c.id[0], c.id[1])) continue;
-        const Gap g = gap(two);
-        if (g.start <= c.t && g.value(c.t) == 0 && sgn(g.slope(c.t)) == inwards(two)) {
-          refute(name(two) + " collide before that at the same instant");
-        }
-      }
-    }
   }
 
   // Whether the claimed collision answers an entry of the paths; how is kept for end_pairs.
@@ -179,6 +177,12 @@ class Contacts {
     for (const int k : walk_.diagram->spokes(disk)) {
       all.insert(std::minmax(walk_.edges()[k].l, walk_.edges()[k].r));
     }
+    return all;
+  }
+
+  std::set<Two> pairs_of(const Claim& c) const {
+    std::set<Two> all;
+    for (int k = c.first; k < 2; ++k) all.merge(pairs(c.id[k]));
     return all;
   }
 
@@ -257,7 +261,7 @@ class Contacts {
   Walk walk_;
   std::vector<std::int64_t> turns_;  // claims so far that moved a disk
   std::vector<std::int64_t> by_;     // the collision that turned it last, or -1
-  Turns order_;
+  std::map<Rat, Turns> order_;       // of instants that other claims may be of
   std::map<Two, Overlap> open_;
   std::map<Two, Rat> followed_;  // to where the lines of some that are no neighbours were
   bool at_end_ = false;

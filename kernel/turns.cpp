@@ -1,7 +1,6 @@
 #include "kernel/turns.h"
 
 #include <algorithm>
-#include <string>
 
 namespace voroproof_kernel {
 
@@ -14,52 +13,112 @@ std::string name(Two two) {
 
 }  // namespace
 
-void Turns::add(const Claim& c, const std::array<const Leg*, 2>& before, const Walk& now) {
-  const bool collision = c.kind == Claim::Kind::collision;
-  const Turn turn{collision ? Two(c.id[0], c.id[1]) : Two(c.id[1], c.id[1]), before};
-  std::vector<Turn>& order = at_[c.t];
-  // Behind the last turn of its own disks, and behind the last maneuver.
-  std::size_t own = 0, maneuvers = 0;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    if (order[k].involves(turn.two.first) || order[k].involves(turn.two.second)) own = k + 1;
-    if (order[k].is_maneuver()) maneuvers = k + 1;
+// The turns, taken one after the other.
+class Turns::Replay {
+ public:
+  Replay(const Turns& of, const Rat& t) : of_(of), t_(t) {
+    for (const auto& [g, touching] : of.touching_) look_at(g);
   }
-  std::size_t at = own;
-  if (!collision) {
-    if (own > maneuvers && maneuvers > 0) {
-      refute("the maneuver of disk " + std::to_string(c.id[1]) +
-             " comes before a collision that another one at the same instant brought about");
-    }
-    at = maneuvers > 0 ? maneuvers : order.size();
-  } else {
-    // What a maneuver brings about comes after all of them.
-    if (own > 0 && order[own - 1].is_maneuver()) at = maneuvers;
-    while (at < order.size() && !order[at].is_maneuver() && order[at].two < turn.two) ++at;
-  }
-  require_commutes(turn, order, at, c.t, now);
-  order.insert(order.begin() + static_cast<std::ptrdiff_t>(at), turn);
-}
 
-// The turn comes before those from `at` on: none of its disks, as it moves now, touches and
-// approaches one of theirs, as that moved before, in a pair that comes before its turn.
-void Turns::require_commutes(const Turn& turn, const std::vector<Turn>& order, std::size_t at,
-                             const Rat& t, const Walk& now) const {
-  for (std::size_t k = at; k < order.size(); ++k) {
-    const Turn& later = order[k];
-    for (int side = 0; side < 2; ++side) {
-      const int x = side == 0 ? later.two.first : later.two.second;
-      const auto turned = [x](const Turn& other) { return other.involves(x); };
-      if (x == container || std::any_of(&order[at], &later, turned)) continue;
-      for (const int g : {turn.two.first, turn.two.second}) {
-        const Two two = std::minmax(g, x);
-        if (g == container || (!later.is_maneuver() && later.two <= two)) continue;
-        const Gap gap(*later.before[side], now.leg(g));
-        if (gap.value(t) == 0 && sgn(gap.slope(t)) == inwards(two)) {
-          refute(name(turn.two) + " come before " + name(later.two) + ", and then " + name(two));
-        }
+  std::optional<Fault> fault() {
+    if (const auto early = collide()) return early;
+    for (const Turn& turn : of_.turns_) {
+      if (turn.is_maneuver() && head(turn.two.first) == &turn) ++taken_[turn.two.first];
+    }
+    for (const Turn& turn : of_.turns_) {
+      if (turn.is_maneuver()) look_at(turn.two.first);
+    }
+    if (const auto early = collide()) return early;
+    for (const Turn& turn : of_.turns_) {
+      if (head(turn.two.second) == &turn)
+        return Fault{turn.line, name(turn.two) + " belong earlier in that instant"};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  // Takes collisions, the smallest pair first, while any is due.
+  std::optional<Fault> collide() {
+    while (!due_.empty()) {
+      const Two two = *due_.begin();
+      if (!take(two)) return early(two);
+      look_at(two.first);
+      look_at(two.second);
+    }
+    return std::nullopt;
+  }
+  // The next turn of a generator, or null.
+  const Turn* head(int g) const {
+    const auto chain = of_.chains_.find(g);
+    if (chain == of_.chains_.end()) return nullptr;
+    const std::size_t taken = taken_of(g);
+    return taken < chain->second.turns.size() ? &of_.turns_[chain->second.turns[taken]] : nullptr;
+  }
+  std::size_t taken_of(int g) const {
+    const auto it = taken_.find(g);
+    return it == taken_.end() ? 0 : it->second;
+  }
+  const Leg& leg(int g) const {
+    const auto chain = of_.chains_.find(g);
+    return chain == of_.chains_.end() ? *of_.standing_.at(g) : *chain->second.legs[taken_of(g)];
+  }
+  // Which pairs of the disk approach as they are now.
+  void look_at(int g) {
+    const auto touching = of_.touching_.find(g);
+    if (touching == of_.touching_.end()) return;
+    for (const Two& two : touching->second) {
+      if (sgn(Gap(leg(two.first), leg(two.second)).slope(t_)) == inwards(two)) {
+        due_.insert(two);
+      } else {
+        due_.erase(two);
       }
     }
   }
+  // Takes the collision of these two if it is the next turn of both.
+  bool take(Two two) {
+    const Turn* const next = head(two.second);
+    if (next == nullptr || next->two != two) return false;
+    if (two.first != container && head(two.first) != next) return false;
+    if (two.first != container) ++taken_[two.first];
+    ++taken_[two.second];
+    return true;
+  }
+  Fault early(Two two) const {
+    const Turn *first = head(two.first), *second = head(two.second);
+    const Turn* const at = first != nullptr ? first : second;
+    return {at != nullptr ? at->line : of_.turns_.back().line,
+            name(two) + " collide before that at the same instant"};
+  }
+
+  const Turns& of_;
+  const Rat& t_;
+  std::map<int, std::size_t> taken_;
+  std::set<Two> due_;
+};
+
+void Turns::begin(const Claim& c, const std::set<Two>& of, const Walk& before) {
+  for (const Two& two : of) {
+    for (const int g : {two.first, two.second}) standing_.emplace(g, &before.leg(g));
+    if (Gap(before.leg(two.first), before.leg(two.second)).value(c.t) != 0) continue;
+    if (two.first != container) touching_[two.first].insert(two);
+    touching_[two.second].insert(two);
+  }
+  for (int k = c.first; k < 2; ++k) {
+    Chain& chain = chains_[c.id[k]];
+    if (chain.legs.empty()) chain.legs.push_back(&before.leg(c.id[k]));
+  }
 }
+
+void Turns::end(const Claim& c, const Walk& after) {
+  for (int k = c.first; k < 2; ++k) {
+    Chain& chain = chains_[c.id[k]];
+    chain.turns.push_back(turns_.size());
+    chain.legs.push_back(&after.leg(c.id[k]));
+  }
+  const bool collision = c.kind == Claim::Kind::collision;
+  turns_.push_back({{collision ? c.id[0] : c.id[1], c.id[1]}, c.line});
+}
+
+std::optional<Turns::Fault> Turns::fault(const Rat& t) const { return Replay(*this, t).fault(); }
 
 }  // namespace voroproof_kernel

@@ -1,9 +1,12 @@
-// The order of the turns of one instant (docs/formats.md, section 6) under the exact truth:
-// collisions, the smallest pair first; maneuvers; collisions that these bring about.
+// The order of the turns of one instant under the exact truth (docs/formats.md, section 6): the
+// smallest pair that touches and approaches collides, again and again; then the maneuvers; then
+// once more collisions.
 #pragma once
 
-#include <array>
 #include <map>
+#include <optional>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,32 +16,42 @@ namespace voroproof_kernel {
 
 using Two = std::pair<int, int>;  // the smaller generator first
 
-// Whether two of this pair that touch approach each other where half the derivative of their gap
-// has this sign; where they overlap the gap has it.
+// The sign of the gap of two generators where they overlap. Two that touch approach each other
+// where the slope of their gap has the same sign.
 inline int inwards(Two two) { return two.first == container ? 1 : -1; }
 
+// The turns that are claimed of one instant. They are right where the format's order, followed from
+// the legs before the instant, makes the same happen to each disk, one after the other. (Claims
+// that share no disk may be told in another order.)
 class Turns {
  public:
-  // The claim, a collision or a maneuver, has turned its disks, which have left the legs `before`
-  // (null for the container). It comes where the order has it among those of its instant: before
-  // some that were claimed before it, of other disks. Throws Stop (refuted) where it makes another
-  // of their pairs due there.
-  void add(const Claim& c, const std::array<const Leg*, 2>& before, const Walk& now);
+  // The claim, a collision or a maneuver, is about to turn its disks, `of` are the pairs of these.
+  void begin(const Claim& c, const std::set<Two>& of, const Walk& before);
+  // It has turned them.
+  void end(const Claim& c, const Walk& after);
 
-  // What is known of earlier times is needed no more.
-  void forget_before(const Rat& t) { at_.erase(at_.begin(), at_.lower_bound(t)); }
+  struct Fault {
+    std::int64_t line;
+    std::string why;
+  };
+  std::optional<Fault> fault(const Rat& t) const;
 
  private:
   struct Turn {
     Two two;  // twice the disk of a maneuver
-    std::array<const Leg*, 2> before;
+    std::int64_t line;
     bool is_maneuver() const { return two.first == two.second; }
-    bool involves(int g) const { return g != container && (two.first == g || two.second == g); }
   };
-  void require_commutes(const Turn& turn, const std::vector<Turn>& order, std::size_t at,
-                        const Rat& t, const Walk& now) const;
+  struct Chain {
+    std::vector<std::size_t> turns;  // of a disk, by their numbers
+    std::vector<const Leg*> legs;    // before the first of them, and after each
+  };
+  class Replay;
 
-  std::map<Rat, std::vector<Turn>> at_;  // by instant, in the right order
+  std::vector<Turn> turns_;
+  std::map<int, Chain> chains_;            // of the disks that turn
+  std::map<int, const Leg*> standing_;     // of generators beside them, the leg then
+  std::map<int, std::set<Two>> touching_;  // of each disk, the pairs
 };
 
 }  // namespace voroproof_kernel

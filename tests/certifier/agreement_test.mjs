@@ -2,19 +2,26 @@
 //
 // usage: KERNEL=... CORPUS=... node agreement_test.mjs                  all histories of the corpus
 //        KERNEL=... WORLDS=... node agreement_test.mjs --worlds COUNT  wrong worlds (tests/adversary)
+//        KERNEL=... node agreement_test.mjs --folders FOLDER...        all histories in the folders, beside their scenes
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { certify, corpusHistories } from "./kernel.mjs";
 
-const { KERNEL: kernel, CORPUS: corpus, WORLDS: writeWorlds } = process.env, [mode, count] = process.argv.slice(2);
+const { KERNEL: kernel, CORPUS: corpus, WORLDS: writeWorlds } = process.env, [mode, ...rest] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), "worlds-"));
 
-function worlds() {
-  if (spawnSync(writeWorlds, [folder, count, "20260101"]).status !== 0) throw new Error("no worlds");
+function historiesOf(folder) {
   return readdirSync(folder).filter((name) => name.endsWith(".scene.json"))
     .map((name) => [join(folder, name), join(folder, name.replace(".scene.json", ".history.jsonl"))]);
+}
+
+function histories() {
+  if (mode === "--folders") return rest.flatMap(historiesOf);
+  if (mode !== "--worlds") return corpusHistories(corpus);
+  if (spawnSync(writeWorlds, [folder, rest[0], "20260101"]).status !== 0) throw new Error("no worlds");
+  return historiesOf(folder);
 }
 
 function kernelSays(scene, history, truth) {
@@ -35,7 +42,7 @@ function isSame(ours, theirs) {
 
 const verdicts = {};
 let different = 0, compared = 0;
-for (const [scene, history] of mode === "--worlds" ? worlds() : corpusHistories(corpus)) {
+for (const [scene, history] of histories()) {
   const files = [readFileSync(scene), readFileSync(history)];
   for (const truth of ["recorded", "exact"]) {
     const ours = certify(...files, { truth }), theirs = kernelSays(scene, history, truth);

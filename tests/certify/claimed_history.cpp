@@ -87,7 +87,9 @@ std::string text(const ClaimedHistory& history) {
 }
 
 MemoryHistory::MemoryHistory(const ClaimedHistory& history)
-    : history_(history), ending_(HistoryEnd{history.claimed_counts}) {}
+    : history_(history), ending_(HistoryEnd{history.claimed_counts}) {
+  if (history.stop) ending_ = *history.stop;
+}
 
 std::optional<voroproof::internal::Event> MemoryHistory::next() {
   if (next_ >= history_.events.size()) {

@@ -15,6 +15,7 @@ struct ClaimedHistory {
   HistoryHeader header;
   std::vector<voroproof::internal::Event> events;
   HistoryCounts claimed_counts;
+  std::optional<HistoryStop> stop;  // in place of an end
 
   void count();  // makes claimed_counts those of the events
 };

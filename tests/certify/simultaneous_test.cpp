@@ -73,6 +73,29 @@ TEST(Simultaneous, CollisionsThatShareADiskAtTheStart) {
   EXPECT_EQ(verdict_with(scene, collide_in_row(0, {1, 0, -1}, masses, {1})), Verdict::refuted);
 }
 
+// A history that stops between the turns of an instant is right so far if the next ones can be what
+// it does not tell.
+TEST(Simultaneous, AHistoryThatStopsBetweenTwoTurns) {
+  for (const int t : {0, 1}) {
+    const Scene scene =
+        scene_of(60, 3, {disk(-2 - t, 0, 1, 1, 0), disk(0, 0, 1, 0, 0), disk(2 + t, 0, 1, -1, 0)});
+    ClaimedHistory h = claimed_history(scene, run(scene));
+    const auto verdict_so_far = [&](std::vector<voroproof::internal::Event> events) {
+      h.events = std::move(events);
+      h.stop = HistoryStop{static_cast<double>(t), "of a test", {}, {}};
+      return certify(scene, h).verdict;
+    };
+    const auto right = h.events;
+    ASSERT_EQ(right.size(), 3u);
+    for (std::size_t k = 0; k <= right.size(); ++k) {
+      EXPECT_EQ(verdict_so_far({right.begin(), right.begin() + static_cast<std::ptrdiff_t>(k)}),
+                Verdict::undecided);
+    }
+    const auto wrong = collide_in_row(t, {1, 0, -1}, {1, 1, 1}, {1});
+    EXPECT_EQ(verdict_so_far({wrong.front()}), Verdict::refuted);
+  }
+}
+
 // Two collisions at the same instant may be told in any order where they commute: far from each
 // other, or side by side, where one disk of each touch and do not approach.
 TEST(Simultaneous, CollisionsThatCommute) {
@@ -126,6 +149,22 @@ TEST(Simultaneous, AManeuverAtTheEndOfARow) {
     ASSERT_EQ(right.events.size(), 3u);
     EXPECT_EQ(verdict_with(scene, right.events), Verdict::certified);
     EXPECT_EQ(verdict_with(scene, {right.events[2], right.events[0]}), Verdict::refuted);
+  }
+}
+
+// Both of two that touch have a maneuver, the first of which sends one into the other.
+TEST(Simultaneous, NoCollisionComesBetweenTwoManeuvers) {
+  for (const int t : {0, 1}) {
+    Scene scene = scene_of(60, 3, {disk(-1, 0, 1, 0, 0), disk(1, 0, 1, 0, 0)});
+    scene.maneuvers.push_back({t, 0, 2, 0});
+    scene.maneuvers.push_back({t, 1, 1, 0});
+    const ClaimedHistory right = claimed_history(scene, run(scene));
+    ASSERT_EQ(right.events.size(), 3u);
+    EXPECT_EQ(verdict_with(scene, right.events), Verdict::certified);
+    EXPECT_EQ(verdict_with(scene, {right.events[1], right.events[0], right.events[2]}),
+              Verdict::certified);
+    EXPECT_EQ(verdict_with(scene, {right.events[0], collision(t, 0, 1, 0, 2), right.events[1]}),
+              Verdict::refuted);
   }
 }
 

@@ -29,6 +29,7 @@ class ContactCheck {
     this.by = new Array(problem.disks).fill(-1);    // the collision that turned it last, or -1
     this.open = new Map();      // overlaps in progress: { from, extreme, answer, two }
     this.followed = new Map();  // to where the lines of some that are no neighbours were
+    this.order = [];            // Turns of instants that other claims may be of, the first first
     this.atEnd = false;
     this.continues = false;     // the claim answers an overlap begun on earlier legs
   }
@@ -42,6 +43,7 @@ class ContactCheck {
       if (claim.kind === "flip") this.flip(claim);
       else this.turn(claim, number);
     });
+    this.requireOrderUntil(null);
     this.line = problem.history.lastLine;
     this.atEnd = true;
     const end = problem.history.horizon;
@@ -52,7 +54,8 @@ class ContactCheck {
 
   turn(claim, number) {
     const isCollision = claim.kind === "collision", disks = claim.ids.slice(claim.first);
-    if (this.problem.isExact) disks.forEach((g) => this.requireFirst(claim, g));
+    const order = this.problem.isExact ? this.orderAt(claim) : null;
+    order?.begin(claim, disks.flatMap((g) => this.pairs(g)), this.walk);
     if (isCollision) this.judge(claim);
     for (const g of disks) this.endPairs(g, claim.t, isCollision ? claim : null);
     for (const g of disks) {
@@ -60,6 +63,27 @@ class ContactCheck {
       this.by[g] = isCollision ? number : -1;
     }
     this.walk.apply(claim);
+    order?.end(claim, this.walk);
+  }
+
+  // Where the claim's instant is told. The file's times are within the tolerance of the true ones.
+  orderAt({ t }) {
+    this.requireOrderUntil(t.minus(this.problem.tolerance.scaled(2)));
+    let k = this.order.length;
+    while (k > 0 && t.less(this.order[k - 1].t)) --k;
+    if (k > 0 && !this.order[k - 1].t.less(t)) return this.order[k - 1];
+    this.order.splice(k, 0, new Turns(t));
+    return this.order[k];
+  }
+
+  // Of instants before t there are no other claims; of none where t is null.
+  requireOrderUntil(t) {
+    while (this.order.length > 0 && (t === null || this.order[0].t.less(t))) {
+      const { fault } = this.order.shift();
+      if (fault === null) continue;
+      this.line = fault.line;
+      refute(fault.why, fault.witness);
+    }
   }
 
   // ---- Of a pair
@@ -74,7 +98,7 @@ class ContactCheck {
 
   // The sign of the gap where the two overlap.
   out(two) {
-    return two[0] === CONTAINER ? 1 : -1;
+    return Turns.inwards(two);
   }
 
   gap(two) {
@@ -127,18 +151,6 @@ class ContactCheck {
     if (overlap === undefined) return;
     this.close(overlap, claim.t);
     this.open.delete(key);
-  }
-
-  // Exact: no smaller pair of the claim's disks, before a maneuver no pair, touches and approaches now.
-  requireFirst(claim, disk) {
-    for (const two of this.pairs(disk)) {
-      if (claim.kind === "collision" && (two[0] - claim.ids[0] || two[1] - claim.ids[1]) >= 0) continue;
-      const gap = this.gap(two);
-      if (claim.t.less(gap.start)) continue;
-      if (gap.value(claim.t).sign === 0 && gap.slope(claim.t).sign === this.out(two)) {
-        refute(`${ContactCheck.name(two)} collide before that at the same instant`, { t: claim.t, pair: two });
-      }
-    }
   }
 
   // Whether the claimed collision answers an entry; how is kept for endPairs.

@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""Orders of one instant, right and wrong, against `certify`, `certify --events collisions` and the kernel.
+
+usage: tests/adversary/instants/run.py PROGRAM [KERNEL] [--count N] [--seed S] [--out FOLDER]
+
+Disks touch at one instant: at the start, at the horizon or between. Some are scheduled for maneuvers then. Every order in
+which pairs that approach collide and maneuvers come leads to a consistent history (worlds.py). Of all these orders one is
+the format's (docs/formats.md, section 6). A history is right under the exact truth if the same happens in it to each disk,
+one after the other, as in that order. Any other verdict is a find. So is a refutation of a history that stops between two
+turns and is right so far. Where turns that are not told would have decided, a history that is wrong so far may be left
+undecided. The exit code is 1 where there is a find, and --out keeps its files. The seeds decide everything.
+"""
+import argparse
+import collections
+import json
+import random
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from worlds import Impossible, World
+
+MOST_ORDERS = 12  # of a world, that are asked about besides the right one
+
+
+def history_text(header, lines, world, complete):
+    collisions = sum("collide" in line for line in lines)
+    counts = {"flips": 0, "collisions": collisions, "maneuvers": len(lines) - collisions}
+    last = {"end": {"t": float(world.horizon), **counts}} if complete else {
+        "stopped": {"t": float(world.t), "reason": "of a test", "events": []}}
+    return "\n".join([header] + [json.dumps(line, separators=(",", ":")) for line in lines + [last]]) + "\n"
+
+
+def last_line(command):
+    run = subprocess.run(command, capture_output=True, text=True)
+    return run.stdout.strip().splitlines()[-1] if run.stdout.strip() else f"exit code {run.returncode}: {run.stderr}"
+
+
+def a_world(rng):
+    while True:
+        try:
+            world = World(rng)
+            if world.is_worth_asking():
+                return world
+        except Impossible:
+            pass
+
+
+class Run:
+    def __init__(self, options, folder):
+        self.out = options.out
+        self.counts, self.finds = collections.Counter(), 0
+        self.scene, self.history = Path(folder, "world.scene.json"), Path(folder, "world.history.jsonl")
+        certify = [options.program, "certify", self.scene, self.history, "--truth", "exact"]
+        self.simulate = [options.program, "simulate", self.scene, "-o", self.history, "--replace"]
+        self.judges = {"certify": certify, "certify --events collisions": certify + ["--events", "collisions"]}
+        if options.kernel:
+            self.judges["kernel"] = [options.kernel, self.scene, self.history, "--truth", "exact"]
+
+    def judge(self, seed):
+        rng = random.Random(seed)
+        world = a_world(rng)
+        self.scene.write_text(json.dumps(world.scene()))
+        subprocess.run(self.simulate, check=True, capture_output=True)
+        own = self.history.read_text().splitlines()
+        # Flips depend on the velocities: those of another order are others.
+        judges = self.judges
+        if any('"flip"' in line for line in own):
+            judges = {"certify --events collisions": judges["certify --events collisions"]}
+        right = world.right_order()
+        happens = world.by_disk(right)
+        for turns in [right] + world.orders(MOST_ORDERS, rng):
+            lines = world.lines(turns, rng)
+            is_right = world.by_disk(turns) == happens
+            text = history_text(own[0], lines, world, True)
+            for judge in judges:
+                self.ask(judge, seed, text, "right" if is_right else "wrong",
+                         ["s CERTIFIED"] if is_right else ["s REFUTED"])
+            so_far = rng.randint(0, len(turns))
+            is_right = all(some == then[:len(some)] for some, then in zip(world.by_disk(turns[:so_far]), happens))
+            for judge in list(judges)[:1]:
+                self.ask(judge, seed, history_text(own[0], lines[:so_far], world, False),
+                         "right so far" if is_right else "wrong so far",
+                         ["s UNDECIDED"] if is_right else ["s REFUTED", "s UNDECIDED"])
+
+    def ask(self, judge, seed, text, state, expected):
+        self.history.write_text(text)
+        verdict = last_line(self.judges[judge])
+        self.counts[f"{judge}, {state}: {verdict}"] += 1
+        if verdict in expected:
+            return
+        self.finds += 1
+        print(f"seed {seed}, {state}: {judge} says {verdict}", flush=True)
+        if self.out:
+            self.out.mkdir(parents=True, exist_ok=True)
+            for path in self.scene, self.history:
+                (self.out / f"{seed}-{self.finds}{path.name[5:]}").write_bytes(path.read_bytes())
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("kernel", nargs="?")
+    parser.add_argument("--count", type=int, default=60, help="worlds")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--out", type=Path)
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        run = Run(options, folder)
+        for seed in range(options.seed, options.seed + options.count):
+            run.judge(seed)
+    for key, count in sorted(run.counts.items()):
+        print(f"{count:7} {key}")
+    if not all(any(f", {state}:" in key for key in run.counts) for state in ("right", "wrong")):
+        sys.exit("nothing was asked")
+    sys.exit(1 if run.finds else 0)
+
+
+if __name__ == "__main__":
+    main()
