@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""Orders of one instant, right and wrong, against `certify`, `certify --events collisions` and the kernel.
+"""Orders of one instant, right and wrong, against `simulate`, `certify`, `certify --events collisions` and the kernel.
 
 usage: tests/adversary/instants/run.py PROGRAM [KERNEL] [--count N] [--seed S] [--out FOLDER]
 
-Disks touch at one instant: at the start, at the horizon or between. Some are scheduled for maneuvers then. Every order in
-which pairs that approach collide and maneuvers come leads to a consistent history (worlds.py). Of all these orders one is
-the format's (docs/formats.md, section 6). A history is right under the exact truth if the same happens in it to each disk,
-one after the other, as in that order. Any other verdict is a find. So is a refutation of a history that stops between two
-turns and is right so far. Where turns that are not told would have decided, a history that is wrong so far may be left
-undecided. The exit code is 1 where there is a find, and --out keeps its files. The seeds decide everything.
+Disks touch at one instant: at the start, at the horizon or between. Some are scheduled for maneuvers then. Every
+order in which pairs that approach collide and maneuvers come leads to a consistent history (worlds.py). Of all these
+orders one is the format's (docs/formats.md, section 6). A history is right under the exact truth if the same happens
+in it to each disk, one after the other, as in that order. Any other verdict is a find, and any other order of
+`simulate`. So is a refutation of a history that stops between two turns and is right so far. Where turns that are not
+told would have decided, a history that is wrong so far may be left undecided. The exit code is 1 where there is a
+find, and --out keeps its files. The seeds decide everything.
 """
 import argparse
 import collections
@@ -70,6 +71,10 @@ class Run:
             judges = {"certify --events collisions": judges["certify --events collisions"]}
         right = world.right_order()
         happens = world.by_disk(right)
+        engine = [tuple(line["collide"]) if "collide" in line else line["maneuver"]
+                  for line in map(json.loads, own[1:-1]) if "flip" not in line]
+        if engine != right:
+            self.find(seed, f"simulate has the turns {engine}, not {right}")
         for turns in [right] + world.orders(MOST_ORDERS, rng):
             lines = world.lines(turns, rng)
             is_right = world.by_disk(turns) == happens
@@ -88,10 +93,12 @@ class Run:
         self.history.write_text(text)
         verdict = last_line(self.judges[judge])
         self.counts[f"{judge}, {state}: {verdict}"] += 1
-        if verdict in expected:
-            return
+        if verdict not in expected:
+            self.find(seed, f"{judge} says {verdict} of what is {state}")
+
+    def find(self, seed, what):
         self.finds += 1
-        print(f"seed {seed}, {state}: {judge} says {verdict}", flush=True)
+        print(f"seed {seed}: {what}", flush=True)
         if self.out:
             self.out.mkdir(parents=True, exist_ok=True)
             for path in self.scene, self.history:
