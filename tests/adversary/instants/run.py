@@ -85,7 +85,8 @@ class Run:
             so_far = rng.randint(0, len(turns))
             is_right = all(some == then[:len(some)] for some, then in zip(world.by_disk(turns[:so_far]), happens))
             for judge in list(judges)[:1]:
-                self.ask(judge, seed, history_text(own[0], lines[:so_far], world, False),
+                told = [{**line, "t": float(world.t)} for line in lines[:so_far]]
+                self.ask(judge, seed, history_text(own[0], told, world, False),
                          "right so far" if is_right else "wrong so far",
                          ["s UNDECIDED"] if is_right else ["s REFUTED", "s UNDECIDED"])
 

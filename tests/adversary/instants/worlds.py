@@ -1,6 +1,7 @@
 """Worlds of one instant: disks that touch then, in rows and clusters, and the orders that their turns can have.
 
-All numbers are fractions, by the law of docs/formats.md, section 6. Centres of disks that touch differ by whole vectors.
+All numbers are fractions, by the law of docs/formats.md, section 6. Centres of disks that touch differ by whole
+vectors.
 """
 from fractions import Fraction
 
@@ -10,10 +11,11 @@ FAR = 80                 # the container's radius
 # The whole vectors of length 5.
 FIVES = [(5, 0), (4, 3), (3, 4), (0, 5), (-3, 4), (-4, 3), (-5, 0), (-4, -3), (-3, -4), (0, -5), (3, -4), (4, -3)]
 MOST_TURNS = 40
+WITHIN = 9e-7            # of the true time is the claimed one: less than the tolerance
 
 
 class Impossible(Exception):
-    """More collisions than MOST_TURNS, for they need not end; or a disk slides along the container, which has no law."""
+    """More collisions than MOST_TURNS, for they need not end; or a disk slides along the container, without a law."""
 
 
 def minus(a, b):
@@ -100,7 +102,8 @@ class World:
                   "velocity": [float(v) for v in velocity], "mass": float(mass)}
                  for at, velocity, mass in zip(self.at, self.velocity, self.mass)]
         container = {"center": [0, 0], "radius": FAR, "restitution": float(self.wall_restitution)}
-        maneuvers = [{"t": self.t, "disk": g, "velocity": [float(x) for x in v]} for g, v in sorted(self.maneuvers.items())]
+        maneuvers = [{"t": self.t, "disk": g, "velocity": [float(x) for x in v]}
+                     for g, v in sorted(self.maneuvers.items())]
         return {"format": "voroproof-scene", "version": 1, "container": container,
                 "container_law": "whole" if self.whole else "normal", "restitution": float(self.restitution),
                 "horizon": float(self.horizon), "disks": disks, "maneuvers": maneuvers}
@@ -124,7 +127,8 @@ class World:
             else:
                 after[j] = tuple(x - (1 + sigma) * dot(v, n) / square * m for x, m in zip(v, n))
             return after
-        share = (1 + self.restitution) * dot(minus(velocity[j], velocity[i]), n) / square / (self.mass[i] + self.mass[j])
+        w = minus(velocity[j], velocity[i])
+        share = (1 + self.restitution) * dot(w, n) / square / (self.mass[i] + self.mass[j])
         after[i] = tuple(x + self.mass[j] * share * m for x, m in zip(velocity[i], n))
         after[j] = tuple(x - self.mass[i] * share * m for x, m in zip(velocity[j], n))
         return after
@@ -181,10 +185,12 @@ class World:
                 for g in range(len(self.at))]
 
     def lines(self, turns, rng):
-        """The claims of these turns; some of them give velocities, where doubles can."""
+        """The claims of these turns, some of them not quite at t; some give velocities, where doubles can."""
         lines = []
-        for turn, velocity in zip(turns, self.velocities(turns)[1:]):
-            line = {"t": float(self.t), **({"maneuver": turn} if isinstance(turn, int) else {"collide": list(turn)})}
+        off = rng.choice([0, 0, WITHIN])
+        times = sorted(min(max(float(self.t) + rng.uniform(-off, off), 0), float(self.horizon)) for _ in turns)
+        for turn, velocity, t in zip(turns, self.velocities(turns)[1:], times):
+            line = {"t": t, **({"maneuver": turn} if isinstance(turn, int) else {"collide": list(turn)})}
             disks = [turn] if isinstance(turn, int) else [g for g in turn if g != CONTAINER]
             exact = all(Fraction(float(x)) == x for g in disks for x in velocity[g])
             if exact and rng.random() < 0.5:
