@@ -198,3 +198,31 @@ class World:
                 line["v"] = given[0] if isinstance(turn, int) else [None] * (2 - len(given)) + given
             lines.append(line)
         return lines
+
+
+class DiagonalRow(World):
+    """A row along x = y that contracts until all neighbours touch at once, at a time that is no fraction."""
+
+    def __init__(self, rng):
+        self.restitution = rng.choice([Fraction(1), Fraction(1, 2)])
+        self.wall_restitution, self.whole, self.maneuvers = Fraction(1), False, {}
+        row = list(range(rng.choice([3, 3, 4, 5])))
+        rng.shuffle(row)
+        spacing, speed, drift = rng.randint(5, 7), rng.randint(1, 2), rng.randint(-1, 1)
+        places = {g: (k - len(row) // 2) * spacing for k, g in enumerate(row)}
+        self.start = [(Fraction(places[g]),) * 2 for g in sorted(row)]
+        self.velocity = [tuple(drift - speed * p / spacing for p in place) for place in self.start]
+        self.at = self.start  # for directions
+        self.mass = [Fraction(rng.randint(1, rng.choice([1, 4]))) for _ in row]
+        self.contacts = [tuple(sorted(pair)) for pair in zip(row, row[1:])]
+        self.t = (spacing - 2 * RADIUS / Fraction(2 ** 0.5)) / speed  # nearly
+        self.horizon = self.t + Fraction(1, 8)
+
+    def scene(self):
+        scene = super().scene()
+        for disk, place in zip(scene["disks"], self.start):
+            disk["center"] = [float(p) for p in place]
+        return scene
+
+    def is_worth_asking(self):
+        return len(self.right_order()) >= 2
