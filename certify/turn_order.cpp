@@ -32,9 +32,10 @@ std::string text_of(const Turn& t) {
 class InstantReplay {
  public:
   // `near`: all pairs that touch, perhaps with others; `due`: those that are known to be due.
+  // `complete`: no other turns are claimed; else `untold` are the disks of maneuvers that are not.
   InstantReplay(const Setting& s, const std::vector<Turn>& turns, const std::vector<Pair>& near,
-                const std::vector<DuePair>& due, bool complete)
-      : s_(s), turns_(turns), complete_(complete), exact_(s.motion) {
+                const std::vector<DuePair>& due, bool complete, const std::vector<GenId>& untold)
+      : s_(s), turns_(turns), complete_(complete), untold_(untold), exact_(s.motion) {
     std::set<Pair> pairs(near.begin(), near.end());
     for (const Turn& t : turns) {
       for (const GenId g : {t.i, t.j}) {
@@ -61,6 +62,7 @@ class InstantReplay {
     for (const Turn& t : turns_) {
       if (is_maneuver(t)) find_due(t.i);
     }
+    for (const GenId g : untold_) stand(g);
     if (auto early = collide()) return early;
     for (const Turn& t : turns_) {
       if (head(t.j) == &t) return misplaced(t, text_of(t) + " at the same instant comes earlier");
@@ -77,7 +79,8 @@ class InstantReplay {
       if (is_next(pair)) {
         take(*next);
       } else if (!complete_ && next == nullptr && head(pair.first) == nullptr) {
-        stand(pair);
+        stand(pair.first);
+        stand(pair.second);
       } else {
         return early(pair);
       }
@@ -143,19 +146,19 @@ class InstantReplay {
     }
   }
 
-  // The two turn next in a way that is not told.
-  void stand(const Pair& pair) {
-    standing_.insert({pair.first, pair.second});
-    for (const GenId g : {pair.first, pair.second}) find_due(g);
+  // The disk turns next in a way that is not told.
+  void stand(GenId g) {
+    if (g == container_id) return;
+    standing_.insert(g);
+    find_due(g);
   }
-  bool stands(GenId g) const { return g != container_id && standing_.contains(g); }
 
   void find_due(GenId g) {
     const auto it = near_.find(g);
     if (it == near_.end()) return;
     for (const GenId other : it->second) {
       const Pair pair = std::minmax(g, other);
-      if (!stands(g) && !stands(other) && is_due(pair)) {
+      if (!standing_.contains(g) && !standing_.contains(other) && is_due(pair)) {
         due_.insert(pair);
       } else {
         due_.erase(pair);
@@ -206,6 +209,7 @@ class InstantReplay {
   const Setting& s_;
   const std::vector<Turn>& turns_;
   const bool complete_;
+  const std::vector<GenId>& untold_;
   ExactMotion exact_;
   std::map<GenId, Chain> chains_;  // of the disks that turn
   std::map<GenId, std::vector<GenId>> near_;
@@ -251,9 +255,23 @@ void TurnOrder::note_at_start(GenId i, GenId j) {
 
 void TurnOrder::require_order(bool complete) const {
   if (turns_.empty() || (turns_.size() == 1 && due_.empty())) return;
-  if (auto fault = InstantReplay(s_, turns_, near_, due_, complete).fault()) {
+  const std::vector<GenId> untold = complete ? std::vector<GenId>() : untold_maneuvers();
+  if (auto fault = InstantReplay(s_, turns_, near_, due_, complete, untold).fault()) {
     throw Refuted{*std::move(fault)};
   }
+}
+
+// The disks that have a maneuver at the present instant which is not claimed.
+std::vector<GenId> TurnOrder::untold_maneuvers() const {
+  std::vector<GenId> untold;
+  for (std::size_t k = s_.replay.next_maneuver(); k < s_.scene.maneuvers.size(); ++k) {
+    const Maneuver& m = s_.scene.maneuvers[k];
+    if (s_.replay.maneuver_done(k)) continue;
+    const int order = s_.chronology.compare(Moment::at(m.t), front_.moment);
+    if (order > 0) break;
+    if (order == 0) untold.push_back(m.disk);
+  }
+  return untold;
 }
 
 }  // namespace voroproof::internal

@@ -60,6 +60,8 @@ class TurnOrder {
   void require_order(bool complete) const;
 
  private:
+  std::vector<GenId> untold_maneuvers() const;
+
   Setting& s_;
   const Front& front_;
   const Refuter& refuter_;
