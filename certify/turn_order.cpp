@@ -75,13 +75,9 @@ class InstantReplay {
   std::optional<Divergence> collide() {
     while (!due_.empty()) {
       const Pair pair = *due_.begin();
-      const Turn* const next = head(pair.second);
       if (is_next(pair)) {
-        take(*next);
-      } else if (!complete_ && next == nullptr && head(pair.first) == nullptr) {
-        stand(pair.first);
-        stand(pair.second);
-      } else {
+        take(*head(pair.second));
+      } else if (complete_ || !stand(pair)) {
         return early(pair);
       }
     }
@@ -146,7 +142,17 @@ class InstantReplay {
     }
   }
 
-  // The disk turns next in a way that is not told.
+  // One of the two disks, at least, has no further claim: it may have turned before, untold.
+  bool stand(const Pair& pair) {
+    bool any = false;
+    for (const GenId g : {pair.first, pair.second}) {
+      if (g == container_id || head(g) != nullptr) continue;
+      stand(g);
+      any = true;
+    }
+    return any;
+  }
+  // Nothing more is known of the disk.
   void stand(GenId g) {
     if (g == container_id) return;
     standing_.insert(g);

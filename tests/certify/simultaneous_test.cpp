@@ -92,7 +92,7 @@ TEST(Simultaneous, AHistoryThatStopsBetweenTwoTurns) {
                 Verdict::undecided);
     }
     const auto wrong = collide_in_row(t, {1, 0, -1}, {1, 1, 1}, {1});
-    EXPECT_EQ(verdict_so_far({wrong.front()}), Verdict::refuted);
+    EXPECT_EQ(verdict_so_far({wrong[0], wrong[1]}), Verdict::refuted);
   }
 }
 

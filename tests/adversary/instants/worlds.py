@@ -12,6 +12,7 @@ FAR = 80                 # the container's radius
 FIVES = [(5, 0), (4, 3), (3, 4), (0, 5), (-3, 4), (-4, 3), (-5, 0), (-4, -3), (-3, -4), (0, -5), (3, -4), (4, -3)]
 MOST_TURNS = 40
 WITHIN = 9e-7            # of the true time is the claimed one: less than the tolerance
+DELAY = Fraction(1, 2 ** 24)
 
 
 class Impossible(Exception):
@@ -27,7 +28,10 @@ def dot(a, b):
 
 
 class World:
-    """Disks at an instant `t`: `contacts` are the pairs that touch then, the smaller generator first."""
+    """Disks at an instant `t`: `contacts` are the pairs that touch then, the smaller generator first.
+
+    In some worlds what happens to the `late` disks, which are far from the others, happens a little later.
+    """
 
     def __init__(self, rng):
         self.t, self.horizon = rng.choice([(0, Fraction(1, 4)), (0, 0), (1, Fraction(5, 4)), (1, 1)])
@@ -35,9 +39,16 @@ class World:
         self.wall_restitution = rng.choice([Fraction(1), Fraction(1, 2)])
         self.whole = rng.random() < 0.2  # the container's law
         in_a_row = rng.random() < 0.4
-        self.at = []  # of each disk, its centre at t
-        self.place_all(rng, rng.choice([1, 2, 2, 3, 3, 4, 5]), FIVES[:1] if in_a_row else FIVES)
+        ways = FIVES[:1] if in_a_row else FIVES
+        x, y = rng.choice(FIVES if len(ways) > 1 else [(-5, 0)])
+        far = (FAR - RADIUS) / 5 if rng.random() < 0.4 else Fraction(rng.randint(0, 4))
+        places = self.cluster(rng, rng.choice([1, 2, 2, 3, 3, 4, 5]), ways, (x * far, y * far))
+        late = self.cluster(rng, rng.randint(2, 3), ways, (-10 * x, -10 * y)) if rng.random() < 0.2 else []
+        self.at = places + late  # of each disk, its centre when it turns
         rng.shuffle(self.at)
+        self.late = {g for g, place in enumerate(self.at) if place in late}
+        if self.late:
+            self.horizon += DELAY
         disks = range(len(self.at))
         heavy = 1 if rng.random() < 0.5 else 4
         self.mass = [Fraction(rng.randint(1, heavy)) for _ in disks]
@@ -51,19 +62,22 @@ class World:
     def some_velocity(rng, in_a_row):
         return Fraction(rng.randint(-2, 2)), Fraction(0 if in_a_row else rng.randint(-2, 2))
 
-    def place_all(self, rng, count, ways):
-        """Each touches one before it; the first one may touch the container."""
-        x, y = rng.choice(FIVES if len(ways) > 1 else [(-5, 0)])
-        far = (FAR - RADIUS) / 5 if rng.random() < 0.4 else Fraction(rng.randint(0, 4))
-        self.at.append((x * far, y * far))
+    @staticmethod
+    def cluster(rng, count, ways, first):
+        """The places of so many disks, or fewer: each but the first touches one before it."""
+        places = [first]
         for _ in range(50):
-            if len(self.at) == count:
+            if len(places) == count:
                 break
-            (x, y), (dx, dy) = rng.choice(self.at), rng.choice(ways)
+            (x, y), (dx, dy) = rng.choice(places), rng.choice(ways)
             place = x + dx, y + dy
             if dot(place, place) <= (FAR - RADIUS) ** 2 and all(
-                    dot(minus(place, p), minus(place, p)) >= 4 * RADIUS ** 2 for p in self.at):
-                self.at.append(place)
+                    dot(minus(place, p), minus(place, p)) >= 4 * RADIUS ** 2 for p in places):
+                places.append(place)
+        return places
+
+    def time(self, g):
+        return self.t + (DELAY if g in self.late else 0)
 
     def apart(self, i, j):
         return minus(self.at[j], (0, 0) if i == CONTAINER else self.at[i])
@@ -80,8 +94,12 @@ class World:
             return False
         after = self.velocities(right)[-1]
         pairs = [(i, j) for j in range(len(self.at)) for i in range(CONTAINER, j)]
-        return all(self.is_clear(i, j, self.velocity, -self.t) and self.is_clear(i, j, after, self.horizon - self.t)
-                   for i, j in pairs)
+        return all(self.are_far(i, j) if i != CONTAINER and (i in self.late) != (j in self.late) else
+                   self.is_clear(i, j, self.velocity, -self.time(j)) and
+                   self.is_clear(i, j, after, self.horizon - self.time(j)) for i, j in pairs)
+
+    def are_far(self, i, j):
+        return dot(self.apart(i, j), self.apart(i, j)) > 20 ** 2
 
     def is_clear(self, i, j, velocity, until):
         """The two keep their distance from t to t + until, either of which may be the earlier time."""
@@ -98,12 +116,12 @@ class World:
         return all(gap >= 0 for gap in gaps) and (until <= 0 or all(gap > 0 for gap in gaps[1:]) or w == (0, 0))
 
     def scene(self):
-        disks = [{"center": [float(p - v * self.t) for p, v in zip(at, velocity)], "radius": float(RADIUS),
-                  "velocity": [float(v) for v in velocity], "mass": float(mass)}
-                 for at, velocity, mass in zip(self.at, self.velocity, self.mass)]
+        disks = [{"center": [float(p - v * self.time(g)) for p, v in zip(self.at[g], velocity)],
+                  "radius": float(RADIUS), "velocity": [float(v) for v in velocity], "mass": float(self.mass[g])}
+                 for g, velocity in enumerate(self.velocity)]
         container = {"center": [0, 0], "radius": FAR, "restitution": float(self.wall_restitution)}
-        maneuvers = [{"t": self.t, "disk": g, "velocity": [float(x) for x in v]}
-                     for g, v in sorted(self.maneuvers.items())]
+        maneuvers = [{"t": float(self.time(g)), "disk": g, "velocity": [float(x) for x in v]}
+                     for g, v in sorted(self.maneuvers.items(), key=lambda m: (self.time(m[0]), m[0]))]
         return {"format": "voroproof-scene", "version": 1, "container": container,
                 "container_law": "whole" if self.whole else "normal", "restitution": float(self.restitution),
                 "horizon": float(self.horizon), "disks": disks, "maneuvers": maneuvers}
@@ -205,7 +223,7 @@ class DiagonalRow(World):
 
     def __init__(self, rng):
         self.restitution = rng.choice([Fraction(1), Fraction(1, 2)])
-        self.wall_restitution, self.whole, self.maneuvers = Fraction(1), False, {}
+        self.wall_restitution, self.whole, self.maneuvers, self.late = Fraction(1), False, {}, set()
         row = list(range(rng.choice([3, 3, 4, 5])))
         rng.shuffle(row)
         spacing, speed, drift = rng.randint(5, 7), rng.randint(1, 2), rng.randint(-1, 1)
