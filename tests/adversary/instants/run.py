@@ -19,6 +19,7 @@ import random
 import subprocess
 import sys
 import tempfile
+from fractions import Fraction
 from pathlib import Path
 
 from worlds import DiagonalRow, Impossible, World
@@ -40,9 +41,10 @@ def last_line(command):
 
 
 def a_world(rng):
+    is_diagonal, when = rng.random() < 0.1, rng.choice([(0, Fraction(1, 4)), (0, 0), (1, Fraction(5, 4)), (1, 1)])
     while True:
         try:
-            world = DiagonalRow(rng) if rng.random() < 0.1 else World(rng)
+            world = DiagonalRow(rng) if is_diagonal else World(rng, *when)
             if world.is_worth_asking():
                 return world
         except Impossible:
