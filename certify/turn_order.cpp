@@ -19,6 +19,9 @@ using Pair = std::pair<GenId, GenId>;
 // Two generators, and a state of each.
 using States = std::array<int, 4>;
 
+// So many pairs that are due at one instant keep the witness that they are.
+constexpr std::size_t kMostWitnesses = 256;
+
 bool is_maneuver(const Turn& t) { return t.i == t.j; }
 
 std::string text_of(const Turn& t) {
@@ -53,7 +56,8 @@ class InstantReplay {
     for (const auto& [g, chain] : chains_) find_due(g);
   }
 
-  // Says of the first turn that is missing or in a wrong place what is true. Throws Undecided.
+  // The first turn that is missing or in a wrong place; nothing where all are right. Throws
+  // Undecided.
   std::optional<Divergence> fault() {
     if (auto early = collide()) return early;
     for (const Turn& t : turns_) {
@@ -239,6 +243,8 @@ void TurnOrder::require_no_flip_yet(GenId i, GenId j) const {
 }
 
 void TurnOrder::note_due(GenId i, GenId j, Divergence missing) {
+  // Of a lattice that touches everywhere at once they would fill the memory.
+  if (due_.size() >= kMostWitnesses) missing.witness = {};
   due_.push_back({i, j, s_.motion.state_id(i), s_.motion.state_id(j), std::move(missing)});
 }
 

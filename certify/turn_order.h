@@ -25,7 +25,7 @@ struct Turn {
 struct DuePair {
   GenId i, j;
   int state_i, state_j;
-  Divergence missing;  // the refutation where their collision is not claimed
+  Divergence missing;  // the refutation where their collision is not claimed; few have a witness
 };
 
 class TurnOrder {
@@ -52,11 +52,12 @@ class TurnOrder {
   void note_due(GenId i, GenId j, Divergence missing);
   // Exact truth: one of the two turns now, and they are not proved to be apart.
   void note_near(GenId i, GenId j) { near_.emplace_back(i, j); }
-  // Both of all pairs of i and j but these two, which turn at t = 0: no pair has a life yet.
+  // i and j turn at t = 0, where no pair has a life. Notes of all their other pairs what
+  // note_near() and note_due() do.
   void note_at_start(GenId i, GenId j);
   // What has turned at the present instant does so in the format's order, where claims that share
-  // no disk may be exchanged. `complete`: nothing else is claimed of the instant; it may be where
-  // a history stops. Throws Refuted and Undecided.
+  // no disk may be exchanged. `complete`: these are all claims of the instant, which is not known
+  // where a history stops. Throws Refuted and Undecided.
   void require_order(bool complete) const;
 
  private:

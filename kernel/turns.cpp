@@ -1,7 +1,5 @@
 #include "kernel/turns.h"
 
-#include <algorithm>
-
 namespace voroproof_kernel {
 
 namespace {
@@ -31,7 +29,7 @@ class Turns::Replay {
     if (const auto early = collide()) return early;
     for (const Turn& turn : of_.turns_) {
       if (head(turn.two.second) == &turn)
-        return Fault{turn.line, name(turn.two) + " belong earlier in that instant"};
+        return Fault{turn.line, name(turn.two) + " belongs earlier in that instant"};
     }
     return std::nullopt;
   }

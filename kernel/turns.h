@@ -3,6 +3,7 @@
 // once more collisions.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -25,7 +26,7 @@ inline int inwards(Two two) { return two.first == container ? 1 : -1; }
 // that share no disk may be told in another order.)
 class Turns {
  public:
-  // The claim, a collision or a maneuver, is about to turn its disks, `of` are the pairs of these.
+  // The claim, a collision or a maneuver, is about to turn its disks. `of`: all pairs of these.
   void begin(const Claim& c, const std::set<Two>& of, const Walk& before);
   // It has turned them.
   void end(const Claim& c, const Walk& after);
@@ -34,6 +35,8 @@ class Turns {
     std::int64_t line;
     std::string why;
   };
+  // The first turn that is wrong in the order of the instant t, and why; nothing where all are
+  // right.
   std::optional<Fault> fault(const Rat& t) const;
 
  private:

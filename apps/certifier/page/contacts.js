@@ -66,7 +66,7 @@ class ContactCheck {
     order?.end(claim, this.walk);
   }
 
-  // Where the claim's instant is told. The file's times are within the tolerance of the true ones.
+  // The turns of the claim's instant so far. The file's times are within the tolerance of the true ones.
   orderAt({ t }) {
     this.requireOrderUntil(t.minus(this.problem.tolerance.scaled(2)));
     let k = this.order.length;

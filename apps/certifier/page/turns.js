@@ -86,7 +86,7 @@ class Turns {
     const late = collide();
     if (late !== null) return late;
     const left = this.all.find((turn) => head(turn.two[1]) === turn);
-    if (left) return wrong(left.line, `${Turns.name(left.two)} belong earlier in that instant`, left.two.filter((g, k, two) => two.indexOf(g) === k));
+    if (left) return wrong(left.line, `${Turns.name(left.two)} belongs earlier in that instant`, left.two);
     return null;
   }
 }
