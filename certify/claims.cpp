@@ -25,7 +25,7 @@ bool Claims::wants_more() {
   if (ended_ || near_.empty()) return !ended_;
   if (near_.size() >= most_near_) return false;
   const ReadAhead::Claim* const claim = next_of_kinds();
-  return claim != nullptr && time(claim->event) <= time(near_.front().event) + 2 * tolerance_;
+  return claim != nullptr && time(claim->event()) <= time(near_.front().event) + 2 * tolerance_;
 }
 
 ReadAhead::Claim* Claims::next() {
@@ -37,7 +37,7 @@ ReadAhead::Claim* Claims::next() {
 ReadAhead::Claim* Claims::next_of_kinds() {
   ReadAhead::Claim* claim = next();
   while (claim != nullptr && kinds_ == EventKinds::collisions &&
-         std::holds_alternative<FlipEvent>(claim->event)) {
+         std::holds_alternative<FlipEvent>(claim->event())) {
     ++passed_over_;
     ahead_.drop_first();
     claim = next();
@@ -51,9 +51,9 @@ bool Claims::read() {
     ended_ = true;
     return false;
   }
-  const double t = time(claim->event);
+  const double t = time(claim->event());
   const bool overlooked = full_ && t <= taken_ + 2 * tolerance_;
-  near_.emplace_back(std::move(claim->event), claim->line, place_ahead(0).half, overlooked);
+  near_.emplace_back(std::move(claim->event()), claim->line, place_ahead(0).half, overlooked);
   times_.push_back(t);
   lines_.push_back(claim->line);
   ahead_.drop_first();
@@ -103,7 +103,7 @@ bool Claims::has_unchecked(const Maneuver& due, const Rational& tolerance) {
         const auto* stop = std::get_if<HistoryStop>(&history().ending());
         return stop != nullptr && stop->t <= latest;
       }
-      near_.emplace_back(std::move(claim->event), claim->line, -1, false);
+      near_.emplace_back(std::move(claim->event()), claim->line, -1, false);
       ahead_.drop_first();
       if (is_it(near_.back().event)) return true;
     }

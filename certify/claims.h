@@ -54,7 +54,7 @@ class Claims {
   // over.
   Claims(HistorySource& history, double tolerance, std::size_t most_near, EventKinds kinds,
          std::vector<Replay::Place> places)
-      : ahead_(history, places.empty() ? kAhead : 0),
+      : ahead_(history, places.empty() ? kAhead : 1),
         tolerance_(tolerance),
         most_near_(most_near),
         kinds_(kinds),

@@ -16,8 +16,9 @@ namespace voroproof::internal {
                                                const EdgeLives& edges, const PairLives& pairs) {
   using HalfEdge = Diagram::HalfEdge;
   // Where nobody has said what they are about: as far as the present diagram tells.
-  if (const auto* const claim = claims.unplaced_ahead(11)) s.replay.prefetch(claim->event);
-  if (auto* const claim = claims.unplaced_ahead(8)) claim->place = s.replay.place_of(claim->event);
+  if (const auto* const claim = claims.unplaced_ahead(11)) s.replay.prefetch(claim->event());
+  if (auto* const claim = claims.unplaced_ahead(8))
+    claim->place = s.replay.place_of(claim->event());
   const Diagram& d = s.diagram;
   const auto generator = [&](GenId g) { s.motion.prefetch(g); };
   const auto turning = [&](GenId g) {

@@ -10,8 +10,16 @@
 namespace voroproof::internal {
 
 namespace {
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Negative or positive where what encloses the two tells, else 0.
+int by_enclosures(const Moment& a, const Moment& b) {
+  if (a.hi < b.lo) return -1;
+  return b.hi < a.lo ? 1 : 0;
 }
+
+}  // namespace
 
 Moment Moment::at(double t) {
   Moment m;
@@ -134,8 +142,12 @@ bool Chronology::same_by_symmetry(const Moment& a, const Moment& b) const {
 }
 
 std::optional<int> Chronology::known_order(const Moment& a, const Moment& b, std::string* why_not) {
-  if (a.hi < b.lo) return -1;
-  if (b.hi < a.lo) return 1;
+  if (const int order = by_enclosures(a, b)) return order;
+  return known_order_of_near(a, b, why_not);
+}
+
+std::optional<int> Chronology::known_order_of_near(const Moment& a, const Moment& b,
+                                                   std::string* why_not) {
   if (a.kind == Moment::Kind::rational && b.kind == Moment::Kind::rational) {
     if (!a.t && !b.t) return 0;
     const Rational s = a.exact(), t = b.exact();
@@ -162,8 +174,9 @@ std::optional<int> Chronology::known_order(const Moment& a, const Moment& b, std
 }
 
 int Chronology::compare(const Moment& a, const Moment& b) {
+  if (const int order = by_enclosures(a, b)) return order;
   std::string budget;
-  if (const auto order = known_order(a, b, &budget)) return *order;
+  if (const auto order = known_order_of_near(a, b, &budget)) return *order;
   Ladder<int> ladder(counts_, Predicate::compare);
   const Rung balls{Tier::ball, [&] { return by_balls(a, b); }};
   if (const auto order = ladder.with_more_bits(motion_, balls)) return *order;

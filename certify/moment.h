@@ -82,6 +82,8 @@ class Chronology {
  private:
   static ExactTime exact_time(const Moment& m, ExactMotion& exact);
   bool same_by_symmetry(const Moment& a, const Moment& b) const;
+  // As known_order(), of two whose enclosures do not tell.
+  std::optional<int> known_order_of_near(const Moment& a, const Moment& b, std::string* why_not);
   std::optional<int> by_balls(const Moment& a, const Moment& b) const;
 
   Motion& motion_;

@@ -30,23 +30,22 @@ PairLives::Open PairLives::life_of(int edge) const {
   return {i, j, since_[edge], edge};
 }
 
-void PairLives::end(const Open& life, const Moment& m, PairEnd why, bool apart) {
-  const GenId i = life.i, j = life.j;
+void PairLives::end(GenId i, GenId j, double since, int edge, const Moment& m, PairEnd why,
+                    bool apart) {
   const bool partners = s_.replay.partners(i, j);
   if (!partners) ++s_.certificate.pair_lives;
-  const double from = life.since;
   if (s_.options.truth == Truth::recorded) {
     if (!recorded_.contacts().carries({i, j}) &&
-        (partners ? recorded_.certainly_part(i, j, from)
-                  : recorded_.certainly_clear(i, j, from, m, apart))) {
+        (partners ? recorded_.certainly_part(i, j, since)
+                  : recorded_.certainly_clear(i, j, since, m, apart))) {
       return;
     }
     if (!partners) ++s_.certificate.beyond_filter;
     require_no_meeting(i, j, m);
-    pass_recorded(life, Moment(m), why);
+    pass_recorded(i, j, since, edge, Moment(m), why);
     return;
   }
-  if (apart || (!partners && proved_apart(s_.motion, i, j, from, m.hi))) return;
+  if (apart || (!partners && proved_apart(s_.motion, i, j, since, m.hi))) return;
   if (why == PairEnd::turn) order_.note_near(i, j);
   if (partners) return;
   ++s_.certificate.beyond_filter;
@@ -86,7 +85,7 @@ void PairLives::end(std::span<const int> edges, const Moment& m, PairEnd why) {
     if (front_.colliding && pair == *front_.colliding) {
       require_no_meeting(pair.first, pair.second, m);
     } else {
-      end(edges[k], m, why, apart_.apart(k));
+      end(pair.first, pair.second, since_[edges[k]], edges[k], m, why, apart_.apart(k));
     }
   }
 }
@@ -121,7 +120,7 @@ void PairLives::end_near(const std::vector<NearPairs::Pair>& pairs, const Moment
       require_no_meeting(p.i, p.j, m);
       continue;
     }
-    end({p.i, p.j, p.since, -1}, m, why, apart_.apart(k));
+    end(p.i, p.j, p.since, -1, m, why, apart_.apart(k));
   }
 }
 
@@ -145,7 +144,7 @@ void PairLives::end_all(const Moment& m, PairEnd why) {
   end_near(near_.all(), m, why);
   // Those whose boxes have come apart since they overlapped.
   for (const auto& [i, j] : recorded_.contacts().carried()) {
-    end({i, j, near_.since(i, j), -1}, m, why);
+    end(i, j, near_.since(i, j), -1, m, why, false);
   }
 }
 
@@ -178,11 +177,10 @@ int PairLives::watching(int edge, int besides) const {
   return oldest;
 }
 
-void PairLives::pass_recorded(const Open& life, const Moment& m, PairEnd why) {
-  const int edge = life.edge;
+void PairLives::pass_recorded(GenId i, GenId j, double since, int edge, const Moment& m,
+                              PairEnd why) {
   if (edge >= 0 && watching(edge) != edge) return;
-  const GenId i = life.i, j = life.j;
-  const auto lines = recorded_.lines(i, j, life.since);
+  const auto lines = recorded_.lines(i, j, since);
   const Rational end = m.kind == Moment::Kind::rational ? m.exact() : to_rational(m.hi);
   const int next = why == PairEnd::flip ? watching(edge, edge) : -1;
   const bool watched = why == PairEnd::turn || why == PairEnd::window || next >= 0;

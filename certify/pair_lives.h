@@ -43,7 +43,8 @@ class PairLives {
   // The pair's adjacency, or its motion, ends at m without a collision of the two; `apart`: the two
   // are proved to be apart from their birth until m.hi.
   void end(int edge, const Moment& m, PairEnd why, bool apart = false) {
-    end(life_of(edge), m, why, apart);
+    const auto [i, j] = s_.replay.pair_of(edge);
+    end(i, j, since_[edge], edge, m, why, apart);
   }
   // Ends the lives of the pairs of all these edges but the pair that collides.
   void end(std::span<const int> edges, const Moment& m, PairEnd why);
@@ -68,7 +69,9 @@ class PairLives {
   };
   // All that are open, and that may end with a contact by t.
   std::vector<Open> open(double t);
-  void end(const Open& life, const Moment& m, PairEnd why, bool apart = false);
+  void end(const Open& life, const Moment& m, PairEnd why) {
+    end(life.i, life.j, life.since, life.edge, m, why, false);
+  }
   // All lives end, as the history does, or a part of it.
   void end_all(const Moment& m, PairEnd why);
   // Recorded truth: the claimed collision, of a pair that has an open life, is one, or is refuted.
@@ -79,12 +82,14 @@ class PairLives {
   void prefetch(int edge) const { internal::prefetch(&since_[edge]); }
 
  private:
+  // The life that Open would have of these.
+  void end(GenId i, GenId j, double since, int edge, const Moment& m, PairEnd why, bool apart);
   // Also of the two whose collision is claimed then: it answers a contact, not a meeting of points.
   void require_no_meeting(GenId i, GenId j, const Moment& m);
   int watching(int edge, int besides = -1) const;
   Open life_of(int edge) const;
   void end_near(const std::vector<NearPairs::Pair>& pairs, const Moment& m, PairEnd why);
-  void pass_recorded(const Open& life, const Moment& m, PairEnd why);
+  void pass_recorded(GenId i, GenId j, double since, int edge, const Moment& m, PairEnd why);
 
   Setting& s_;
   const Front& front_;

@@ -28,10 +28,17 @@ void ClaimList::add(Event&& event, std::int64_t line) {
   }
 }
 
-Event ClaimList::take(std::size_t k) {
+std::optional<Event> ClaimList::take(std::size_t k) {
   const Claim& claim = claims_[k];
-  if (claim.quad.l != kOther) return FlipEvent{claim.t, claim.quad};
-  return std::move(others_[static_cast<std::size_t>(claim.quad.r)]);
+  std::optional<Event> event(std::in_place);  // a flip
+  if (claim.quad.l == kOther) {
+    *event = std::move(others_[static_cast<std::size_t>(claim.quad.r)]);
+  } else {
+    auto& flip = std::get<FlipEvent>(*event);
+    flip.t = claim.t;
+    flip.quad = claim.quad;
+  }
+  return event;
 }
 
 // A part of a history as a history.
@@ -56,7 +63,7 @@ class PartReader::Section : public HistorySource {
       return std::nullopt;
     }
     line_ = claim->line;
-    Event event = std::move(claim->event);
+    std::optional<Event> event = std::move(claim->given);
     rest_->drop_first();
     return event;
   }
@@ -146,17 +153,17 @@ Cut PartReader::cut() const {
 
 // Precondition: there is one.
 void PartReader::take_next_claim() {
-  if (const auto* later = ahead_.after(kAhead)) replay_.prefetch(later->event);
+  if (const auto* later = ahead_.after(kAhead)) replay_.prefetch(later->event());
   ReadAhead::Claim& claim = *ahead_.first();
-  const auto place = clear_ ? replay_.take(claim.event) : std::nullopt;
-  clear_ = place.has_value();
-  places_.push_back(place.value_or(Replay::Place{}));
-  last_ = time(claim.event);
+  const Replay::Place place = clear_ ? replay_.take(claim.event()) : Replay::Place{};
+  clear_ = !place.is_none();
+  places_.push_back(place);
+  last_ = time(claim.event());
   line_ = claim.line;
   offset_ = claim.offset;
-  taken_.add(claim.event);
-  if (fingerprint_) fingerprint_->add(claim.event, claim.line);
-  claims_.add(std::move(claim.event), claim.line);
+  taken_.add(claim.event());
+  if (fingerprint_) fingerprint_->add(claim.event(), claim.line);
+  claims_.add(std::move(claim.event()), claim.line);
   ahead_.drop_first();
 }
 
@@ -164,8 +171,8 @@ void PartReader::take_next_claim() {
 void PartReader::begin_history() {
   for (;;) {
     const ReadAhead::Claim* next = ahead_.first();
-    if (!next || !clear_ || time(next->event) != 0 ||
-        std::holds_alternative<FlipEvent>(next->event))
+    if (!next || !clear_ || time(next->event()) != 0 ||
+        std::holds_alternative<FlipEvent>(next->event()))
       break;
     take_next_claim();
   }
@@ -206,7 +213,7 @@ std::size_t PartReader::least_size(double t) const {
 
 // Whether the part may end before the next claim, which is there.
 bool PartReader::may_end() const {
-  return claims_.size() >= least_size(last_) && time(ahead_.after(0)->event) - last_ > gap_;
+  return claims_.size() >= least_size(last_) && time(ahead_.after(0)->event()) - last_ > gap_;
 }
 
 std::optional<Part> PartReader::next() {
@@ -223,7 +230,7 @@ std::optional<Part> PartReader::next() {
       take_next_claim();
       continue;
     }
-    const double until = last_ + 0.5 * (time(next->event) - last_);
+    const double until = last_ + 0.5 * (time(next->event()) - last_);
     in_parts_ += claims_.size();
     auto section = std::make_unique<Section>(header_, std::exchange(claims_, {}), nullptr);
     section->set_next_line(next->line);

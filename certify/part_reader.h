@@ -32,7 +32,8 @@ class ClaimList {
   std::size_t size() const { return claims_.size(); }
   void reserve(std::size_t claims) { claims_.reserve(claims); }
   void add(Event&& event, std::int64_t line);
-  Event take(std::size_t k);  // each once
+  // Never none: as HistorySource gives an event, put in its place without a copy. Each once.
+  std::optional<Event> take(std::size_t k);
   std::int64_t line(std::size_t k) const { return claims_[k].line; }
   // Asks for the memory of claims that are taken after the k-th.
   [[gnu::always_inline]] void prefetch(std::size_t k) const {

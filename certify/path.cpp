@@ -56,8 +56,8 @@ void DyadicSum::compress() {
   size_ = top + 1;
 }
 
-std::optional<DyadicSum> DyadicSum::plus(double v, double t, double s) const {
-  if (v == 0) return *this;
+bool DyadicSum::add_way(double v, double t, double s) {
+  if (v == 0) return true;
   // t - s = d + e and v d = a + b, v e = f + g, exactly while the errors are no denormal numbers.
   double d, e, a, b, f, g;
   two_sum(t, -s, d, e);
@@ -66,16 +66,16 @@ std::optional<DyadicSum> DyadicSum::plus(double v, double t, double s) const {
   constexpr double least = 0x1p-900, greatest = 0x1p900;
   for (const double product : {a, f}) {
     const double size = std::fabs(product);
-    if (!(product == 0 ? true : size > least && size < greatest)) return std::nullopt;
+    if (!(product == 0 ? true : size > least && size < greatest)) return false;
   }
-  if ((a == 0 && d != 0) || (f == 0 && e != 0)) return std::nullopt;
-  if (!(std::fabs(v) < greatest && std::fabs(d) < greatest)) return std::nullopt;
-  DyadicSum sum = *this;
-  for (const double x : {g, f, b, a}) {
-    if (x != 0 && !sum.add(x)) return std::nullopt;
-  }
-  sum.compress();
-  return sum;
+  if ((a == 0 && d != 0) || (f == 0 && e != 0)) return false;
+  if (!(std::fabs(v) < greatest && std::fabs(d) < greatest)) return false;
+  // One by one: where the four stand in a list, g++ 12 copies it through a register of AVX and does
+  // not clear the register's upper half, for which code without AVX pays later.
+  const auto added = [this](double x) { return x == 0 || add(x); };
+  if (!(added(g) && added(f) && added(b) && added(a))) return false;
+  compress();
+  return true;
 }
 
 DdBall DyadicSum::near() const {
@@ -127,15 +127,14 @@ Path::Path(const CompactRational& x, const CompactRational& y, const Velocity& v
 
 void Path::turn(double t, const Velocity& v) {
   if (!exact_ && !velocity_.exact) {
-    const auto x = x_.plus(velocity_.near[0], t, t_);
-    const auto y = y_.plus(velocity_.near[1], t, t_);
-    if (x && y) {
-      x_ = *x;
-      y_ = *y;
+    const DyadicSum x = x_, y = y_;
+    if (x_.add_way(velocity_.near[0], t, t_) && y_.add_way(velocity_.near[1], t, t_)) {
       t_ = t;
       velocity_ = v;
       return;
     }
+    x_ = x;
+    y_ = y;
   }
   turn(to_rational(t), v);
 }

@@ -27,9 +27,9 @@ class DyadicSum {
   DyadicSum() = default;
   explicit DyadicSum(double x) : size_(x == 0 ? 0 : 1) { part_[0] = x; }
 
-  // This plus v (t - s), exactly; nothing where the sum would be too long, or a product too small
-  // or too large for the rounding errors to be doubles.
-  std::optional<DyadicSum> plus(double v, double t, double s) const;
+  // Adds v (t - s), exactly. False, and nothing can be said of the sum any more, where it would be
+  // too long, or a product is too small or too large for the rounding errors to be doubles.
+  bool add_way(double v, double t, double s);
 
   DdBall near() const;  // an enclosure
   Rational exact() const;

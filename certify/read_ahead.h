@@ -2,11 +2,11 @@
 // the memory that they are about in time.
 #pragma once
 
-#include <boost/circular_buffer.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <utility>
+#include <optional>
+#include <vector>
 
 #include "certify/replay.h"
 #include "history/history_source.h"
@@ -16,41 +16,56 @@ namespace voroproof::internal {
 class ReadAhead {
  public:
   struct Claim {
-    Claim(Event&& e, std::int64_t l, std::int64_t o) : event(std::move(e)), line(l), offset(o) {}
+    // What the history gives next is put in its place at once: copies of what has just been written
+    // in smaller pieces have to wait.
+    explicit Claim(HistorySource& history)
+        : given(history.next()), line(history.line()), offset(history.offset()) {}
 
-    Event event;
+    Event& event() { return *given; }
+    const Event& event() const { return *given; }
+
+    std::optional<Event> given;
     std::int64_t line, offset;  // HistorySource has them so when it has given the event
     Replay::Place place;        // for whoever finds out what the claim is about
   };
 
   // Reads the claim that is to be taken and `far` others. The history outlives the reader; nobody
   // else reads it meanwhile.
-  ReadAhead(HistorySource& history, std::size_t far) : history_(history), claims_(far + 1) {}
+  ReadAhead(HistorySource& history, std::size_t far) : history_(history), ring_(far + 1) {}
 
   const HistorySource& history() const { return history_; }
 
   // The claim to be taken next, null after the last. What reading throws is thrown in the place of
   // the claim that could not be read.
   Claim* first() {
-    while (!claims_.full() && !ended_) read();
-    if (!claims_.empty()) return &claims_.front();
+    while (size_ < ring_.size() && !ended_) read();
+    if (size_ > 0) return &*ring_[begin_];
     if (error_) std::rethrow_exception(error_);
     return nullptr;
   }
   // That claim is taken. Precondition: there is one.
-  void drop_first() { claims_.pop_front(); }
+  void drop_first() {
+    begin_ = place_of(1);
+    --size_;
+  }
 
   // The claim after so many others, the next one being after none; null where none is read.
-  Claim* after(std::size_t others) { return others < claims_.size() ? &claims_[others] : nullptr; }
+  Claim* after(std::size_t others) { return others < size_ ? &*ring_[place_of(others)] : nullptr; }
   const Claim* after(std::size_t others) const {
-    return others < claims_.size() ? &claims_[others] : nullptr;
+    return others < size_ ? &*ring_[place_of(others)] : nullptr;
   }
 
  private:
+  // Of the k-th claim, k <= size_.
+  std::size_t place_of(std::size_t k) const {
+    const std::size_t place = begin_ + k;
+    return place < ring_.size() ? place : place - ring_.size();
+  }
+
   void read() {
     try {
-      if (auto event = history_.next()) {
-        claims_.push_back(Claim(std::move(*event), history_.line(), history_.offset()));
+      if (ring_[place_of(size_)].emplace(history_).given) {
+        ++size_;
       } else {
         ended_ = true;
       }
@@ -61,7 +76,8 @@ class ReadAhead {
   }
 
   HistorySource& history_;
-  boost::circular_buffer<Claim> claims_;
+  std::vector<std::optional<Claim>> ring_;  // those from begin_ on are read and not yet taken
+  std::size_t begin_ = 0, size_ = 0;
   bool ended_ = false;  // nothing is left in the history
   std::exception_ptr error_;
 };

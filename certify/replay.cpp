@@ -154,9 +154,9 @@ void Replay::note_maneuver(std::size_t k, const ManeuverEvent& claim) {
   note_turn(claim.disk, false);
 }
 
-std::optional<Diagram::HalfEdge> Replay::flip(const FlipEvent& claim) {
+Diagram::HalfEdge Replay::flip(const FlipEvent& claim) {
   const Quad& q = claim.quad;
-  if (q.s == q.e) return std::nullopt;
+  if (q.s == q.e) return -1;
   HalfEdge h = -1, mirrored = -1;
   each_between(diagram_, q.l, q.r, [&](HalfEdge g) {
     const Quad found = diagram_.quad(g);
@@ -169,8 +169,7 @@ std::optional<Diagram::HalfEdge> Replay::flip(const FlipEvent& claim) {
                  means_mirrored(*this, *scene_, *options_, claim, diagram_.quad(mirrored))))) {
     h = mirrored;
   }
-  if (h < 0) return std::nullopt;
-  diagram_.flip(h);
+  if (h >= 0) diagram_.flip(h);
   return h;
 }
 
@@ -215,18 +214,15 @@ Replay::Place Replay::place_of(const Event& event) const {
   return {diagram_.anchor(m.disk), m.disk};
 }
 
-std::optional<Replay::Place> Replay::take(const Event& event) {
-  if (const auto* f = std::get_if<FlipEvent>(&event)) {
-    const auto h = flip(*f);
-    return h ? std::optional(Place{*h}) : std::nullopt;
-  }
+Replay::Place Replay::take(const Event& event) {
+  if (const auto* f = std::get_if<FlipEvent>(&event)) return {flip(*f)};
   if (const auto* c = std::get_if<CollideEvent>(&event)) {
     std::optional<ExactPair> computed;
     if (!c->v[1]) {
       try {
         computed = computed_velocities(*c, positions(c->i, c->j, exact_time(event)));
       } catch (const Undecided&) {
-        return std::nullopt;
+        return {};
       }
     }
     note_collision(*c, computed);
@@ -236,7 +232,7 @@ std::optional<Replay::Place> Replay::take(const Event& event) {
   }
   const auto& m = std::get<ManeuverEvent>(event);
   const auto k = scheduled(m, exact_time(event));
-  if (!k) return std::nullopt;
+  if (!k) return {};
   note_maneuver(*k, m);
   turn(m.disk, event);
   return place_of(event);

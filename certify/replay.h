@@ -29,6 +29,8 @@ class Replay : public GivenMotion {
     static constexpr GenId kNone = container_id - 1;
     HalfEdge half = -1;   // -1: there is none
     GenId turns = kNone;  // kNone: none turns
+
+    bool is_none() const { return half < 0 && turns == kNone; }
   };
 
   // The replay at t = 0, before the diagram is known. `scene` and `options` outlive it and its
@@ -105,8 +107,8 @@ class Replay : public GivenMotion {
   std::size_t next_maneuver() const { return next_maneuver_; }
   void note_maneuver(std::size_t k, const ManeuverEvent& claim);
 
-  // Recorded truth: takes the claim for true. Nothing where it makes no sense on what is known.
-  std::optional<Place> take(const Event& event);
+  // Recorded truth: takes the claim for true. No place where it makes no sense on what is known.
+  Place take(const Event& event);
   // Recorded truth: all that this replay knows, and that what comes after it depends on.
   void add_to(Fingerprint& fingerprint) const;
   // Recorded truth: the same as text, a JSON object (docs/formats.md, section 19).
@@ -129,7 +131,8 @@ class Replay : public GivenMotion {
   [[gnu::always_inline]] void prefetch_turns(GenId g) const { internal::prefetch(&turns_[g + 1]); }
 
  private:
-  std::optional<HalfEdge> flip(const FlipEvent& claim);
+  // The half-edge that has flipped, or -1.
+  HalfEdge flip(const FlipEvent& claim);
   // The disk has turned with the last change.
   void note_turn(GenId g, bool at_container) {
     Turns& turns = turns_[g + 1];

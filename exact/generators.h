@@ -25,8 +25,7 @@ constexpr Quad reversed(const Quad& q) { return {q.r, q.l, q.e, q.s}; }
 
 // The name that writers use for the edge: the smaller of its two.
 constexpr Quad canonical(const Quad& q) {
-  const Quad other = reversed(q);
-  return other < q ? other : q;
+  return q.r < q.l || (q.r == q.l && q.e < q.s) ? reversed(q) : q;
 }
 
 // The edge that a flip leaves in the place of q.

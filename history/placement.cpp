@@ -56,14 +56,19 @@ Key key_of_sum(double a, double b) {
   return {hi, lo, nullptr};
 }
 
-// -1, 0, 1.
-int compare(const Key& a, const Key& b) {
-  if (a.hi != b.hi) return a.hi < b.hi ? -1 : 1;
+// Of two with the same hi: -1, 0, 1.
+int compare_rests(const Key& a, const Key& b) {
   if (a.lo != b.lo) return a.lo < b.lo ? -1 : 1;
   if (a.exact && b.exact) return cmp(*a.exact, *b.exact);
   if (a.exact) return sgn(Rational(*a.exact - to_rational(b.hi) - to_rational(b.lo)));
-  if (b.exact) return -compare(b, a);
+  if (b.exact) return -compare_rests(b, a);
   return 0;
+}
+
+// -1, 0, 1.
+inline int compare(const Key& a, const Key& b) {
+  if (a.hi != b.hi) return a.hi < b.hi ? -1 : 1;
+  return compare_rests(a, b);
 }
 
 // The sign of |a - b|^2 - (ra + sign * rb)^2. In integers over common denominators: lattices of

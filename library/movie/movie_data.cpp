@@ -50,7 +50,7 @@ class Collector {
     last_line_ = line;
     const auto* flip = std::get_if<FlipEvent>(&event);
     if (flip != nullptr && !is_replaying_) return;
-    if (replay_.take(event) || flip == nullptr) return;
+    if (!replay_.take(event).is_none() || flip == nullptr) return;
     // A name without orientation (docs/formats.md, section 8)?
     const Diagram::HalfEdge h =
         flip->quad.s == flip->quad.e ? -1 : replay_.find_mirrored(flip->quad);

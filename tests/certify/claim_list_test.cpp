@@ -65,7 +65,7 @@ RC_GTEST_PROP(ClaimList, GivesBackWhatItWasGiven, ()) {
   for (std::size_t n = 0; n < claims.size(); ++n) {
     const std::size_t k = backwards ? claims.size() - 1 - n : n;
     RC_ASSERT(moved.line(k) == claims[k].second);
-    RC_ASSERT(same(moved.take(k), claims[k].first));
+    RC_ASSERT(same(moved.take(k).value(), claims[k].first));
     RC_ASSERT(moved.line(k) == claims[k].second);
   }
   RC_ASSERT(moved.size() == claims.size());

@@ -224,12 +224,10 @@ TEST(DyadicSum, IsExact) {
       const double v =
           step % 7 == 0 ? 0
                         : std::ldexp(uniform(random, -1, 1), static_cast<int>(random() % 30) - 20);
-      const auto longer = sum.plus(v, next, t);
-      if (!longer) {
+      if (!sum.add_way(v, next, t)) {
         ++long_ones;
         break;
       }
-      sum = *longer;
       truth += to_rational(v) * (to_rational(next) - to_rational(t));
       t = next;
       ASSERT_EQ(sum.exact(), truth);
@@ -241,9 +239,9 @@ TEST(DyadicSum, IsExact) {
   }
   EXPECT_LT(long_ones, 20);
   // What doubles cannot hold is not taken.
-  EXPECT_FALSE(DyadicSum(1).plus(1e-200, 1e-200, 0));
-  EXPECT_FALSE(DyadicSum(1).plus(1e200, 1e200, 0));
-  EXPECT_FALSE(DyadicSum(1).plus(5e-324, 1, 0));
+  EXPECT_FALSE(DyadicSum(1).add_way(1e-200, 1e-200, 0));
+  EXPECT_FALSE(DyadicSum(1).add_way(1e200, 1e200, 0));
+  EXPECT_FALSE(DyadicSum(1).add_way(5e-324, 1, 0));
 }
 
 TEST(Path, TurnsFromDoublesToRationals) {
@@ -262,6 +260,19 @@ TEST(Path, TurnsFromDoublesToRationals) {
   path.turn(5.0, Velocity(Vec2{1, 1}));
   EXPECT_FALSE(path.near(6));
   EXPECT_EQ(path.at(6), (ExactVec2{there[0] + Rational(5, 21) + 1, there[1] + 1}));
+}
+
+// Where doubles hold one coordinate and not the other, both go on from where they were.
+TEST(Path, TurnsToRationalsWithBothCoordinates) {
+  for (const bool first : {false, true}) {
+    const double small = 1e-200;
+    const Vec2 v = first ? Vec2{small, 0.5} : Vec2{0.5, small};
+    Path path(1, 2, Velocity(v));
+    path.turn(small, Velocity(Vec2{1, 1}));
+    EXPECT_FALSE(path.start());
+    const Rational t = to_rational(small);
+    EXPECT_EQ(path.at(t), (ExactVec2{1 + to_rational(v[0]) * t, 2 + to_rational(v[1]) * t}));
+  }
 }
 
 }  // namespace

@@ -122,15 +122,15 @@ TEST_F(Orientation, OnThePathsOfTheReplay) {
     return voroproof::internal::means_mirrored(replay, scene, options, claim, mirrored(claim.quad));
   };
   EXPECT_FALSE(meant({t, other}));  // so far the disk is at rest
-  ASSERT_TRUE(replay.take(ManeuverEvent{1, 2}));
+  ASSERT_FALSE(replay.take(ManeuverEvent{1, 2}).is_none());
   EXPECT_TRUE(meant({t, other}));
   EXPECT_FALSE(meant({t, collapses}));
   // The disk jumps over the instant: it turns back right before it would be there.
   Scene back = scene;
   back.maneuvers.push_back({to_rational(t) - Rational(1, 10000), 2, 0, -1});
   Replay turned(back, options);
-  ASSERT_TRUE(turned.take(ManeuverEvent{1, 2}));
-  ASSERT_TRUE(turned.take(ManeuverEvent{t - 1e-4, 2}));
+  ASSERT_FALSE(turned.take(ManeuverEvent{1, 2}).is_none());
+  ASSERT_FALSE(turned.take(ManeuverEvent{t - 1e-4, 2}).is_none());
   EXPECT_FALSE(voroproof::internal::means_mirrored(turned, back, options, {t, other}, collapses));
 }
 
@@ -146,7 +146,7 @@ TEST_F(Orientation, NotBeforeTheTurn) {
     Scene again = scene;
     again.maneuvers = {{to_rational(turn), 2, 0, 1}};
     Replay replay(again, options);
-    ASSERT_TRUE(replay.take(ManeuverEvent{turn, 2}));
+    ASSERT_FALSE(replay.take(ManeuverEvent{turn, 2}).is_none());
     EXPECT_EQ(voroproof::internal::means_mirrored(replay, again, options, {t, mirrored(collapses)},
                                                   collapses),
               meant);
@@ -193,7 +193,7 @@ TEST_F(Orientation, OfRandomHistories) {
         other_collapses += voroproof::internal::means_mirrored(replay, scene, options,
                                                                {flip->t, other}, flip->quad);
       }
-      ASSERT_TRUE(replay.take(claim));
+      ASSERT_FALSE(replay.take(claim).is_none());
     }
   }
   EXPECT_GT(ambiguous, 20);

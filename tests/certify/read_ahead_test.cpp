@@ -25,7 +25,7 @@ TEST(ReadAhead, GivesTheClaimsInTheirOrderWithTheirLines) {
     for (std::size_t k = 0; k < h.events.size(); ++k) {
       const ReadAhead::Claim* const claim = ahead.first();
       ASSERT_NE(claim, nullptr);
-      EXPECT_TRUE(same(claim->event, h.events[k]));
+      EXPECT_TRUE(same(claim->event(), h.events[k]));
       EXPECT_EQ(claim->line, static_cast<std::int64_t>(k) + 2);
       EXPECT_EQ(claim, ahead.first()) << "it is given until it is dropped";
       for (std::size_t others = 0; others <= far + 1; ++others) {
@@ -33,7 +33,7 @@ TEST(ReadAhead, GivesTheClaimsInTheirOrderWithTheirLines) {
         const bool is_read = others <= far && k + others < h.events.size();
         ASSERT_EQ(later != nullptr, is_read) << far << ' ' << k << ' ' << others;
         if (!is_read) continue;
-        EXPECT_TRUE(same(later->event, h.events[k + others]));
+        EXPECT_TRUE(same(later->event(), h.events[k + others]));
       }
       ahead.drop_first();
     }
