@@ -113,10 +113,16 @@ std::size_t ClaimOrder::earliest() {
   return best;
 }
 
+// The half-edge that a claim names, perhaps without its orientation, or -1.
+Diagram::HalfEdge ClaimOrder::meant_by(const FlipEvent& claim) const {
+  const HalfEdge h = s_.replay.find(claim.quad);
+  return h < 0 && s_.options.unoriented ? s_.replay.find_mirrored(claim.quad) : h;
+}
+
 // Whether the claim is of an edge that is illegal since the present instant. Nothing precedes it.
 bool ClaimOrder::has_to_flip_now(const Event& event) const {
   const auto* f = std::get_if<FlipEvent>(&event);
-  const HalfEdge h = f != nullptr ? s_.replay.find(f->quad) : -1;
+  const HalfEdge h = f != nullptr ? meant_by(*f) : -1;
   return h >= 0 && edges_.life(h / 2).illegal;
 }
 
@@ -124,7 +130,7 @@ bool ClaimOrder::has_to_flip_now(const Event& event) const {
 // after one of them turns: the first near claim of such a turn, or 0 where there is none.
 std::size_t ClaimOrder::turn_before(const Event& event) {
   const auto* f = std::get_if<FlipEvent>(&event);
-  const HalfEdge h = f != nullptr ? s_.replay.find(f->quad) : -1;
+  const HalfEdge h = f != nullptr ? meant_by(*f) : -1;
   if (h < 0) return 0;
   const std::vector<GenId> four = generators(s_.diagram.quad(h));
   for (std::size_t k = 1; k < claims_.near().size(); ++k) {
@@ -138,8 +144,7 @@ std::size_t ClaimOrder::turn_before(const Event& event) {
 
 // When an edge that is there collapses, for a claim of its flip.
 std::optional<Moment> ClaimOrder::probe_flip(const FlipEvent& claim) {
-  HalfEdge h = s_.replay.find(claim.quad);
-  if (h < 0 && s_.options.unoriented) h = s_.replay.find_mirrored(claim.quad);
+  const HalfEdge h = meant_by(claim);
   if (h < 0) return std::nullopt;
   if (edges_.life(h / 2).pending) instants_.begin_pending_lives();
   const EdgeLives::Life& life = edges_.life(h / 2);

@@ -41,6 +41,7 @@ class ClaimOrder {
 
  private:
   std::size_t earliest();
+  HalfEdge meant_by(const FlipEvent& claim) const;
   bool has_to_flip_now(const Event& event) const;
   std::size_t turn_before(const Event& event);
   const std::optional<Moment>& moment_of(Claims::Claim& claim);

@@ -104,6 +104,36 @@ TEST_F(NearFlips, AreNotExchangedAtOneInstant) {
   }
 }
 
+// An edge collapses only because one of its disks turns less than the tolerance before, and its
+// flip is told first: by its name, or by one without orientation.
+TEST(NearManeuvers, MayBeToldAfterAFlipOfTheirDisk) {
+  const Rational soon(1, 10'000'000);
+  Scene scene = scene_of(
+      60, 2,
+      {disk(0, 5, 1, 0, 0), disk(5, 0, 1, 0, 0), disk(-5, 0, 1, 0, 0), disk(0, soon - 5, 1, 0, 0)});
+  scene.maneuvers = {{1, 3, 0, -1}};
+  const ClaimedHistory right = claimed_history(scene, run(scene));
+  ASSERT_EQ(right.events.size(), 2u);
+  for (const bool oriented : {true, false}) {
+    ClaimedHistory exchanged = right;
+    std::swap(exchanged.events[0], exchanged.events[1]);
+    Quad& q = std::get<FlipEvent>(exchanged.events[0]).quad;
+    if (!oriented) q = canonical(Quad{q.l, q.r, q.e, q.s});
+    for (const Truth truth : {Truth::exact, Truth::recorded}) {
+      CertifyOptions options;
+      options.truth = truth;
+      options.unoriented = !oriented;
+      const Certificate c = certify(scene, exchanged, options);
+      EXPECT_EQ(c.verdict, Verdict::certified) << reason_line(c);
+      EXPECT_EQ(c.swaps, 1);
+      EXPECT_EQ(c.resolved, oriented ? 0 : 1);
+      options.unoriented = false;
+      EXPECT_EQ(certify(scene, exchanged, options).verdict,
+                oriented ? Verdict::certified : Verdict::refuted);
+    }
+  }
+}
+
 // Of maneuvers within the tolerance the first is claimed last. Beyond the claims that are looked at
 // together it comes too late to be put first, which is no fault of the history.
 TEST(NearManeuvers, NotBeforeManyOthers) {
