@@ -111,8 +111,11 @@ void halve(const Piece& p, double at, Piece& left, Piece& right) {
   for (int k = 0; k <= degree; ++k) largest = std::max(largest, std::fabs(p.c[k]));
   const double err = (p.err + 32 * 0x1p-53 * largest) * (1 + 0x1p-40);
   std::array<double, 9> c = p.c;
-  left = {p.a, at, degree, {}, err};
-  right = {at, p.b, degree, {}, err};
+  left.a = p.a;
+  left.b = right.a = at;
+  right.b = p.b;
+  left.degree = right.degree = degree;
+  left.err = right.err = err;
   left.c[0] = c[0];
   right.c[degree] = c[degree];
   each_level<degree>(

@@ -82,19 +82,26 @@ void Flips::flip(const FlipEvent& claim) {
 Flips::Found Flips::collapse_for(const FlipEvent& claim, HalfEdge h) {
   const Quad q = s_.diagram.quad(h);
   const EdgeLives::Life& life = edges_.life(h / 2);
-  std::optional<IsolatedRoot> easy;
-  if (!life.illegal && !life.due) {
-    IsolatedRoot root = edges_.claimed_root(q, claim.t);
-    if (proved_first_collapse(s_.motion, q, life.from, root.lo, root.hi)) return {std::move(root)};
-    easy = edges_.bracket(q, life.from, claim.t);
+  Found found{edges_.claimed_root(q, claim.t)};
+  if (life.illegal || life.due ||
+      !proved_first_collapse(s_.motion, q, life.from, found.root.lo, found.root.hi)) {
+    found = collapse_by_search(claim, q, h / 2);
   }
+  return found;
+}
+
+// The same where the first filter does not tell.
+Flips::Found Flips::collapse_by_search(const FlipEvent& claim, const Quad& q, int edge) {
+  const EdgeLives::Life& life = edges_.life(edge);
+  std::optional<IsolatedRoot> easy;
+  if (!life.illegal && !life.due) easy = edges_.bracket(q, life.from, claim.t);
   if (easy && proved_free(s_.motion, q, life.from, easy->lo)) return {*easy};
   ++s_.certificate.beyond_filter;
   const Rational t = exact_time(*claims_.current());
   if (life.illegal) return present_collapse(q, life, t);
   const double end = round_up(Rational(t + s_.options.tolerance));
   std::optional<Collapse> c =
-      life.due ? std::optional(edges_.due(h / 2)) : edges_.first_collapse(q, life.from, end);
+      life.due ? std::optional(edges_.due(edge)) : edges_.first_collapse(q, life.from, end);
   if (c) {
     const Moment m = Moment::of(q, *c);
     if (instants_.in_time(m)) return {{m, m.lo, m.hi}};

@@ -53,6 +53,7 @@ class Flips {
   HalfEdge claimed(const Quad& q) const;
   void resolve(HalfEdge h);
   Found collapse_for(const FlipEvent& claim, HalfEdge h);
+  Found collapse_by_search(const FlipEvent& claim, const Quad& q, int edge);
   Found present_collapse(const Quad& q, const EdgeLives::Life& life, const Rational& claimed);
   [[noreturn]] void mistimed(const Quad& q, const Collapse& c, const Rational& claimed);
   DdBall true_time(const Moment& m, double claimed, double near) const;

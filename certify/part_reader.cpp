@@ -30,7 +30,7 @@ void ClaimList::add(Event&& event, std::int64_t line) {
 
 std::optional<Event> ClaimList::take(std::size_t k) {
   const Claim& claim = claims_[k];
-  std::optional<Event> event(std::in_place);  // a flip
+  std::optional<Event> event(std::in_place, std::in_place_type<FlipEvent>);
   if (claim.quad.l == kOther) {
     *event = std::move(others_[static_cast<std::size_t>(claim.quad.r)]);
   } else {

@@ -21,21 +21,22 @@ class PlainLine {
   PlainLine(std::string_view line, int last_id)
       : next_(line.data()), end_(line.data() + line.size()), last_id_(last_id) {}
 
-  bool event(std::optional<Event>& event) {
+  // `event` is a flip at first.
+  bool event(Event& event) {
     double t = 0;
     if (!is('{') || !name("\"t\"") || !number(t) || !(t >= 0) || !is(',')) return false;
     bool right = false;
     if (name("\"flip\"")) {
-      FlipEvent& flip = event.emplace().emplace<FlipEvent>();
+      FlipEvent& flip = std::get<FlipEvent>(event);
       flip.t = t;
       right = edge(flip.quad);
     } else if (name("\"collide\"")) {
-      CollideEvent& collision = event.emplace().emplace<CollideEvent>();
+      CollideEvent& collision = event.emplace<CollideEvent>();
       collision.t = t;
       const auto both = [&](auto& vectors) { return pair_of_vectors(collision.i, vectors); };
       right = pair(collision) && vectors(both, collision.v, collision.p);
     } else if (name("\"maneuver\"")) {
-      ManeuverEvent& maneuver = event.emplace().emplace<ManeuverEvent>();
+      ManeuverEvent& maneuver = event.emplace<ManeuverEvent>();
       maneuver.t = t;
       const auto one = [&](auto& of) { return vector(of); };
       right = id(0, maneuver.disk) && vectors(one, maneuver.v, maneuver.p);
@@ -162,8 +163,9 @@ class PlainLine {
 }  // namespace
 
 std::optional<Event> plain_event(std::string_view line, int last_id) {
-  std::optional<Event> event;
-  if (!PlainLine(line, last_id).event(event)) event.reset();
+  // As the smallest of the three: an empty one would have all of its memory cleared.
+  std::optional<Event> event(std::in_place, std::in_place_type<FlipEvent>);
+  if (!PlainLine(line, last_id).event(*event)) event.reset();
   return event;
 }
 

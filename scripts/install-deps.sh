@@ -22,7 +22,7 @@ packages=(
   g++ cmake ninja-build pkg-config
   libgmp-dev libmpfr-dev             # exact numbers
   libflint-dev                       # balls
-  libboost-dev libcgal-dev           # ring buffers; spatial sorting; evidence; oracles of the tests
+  libboost-dev libcgal-dev           # spatial sorting; the kernel; evidence; oracles of the tests
   nlohmann-json3-dev libexpat1-dev   # files
   zlib1g-dev libzstd-dev             # compressed files
   libcli11-dev                       # command line
