@@ -6,11 +6,8 @@ namespace voroproof::internal {
 
 namespace {
 
-// Steps take from a tenth of a microsecond to some milliseconds.
-constexpr unsigned kSteps = 64;
-
 thread_local Patience* innermost = nullptr;
-thread_local unsigned steps = 0;
+thread_local unsigned since_asked = 0;  // steps
 
 }  // namespace
 
@@ -19,8 +16,11 @@ Patience::Patience(std::function<bool()> wanted)
 
 Patience::~Patience() { innermost = outer_; }
 
-void Patience::ask() {
-  if (innermost != nullptr && ++steps % kSteps == 0 && !innermost->wanted_()) throw GivenUp();
+void Patience::ask(unsigned steps) {
+  since_asked += steps;
+  if (innermost == nullptr || since_asked < kSteps) return;
+  since_asked = 0;
+  if (!innermost->wanted_()) throw GivenUp();
 }
 
 }  // namespace voroproof::internal

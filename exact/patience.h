@@ -31,10 +31,15 @@ class Patience {
   ~Patience();
 
   // To be called in each step of a long decision: once in many steps asks whether to go on. Throws
-  // GivenUp.
-  static void ask();
+  // GivenUp. `steps`: as how many it counts, where it may take longer than some milliseconds.
+  static void ask(unsigned steps = 1);
+  // The same, and asks in any case.
+  static void ask_now() { ask(kSteps); }
 
  private:
+  // Steps take from a tenth of a microsecond to some milliseconds.
+  static constexpr unsigned kSteps = 64;
+
   std::function<bool()> wanted_;
   Patience* outer_;
 };

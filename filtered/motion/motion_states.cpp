@@ -217,7 +217,8 @@ void MotionStates::replay() {
   ++replays_;
   begin();
   for (std::size_t k = 0; k < applied_; ++k) {
-    Patience::ask();
+    // Of some hundred thousand bits the states after one record take tens of milliseconds.
+    Patience::ask(1 + static_cast<unsigned>(bits_at(0)) / 4096);
     apply(log_->record(k));
   }
 }

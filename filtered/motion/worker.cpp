@@ -45,7 +45,7 @@ void Worker::wait() {
     do_job(lock);
   } else {
     awaited_ = true;
-    while (!changed_.wait_for(lock, kLook, [this] { return !job_; })) Patience::ask();
+    while (!changed_.wait_for(lock, kLook, [this] { return !job_; })) Patience::ask_now();
     awaited_ = false;
   }
   working_ = false;

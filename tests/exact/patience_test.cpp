@@ -38,6 +38,17 @@ TEST(Patience, ArithmeticOfPlainRationalsIsGivenUp) {
   EXPECT_THROW(count(), GivenUp);
 }
 
+TEST(Patience, LongStepsCountAsMany) {
+  int asked = 0;
+  const Patience patience([&] { return ++asked > 0; });
+  Patience::ask_now();
+  EXPECT_EQ(asked, 1);
+  for (int k = 0; k < 10; ++k) Patience::ask(1000);
+  EXPECT_EQ(asked, 11);
+  for (int k = 0; k < 20; ++k) Patience::ask();
+  EXPECT_EQ(asked, 11);
+}
+
 TEST(Patience, TheInnerOneIsAsked) {
   int outer = 0, inner = 0;
   const Patience patience([&] { return ++outer > 0; });
