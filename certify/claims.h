@@ -54,7 +54,7 @@ class Claims {
   // over.
   Claims(HistorySource& history, double tolerance, std::size_t most_near, EventKinds kinds,
          std::vector<Replay::Place> places)
-      : ahead_(history, places.empty() ? kAhead : 1),
+      : ahead_(history, places.empty() ? kAhead : kAheadPlaced),
         tolerance_(tolerance),
         most_near_(most_near),
         kinds_(kinds),
@@ -130,6 +130,8 @@ class Claims {
  private:
   // So many claims are read before those that are taken, where their places are to be found.
   static constexpr std::size_t kAhead = 12;
+  // So many where the places are known: a claim that has just been written is not read at once.
+  static constexpr std::size_t kAheadPlaced = 1;
 
   bool wants_more();
   bool read();

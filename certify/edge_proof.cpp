@@ -116,6 +116,7 @@ void halve(const Piece& p, double at, Piece& left, Piece& right) {
   right.b = p.b;
   left.degree = right.degree = degree;
   left.err = right.err = err;
+  if constexpr (degree < 8) left.c = right.c = {};  // those that are not written below
   left.c[0] = c[0];
   right.c[degree] = c[degree];
   each_level<degree>(

@@ -23,7 +23,8 @@ struct Quad {
 // The same edge walked backwards.
 constexpr Quad reversed(const Quad& q) { return {q.r, q.l, q.e, q.s}; }
 
-// The name that writers use for the edge: the smaller of its two.
+// The name that writers use for the edge: the smaller of its two, which differ in l and r, or else
+// in s and e.
 constexpr Quad canonical(const Quad& q) {
   return q.r < q.l || (q.r == q.l && q.e < q.s) ? reversed(q) : q;
 }

@@ -216,9 +216,10 @@ bool MotionStates::is_accurate_enough(const Record& r) const {
 void MotionStates::replay() {
   ++replays_;
   begin();
+  // States of very many bits take long.
+  const unsigned steps = 1 + static_cast<unsigned>(bits_at(0)) / 4096;
   for (std::size_t k = 0; k < applied_; ++k) {
-    // Of some hundred thousand bits the states after one record take tens of milliseconds.
-    Patience::ask(1 + static_cast<unsigned>(bits_at(0)) / 4096);
+    Patience::ask(steps);
     apply(log_->record(k));
   }
 }

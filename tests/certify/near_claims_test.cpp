@@ -114,6 +114,10 @@ TEST(NearManeuvers, MayBeToldAfterAFlipOfTheirDisk) {
   scene.maneuvers = {{1, 3, 0, -1}};
   const ClaimedHistory right = claimed_history(scene, run(scene));
   ASSERT_EQ(right.events.size(), 2u);
+  // It turns away, or comes there later than the tolerance.
+  Scene away = scene, late = scene;
+  away.maneuvers[0].vy = 1;
+  late.disks[3].y = Rational(20 * soon - 5);
   for (const bool oriented : {true, false}) {
     ClaimedHistory exchanged = right;
     std::swap(exchanged.events[0], exchanged.events[1]);
@@ -127,6 +131,13 @@ TEST(NearManeuvers, MayBeToldAfterAFlipOfTheirDisk) {
       EXPECT_EQ(c.verdict, Verdict::certified) << reason_line(c);
       EXPECT_EQ(c.swaps, 1);
       EXPECT_EQ(c.resolved, oriented ? 0 : 1);
+      for (const Scene* wrong : {&away, &late}) {
+        ClaimedHistory told = exchanged;
+        const Vec2 v{0, wrong == &away ? 1.0 : -1.0};
+        std::get<ManeuverEvent>(told.events[1]) = {.t = 1, .disk = 3, .v = v};
+        std::get<FlipEvent>(told.events[0]).t = 1;
+        EXPECT_EQ(certify(*wrong, told, options).verdict, Verdict::refuted);
+      }
       options.unoriented = false;
       EXPECT_EQ(certify(scene, exchanged, options).verdict,
                 oriented ? Verdict::certified : Verdict::refuted);
