@@ -12,6 +12,8 @@ Replay::Replay(const Scene& scene, const CertifyOptions& options)
       options_(&options),
       diagram_(static_cast<int>(scene.disks.size())),
       turns_(scene.disks.size() + 1) {
+  velocities_.reserve(scene.disks.size());
+  if (options.truth == Truth::recorded) paths_.reserve(scene.disks.size());
   for (const DiskInput& d : scene.disks) {
     velocities_.emplace_back(d.vx, d.vy);
     if (options.truth == Truth::recorded) paths_.emplace_back(d.x, d.y, velocities_.back());

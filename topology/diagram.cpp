@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
@@ -191,42 +192,78 @@ Diagram::HalfEdge find_edge(const Diagram& diagram, const Quad& q) {
 
 namespace {
 
-// The half-edges of a diagram that is being put together, by the vertex on their left: an oriented
-// triple names at most one vertex, so the successor of a half-edge is found by its rotated triple.
+// A half-edge of a diagram that is being put together, as one of the three around the vertex on its
+// left: an oriented triple names at most one vertex. Sorted among those with the same least
+// generator, the three stand side by side.
+struct Corner {
+  std::uint64_t others;  // the other two generators of the vertex, in its order
+  int place;             // of the least one in the half-edge's own triple
+  Diagram::HalfEdge half;
+  auto operator<=>(const Corner&) const = default;
+};
+
+std::string name(const Triple& t) {
+  return "[" + std::to_string(t[0]) + "," + std::to_string(t[1]) + "," + std::to_string(t[2]) + "]";
+}
+
+// The vertices of the diagram with the edges 0, 1, ...
 class Corners {
  public:
-  using HalfEdge = Diagram::HalfEdge;
-  struct Corner {
-    GenId org, dest, apex;
-    HalfEdge half;
-    auto operator<=>(const Corner&) const = default;
-    Triple vertex() const { return {org, dest, apex}; }
-  };
-
-  // Of the edges 0, 1, ... in this order; their generators exist.
-  Corners(int disks, const std::vector<Quad>& edges) {
-    const auto corner = [&](std::size_t k) -> Corner {
-      const Quad& q = edges[k / 2];
-      const auto half = static_cast<HalfEdge>(k);
-      return k % 2 == 0 ? Corner{q.l, q.r, q.e, half} : Corner{q.r, q.l, q.s, half};
-    };
-    const auto org = [&](std::size_t k) { return corner(k).org; };
-    corners_ = sorted_by_generator<Corner>(2 * edges.size(), disks, org, corner);
+  // The generators of the edges exist.
+  Corners(int disks, const std::vector<Quad>& edges) : edges_(edges) {
+    const auto half = [](std::size_t k) { return static_cast<Diagram::HalfEdge>(k); };
+    sorted_ = sorted_by_generator<Corner>(
+        2 * edges.size(), disks, [&](std::size_t k) { return canonical(triple(half(k)))[0]; },
+        [&](std::size_t k) { return corner(half(k)); });
   }
 
-  // In their order.
-  const std::vector<Corner>& all() const { return corners_.items; }
-  // The half-edge of the triple, or -1.
-  HalfEdge find(const Triple& t) const {
-    const auto place = [this](GenId g) {
-      return all().begin() + static_cast<std::ptrdiff_t>(corners_.begins[g + 1]);
-    };
-    const auto it = std::lower_bound(place(t[0]), place(t[0] + 1), Corner{t[0], t[1], t[2], -1});
-    return it != all().end() && it->vertex() == t ? it->half : -1;
+  // Visits the half-edges a, b, c around each vertex, in their order. Throws std::invalid_argument
+  // where there are not three.
+  template <class Visit>
+  void each_vertex(const Visit& visit) const {
+    const std::vector<Corner>& all = sorted_.items;
+    for (std::size_t place = 1; place < sorted_.begins.size(); ++place) {
+      const std::size_t end = sorted_.begins[place];
+      for (std::size_t k = sorted_.begins[place - 1]; k < end; k += 3) {
+        require_three(k, end);
+        visit(all[k].half, all[k + 2].half, all[k + 1].half);
+      }
+    }
   }
 
  private:
-  Sorted<Corner> corners_;
+  // The half-edge runs from the first to the second.
+  Triple triple(Diagram::HalfEdge h) const {
+    const Quad& q = edges_[static_cast<std::size_t>(h / 2)];
+    return h % 2 == 0 ? Triple{q.l, q.r, q.e} : Triple{q.r, q.l, q.s};
+  }
+  Corner corner(Diagram::HalfEdge h) const {
+    const Triple t = triple(h), vertex = canonical(t);
+    const auto place = static_cast<int>(std::find(t.begin(), t.end(), vertex[0]) - t.begin());
+    const auto bits = [](GenId g) { return static_cast<std::uint64_t>(g + 1); };
+    return {bits(vertex[1]) << 32 | bits(vertex[2]), place, h};
+  }
+  // That k, k + 1, k + 2 are the corners of one vertex, and the next, up to `end`, of another.
+  void require_three(std::size_t k, std::size_t end) const {
+    const std::vector<Corner>& all = sorted_.items;
+    const auto is_here = [&](std::size_t j) { return j < end && all[j].others == all[k].others; };
+    for (int place = 0; place < 3; ++place) {
+      const std::size_t j = k + static_cast<std::size_t>(place);
+      const bool here = is_here(j);
+      if (here && all[j].place == place && (place < 2 || !is_here(j + 1))) continue;
+      const Triple v = canonical(triple(all[k].half));
+      if (here && all[j].place <= place) {
+        throw std::invalid_argument("vertex " + name(v) + " is named by two edges on one side");
+      }
+      const Triple edge{v[0], v[2], v[1]};  // where the half-edge of this place starts
+      throw std::invalid_argument("vertex " + name(v) + " lacks an edge between " +
+                                  std::to_string(edge[place]) + " and " +
+                                  std::to_string(edge[(place + 2) % 3]));
+    }
+  }
+
+  const std::vector<Quad>& edges_;
+  Sorted<Corner> sorted_;
 };
 
 }  // namespace
@@ -239,27 +276,11 @@ Diagram diagram_of(int disks, const std::vector<Quad>& edges) {
     for (const GenId g : {q.l, q.r, q.s, q.e}) {
       if (g < container_id || g >= disks) fail("there is no generator " + std::to_string(g));
     }
+    if (q.l == q.r) fail("an edge has one generator on both sides");
     d.new_edge(q.l, q.r);
   }
-  const auto name = [](const Triple& t) {
-    return "[" + std::to_string(t[0]) + "," + std::to_string(t[1]) + "," + std::to_string(t[2]) +
-           "]";
-  };
   const Corners corners(disks, edges);
-  for (std::size_t k = 1; k < corners.all().size(); ++k) {
-    const Triple t = corners.all()[k].vertex();
-    if (t == corners.all()[k - 1].vertex()) {
-      fail("vertex " + name(t) + " is named by two edges on one side");
-    }
-  }
-  for (const Corners::Corner& c : corners.all()) {
-    const Diagram::HalfEdge next = corners.find({c.dest, c.apex, c.org});
-    if (next < 0) {
-      fail("vertex " + name(c.vertex()) + " lacks an edge between " + std::to_string(c.dest) +
-           " and " + std::to_string(c.apex));
-    }
-    d.halves_[next].previous = c.half;
-  }
+  corners.each_vertex([&](auto a, auto b, auto c) { d.link(a, b, c); });
   std::string why;
   if (!d.is_valid(&why)) fail(why);
   return d;

@@ -59,7 +59,7 @@ TEST(DiagramOf, RefusesWhatIsNoSphere) {
   EXPECT_EQ(refusal(2, good), "there is no generator 2");
   EXPECT_EQ(refusal(1, {{-1, 0, 0, 0}}).substr(0, 6), "vertex");
   EXPECT_EQ(refusal(3, {{-2, 0, 1, 1}}), "there is no generator -2");
-  EXPECT_EQ(refusal(0, {{-1, -1, -1, -1}}).substr(0, 6), "vertex");
+  EXPECT_EQ(refusal(0, {{-1, -1, -1, -1}}), "an edge has one generator on both sides");
 
   Quads twice = good;
   twice.push_back(good.front());
@@ -67,6 +67,16 @@ TEST(DiagramOf, RefusesWhatIsNoSphere) {
   Quads one_short = good;
   one_short.pop_back();
   EXPECT_NE(refusal(3, one_short).find("lacks an edge between"), std::string::npos);
+  // Whichever edge is missing is named, from one of its two sides.
+  for (std::size_t k = 0; k < good.size(); ++k) {
+    Quads few = good;
+    few.erase(few.begin() + static_cast<std::ptrdiff_t>(k));
+    const auto named = [&](GenId a, GenId b) {
+      const std::string end = " between " + std::to_string(a) + " and " + std::to_string(b);
+      return refusal(3, few).ends_with(end);
+    };
+    EXPECT_TRUE(named(good[k].l, good[k].r) || named(good[k].r, good[k].l)) << refusal(3, few);
+  }
 }
 
 // A sphere on which an edge returns to the generator where it starts: a cell would be its own
