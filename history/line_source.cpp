@@ -1,12 +1,21 @@
 #include "history/line_source.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "history/error.h"
 
 namespace voroproof::internal {
 
-LineSource::LineSource(const std::string& path) : path_(path), source_(path), buffer_(1 << 18) {}
+namespace {
+
+// So many bytes at most are read at once: what is read is in the processor's cache when it is
+// parsed, and leaves there what others work on.
+constexpr std::size_t kStep = 1 << 17;
+
+}  // namespace
+
+LineSource::LineSource(const std::string& path) : path_(path), source_(path), buffer_(2 * kStep) {}
 
 std::optional<std::string_view> LineSource::next(std::size_t limit) {
   std::size_t searched = 0;
@@ -58,7 +67,8 @@ bool LineSource::fill() {
     begin_ = 0;
   }
   if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
-  const std::size_t got = source_.read(buffer_.data() + end_, buffer_.size() - end_);
+  const std::size_t got =
+      source_.read(buffer_.data() + end_, std::min(buffer_.size() - end_, kStep));
   end_ += got;
   return got > 0;
 }
