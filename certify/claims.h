@@ -59,7 +59,10 @@ class Claims {
         most_near_(most_near),
         kinds_(kinds),
         places_(std::move(places)),
-        read_to_(history.line()) {}
+        read_to_(history.line()) {
+    times_.reserve(places_.size());
+    lines_.reserve(places_.size());
+  }
 
   const HistorySource& history() const { return ahead_.history(); }
 

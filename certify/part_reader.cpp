@@ -198,22 +198,23 @@ void PartReader::take_initial_diagram() {
   replay_.diagram() = diagram_of(replay_.disks(), header_.initial.value_or(std::vector<Quad>()));
 }
 
-// How many claims the present part has to have before it may end at the time t. The first part and
-// the last ones are small: at the beginning other threads wait for it, at the end for each other.
-// The claims read so far tell how many are to come. Of a short history of many disks the first
-// part is half as long as what follows.
-std::size_t PartReader::least_size(double t) const {
+// Whether the present part has claims enough to end. The first part and the last ones are small: at
+// the beginning other threads wait for it, at the end for each other. The claims read so far tell
+// how many are to come: half of these are enough, between two bounds. Of a short history of many
+// disks the first part is half as long as what follows.
+bool PartReader::is_full() const {
   const std::size_t small = size_ / kSmall, most = number_ == 0 ? small : size_;
-  if (!(t > 0)) return most;
-  const double to_come = static_cast<double>(in_parts_ + claims_.size()) * (horizon_ / t - 1);
   const std::size_t least = number_ == 0 ? std::max(options_.least_part, small) / kSmall : small;
-  return static_cast<std::size_t>(
-      std::clamp(0.5 * to_come, static_cast<double>(least), static_cast<double>(most)));
+  if (claims_.size() < least) return false;
+  if (claims_.size() >= most) return true;
+  // size + 1 > 1/2 all (horizon / t - 1), without a division: this is asked of every claim.
+  const auto size = static_cast<double>(claims_.size());
+  return 2 * (size + 1) * last_ > (static_cast<double>(in_parts_) + size) * (horizon_ - last_);
 }
 
 // Whether the part may end before the next claim, which is there.
 bool PartReader::may_end() const {
-  return claims_.size() >= least_size(last_) && time(ahead_.after(0)->event()) - last_ > gap_;
+  return is_full() && time(ahead_.after(0)->event()) - last_ > gap_;
 }
 
 std::optional<Part> PartReader::next() {

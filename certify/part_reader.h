@@ -92,7 +92,7 @@ class PartReader {
   void begin_history();
   void take_initial_diagram();
   bool may_end() const;
-  std::size_t least_size(double t) const;
+  bool is_full() const;
   std::optional<Part> last_part();
   void begin_marks(const std::string& claims_sha256);
   void mark();
