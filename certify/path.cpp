@@ -1,5 +1,6 @@
 #include "certify/path.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "certify/fingerprint.h"
@@ -10,51 +11,57 @@ using dd_detail::fast_two_sum;
 using dd_detail::two_prod;
 using dd_detail::two_sum;
 
-// Shewchuk's GROW-EXPANSION: exact as long as nothing overflows. Zeros are left out. False where
-// the sum becomes too long.
-bool DyadicSum::add(double x) {
-  double q = x;
-  int count = 0;
-  std::array<double, kMax + 2> out;
-  for (int k = 0; k < size_; ++k) {
-    double sum, error;
-    two_sum(q, part_[k], sum, error);
-    if (error != 0) out[count++] = error;
-    q = sum;
-  }
-  if (q != 0) out[count++] = q;
-  if (count > kMax) return false;
-  for (int k = 0; k < count; ++k) part_[k] = out[k];
-  size_ = count;
-  return true;
-}
+namespace {
 
-// Shewchuk's COMPRESS: as few parts as possible, the greatest a good approximation of the sum.
-void DyadicSum::compress() {
-  if (size_ == 0) return;
-  double q = part_[size_ - 1];
-  int bottom = size_ - 1;
-  for (int k = size_ - 2; k >= 0; --k) {
-    double sum, error;
-    fast_two_sum(q, part_[k], sum, error);
-    if (error != 0) {
-      part_[bottom--] = sum;
-      q = error;
-    } else {
+// Such a sum at work: smallest first.
+struct Expansion {
+  static constexpr int kMax = 8;  // the four of a sum and the four that are added to them
+  std::array<double, kMax> part;
+  int size = 0;
+
+  // Shewchuk's GROW-EXPANSION: exact as long as nothing overflows. Zeros are left out.
+  void add(double x) {
+    double q = x;
+    int count = 0;
+    for (int k = 0; k < size; ++k) {
+      double sum, error;
+      two_sum(q, part[k], sum, error);
+      if (error != 0) part[count++] = error;
       q = sum;
     }
+    if (q != 0) part[count++] = q;
+    size = count;
   }
-  part_[bottom] = q;
-  int top = 0;
-  for (int k = bottom + 1; k < size_; ++k) {
-    double sum, error;
-    fast_two_sum(part_[k], q, sum, error);
-    if (error != 0) part_[top++] = error;
-    q = sum;
+
+  // Shewchuk's COMPRESS: as few parts as possible, the greatest a good approximation of the sum.
+  void compress() {
+    if (size == 0) return;
+    double q = part[size - 1];
+    int bottom = size - 1;
+    for (int k = size - 2; k >= 0; --k) {
+      double sum, error;
+      fast_two_sum(q, part[k], sum, error);
+      if (error != 0) {
+        part[bottom--] = sum;
+        q = error;
+      } else {
+        q = sum;
+      }
+    }
+    part[bottom] = q;
+    int top = 0;
+    for (int k = bottom + 1; k < size; ++k) {
+      double sum, error;
+      fast_two_sum(part[k], q, sum, error);
+      if (error != 0) part[top++] = error;
+      q = sum;
+    }
+    part[top] = q;
+    size = top + 1;
   }
-  part_[top] = q;
-  size_ = top + 1;
-}
+};
+
+}  // namespace
 
 bool DyadicSum::add_way(double v, double t, double s) {
   if (v == 0) return true;
@@ -70,32 +77,33 @@ bool DyadicSum::add_way(double v, double t, double s) {
   }
   if ((a == 0 && d != 0) || (f == 0 && e != 0)) return false;
   if (!(std::fabs(v) < greatest && std::fabs(d) < greatest)) return false;
+  Expansion sum;
+  for (int k = size() - 1; k >= 0; --k) sum.part[sum.size++] = part_[k];
   // One by one: where the four stand in a list, g++ 12 copies it through a register of AVX and does
   // not clear the register's upper half, for which code without AVX pays later.
-  const auto added = [this](double x) { return x == 0 || add(x); };
-  if (!(added(g) && added(f) && added(b) && added(a))) return false;
-  compress();
+  if (g != 0) sum.add(g);
+  if (f != 0) sum.add(f);
+  if (b != 0) sum.add(b);
+  if (a != 0) sum.add(a);
+  sum.compress();
+  if (sum.size > kMax) return false;
+  for (int k = 0; k < kMax; ++k) part_[k] = k < sum.size ? sum.part[sum.size - 1 - k] : 0;
   return true;
 }
 
-DdBall DyadicSum::near() const {
-  if (size_ == 0) return {};
-  DdBall out(part_[size_ - 1]);
-  if (size_ > 1) out.lo = part_[size_ - 2];
-  // What is left is less than the last place of what follows it.
-  if (size_ > 2) out.rad = 2 * std::fabs(part_[size_ - 3]);
-  return out;
+int DyadicSum::size() const {
+  return static_cast<int>(std::find(part_.begin(), part_.end(), 0) - part_.begin());
 }
 
 Rational DyadicSum::exact() const {
   Rational sum;
-  for (int k = 0; k < size_; ++k) sum += to_rational(part_[k]);
+  for (int k = size() - 1; k >= 0; --k) sum += to_rational(part_[k]);
   return sum;
 }
 
 void DyadicSum::add_to(Fingerprint& fingerprint) const {
-  fingerprint.add(size_);
-  for (int k = 0; k < size_; ++k) fingerprint.add(part_[k]);
+  fingerprint.add(size());
+  for (int k = size() - 1; k >= 0; --k) fingerprint.add(part_[k]);
 }
 
 Velocity::Velocity(const CompactRational& x, const CompactRational& y)
@@ -127,14 +135,15 @@ Path::Path(const CompactRational& x, const CompactRational& y, const Velocity& v
 
 void Path::turn(double t, const Velocity& v) {
   if (!exact_ && !velocity_.exact) {
-    const DyadicSum x = x_, y = y_;
-    if (x_.add_way(velocity_.near[0], t, t_) && y_.add_way(velocity_.near[1], t, t_)) {
-      t_ = t;
-      velocity_ = v;
-      return;
+    const DyadicSum x = x_;
+    if (x_.add_way(velocity_.near[0], t, t_)) {
+      if (y_.add_way(velocity_.near[1], t, t_)) {
+        t_ = t;
+        velocity_ = v;
+        return;
+      }
+      x_ = x;
     }
-    x_ = x;
-    y_ = y;
   }
   turn(to_rational(t), v);
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,13 +26,14 @@ class JsonReader;
 class DyadicSum {
  public:
   DyadicSum() = default;
-  explicit DyadicSum(double x) : size_(x == 0 ? 0 : 1) { part_[0] = x; }
+  explicit DyadicSum(double x) { part_[0] = x; }
 
-  // Adds v (t - s), exactly. False, and nothing can be said of the sum any more, where it would be
-  // too long, or a product is too small or too large for the rounding errors to be doubles.
+  // Adds v (t - s), exactly. False, and the sum is as before, where it would be too long, or a
+  // product is too small or too large for the rounding errors to be doubles.
   bool add_way(double v, double t, double s);
 
-  DdBall near() const;  // an enclosure
+  // An enclosure. What is left after two parts is less than the last place of the third.
+  DdBall near() const { return {part_[0], part_[1], 2 * std::fabs(part_[2])}; }
   Rational exact() const;
   void add_to(Fingerprint& fingerprint) const;  // the sum as it is held
   // The same as text, a JSON array, and back. Throws InputError where it is no such sum.
@@ -39,12 +41,10 @@ class DyadicSum {
   static DyadicSum read(JsonReader& json);
 
  private:
-  static constexpr int kMax = 6;
-  bool add(double x);
-  void compress();
+  static constexpr int kMax = 4;
+  int size() const;
 
-  std::array<double, kMax + 1> part_{};  // smallest first
-  int size_ = 0;
+  std::array<double, kMax> part_{};  // greatest first; then zeros
 };
 
 // A velocity: `exact` is null where its components are binary64.
@@ -62,7 +62,8 @@ struct Velocity {
   void put(std::string& out) const;
 };
 
-class Path {
+// In two lines of a processor's memory.
+class alignas(64) Path {
  public:
   // The path from the point (x, y) at time 0.
   Path(const CompactRational& x, const CompactRational& y, const Velocity& v);

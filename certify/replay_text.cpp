@@ -76,23 +76,26 @@ std::vector<int> read_integers(JsonReader& json, int low, int high) {
 }  // namespace
 
 void DyadicSum::put(std::string& out) const {
-  put_array(out, static_cast<std::size_t>(size_),
-            [&](std::size_t k) { internal::put(out, part_[k]); });
+  const auto parts = static_cast<std::size_t>(size());
+  put_array(out, parts, [&](std::size_t k) { internal::put(out, part_[parts - 1 - k]); });
 }
 
 DyadicSum DyadicSum::read(JsonReader& json) {
-  DyadicSum sum;
+  std::array<double, kMax> parts{};  // smallest first
+  int count = 0;
   json.array([&](std::size_t k) {
     if (k == kMax) json.fail("too many parts");
     const double part = read_double(json);
     // Where parts overlap, the bounds of errors would be false.
     const double size = std::fabs(part), last_place = std::nextafter(size, HUGE_VAL) - size;
-    if (part == 0 || (k > 0 && !(std::fabs(sum.part_[k - 1]) <= last_place))) {
+    if (part == 0 || (k > 0 && !(std::fabs(parts[k - 1]) <= last_place))) {
       json.fail("parts that overlap");
     }
-    sum.part_[k] = part;
-    sum.size_ = static_cast<int>(k) + 1;
+    parts[k] = part;
+    ++count;
   });
+  DyadicSum sum;
+  std::reverse_copy(parts.begin(), parts.begin() + count, sum.part_.begin());
   return sum;
 }
 
