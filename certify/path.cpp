@@ -79,12 +79,9 @@ bool DyadicSum::add_way(double v, double t, double s) {
   if (!(std::fabs(v) < greatest && std::fabs(d) < greatest)) return false;
   Expansion sum;
   for (int k = size() - 1; k >= 0; --k) sum.part[sum.size++] = part_[k];
-  // One by one: where the four stand in a list, g++ 12 copies it through a register of AVX and does
-  // not clear the register's upper half, for which code without AVX pays later.
-  if (g != 0) sum.add(g);
-  if (f != 0) sum.add(f);
-  if (b != 0) sum.add(b);
-  if (a != 0) sum.add(a);
+  for (const double x : {g, f, b, a}) {
+    if (x != 0) sum.add(x);
+  }
   sum.compress();
   if (sum.size > kMax) return false;
   for (int k = 0; k < kMax; ++k) part_[k] = k < sum.size ? sum.part[sum.size - 1 - k] : 0;

@@ -42,6 +42,9 @@ target_compile_options(voroproof_options INTERFACE
   $<$<BOOL:${VOROPROOF_NATIVE}>:-march=native>
   # g++ 12 sees overlapping copies in string concatenations (GCC bug 105651).
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
+  # g++ 12 keeps wide registers over calls of functions that it knows not to touch them, and forgets
+  # then to clear their upper halves, for which code without AVX pays later.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-ipa-ra>
   # How vectors of lanes are passed differs by processor; all of the project is made for one.
   -Wno-psabi)
 if(VOROPROOF_LIBFUZZER)
