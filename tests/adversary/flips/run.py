@@ -13,13 +13,10 @@ is a find. So is a history of `simulate` that the judge finds wrong. The exit co
 is a find, and --out keeps its files. It is 1, too, where the judge leaves out more than a tenth of
 the worlds. The seeds decide everything.
 """
-import argparse
-import collections
 import json
 import random
 import subprocess
 import sys
-import tempfile
 from fractions import Fraction
 from pathlib import Path
 
@@ -27,6 +24,9 @@ from groups import Impossible
 from judge import RIGHT, UNCLEAR, WRONG, Judge
 from variants import TooLong, Variants, first_diagram, rounded, without_orientations
 from worlds import World
+
+sys.path.append(str(Path(__file__).resolve().parent.parent))
+import questions  # noqa: E402
 
 MOST_RIGHT = 3  # of a world's tellings, that are asked about besides that of `simulate`
 MOST_WRONG = 3
@@ -86,22 +86,13 @@ def is_of_an_instant(one, judge):
                                     for t in judge.world.instants)
 
 
-def last_line(command):
-    run = subprocess.run(command, capture_output=True, text=True)
-    lines = run.stdout.strip().splitlines()
-    return lines[-1] if lines else f"exit code {run.returncode}: {run.stderr}"
-
-
-class Run:
+class Questions(questions.Questions):
     def __init__(self, options, folder):
-        self.out = options.out
-        self.counts, self.finds, self.left_out = collections.Counter(), 0, 0
-        self.scene = Path(folder, "world.scene.json")
-        self.history = Path(folder, "world.history.jsonl")
-        self.simulate = [options.program, "simulate", self.scene, "-o", self.history, "--replace"]
-        self.judges = {"certify": [options.program, "certify", self.scene, self.history]}
-        if options.kernel:
-            self.judges["kernel"] = [options.kernel, self.scene, self.history]
+        super().__init__(options, folder)
+        self.left_out = 0
+        self.judges = {"certify": self.certify}
+        if self.kernel:
+            self.judges["kernel"] = self.kernel
 
     def judge(self, seed):
         rng = random.Random(seed)
@@ -156,7 +147,7 @@ class Run:
         for truth in TRUTHS:
             if truth == "exact" or self.is_judged_by_record(world, variant[1], state):
                 for judge in self.judges:
-                    self.ask(judge, seed, text, truth, state, options)
+                    self.ask_of(judge, seed, text, state, ["--truth", truth, *options])
 
     @staticmethod
     def is_judged_by_record(world, told, state):
@@ -171,46 +162,17 @@ class Run:
             self.tell(seed, world, history, (None, changed), RIGHT, ["--unoriented"])
             self.tell(seed, world, history, (None, changed), WRONG)
 
-    def ask(self, judge, seed, text, truth, state, options):
-        self.history.write_text(text)
-        verdict = last_line([*self.judges[judge], "--truth", truth, *options])
-        asked = " ".join([judge, "--truth", truth, *options])
-        self.counts[f"{asked}, {state}: {verdict}"] += 1
+    def ask_of(self, judge, seed, text, state, options):
         open_too = ["s UNDECIDED"] if judge == "kernel" else []
-        if verdict not in [EXPECTED[state]] + open_too:
-            self.find(seed, f"{asked} says {verdict} of what is {state}")
+        self.ask(seed, text, " ".join([judge, *options]), [*self.judges[judge], *options], state,
+                 [EXPECTED[state]] + open_too)
 
-    def find(self, seed, what):
-        self.finds += 1
-        print(f"seed {seed}: {what}", flush=True)
-        if self.out:
-            self.out.mkdir(parents=True, exist_ok=True)
-            for path in self.scene, self.history:
-                (self.out / f"{seed}-{self.finds}{path.name[5:]}").write_bytes(path.read_bytes())
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("kernel", nargs="?")
-    parser.add_argument("--count", type=int, default=60, help="worlds")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--out", type=Path)
-    options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder:
-        run = Run(options, folder)
-        for seed in range(options.seed, options.seed + options.count):
-            run.judge(seed)
-    for key, count in sorted(run.counts.items()):
-        print(f"{count:7} {key}")
-    print(f"{run.left_out:7} worlds left out")
-    if not all(any(f", {state}:" in key for key in run.counts) for state in (RIGHT, WRONG)):
-        sys.exit("nothing was asked")
-    if 10 * run.left_out > options.count:
-        sys.exit("the judge leaves out more than a tenth of the worlds")
-    sys.exit(1 if run.finds else 0)
+    def complaint(self, worlds):
+        print(f"{self.left_out:7} worlds left out")
+        if 10 * self.left_out > worlds:
+            return "the judge leaves out more than a tenth of the worlds"
+        return super().complaint(worlds)
 
 
 if __name__ == "__main__":
-    main()
+    questions.main(__doc__, Questions)

@@ -12,17 +12,17 @@ stops between two turns and is right so far. Where turns that are not told would
 so far may be left undecided. The exit code is 1 where there is a find, and --out keeps its files. The seeds decide
 everything.
 """
-import argparse
-import collections
 import json
 import random
 import subprocess
 import sys
-import tempfile
 from fractions import Fraction
 from pathlib import Path
 
 from worlds import DiagonalRow, Impossible, World
+
+sys.path.append(str(Path(__file__).resolve().parent.parent))
+import questions  # noqa: E402
 
 MOST_ORDERS = 12  # of a world, that are asked about besides the right one
 
@@ -33,11 +33,6 @@ def history_text(header, lines, world, complete):
     last = {"end": {"t": float(world.horizon), **counts}} if complete else {
         "stopped": {"t": float(world.t), "reason": "of a test", "events": []}}
     return "\n".join([header] + [json.dumps(line, separators=(",", ":")) for line in lines + [last]]) + "\n"
-
-
-def last_line(command):
-    run = subprocess.run(command, capture_output=True, text=True)
-    return run.stdout.strip().splitlines()[-1] if run.stdout.strip() else f"exit code {run.returncode}: {run.stderr}"
 
 
 def a_world(rng):
@@ -51,16 +46,13 @@ def a_world(rng):
             pass
 
 
-class Run:
+class Questions(questions.Questions):
     def __init__(self, options, folder):
-        self.out = options.out
-        self.counts, self.finds = collections.Counter(), 0
-        self.scene, self.history = Path(folder, "world.scene.json"), Path(folder, "world.history.jsonl")
-        certify = [options.program, "certify", self.scene, self.history, "--truth", "exact"]
-        self.simulate = [options.program, "simulate", self.scene, "-o", self.history, "--replace"]
+        super().__init__(options, folder)
+        certify = self.certify + ["--truth", "exact"]
         self.judges = {"certify": certify, "certify --events collisions": certify + ["--events", "collisions"]}
-        if options.kernel:
-            self.judges["kernel"] = [options.kernel, self.scene, self.history, "--truth", "exact"]
+        if self.kernel:
+            self.judges["kernel"] = self.kernel + ["--truth", "exact"]
 
     def judge(self, seed):
         rng = random.Random(seed)
@@ -87,51 +79,17 @@ class Run:
                 # The kernel leaves open what takes irrational numbers, and turns of neighbours that are exchanged.
                 is_open = judge == "kernel" and (isinstance(world, DiagonalRow) or world.late)
                 open_too = ["s UNDECIDED"] if is_open else []
-                self.ask(judge, seed, text, "right" if is_right else "wrong", expected + open_too)
+                self.ask(seed, text, judge, judges[judge], "right" if is_right else "wrong", expected + open_too)
             if isinstance(world, DiagonalRow) or world.late:
                 continue  # no double says that it stops at that time, or there are two
             so_far = rng.randint(0, len(turns))
             is_right = all(some == then[:len(some)] for some, then in zip(world.by_disk(turns[:so_far]), happens))
             for judge in list(judges)[:1]:
                 told = [{**line, "t": float(world.t)} for line in lines[:so_far]]
-                self.ask(judge, seed, history_text(own[0], told, world, False),
+                self.ask(seed, history_text(own[0], told, world, False), judge, judges[judge],
                          "right so far" if is_right else "wrong so far",
                          ["s UNDECIDED"] if is_right else ["s REFUTED", "s UNDECIDED"])
 
-    def ask(self, judge, seed, text, state, expected):
-        self.history.write_text(text)
-        verdict = last_line(self.judges[judge])
-        self.counts[f"{judge}, {state}: {verdict}"] += 1
-        if verdict not in expected:
-            self.find(seed, f"{judge} says {verdict} of what is {state}")
-
-    def find(self, seed, what):
-        self.finds += 1
-        print(f"seed {seed}: {what}", flush=True)
-        if self.out:
-            self.out.mkdir(parents=True, exist_ok=True)
-            for path in self.scene, self.history:
-                (self.out / f"{seed}-{self.finds}{path.name[5:]}").write_bytes(path.read_bytes())
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("kernel", nargs="?")
-    parser.add_argument("--count", type=int, default=60, help="worlds")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--out", type=Path)
-    options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder:
-        run = Run(options, folder)
-        for seed in range(options.seed, options.seed + options.count):
-            run.judge(seed)
-    for key, count in sorted(run.counts.items()):
-        print(f"{count:7} {key}")
-    if not all(any(f", {state}:" in key for key in run.counts) for state in ("right", "wrong")):
-        sys.exit("nothing was asked")
-    sys.exit(1 if run.finds else 0)
-
 
 if __name__ == "__main__":
-    main()
+    questions.main(__doc__, Questions)
