@@ -2,10 +2,12 @@
 
 #include <signal.h>
 #include <sys/time.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <string_view>
 
 #include "apps/cli/command_line.h"
@@ -17,13 +19,26 @@ namespace voroproof::internal {
 namespace {
 
 constexpr unsigned grace = 1;  // seconds from a request to the end of the process
+// Signals that follow the first so soon are the same request: timeout(1) sends its own twice, and a
+// terminal's goes to a program and to what started it, which may pass it on.
+constexpr std::int64_t one_request = 500'000'000;  // nanoseconds
 
 enum class Cause { none, signal, time };
 
 // A handler can reach nothing but globals.
 std::atomic<bool> cooperative{false}, winding_up{false};
 std::atomic<Cause> noted{Cause::none};
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<Cause>::is_always_lock_free);
+std::atomic<std::int64_t> first_at{0};  // when a signal came first, in nanoseconds
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<Cause>::is_always_lock_free &&
+              std::atomic<std::int64_t>::is_always_lock_free);
+
+std::int64_t nanoseconds_since_first() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  const std::int64_t at = std::int64_t{1'000'000'000} * now.tv_sec + now.tv_nsec;
+  std::int64_t none = 0;
+  return first_at.compare_exchange_strong(none, at) ? 0 : at - none;
+}
 
 [[noreturn]] void end(Cause cause) {
   AtomicFile::remove_unfinished();
@@ -37,11 +52,15 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<Cause>::is_a
 // One alarm clock serves for both: the time limit, and the grace once something is noted.
 extern "C" void on_signal(int number) {
   const bool alarm_rings = number == SIGALRM;
+  const bool same_request = !alarm_rings && nanoseconds_since_first() < one_request;
   Cause cause = Cause::none;
   const Cause wanted = alarm_rings ? Cause::time : Cause::signal;
   const bool first = noted.compare_exchange_strong(cause, wanted);
   if (alarm_rings && winding_up.load()) return;
-  if (!first) end(alarm_rings ? cause : Cause::signal);
+  if (!first) {
+    if (same_request && cause == Cause::signal) return;
+    end(alarm_rings ? cause : Cause::signal);
+  }
   if (!cooperative.load()) end(wanted);
   if (!winding_up.load()) alarm(grace);
 }

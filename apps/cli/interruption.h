@@ -16,8 +16,8 @@ void start_time_limit(double seconds);
 
 // While it lives, the first signal, and the end of the time limit, are only noted, for the work to
 // ask for. Where that does not happen, because of a system call that waits or a step that takes
-// long, the process ends all the same a second later, or on a second signal. At most one lives at
-// a time.
+// long, the process ends all the same a second later, or on a second signal, half a second after
+// the first or later. At most one lives at a time.
 class CooperativeInterruption {
  public:
   CooperativeInterruption();
