@@ -32,7 +32,8 @@ class DyadicSum {
   // product is too small or too large for the rounding errors to be doubles.
   bool add_way(double v, double t, double s);
 
-  // An enclosure. What is left after two parts is less than the last place of the third.
+  // An enclosure. The fourth part is less than the last place of the third, so that both together
+  // are less than twice the third.
   DdBall near() const { return {part_[0], part_[1], 2 * std::fabs(part_[2])}; }
   Rational exact() const;
   void add_to(Fingerprint& fingerprint) const;  // the sum as it is held
@@ -62,7 +63,7 @@ struct Velocity {
   void put(std::string& out) const;
 };
 
-// In two lines of a processor's memory.
+// Two lines of a processor's caches.
 class alignas(64) Path {
  public:
   // The path from the point (x, y) at time 0.
