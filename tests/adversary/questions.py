@@ -40,6 +40,10 @@ class Questions:
             for path in self.scene, self.history:
                 (self.out / f"{seed}-{self.finds}{path.name[5:]}").write_bytes(path.read_bytes())
 
+    def report(self):
+        for key, count in sorted(self.counts.items()):
+            print(f"{count:7} {key}")
+
     def complaint(self, worlds):
         """Why the run says nothing, after so many worlds; None where it does."""
         asked = all(any(f", {state}:" in key for key in self.counts) for state in ("right", "wrong"))
@@ -59,6 +63,5 @@ def main(doc, questions):
         run = questions(options, folder)
         for seed in range(options.seed, options.seed + options.count):
             run.judge(seed)
-    for key, count in sorted(run.counts.items()):
-        print(f"{count:7} {key}")
+    run.report()
     sys.exit(run.complaint(options.count) or (1 if run.finds else 0))

@@ -167,8 +167,11 @@ class Questions(questions.Questions):
         self.ask(seed, text, " ".join([judge, *options]), [*self.judges[judge], *options], state,
                  [EXPECTED[state]] + open_too)
 
-    def complaint(self, worlds):
+    def report(self):
+        super().report()
         print(f"{self.left_out:7} worlds left out")
+
+    def complaint(self, worlds):
         if 10 * self.left_out > worlds:
             return "the judge leaves out more than a tenth of the worlds"
         return super().complaint(worlds)
