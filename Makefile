@@ -5,7 +5,7 @@ MAKEFLAGS += --no-print-directory
 SOURCES = $(shell find exact filtered topology history kinetic queries planning certify corpus evidence kernel library include python apps bench tests \
   -name '*.h' -o -name '*.cpp')
 
-.PHONY: build demo test bench api site packages format clean
+.PHONY: build demo test lists bench api site packages format clean
 
 build:
 	cmake --preset release
@@ -21,6 +21,11 @@ test:
 	cmake --preset release
 	cmake --build --preset release -j $(JOBS)
 	ctest --preset release -j $(JOBS)
+
+# Seconds, after a build: what a change of a comment or a document can break.
+lists:
+	clang-format --dry-run -Werror $(SOURCES)
+	ctest --preset release -j $(JOBS) -L lists
 
 # About ten minutes; see docs/benchmarks.md.
 bench:

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Finds links that lead nowhere, and prints them: FILE:LINE: TARGET: what is wrong.
+"""Finds links that lead nowhere and documents that no contents list, and prints them: FILE:LINE: TARGET: what is wrong.
 
-usage: check-links.py                 all Markdown documents of the repository: relative links, pictures, anchors
+usage: check-links.py                 all Markdown documents of the repository: relative links, pictures, anchors;
+                                      and whether the site's contents list each document
        check-links.py --site FOLDER   all pages below FOLDER: links and anchors; and whatever a page
                                       would load from the network
 
@@ -64,6 +65,22 @@ def markdown_files():
         return [name for name in listed.split("\0") if name]
     return [str(path.relative_to(ROOT)) for path in ROOT.rglob("*.md")
             if not re.match(r"build|packages|demo", path.relative_to(ROOT).parts[0])]
+
+
+def documents_in_contents():
+    """The documents that the first page of the site has in a table of contents, by their names in the repository."""
+    names = set()
+    for contents in re.findall(r"^```\{toctree\}\n(.*?)^```", (ROOT / "docs/site/index.md").read_text(), re.M | re.S):
+        for line in contents.splitlines():
+            names.add(re.sub(r"^.*<(.*)>$", r"\1", line) + ".md")
+    return names
+
+
+def check_contents():
+    """What Sphinx would say of a document that no table of contents has, without Sphinx."""
+    listed = documents_in_contents()
+    return [f"{name}: in no table of contents of docs/site/index.md" for name in sorted(markdown_files())
+            if not name.startswith("docs/site/") and name not in listed]
 
 
 def check_markdown():
@@ -141,9 +158,10 @@ def main():
         faults, what = check_site(pathlib.Path(sys.argv[2]).resolve())
     elif len(sys.argv) == 1:
         faults, what = check_markdown()
+        faults += check_contents()
     else:
         sys.exit(__doc__)
-    print("\n".join([*faults, f"{what}: {len(faults)} lead nowhere"]))
+    print("\n".join([*faults, f"{what}: {len(faults)} faults"]))
     sys.exit(1 if faults else 0)
 
 
