@@ -103,10 +103,17 @@ Sign end_sign_of_cotangency(const Piece& p) {
   return s == Sign::unknown ? s : cotangency_sign(s, p.degree == 4);
 }
 
-// Halves a piece at the time `at` by de Casteljau's algorithm. Each of its at most 8 rounds
-// computes (c + c') / 2, which errs by at most 2u times the largest coefficient.
+// Where a piece is cut, as a share of its length: 1 - share is a power of two.
+constexpr double kHalf = 0.5;
+// Just before its end, where the root is that is wanted.
+constexpr double kNearEnd = 31.0 / 32;
+
+double time_in(const Piece& p, double share) { return p.a + share * (p.b - p.a); }
+
+// Cuts a piece there, at the time `at`, by de Casteljau's algorithm. Each of its at most 8 rounds
+// computes (1 - share) c + share c', which errs by at most 2u times the largest coefficient.
 template <int degree>
-void halve(const Piece& p, double at, Piece& left, Piece& right) {
+void cut(const Piece& p, double share, double at, Piece& left, Piece& right) {
   double largest = 0;
   for (int k = 0; k <= degree; ++k) largest = std::max(largest, std::fabs(p.c[k]));
   const double err = (p.err + 32 * 0x1p-53 * largest) * (1 + 0x1p-40);
@@ -119,16 +126,17 @@ void halve(const Piece& p, double at, Piece& left, Piece& right) {
   if constexpr (degree < 8) left.c = right.c = {};  // those that are not written below
   left.c[0] = c[0];
   right.c[degree] = c[degree];
+  const double rest = 1 - share;
   each_level<degree>(
-      c.data(), [](double x, double y) { return 0.5 * x + 0.5 * y; },
+      c.data(), [&](double x, double y) { return rest * x + share * y; },
       [&](auto last) {
         left.c[degree - last] = c[0];
         right.c[last] = c[last];
       });
 }
 
-void halve(const Piece& p, double at, Piece& left, Piece& right) {
-  p.degree == 8 ? halve<8>(p, at, left, right) : halve<4>(p, at, left, right);
+void cut(const Piece& p, double share, double at, Piece& left, Piece& right) {
+  p.degree == 8 ? cut<8>(p, share, at, left, right) : cut<4>(p, share, at, left, right);
 }
 
 // Exactly one root, not at an end.
@@ -151,10 +159,10 @@ Sign sign_of_form(const Piece& p, double x) {
   return p.degree == 8 ? sign_of_form<8>(p, x) : sign_of_form<4>(p, x);
 }
 
-// Pieces are halved at most this often one within the other.
+// Pieces are cut at most this often one within the other.
 constexpr int kMaxCuts = 12;
 
-// Pieces this often halved are looked at by their circles over all of their time.
+// Pieces this often cut are looked at by their circles over all of their time.
 constexpr int kShort = 7;
 
 // `looks`: so many pieces may still be looked at.
@@ -171,10 +179,10 @@ bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts, int& l
     return true;
   }
   if (cuts >= kShort && legal_throughout(m, q, a, b)) return true;
-  const double half = 0.5 * (p.a + p.b);
-  if (cuts == kMaxCuts || !(p.a < half && half < p.b)) return false;
+  const double at = time_in(p, kHalf);
+  if (cuts == kMaxCuts || !(p.a < at && at < p.b)) return false;
   Piece left, right;
-  halve(p, half, left, right);
+  cut(p, kHalf, at, left, right);
   return piece_free(m, q, left, cuts + 1, looks) && piece_free(m, q, right, cuts + 1, looks);
 }
 
@@ -182,10 +190,10 @@ bool piece_free(const Motion& m, const Quad& q, const Piece& p, int cuts, int& l
 // is free of collapses. Whether what is left certainly has one root, not at an end.
 bool cut_to_one_root(const Motion& m, const Quad& q, double until, Piece& piece, int& looks) {
   for (int cuts = 0; !has_one_root(piece); ++cuts) {
-    const double half = 0.5 * (piece.a + piece.b);
-    if (cuts == kMaxCuts || !(piece.a < half && half < until)) return false;
+    const double at = time_in(piece, kNearEnd);
+    if (cuts == kMaxCuts || !(piece.a < at && at < until)) return false;
     Piece left, right;
-    halve(piece, half, left, right);
+    cut(piece, kNearEnd, at, left, right);
     if (!piece_free(m, q, left, cuts + 1, looks)) return false;
     piece = right;
   }
@@ -269,12 +277,12 @@ bool proved_first_collapse(const Motion& motion, const Quad& q, double from, dou
   if (!found) return false;
   const Piece& piece = *found;
   // It is in [a, b] if the sign at a is that before it. The parameter x of a is rounded, and the
-  // ends of the piece err: each cut rounds its middle once, by at most u M, M = |from| + |b|, and
+  // ends of the piece err: each cut rounds three times, by at most u M, M = |from| + |b|, each, and
   // keeps the errors of the two ends between which it lies, so that after kMaxCuts of them the
-  // start errs by kMaxCuts u M, the length by twice that. Numerator, length and quotient are
+  // start errs by 3 kMaxCuts u M, the length by twice that. Numerator, length and quotient are
   // rounded once each, which is 3 u M in time or less. A sign a little later will do as well:
   // `slack` = 512 u M later than a, the true time of the point is after a in any case.
-  static_assert(3 * kMaxCuts + 3 < 512);
+  static_assert(9 * kMaxCuts + 3 < 512);
   const double slack = 512 * unit_roundoff * (std::fabs(from) + std::fabs(b));
   const double x = (a + slack - piece.a) / (piece.b - piece.a);
   const Sign before = piece.c[0] > 0 ? Sign::positive : Sign::negative;
