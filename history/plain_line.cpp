@@ -1,21 +1,49 @@
 #include "history/plain_line.h"
 
+#include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <cstring>
 #include <system_error>
 
 namespace voroproof::internal {
 namespace {
 
-// As many as an id may have, and one more.
-constexpr std::ptrdiff_t most_id_digits = std::numeric_limits<GenId>::digits10 + 2;
-
 constexpr bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
-// A line read from left to right. Each function says whether what it is named after comes next,
-// perhaps behind spaces, and takes it.
+// The digits with which eight characters begin, without a branch for each: the first character is
+// the lowest byte of the word.
+class LeadingDigits {
+ public:
+  static constexpr int kMost = 8;
+
+  explicit LeadingDigits(std::uint64_t word) : values_(word ^ 0x30 * kEach) {
+    const std::uint64_t others = ((values_ & 0x7f * kEach) + 0x76 * kEach) | values_;
+    count_ = std::countr_zero(others & 0x80 * kEach) / 8;
+  }
+
+  int count() const { return count_; }
+  // The number that they are. Precondition: there are some.
+  std::uint32_t value() const {
+    // Zeros before the first; then pairs of digits, in every other byte; then all pairs by two
+    // products, whose upper halves add up.
+    std::uint64_t x = values_ << (64 - 8 * count_);
+    x = 10 * x + (x >> 8);
+    constexpr std::uint64_t far = 0x000000ff000000ff;
+    x = (x & far) * (100 + (1000000ULL << 32)) + (x >> 16 & far) * (1 + (10000ULL << 32));
+    return static_cast<std::uint32_t>(x >> 32);
+  }
+
+ private:
+  static constexpr std::uint64_t kEach = 0x0101010101010101;
+  std::uint64_t values_;
+  int count_;
+};
+
+// A line of eight characters at least, read from left to right. Each function says whether what it
+// is named after comes next, perhaps behind spaces, and takes it.
 class PlainLine {
  public:
   PlainLine(std::string_view line, int last_id)
@@ -86,20 +114,31 @@ class PlainLine {
     return error == std::errc() && (x != 0 || (end - begin == 1 && *begin == '0'));
   }
 
-  // The one way to write it: without zeros before it.
+  // Eight characters, zeros behind the end.
+  [[gnu::always_inline]] std::uint64_t word() const {
+    if (next_ == end_) return 0;
+    const char* const begin = std::min(next_, end_ - sizeof(std::uint64_t));
+    std::uint64_t characters;
+    std::memcpy(&characters, begin, sizeof characters);
+    if constexpr (std::endian::native == std::endian::big) {
+      characters = __builtin_bswap64(characters);
+    }
+    return characters >> (8 * (next_ - begin));
+  }
+
+  // The one way to write it: without zeros before it. One of more digits is for the strict reader.
   [[gnu::always_inline]] bool id(GenId lowest, GenId& g) {
     skip_spaces();
     const bool negative = next_ != end_ && *next_ == '-';
-    const char* const begin = next_ + (negative ? 1 : 0);
-    const char* const end = end_ - begin > most_id_digits ? begin + most_id_digits : end_;
-    const char* digit = begin;
-    std::int64_t value = 0;
-    for (; digit != end && is_digit(*digit); ++digit) value = 10 * value + (*digit - '0');
-    if (digit == begin || (*begin == '0' && (negative || digit != begin + 1))) return false;
-    if (negative) value = -value;
-    next_ = digit;  // what has more digits goes on with one
-    g = static_cast<GenId>(value);
-    return lowest <= value && value <= last_id_;
+    if (negative) ++next_;
+    const LeadingDigits digits(word());
+    const int count = digits.count();
+    if (count == 0 || count == LeadingDigits::kMost) return false;
+    if (*next_ == '0' && (negative || count != 1)) return false;
+    next_ += count;
+    const auto value = static_cast<GenId>(digits.value());
+    g = negative ? -value : value;
+    return lowest <= g && g <= last_id_;
   }
 
   bool edge(Quad& quad) {
@@ -165,7 +204,7 @@ class PlainLine {
 std::optional<Event> plain_event(std::string_view line, int last_id) {
   // As the smallest of the three: an empty one would have all of its memory cleared.
   std::optional<Event> event(std::in_place, std::in_place_type<FlipEvent>);
-  if (!PlainLine(line, last_id).event(*event)) event.reset();
+  if (line.size() < sizeof(std::uint64_t) || !PlainLine(line, last_id).event(*event)) event.reset();
   return event;
 }
 

@@ -155,6 +155,46 @@ TEST(PlainLine, NumbersOfManyDigitsAreReadAlike) {
   EXPECT_GT(plain, 500);
 }
 
+// Ids are read eight characters at a time.
+TEST(PlainLine, IdsOfAnyNumberOfDigits) {
+  constexpr int most = 2000000000;
+  std::mt19937_64 random(6);
+  for (int below = 10; below < most; below = below < most / 10 ? 10 * below : most) {
+    for (int k = 0; k < 200; ++k) {
+      std::vector<int> ids(4);
+      for (int& id : ids) id = static_cast<int>(random() % static_cast<unsigned>(below));
+      std::string line = R"({"t":1,"flip":[)";
+      for (const int id : ids) line += std::to_string(id) + ",";
+      line.back() = ']';
+      line += '}';
+      const auto event = plain_event(line, most);
+      if (*std::max_element(ids.begin(), ids.end()) >= 10000000) {
+        EXPECT_FALSE(event) << line;
+        continue;
+      }
+      if (!names_an_edge({ids[0], ids[1], ids[2], ids[3]})) continue;
+      ASSERT_TRUE(event) << line;
+      const Quad quad = std::get<FlipEvent>(*event).quad;
+      EXPECT_EQ(quad, canonical({ids[0], ids[1], ids[2], ids[3]})) << line;
+    }
+  }
+}
+
+TEST(PlainLine, NoOtherCharacterIsADigit) {
+  for (int c = 0; c < 256; ++c) {
+    const auto character = static_cast<char>(c);
+    for (const std::string before : {"", "1", "123456"}) {
+      const std::string id = before + character, line = R"({"t":1,"collide":[-1,)" + id + "]}";
+      const auto event = plain_event(line, 99999999);
+      const bool digit = '0' <= character && character <= '9';
+      ASSERT_EQ(event.has_value(), digit || (character == ' ' && !before.empty())) << line;
+      if (event) {
+        EXPECT_EQ(std::get<CollideEvent>(*event).j, std::stoi(id)) << line;
+      }
+    }
+  }
+}
+
 TEST(PlainLine, NumbersThatTheStrictReaderJudges) {
   for (const char* number : {"-0", "0.0", "1e-400", "1e400", "01", "1.", ".5", "1.e5", "1e", "+1",
                              "inf", "nan", "0x1p3", "\"1/3\"", "-1", "1e5000", ""}) {
