@@ -68,7 +68,7 @@ std::vector<Cost> costs_of(const Scene& scene, const EngineOptions& options, int
     LedTurns turns;
     const double t0 = thread_cpu_seconds();
     const std::uint64_t work =
-        work_of_slice(static_cast<int>(costs.size()), begin, leader.work(), leaders, threads);
+        work_of_slice(static_cast<int>(costs.size()), leader.work_ahead(), leaders.size(), threads);
     const std::optional<double> border = leader.lead(turns, work, nullptr);
     const double t1 = thread_cpu_seconds();
     cost.lead = t1 - t0;

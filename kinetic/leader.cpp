@@ -42,6 +42,11 @@ std::optional<double> Leader::lead(LedTurns& turns, std::uint64_t work,
   return std::nullopt;
 }
 
+double Leader::work_ahead() const {
+  if (!started_) return cells_.rate_of_leaving() * horizon_up_;
+  return static_cast<double>(work_) * (horizon_up_ / arithmetic_.now().hi - 1);
+}
+
 // What happens at t = 0 is of the first instant.
 void Leader::start() {
   arithmetic_.is_at(0);

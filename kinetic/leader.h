@@ -38,8 +38,9 @@ class Leader {
   std::optional<double> lead(LedTurns& turns, std::uint64_t work,
                              const std::function<double(double, double)>& border);
 
-  // The changes so far of a motion or of a square.
-  std::uint64_t work() const { return work_; }
+  // About how much work there is still to come, if it goes on as it did, or, before the first lead(),
+  // as the disks move then.
+  double work_ahead() const;
 
   const Motion& motion() const { return motion_; }
   Motion& motion() { return motion_; }
@@ -87,7 +88,7 @@ class Leader {
   WaitingQueue<Entry> queue_;
   std::vector<int> stays_;  // of each disk: how often the time was found at which it leaves
   bool started_ = false;
-  std::uint64_t work_ = 0;
+  std::uint64_t work_ = 0;  // changes so far of a motion or of a square
   // The present instant.
   std::vector<TimedEvent> ties_, near_;
   bool has_maneuvers_ = false, has_horizon_ = false;  // among what was taken for it

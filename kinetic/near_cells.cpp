@@ -98,4 +98,13 @@ double NearCells::leaves(GenId g, double t) const {
   return t + std::max(0.0, std::min(x, y));
 }
 
+double NearCells::rate_of_leaving() const {
+  double speeds = 0;
+  for (GenId g = 0; g < motion_.size(); ++g) {
+    const DoubleMotion& m = motion_.doubles(g);
+    speeds += std::fabs(m.vx) + std::fabs(m.vy);
+  }
+  return speeds / width_;
+}
+
 }  // namespace voroproof::internal

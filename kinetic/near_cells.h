@@ -25,6 +25,8 @@ class NearCells {
   // When the disk, which is in its square at time t, may have to get another one; infinite if it
   // stays for good. Throws Undecided where doubles do not tell its place well.
   double leaves(GenId g, double t) const;
+  // How many disks leave a square in a unit of time, about, moving as they do.
+  double rate_of_leaving() const;
   // Whether the disk may touch the container while it is in its square.
   bool is_near_wall(GenId g) const { return wall_[cell_[g]] != 0; }
 

@@ -22,6 +22,11 @@ constexpr double kWork = 4;
 constexpr double kWorkOfFirst = 1.5, kWorkOfLast = 1.5;
 // A slice takes no more than this of a thread's part of what is to come.
 constexpr double kPart = 1.65;
+// Of a short run the first takes no more than this of such a part, and so much more per disk: its
+// thread begins before the others, which lead into later slices first.
+constexpr double kPartOfFirst = 1.1, kMoreOfFirst = 0.2;
+// Less than this, per disk, is not worth a diagram from scratch and the memory of another slice.
+constexpr double kLeastWork = 0.1;
 
 // States beyond double-doubles do not wait: the leader has a thread of its own as it is.
 MotionOptions now(MotionOptions options) {
@@ -31,17 +36,12 @@ MotionOptions now(MotionOptions options) {
 
 }  // namespace
 
-std::uint64_t work_of_slice(int slice, double begin, std::uint64_t before, const Motion& motion,
-                            int threads) {
-  const double disks = motion.size();
-  double work = std::min(kWork, kWorkOfFirst * (slice + 1));
-  if (begin > 0) {
-    // What is to come, if there is as much of it in every unit of time.
-    const double rest =
-        static_cast<double>(before) / disks * (motion.input().horizon.get_d() / begin - 1);
-    work = std::min(work, std::max(kWorkOfLast, kPart * rest / threads));
-  }
-  return static_cast<std::uint64_t>(disks * work);
+std::uint64_t work_of_slice(int slice, double ahead, int disks, int threads) {
+  const double all = ahead / disks, part = all / threads;
+  double work =
+      slice == 0 ? kPartOfFirst * part + kMoreOfFirst : std::max(kWorkOfLast, kPart * part);
+  if (work > all - kLeastWork) work = all + kLeastWork;  // to the end, if the estimate is good
+  return static_cast<std::uint64_t>(disks * std::min({kWork, kWorkOfFirst * (slice + 1), work}));
 }
 
 SlicedRun::SlicedRun(MotionInput input, std::vector<ManeuverInput> maneuvers,
@@ -124,8 +124,8 @@ void SlicedRun::lead(Slice& slice) {
   Motion& motion = leader_.motion();
   const SliceHooks& hooks = options_.slice_hooks;
   const std::uint64_t work = hooks.work ? hooks.work(slice.number)
-                                        : work_of_slice(slice.number, slice.begin, leader_.work(),
-                                                        motion, options_.threads);
+                                        : work_of_slice(slice.number, leader_.work_ahead(),
+                                                        motion.size(), options_.threads);
   const std::optional<double> border = leader_.lead(slice.turns, work, hooks.border);
   std::unique_ptr<Slice> next;
   if (border) {

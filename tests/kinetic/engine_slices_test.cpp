@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "corpus/generate.h"
+#include "history/scene_motion.h"
+#include "kinetic/leader.h"
 #include "kinetic/slice.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scene_run.h"
@@ -270,40 +272,60 @@ TEST(EngineSlices, ThatDoNotJoin) {
 // The first slices are short, and the last ones the more so the more threads there are; the run's
 // own lengths lead to its horizon.
 TEST(EngineSlices, AreShorterAtBothEnds) {
-  MotionInput input;
-  input.container_radius = 1000;
-  input.horizon = 100;
-  for (int k = 0; k < 100; ++k) {
-    input.disks.push_back({Rational(10 * (k % 10)), Rational(10 * (k / 10)), 1, 1, 0, 1});
-  }
-  const Motion motion(input, {});
-  const auto work = [&](int slice, double begin, double before, int threads) {
-    return static_cast<double>(work_of_slice(slice, begin, static_cast<std::uint64_t>(100 * before),
-                                             motion, threads)) /
-           100;
+  constexpr int disks = 100;
+  const auto work = [](int slice, double ahead, int threads) {
+    return static_cast<double>(work_of_slice(slice, disks * ahead, disks, threads)) / disks;
   };
-  EXPECT_LT(work(0, 0, 0, 2), work(1, 2, 1.5, 2));
-  EXPECT_LT(work(1, 2, 1.5, 2), work(5, 20, 10, 2));
-  double most = 4;
+  EXPECT_LT(work(0, 50, 2), work(1, 48.5, 2));
+  EXPECT_LT(work(1, 48.5, 2), work(5, 40, 2));
+  double shortest = 4;
   for (const int threads : {2, 4, 8, 16, 64}) {
     if (threads <= 8) {
-      EXPECT_EQ(work(5, 20, 10, threads), 4);
+      EXPECT_EQ(work(5, 40, threads), 4);
     }
-    double before = 10, last = 4;
+    EXPECT_LE(work(5, 10, threads), shortest) << threads;
+    shortest = work(5, 10, threads);
+    double ahead = 40, last = 4;
     int slice = 5;
-    // As much happens in every unit of time.
-    while (before < 50) {
-      const double w = work(slice++, 2 * before, before, threads);
-      EXPECT_LE(w, last + 0.01) << threads;
-      EXPECT_GE(w, 1) << threads;
+    while (ahead > 0) {
+      const double w = work(slice++, ahead, threads);
+      EXPECT_LE(w, std::max(last, 2.0)) << threads;
+      EXPECT_GE(w, std::min(ahead, 1.0)) << threads;
       last = w;
-      before += w;
+      ahead -= w;
     }
-    EXPECT_LE(last, most) << threads;
-    most = last;
     EXPECT_LE(slice, 50);
   }
-  EXPECT_LT(most, 2);
+  EXPECT_LT(shortest, 2);
+}
+
+// Two threads have something to do in a run of a flip a disk; shorter ones are not worth it.
+TEST(EngineSlices, ShortRunsHaveTwo) {
+  constexpr int disks = 1000;
+  const auto first = [](double ahead) {
+    return static_cast<double>(work_of_slice(0, disks * ahead, disks, 2)) / disks;
+  };
+  for (const double ahead : {1.1, 1.5, 2.0}) {
+    EXPECT_GT(first(ahead), 0.5 * ahead) << ahead;
+    EXPECT_LT(first(ahead), 0.8 * ahead) << ahead;
+  }
+  EXPECT_GT(first(0.6), 0.6);
+}
+
+// What is to come is estimated well enough for that, before a run begins and within it.
+TEST(EngineSlices, WorkAheadIsEstimated) {
+  const Scene scene = reference(300, 0.05, 60);
+  Leader leader(motion_input(scene), {}, MotionOptions());
+  const double expected = leader.work_ahead();
+  LedTurns turns;
+  ASSERT_TRUE(leader.lead(turns, 200, nullptr));
+  const double later = leader.work_ahead();
+  EXPECT_GT(expected, 0.7 * (200 + later));
+  EXPECT_LT(expected, 1.2 * (200 + later));
+  ASSERT_TRUE(leader.lead(turns, 300, nullptr));
+  EXPECT_NEAR(later - leader.work_ahead(), 300, 100);
+  ASSERT_FALSE(leader.lead(turns, 1000000, nullptr));
+  EXPECT_NEAR(leader.work_ahead(), 0, 1);
 }
 
 // Threads that are late make no difference.
