@@ -103,8 +103,8 @@ SliceWork next_work(std::size_t count, const IsLed& is_led, const IsTaken& is_ta
   return {};
 }
 
-// The work of the next slice of a run (Leader::lead()) of so many disks with so many threads: by its
-// number from 0 and the work that is still to come.
+// The work of the next slice of a run (Leader::lead()) of so many disks with so many threads: by
+// its number from 0 and the work that is still to come.
 std::uint64_t work_of_slice(int slice, double ahead, int disks, int threads);
 
 struct Slice {
