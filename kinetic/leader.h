@@ -38,8 +38,8 @@ class Leader {
   std::optional<double> lead(LedTurns& turns, std::uint64_t work,
                              const std::function<double(double, double)>& border);
 
-  // About how much work there is still to come, if it goes on as it did, or, before the first lead(),
-  // as the disks move then.
+  // About how much work there is still to come, if it goes on as it did, or, before the first
+  // lead(), as the disks move then.
   double work_ahead() const;
 
   const Motion& motion() const { return motion_; }
