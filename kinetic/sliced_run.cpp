@@ -40,7 +40,7 @@ std::uint64_t work_of_slice(int slice, double ahead, int disks, int threads) {
   const double all = ahead / disks, part = all / threads;
   double work =
       slice == 0 ? kPartOfFirst * part + kMoreOfFirst : std::max(kWorkOfLast, kPart * part);
-  if (work > all - kLeastWork) work = all + kLeastWork;  // to the end, if the estimate is good
+  if (work > all - kLeastWork) work = kWork;  // to the end, also where the estimate is low
   return static_cast<std::uint64_t>(disks * std::min({kWork, kWorkOfFirst * (slice + 1), work}));
 }
 
