@@ -15,9 +15,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Half width of the bracket that is tried around a claimed flip time, relative to max(1, t) and
-// within the tolerance: wide beside the errors of doubles, narrow beside the gaps between events.
-constexpr double bracket_width = 0x1p-20;
+// Effort, by which nothing is decided. The half width of the bracket that is tried around a claimed
+// flip time, within the tolerance and relative to that time, or to this part of the horizon where
+// that is later: wide beside the errors of doubles, narrow beside the gaps between events.
+constexpr double bracket_width = 0x1p-20, least_part = 0x1p-10;
 
 // The half width where double-doubles look: what is proved free of roots then begins further away.
 constexpr double wide_bracket = 0x1p-21;
@@ -36,11 +37,15 @@ std::optional<Collapse> EdgeLives::first_collapse(const Quad& q, double from, do
   return std::nullopt;
 }
 
+double EdgeLives::reference_time(double t) const {
+  return std::fmax(t, least_part * s_.horizon_down);
+}
+
 IsolatedRoot EdgeLives::claimed_root(const Quad& q, double t) const {
   IsolatedRoot root;
   root.m.kind = Moment::Kind::flip;
   root.m.quad = q;
-  const double pad = std::fmin(bracket_width * std::fmax(1, t), 0.99 * s_.tolerance_up);
+  const double pad = std::fmin(bracket_width * reference_time(t), 0.99 * s_.tolerance_up);
   root.lo = root.m.lo = t - pad;
   root.hi = root.m.hi = t + pad;
   return root;
@@ -50,7 +55,7 @@ std::optional<IsolatedRoot> EdgeLives::bracket(const Quad& q, double from, doubl
   IsolatedRoot root = claimed_root(q, t);
   if (from <= root.lo && proved_collapse(s_.motion, q, root.lo, root.hi)) return root;
   // The polynomial is flat there, or an event is near.
-  const double wide = wide_bracket * std::fmax(1, t);
+  const double wide = wide_bracket * reference_time(t);
   root.lo = std::fmax(from, t - wide);
   root.hi = t + wide;
   const auto dd = newton_collapse(s_.motion, s_.collapses, q, root.lo, root.hi);
@@ -84,6 +89,7 @@ void EdgeLives::find_beginning(int edge, const Moment& m, const IsolatedRoot* ow
   switch (c.kind) {
     case Collapse::Kind::none:
       life.from = std::max(c.lo, m.lo);
+      life.tied = own == nullptr;
       break;
     case Collapse::Kind::root:
       life.due = true;
@@ -105,6 +111,20 @@ inline void EdgeLives::end_life(int edge, const Moment& m, bool closed, std::siz
   if (life.pending) return;
   life.clear_end = batch_.rootless(k);
   if (life.illegal || life.due || !life.clear_end) find_end(edge, m, closed, k);
+  if (life.tied) require_legal(edge, m);
+}
+
+// What a search says of a tie is held against the signs at the end of the life, where no tie is
+// left: that of the exact tier would be believed for as long as the edge has no root again.
+void EdgeLives::require_legal(int edge, const Moment& m) const {
+  const Life& life = lives_[edge];
+  if (life.due || !(life.from < m.lo)) return;  // it collapses, or it ends where it began
+  const Quad q = s_.diagram.quad(2 * edge);
+  if (proved_illegal(s_.motion, q, to_rational(m.lo))) {
+    throw Undecided("the edge " + text_of(canonical(q)) +
+                        " is illegal, though it began legal and does not collapse",
+                    q);
+  }
 }
 
 // The same where the edge has to flip, or where the batch does not prove the life free of roots.

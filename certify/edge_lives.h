@@ -41,6 +41,7 @@ class EdgeLives {
     int born = 0;          // the instant at which it began
     bool illegal = false;  // it has to flip at that instant
     bool due = false;      // it collapses at its root due(), next
+    bool tied = false;     // it began with four cotangent generators, legal by a search
     bool pending = false;  // it begins when all that turns at that instant has turned
     // Ended, or pending after its end: its generators are proved not to be cotangent at the end.
     bool clear_end = false;
@@ -109,10 +110,13 @@ class EdgeLives {
   void prefetch(int edge) const { internal::prefetch(&lives_[edge]); }
 
  private:
+  // What brackets about the time t are measured by.
+  double reference_time(double t) const;
   void begin_life(int edge, const Moment& m, const IsolatedRoot* own, bool rootless);
   void find_beginning(int edge, const Moment& m, const IsolatedRoot* own);
   void end_life(int edge, const Moment& m, bool closed, std::size_t k);
   void find_end(int edge, const Moment& m, bool closed, std::size_t k);
+  void require_legal(int edge, const Moment& m) const;
 
   Setting& s_;
   Front& front_;

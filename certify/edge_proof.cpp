@@ -252,6 +252,11 @@ bool collapses_at_root(const Motion& motion, const Quad& q, double a, double b, 
          at_end.start_in_end(after) == Sign::negative;
 }
 
+EdgeSigns signs_at(const Quad& q, const std::array<Site<Ball>, 4>& at) {
+  const auto& [l, r, s, e] = at;
+  return edge_signs(q, l, r, s, e, sign(cotangency(l, r, s, e)));
+}
+
 }  // namespace
 
 bool proved_free(const Motion& motion, const Quad& q, double a, double b) {
@@ -306,12 +311,22 @@ std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch
   return root;
 }
 
+bool proved_illegal(const Motion& motion, const Quad& q, const Rational& t) {
+  const auto at = sites(motion, q, Ball(t, motion.goal_bits() + 32));
+  const std::array<GenId, 4> ids{q.l, q.r, q.s, q.e};
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < i; ++j) {
+      const bool wall = ids[i] == container_id || ids[j] == container_id;
+      if (sign(tangency(at[i], at[j])) != (wall ? Sign::negative : Sign::positive)) return false;
+    }
+  }
+  const EdgeSigns signs = signs_at(q, at);
+  return signs.end_in_start == Sign::negative && signs.start_in_end == Sign::negative;
+}
+
 bool proved_no_flip(const Motion& motion, const Quad& q, const Rational& lo, const Rational& hi) {
   const auto signs = [&](const Rational& time) {
-    const Ball t(time, motion.goal_bits() + 32);
-    const auto l = motion.site(q.l, t), r = motion.site(q.r, t);
-    const auto s = motion.site(q.s, t), e = motion.site(q.e, t);
-    return edge_signs(q, l, r, s, e, sign(cotangency(l, r, s, e)));
+    return signs_at(q, sites(motion, q, Ball(time, motion.goal_bits() + 32)));
   };
   const auto is_not = [](const EdgeSigns& at, Sign legality) {
     return at.start_exists == Sign::negative || at.end_exists == Sign::negative ||

@@ -52,6 +52,10 @@ std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch
 // a circle does not exist, q is illegal before it, or legal after it.
 bool proved_no_flip(const Motion& motion, const Quad& q, const Rational& lo, const Rational& hi);
 
+// Whether q is provably illegal at t, its generators being separated: both in-circle functions are
+// negative.
+bool proved_illegal(const Motion& motion, const Quad& q, const Rational& t);
+
 // Whether the four generators of q are provably not cotangent at any time of [a, b].
 bool proved_not_cotangent(const Motion& motion, const Quad& q, double a, double b);
 

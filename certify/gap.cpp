@@ -94,9 +94,8 @@ std::vector<Gap::Overlap> Gap::overlaps(const Rational& end, const Rational& dep
     }
     out.push_back({std::move(a), std::move(b), at_start, to_end, shallow, hidden});
   };
-  const Rational discriminant = k_.b * k_.b - k_.a * k_.c;
   const GapTime first(from_), last(end);
-  if (sgn(k_.a) == 0 || sgn(discriminant) <= 0) {
+  if (!changes_sign()) {
     // The gap never changes its sign, but for an instant: that in the middle is the one.
     if (sgn(value(Rational(from_ + length / 2))) < 0) add(first, last, true, true);
     return out;
@@ -120,8 +119,25 @@ std::vector<Gap::Overlap> Gap::overlaps(const Rational& end, const Rational& dep
   return out;
 }
 
+bool Gap::changes_sign() const {
+  return sgn(k_.a) != 0 && sgn(Rational(k_.b * k_.b - k_.a * k_.c)) > 0;
+}
+
+bool Gap::changes_in(const Rational& lo, const Rational& hi) const {
+  if (!changes_sign()) return false;
+  const GapTime lower(from_, k_, false), upper(from_, k_, true);
+  const auto within = [&](const GapTime& t) { return t.compare(lo) >= 0 && t.compare(hi) <= 0; };
+  return within(lower) || within(upper);
+}
+
+Polynomial<Rational> Gap::polynomial() const {
+  // a s^2 + 2 b s + c at s = t - from.
+  return {Rational((k_.a * from_ - 2 * k_.b) * from_ + k_.c), Rational(2 * (k_.b - k_.a * from_)),
+          k_.a};
+}
+
 std::optional<GapTime> Gap::entry() const {
-  if (sgn(k_.a) == 0 || sgn(Rational(k_.b * k_.b - k_.a * k_.c)) <= 0) return std::nullopt;
+  if (!changes_sign()) return std::nullopt;
   GapTime root(from_, k_, wall_);
   if (root.compare(from_) < 0) return std::nullopt;
   return root;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "exact/polynomial.h"
 #include "exact/predicates.h"
 #include "exact/rational.h"
 
@@ -63,6 +64,11 @@ class Gap {
   };
   std::optional<Graze> graze(const Rational& distance) const;
 
+  // Whether the gap changes its sign at a time of [lo, hi].
+  bool changes_in(const Rational& lo, const Rational& hi) const;
+  // A polynomial in time whose roots are those of the gap.
+  Polynomial<Rational> polynomial() const;
+
   bool overlap_at(const Rational& t) const { return sgn(value(t)) < 0; }
   // Whether they overlap by no more than the depth at `from`.
   bool shallow_at_start(const Rational& depth) const;
@@ -77,6 +83,7 @@ class Gap {
 
  private:
   Rational value(const Rational& t) const;
+  bool changes_sign() const;
 
   Contact<Rational> k_;
   bool wall_;

@@ -207,8 +207,8 @@ DdBall Chronology::narrow(const Moment& m) const {
     const DdBall dd = contacts_.refine(m.i, m.j, middle);
     return dd.rad < best.rad ? dd : best;
   }
-  const DdBall dd = collapses_.refine_until(
-      m.quad, m.lo, m.hi, [](const DdBall& t) { return t.rad < 0x1p-60 * (1 + t.hi); });
+  const DdBall dd = collapses_.refine_until(m.quad, m.lo, m.hi,
+                                            [](const DdBall& t) { return t.rad < 0x1p-60 * t.hi; });
   return dd.rad < best.rad ? dd : best;
 }
 

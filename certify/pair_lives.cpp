@@ -180,14 +180,26 @@ int PairLives::watching(int edge, int besides) const {
 void PairLives::pass_recorded(GenId i, GenId j, double since, int edge, const Moment& m,
                               PairEnd why) {
   if (edge >= 0 && watching(edge) != edge) return;
+  if (const int next = why == PairEnd::flip ? watching(edge, edge) : -1; next >= 0) {
+    since_[next] = since;  // another edge watches the two, from where this one began
+    return;
+  }
   const auto lines = recorded_.lines(i, j, since);
-  const Rational end = m.kind == Moment::Kind::rational ? m.exact() : to_rational(m.hi);
-  const int next = why == PairEnd::flip ? watching(edge, edge) : -1;
-  const bool watched = why == PairEnd::turn || why == PairEnd::window || next >= 0;
-  if (const auto missing = recorded_.contacts().pass(lines, end, watched)) {
+  const bool watched = why == PairEnd::turn || why == PairEnd::window;
+  if (const auto missing = recorded_.contacts().pass(lines, end_of(lines.gap, m), watched)) {
     throw Refuted{refuter_.missing_contact(i, j, *missing)};
   }
-  if (next >= 0) since_[next] = std::max(since_[next], m.hi);
+}
+
+// A rational time at m, or so soon after it that the gap does not change its sign in between.
+// (After m, where one of the two may turn, the gap tells nothing of them.)
+Rational PairLives::end_of(const Gap& gap, const Moment& m) const {
+  if (m.kind == Moment::Kind::rational) return m.exact();
+  const Instant narrow = s_.chronology.instant(m);
+  const RootInterval about{to_rational(narrow.lo), to_rational(narrow.hi)};
+  if (!gap.changes_in(about.lo, about.hi)) return about.hi;
+  ExactMotion exact(s_.motion);
+  return clear_of(over_tower(gap.polynomial()), narrow.exact(exact), about).hi;
 }
 
 }  // namespace voroproof::internal

@@ -90,6 +90,7 @@ class PairLives {
   Open life_of(int edge) const;
   void end_near(const std::vector<NearPairs::Pair>& pairs, const Moment& m, PairEnd why);
   void pass_recorded(GenId i, GenId j, double since, int edge, const Moment& m, PairEnd why);
+  Rational end_of(const Gap& gap, const Moment& m) const;
 
   Setting& s_;
   const Front& front_;

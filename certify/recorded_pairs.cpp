@@ -115,7 +115,9 @@ bool RecordedPairs::certainly_in_contact(const CollideEvent& claim, double from,
   };
   MovingSite<DoubleBall> first;
   if (i == container_id) {
-    first = s_.motion.moving_site(i, DoubleBall(0));
+    const DoubleMotion& m = s_.motion.doubles(i);
+    first = {ball(s_.scene.cx), ball(s_.scene.cy), DoubleBall(), DoubleBall(),
+             DoubleBall(m.r, m.ex)};
   } else {
     first = site(0, i);
   }

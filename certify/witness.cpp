@@ -62,7 +62,9 @@ class Evidence {
       for (const Tower* x : {&s.x, &s.y, &s.vx, &s.vy}) {
         if (bit_size(x->rational()) > kMaxExactBits) return false;
       }
-      out = {s.x.rational(), s.y.rational(), s.vx.rational(), s.vy.rational(), s.r.rational()};
+      const auto& o = motion_.input().origin;
+      out = {Rational(s.x.rational() + o[0]), Rational(s.y.rational() + o[1]), s.vx.rational(),
+             s.vy.rational(), s.r.rational()};
       return true;
     } catch (const BudgetExceeded&) {
       return false;
@@ -74,8 +76,12 @@ class Evidence {
     if (rational(g, q)) {
       return motion_of(g, t0_, q);
     }
-    const MovingSite<Ball> b = motion_.moving_site(g, Ball(t0_, motion_.goal_bits() + 32));
-    return {g, t0_, number(b.x), number(b.y), number(b.vx), number(b.vy), number(b.r)};
+    const Ball::Precision bits = motion_.goal_bits() + 32;
+    const MovingSite<Ball> b = motion_.moving_site(g, Ball(t0_, bits));
+    const auto placed = [&](const Ball& x, int axis) {
+      return number(x + Ball(motion_.input().origin[axis], bits));
+    };
+    return {g, t0_, placed(b.x, 0), placed(b.y, 1), number(b.vx), number(b.vy), number(b.r)};
   }
 
   Witness of(const std::vector<GenId>& generators) {

@@ -165,6 +165,35 @@ SignsAround signs_around(const Polynomial<T>& g, const AlgebraicNumber<T>& x) {
   }
 }
 
+// ---- Numbers beside others -------------------------------------------------------------
+
+template <class T>
+Rational rational_between(AlgebraicNumber<T> x, AlgebraicNumber<T> y) {
+  if (compare(x, y) > 0) std::swap(x, y);
+  const auto width = [](const AlgebraicNumber<T>& z) {
+    return Rational(z.interval().hi - z.interval().lo);
+  };
+  while (x.interval().hi >= y.interval().lo) {
+    AlgebraicNumber<T>& wider = width(x) < width(y) ? y : x;
+    wider.refine(width(wider) / 2);
+  }
+  return (x.interval().hi + y.interval().lo) / 2;
+}
+
+template <class T>
+RootInterval clear_of(const Polynomial<T>& g, const AlgebraicNumber<T>& x, RootInterval within) {
+  if (g.is_zero()) return within;
+  for (const AlgebraicNumber<T>& root : real_roots(g, within.lo, within.hi)) {
+    const auto order = compare(root, x);
+    if (order < 0) within.lo = rational_between(root, x);
+    if (order > 0) {
+      within.hi = rational_between(x, root);
+      break;
+    }
+  }
+  return within;
+}
+
 #define VOROPROOF_INSTANTIATE(T)                                                               \
   template class AlgebraicNumber<T>;                                                           \
   template std::vector<AlgebraicNumber<T>> real_roots(const Polynomial<T>&, const Rational&,   \
@@ -173,7 +202,9 @@ SignsAround signs_around(const Polynomial<T>& g, const AlgebraicNumber<T>& x) {
   template std::strong_ordering compare(const AlgebraicNumber<T>&, const Rational&);           \
   template double round_nearest(const AlgebraicNumber<T>&);                                    \
   template Sign sign_at(const Polynomial<T>&, const AlgebraicNumber<T>&);                      \
-  template SignsAround signs_around(const Polynomial<T>&, const AlgebraicNumber<T>&);
+  template SignsAround signs_around(const Polynomial<T>&, const AlgebraicNumber<T>&);          \
+  template Rational rational_between(AlgebraicNumber<T>, AlgebraicNumber<T>);                  \
+  template RootInterval clear_of(const Polynomial<T>&, const AlgebraicNumber<T>&, RootInterval);
 VOROPROOF_INSTANTIATE(Rational)
 VOROPROOF_INSTANTIATE(Tower)
 #undef VOROPROOF_INSTANTIATE

@@ -97,4 +97,14 @@ Sign sign_at(const Polynomial<T>& g, const AlgebraicNumber<T>& x);
 template <class T>
 SignsAround signs_around(const Polynomial<T>& g, const AlgebraicNumber<T>& x);
 
+// A rational number strictly between two numbers that differ. Over a tower it may throw
+// BudgetExceeded, as compare() may.
+template <class T>
+Rational rational_between(AlgebraicNumber<T> x, AlgebraicNumber<T> y);
+
+// The part around x of an interval that contains x, in which g, any polynomial, has no root but
+// perhaps x itself.
+template <class T>
+RootInterval clear_of(const Polynomial<T>& g, const AlgebraicNumber<T>& x, RootInterval within);
+
 }  // namespace voroproof::internal

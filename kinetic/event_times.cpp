@@ -16,7 +16,7 @@ namespace {
 // both nearly always succeed then.
 constexpr double fine_width = 1e-20;
 
-bool is_fine(const DdBall& t) { return t.rad <= fine_width * (1 + t.hi) || rounds_to_leading(t); }
+bool is_fine(const DdBall& t) { return t.rad <= fine_width * t.hi || rounds_to_leading(t); }
 
 double middle(const IsolatingInterval& at) { return 0.5 * (at.lo + at.hi); }
 

@@ -64,8 +64,11 @@ void Places::place() {
   const auto ball = [this](const Rational& q) { return Ball(q, bits_); };
   for (std::size_t k = 0; k < since_.size(); ++k) {
     if (engine_) {
-      near_.push_back(
-          {engine_->motion().moving_site(static_cast<GenId>(k) - 1, Ball(t_, bits_)), since_[k]});
+      const Motion& motion = engine_->motion();
+      MovingSite<Ball> site = motion.moving_site(static_cast<GenId>(k) - 1, Ball(t_, bits_));
+      site.x = site.x + ball(motion.input().origin[0]);
+      site.y = site.y + ball(motion.input().origin[1]);
+      near_.push_back({site, since_[k]});
     } else {
       const MovingSite<Rational>& s = lines_[k];
       near_.push_back({{ball(s.x), ball(s.y), ball(s.vx), ball(s.vy), ball(s.r)}, since_[k]});
@@ -84,7 +87,14 @@ std::vector<double> Places::exactly(const Exact& exact) const {
   };
   if (engine_) {
     ExactMotion motion(engine_->motion());
-    return nearest([&](GenId g) { return motion.moving_site(g, t_); }, motion.field());
+    const auto& origin = engine_->motion().input().origin;
+    const auto site = [&](GenId g) {
+      MovingSite<Tower> at = motion.moving_site(g, t_);
+      at.x = at.x + Tower(origin[0]);
+      at.y = at.y + Tower(origin[1]);
+      return at;
+    };
+    return nearest(site, motion.field());
   }
   RadicalField field;
   const auto site = [&](GenId g) {

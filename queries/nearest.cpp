@@ -50,7 +50,9 @@ Enclosure gap(const Clearance& clearance, GenId i, GenId j) {
 
 std::vector<NearDisk> nearest_disks(const Motion& motion, const Rational& t, const Point2& point,
                                     std::size_t count, TierCounts& counts) {
-  InstantPredicates predicates(motion, t, counts, {point.x, point.y});
+  const auto& origin = motion.input().origin;
+  InstantPredicates predicates(motion, t, counts,
+                               {Rational(point.x - origin[0]), Rational(point.y - origin[1])});
   const auto distance = [](auto& at, auto& root, GenId g) {
     const auto site = at(g);
     using T = std::decay_t<decltype(site.x)>;

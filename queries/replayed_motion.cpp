@@ -47,7 +47,8 @@ class Replay {
  private:
   void follow_collision(const CollideEvent& event, bool near_t, std::int64_t line) {
     const double t = event.t;
-    const double slack = 1e-9 * (1 + std::fabs(t));
+    // It tells the contact that is meant from the other one on the same lines.
+    const double slack = 0x1p-30 * round_up(scene_.horizon);
     constexpr int attempts = 4;
     Ball contact(64);
     for (int attempt = 0;; ++attempt) {

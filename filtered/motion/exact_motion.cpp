@@ -36,11 +36,10 @@ Tower ExactMotion::radius(GenId g) const {
 const ExactMotion::Entry& ExactMotion::entry(int id, GenId g) {
   const long key = static_cast<long>(id) * (motion_.size() + 1) + (g + 1);
   if (const auto it = memo_.find(key); it != memo_.end()) return it->second;
-  const MotionInput& in = motion_.input();
   if (id <= 0) {
     Entry e;
     if (g == container_id) {
-      e.state = {0, Tower(in.container_x), Tower(in.container_y), 0, 0};
+      e.state = {0, 0, 0, 0, 0};
     } else {
       const DiskInput& d = motion_.initial_state(g);
       const Rational start = to_rational(motion_.initial_time(g));

@@ -41,6 +41,10 @@ Motion::Motion(MotionInput input, MotionOptions options, std::shared_ptr<MotionL
   const Rational& e = this->input().container_restitution;
   disk_law_ = dd_of(Rational(1 + this->input().restitution));
   wall_law_ = dd_of(this->input().whole_container_law ? e : Rational(1 + e));
+  for (const int axis : {0, 1}) {
+    origin_[axis] = dd_of(this->input().origin[axis]);
+    moved_ = moved_ || sgn(this->input().origin[axis]) != 0;
+  }
 }
 
 // Double-doubles may stay behind.
@@ -198,39 +202,6 @@ bool Motion::raise_precision() {
   return true;
 }
 
-// A coordinate of disk g just after the last collision, its own, known roughly: 0 and 1 its centre,
-// 2 and 3 its velocity, 4 the time.
-double Motion::round_coordinate(const DdBall& rough, GenId g, int which) {
-  if (options_.filters && rounds_to_leading(rough)) return rough.hi;
-  const MotionStates::State<Ball>& b = full_states().balls(g, doubles(g).t);
-  const Ball value = which == 0   ? b.x + b.vx * states_->last_delay_ball()
-                     : which == 1 ? b.y + b.vy * states_->last_delay_ball()
-                     : which == 2 ? b.vx
-                     : which == 3 ? b.vy
-                                  : states_->last_time_ball();
-  double out = 0;
-  if (value.round_to_double(out)) return out;
-  // Either a number on a rounding boundary (zero and short dyadic numbers are), or
-  // not enough bits: ask the exact state first, it is the only proof of a tie.
-  ExactMotion exact(*this);
-  const int id = state_[g + 1];
-  const ExactMotion::State& s = exact.state(id, g);
-  const Tower& start = exact.start(id, g);
-  const Tower dt = start - Tower(s.t_ref);
-  switch (which) {
-    case 0:
-      return round_nearest(s.x + s.vx * dt);
-    case 1:
-      return round_nearest(s.y + s.vy * dt);
-    case 2:
-      return round_nearest(s.vx);
-    case 3:
-      return round_nearest(s.vy);
-    default:
-      return round_nearest(start);
-  }
-}
-
 void Motion::append(const Record& r) {
   states_->append(r);
   for (const GenId g : {r.i, r.j}) {
@@ -325,7 +296,7 @@ std::optional<Impact> Motion::collide_ahead(const Record& r) {
   const double x_error = error_of_length(), v_error = error_of_speed();
   for (int side = wall ? 1 : 0; side < 2; ++side) {
     const MovingSite<DdBall>& m = after[side];
-    const DdBall x = m.x + m.vx * delay, y = m.y + m.vy * delay;
+    const DdBall x = in_scene(m.x + m.vx * delay, 0), y = in_scene(m.y + m.vy * delay, 1);
     for (const DdBall* b : {&x, &y}) enough = enough && b->rad <= x_error && rounds_to_leading(*b);
     for (const DdBall* b : {&m.vx, &m.vy}) {
       enough = enough && b->rad <= v_error && rounds_to_leading(*b);
@@ -351,13 +322,18 @@ RoundedState Motion::maneuver(GenId g, const Rational& t, const Rational& vx, co
   const int maneuver = states_->append({t, vx, vy});
   RoundedState out{0, 0, round_nearest(vx), round_nearest(vy)};
   for (;;) {
-    const Site<Ball> at = site(g, Ball(t, states_->bits_at(t_ref)));
-    if (at.x.round_to_double(out.px) && at.y.round_to_double(out.py)) break;
+    const Ball::Precision bits = states_->bits_at(t_ref);
+    const Site<Ball> at = site(g, Ball(t, bits));
+    const std::array<Rational, 2>& o = input().origin;
+    if ((at.x + Ball(o[0], bits)).round_to_double(out.px) &&
+        (at.y + Ball(o[1], bits)).round_to_double(out.py)) {
+      break;
+    }
     try {
       ExactMotion exact(*this);
       const Site<Tower> s = exact.site(g, Tower(t));
-      out.px = round_nearest(s.x);
-      out.py = round_nearest(s.y);
+      out.px = round_nearest(s.x + Tower(o[0]));
+      out.py = round_nearest(s.y + Tower(o[1]));
       break;
     } catch (const BudgetExceeded& budget) {
       if (!raise_precision()) {
@@ -392,7 +368,11 @@ void Motion::restart(GenId g, double t, const DdBall& x, const DdBall& y, double
   if (state_[g + 1] > 0) throw std::logic_error("restart after a computed motion");
   states_->restart(g, t, given);
   doubles_[g + 1].t = t;
-  set_state(g, x, y, DdBall(vx), DdBall(vy));
+  if (moved_) {
+    set_state(g, x - origin_[0], y - origin_[1], DdBall(vx), DdBall(vy));
+  } else {
+    set_state(g, x, y, DdBall(vx), DdBall(vy));
+  }
 }
 
 }  // namespace voroproof::internal

@@ -7,6 +7,7 @@
 //   - on demand, elements of a tower of quadratic fields (ExactMotion).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -47,7 +48,8 @@ struct DdMotion {
   DdBall x, y, vx, vy, r;
 };
 
-// A disk's state just after a collision or maneuver, rounded to nearest.
+// A disk's state just after a collision or maneuver, rounded to nearest, in the coordinates of the
+// scene.
 struct RoundedState {
   double px, py, vx, vy;
 };
@@ -84,8 +86,9 @@ class Motion {
   Motion(MotionInput input, MotionOptions options, std::shared_ptr<MotionLog> log);
 
   int size() const { return states_->size(); }
-  // The input. Where the motion of a disk is given, its centre and velocity here may be those of
-  // another time: see initial_state().
+  // The input, about the container's centre, as all coordinates of a motion are but those of
+  // RoundedState and restart(). Where the motion of a disk is given, its centre and velocity here
+  // may be those of another time: see initial_state().
   const MotionInput& input() const { return states_->input(); }
   // Disk g with the centre and the velocity of its initial state, or of its last restart().
   const DiskInput& initial_state(GenId g) const { return states_->initial_state(g); }
@@ -143,8 +146,9 @@ class Motion {
   void follow(GenId i, const TurnedState& first, GenId j, const TurnedState& second,
               std::int64_t v_scale);
 
-  // From now on disk g moves as if it had been at (x, y) at time t, with that velocity: motion that
-  // is given and not computed. Precondition: no collide() or maneuver() of the disk so far.
+  // From now on disk g moves as if it had been at (x, y) of the scene at time t, with that
+  // velocity: motion that is given and not computed. Precondition: no collide() or maneuver() of
+  // the disk so far.
   void restart(GenId g, const Rational& t, const Rational& x, const Rational& y, const Rational& vx,
                const Rational& vy);
   // Restarts disk g from enclosures of x and y. The exact state is asked of `given` if it is ever
@@ -213,6 +217,7 @@ class Motion {
   void append(const Record& r);
   std::optional<Impact> collide_ahead(const Record& r);
   Impact collide_now(const Record& r);
+  DdBall in_scene(const DdBall& x, int axis) const;
   double round_coordinate(const DdBall& rough, GenId g, int which);
 
   MotionOptions options_;
@@ -225,6 +230,8 @@ class Motion {
   bool radii_are_doubles_ = true;
   // Factors of the laws of collision.
   DdBall disk_law_, wall_law_;
+  std::array<DdBall, 2> origin_;  // of the input
+  bool moved_ = false;            // the origin is not that of the scene
 };
 
 }  // namespace voroproof::internal

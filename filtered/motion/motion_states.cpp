@@ -34,8 +34,8 @@ std::int64_t exponent_of(const Rational& q) { return exponent_of(round_nearest(q
 
 MotionStates::MotionStates(MotionInput input, const MotionOptions& options,
                            std::shared_ptr<MotionLog> log)
-    : input_(std::move(input)),
-      container_{input_.container_x, input_.container_y, input_.container_radius, 0, 0, 0},
+    : input_(about_center(std::move(input))),
+      container_{0, 0, input_.container_radius, 0, 0, 0},
       max_bits_(options.max_bits),
       log_(std::move(log)) {
   horizon_ = round_up(input_.horizon);
@@ -44,8 +44,6 @@ MotionStates::MotionStates(MotionInput input, const MotionOptions& options,
   const double supply = options.start_bits - goal_bits_ - kHeadroom;
   slope_ = supply > 0 && horizon_ > 0 ? supply / horizon_ : 0;
   x_scale_ = exponent_of(input_.container_radius);
-  far_scale_ =
-      std::max({x_scale_, exponent_of(input_.container_x), exponent_of(input_.container_y)});
   v_scale_ = kNoExponent;
   reach_scale_ = x_scale_;
   const double container = radius_dd(container_id).hi;
@@ -98,6 +96,8 @@ const DiskInput& MotionStates::initial_state(GenId g) const {
   // Nothing is written where nothing is to be taken over: the other thread may be here, too.
   if (!restarts_.empty() && restarts_[g].given != nullptr) {
     std::exchange(restarts_[g].given, nullptr)->state(g, d);
+    d.x = Rational(d.x.value() - input_.origin[0]);
+    d.y = Rational(d.y.value() - input_.origin[1]);
   }
   return d;
 }
@@ -111,8 +111,8 @@ void MotionStates::restart(GenId g, double t, const Rational& x, const Rational&
                            const Rational& vx, const Rational& vy) {
   wait();
   DiskInput& d = input_.disks[g];
-  d.x = x;
-  d.y = y;
+  d.x = Rational(x - input_.origin[0]);
+  d.y = Rational(y - input_.origin[1]);
   d.vx = vx;
   d.vy = vy;
   v_scale_ = std::max({v_scale_, exponent_of(vx), exponent_of(vy)});
@@ -132,13 +132,13 @@ int MotionStates::append(Maneuver m) {
 }
 
 // The limbs before the point of numbers in units of the scene: centres in 2^x_scale, velocities in
-// 2^v_scale. Coordinates are large where the container is not about the origin, times where they
-// are late, and speeds divided by a short reach; disks may become faster than any is at first.
+// 2^v_scale. Times are large where they are late, and speeds divided by a short reach; disks may
+// become faster than any is at first.
 int MotionStates::integer_limbs() const {
   constexpr std::int64_t kFaster = 16;
   const std::int64_t last = horizon_ > 0 ? std::ilogb(horizon_) + 1 : kNoExponent;
   const std::int64_t largest =
-      std::max({far_scale_ - x_scale_, last + v_scale_ - x_scale_, x_scale_ - reach_scale_});
+      std::max({last + v_scale_ - x_scale_, x_scale_ - reach_scale_, std::int64_t{0}});
   return static_cast<int>((largest + 2 + kFaster) / 64) + 1;
 }
 
@@ -289,8 +289,7 @@ bool MotionStates::raise_goal() {
 
 MotionStates::State<Ball> MotionStates::initial_balls(GenId g, Ball::Precision bits) const {
   const auto ball = [bits](const Rational& q) { return dyadic_or_rounded(q, bits); };
-  if (g == container_id)
-    return {ball(input_.container_x), ball(input_.container_y), Ball(2), Ball(2)};
+  if (g == container_id) return {Ball(2), Ball(2), Ball(2), Ball(2)};
   const DiskInput& d = initial_state(g);
   return {ball(d.x), ball(d.y), ball(d.vx), ball(d.vy)};
 }
@@ -320,7 +319,7 @@ MotionStates::State<DdBall> MotionStates::double_doubles(GenId g) const {
   if (const State<Ball>* s = balls_[g + 1].get()) {
     return {dd_of(s->x), dd_of(s->y), dd_of(s->vx), dd_of(s->vy)};
   }
-  if (g == container_id) return {dd_of(input_.container_x), dd_of(input_.container_y), {}, {}};
+  if (g == container_id) return {};
   const DiskInput& d = initial_state(g);
   return {dd_of(d.x), dd_of(d.y), dd_of(d.vx), dd_of(d.vy)};
 }

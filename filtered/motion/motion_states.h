@@ -34,8 +34,8 @@ class MotionStates {
   MotionStates& operator=(const MotionStates&) = delete;
   ~MotionStates();
 
-  // The input. Where the motion of a disk is given, its centre and velocity here may be those of
-  // another time: see initial_state().
+  // The input, about the container's centre. Where the motion of a disk is given, its centre and
+  // velocity here may be those of another time: see initial_state().
   const MotionInput& input() const { return input_; }
   int size() const { return static_cast<int>(input_.disks.size()); }
   // Disk g with the centre and the velocity of its initial state, or of its last restart().
@@ -152,8 +152,8 @@ class MotionStates {
   int goal_bits_;
   double slope_ = 0;  // further bits per unit of time before the horizon
   double horizon_ = 0;
-  std::int64_t x_scale_ = 0, v_scale_ = 0;        // exponents
-  std::int64_t far_scale_ = 0, reach_scale_ = 0;  // of the farthest coordinate, the least reach
+  std::int64_t x_scale_ = 0, v_scale_ = 0;  // exponents
+  std::int64_t reach_scale_ = 0;            // of the least reach
   std::uint64_t replays_ = 0;
   std::shared_ptr<MotionLog> log_;
   std::size_t size_ = 0;        // of the log, as far as these states go

@@ -2,6 +2,7 @@
 #include "filtered/search/collapse.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -15,6 +16,16 @@
 
 namespace voroproof::internal {
 
+namespace {
+
+Site<double> plain_site(const Motion& motion, GenId g, double t) {
+  const DoubleMotion& m = motion.doubles(g);
+  const double dt = t - m.t;
+  return {m.x + m.vx * dt, m.y + m.vy * dt, m.r};
+}
+
+}  // namespace
+
 ExactTime time_of(const Tower& t) {
   if (t.is_rational()) return ExactTime(t.rational());
   // The root of x - t, between binary64 neighbours made distinct.
@@ -23,6 +34,23 @@ ExactTime time_of(const Tower& t) {
   return ExactTime(
       Polynomial<Tower>{-t, Tower(1)},
       RootInterval{to_rational(std::nextafter(lo, -inf)), to_rational(std::nextafter(hi, inf))});
+}
+
+double time_scale(const Motion& motion, const Quad& q, double t) {
+  const Site<double> l = plain_site(motion, q.l, t);
+  const DoubleMotion& m = motion.doubles(q.l);
+  double size = 0, speed = 0;
+  for (const GenId g : {q.r, q.s, q.e}) {
+    const Site<double> other = plain_site(motion, g, t);
+    const DoubleMotion& n = motion.doubles(g);
+    size = std::max(size, std::fabs(other.x - l.x) + std::fabs(other.y - l.y) + std::fabs(other.r) +
+                              std::fabs(l.r));
+    // Velocities that differ by less than a rounding count as if they differed by one.
+    speed = std::max(speed, std::fabs(n.vx - m.vx) + std::fabs(n.vy - m.vy) +
+                                unit_roundoff * (std::fabs(n.vx) + std::fabs(n.vy)));
+  }
+  const int exponent = std::ilogb(std::max(size, DBL_MIN)) - std::ilogb(std::max(speed, DBL_MIN));
+  return std::ldexp(1, std::clamp(exponent, -1000, 1000));
 }
 
 std::array<GenId, 3> disk_first(GenId a, GenId b, GenId c) {
@@ -37,12 +65,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // So much of a window makes an answer of a search in doubles; the rest waits for its turn. It
 // decides nothing: only the cost depends on it.
 constexpr double kPartWorthAnAnswer = 0.05;
-
-Site<double> plain_site(const Motion& motion, GenId g, double t) {
-  const DoubleMotion& m = motion.doubles(g);
-  const double dt = t - m.t;
-  return {m.x + m.vx * dt, m.y + m.vy * dt, m.r};
-}
 
 // What becomes of the edge at a root of its form; a collapse in `found`.
 Judgement judge_root(const Motion& motion, const Quad& q, const BernsteinForm& form,

@@ -138,6 +138,11 @@ class CollapseSearch {
   TierCounts& counts_;
 };
 
+// About the time in which some two of the four go as far as they are apart and large at t: a power
+// of two. It tells what is short and what is long for the edge, in any unit of length and time;
+// costs depend on it, and no decision.
+double time_scale(const Motion& motion, const Quad& q, double t);
+
 // The three ways to name a triple start with a disk in at most one rotation: the
 // vertex's generators with a disk first.
 std::array<GenId, 3> disk_first(GenId a, GenId b, GenId c);

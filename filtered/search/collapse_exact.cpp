@@ -15,8 +15,11 @@ namespace voroproof::internal {
 
 namespace {
 
-// A root that is still to come is narrowed no further.
+// Effort, by which nothing is decided. A root that is still to come is narrowed no further than
+// this,
 constexpr int kBitsBeforeWaiting = 256;
+// and each to a length of 2^-64 of the edge's time scale to begin with.
+constexpr int kBitsOfShortest = 64;
 
 std::array<Site<Polynomial<Tower>>, 4> paths(const Quad& q, ExactMotion& exact) {
   std::array<Site<Polynomial<Tower>>, 4> out;
@@ -88,16 +91,20 @@ Collapse CollapseSearch::at_rest(const Quad& q, const Instant& now) {
 namespace {
 
 // The roots of an edge's flip polynomial after the start of a search, and rational times beside
-// each: near the root, for later on the generators may overlap.
+// each: so near that neither the polynomial nor a tangency of the four changes its sign between the
+// root and the time. So the in-circle functions have the signs there that they have just beside the
+// root (docs/certificate.md, Lemma 5.20).
 class EdgeRoots {
  public:
+  // `scale`: the edge's time scale.
   EdgeRoots(const Motion& motion, const Quad& q, ExactMotion& exact, const Polynomial<Tower>& phi,
-            const Rational& start, const Rational& end, const Instant* now)
+            const Rational& start, const Rational& end, const Rational& scale, const Instant* now)
       : motion_(motion),
         q_(q),
         exact_(exact),
         start_(start),
         end_(end),
+        scale_(scale),
         roots_(real_roots(phi, start, end)) {
     if (now != nullptr) instant_ = now->exact(exact);
   }
@@ -109,28 +116,33 @@ class EdgeRoots {
     return instant_ ? compare(roots_[k], *instant_) : compare(roots_[k], start_);
   }
   bool starts_at_instant() const { return instant_.has_value(); }
-  void narrow(std::size_t k) { roots_[k].refine(hair()); }
 
-  // A time after root k and before the next.
-  Rational after(std::size_t k) const {
-    if (!roots_[k].is_point()) return roots_[k].interval().hi;
-    const Rational& at = roots_[k].interval().lo;
-    const Rational next = k + 1 < roots_.size() ? roots_[k + 1].interval().lo : end_;
-    return std::min<Rational>((at + next) / 2, at + hair());
+  // Narrows root k, and finds the times beside it. The one before is after the root before, the
+  // start and the instant too; the one after is before the next root.
+  void narrow(std::size_t k) {
+    const Rational shortest = scale_ >> kBitsOfShortest;
+    roots_[k].refine(shortest);
+    beside_ = roots_[k].interval();
+    if (beside_.is_point()) {
+      const Rational at = beside_.lo, last = k > 0 ? roots_[k - 1].interval().hi : start_,
+                     next = k + 1 < roots_.size() ? roots_[k + 1].interval().lo : end_;
+      beside_ = {std::max<Rational>((at + last) / 2, at - shortest),
+                 std::min<Rational>((at + next) / 2, at + shortest)};
+    }
+    const MakeBall make{motion_.goal_bits() + 32};
+    if (!keeps_tangencies(sites(motion_, q_, make.hull(beside_.lo, beside_.hi))))
+      keep_tangencies(k);
+    if (instant_ && compare(*instant_, roots_[k]) < 0) {
+      beside_.lo = std::max<Rational>(beside_.lo, rational_between(*instant_, roots_[k]));
+    }
   }
-  // A time before root k, but after the root before it, the start and the instant.
-  Rational before(std::size_t k) {
-    const Rational at = roots_[k].interval().lo;
-    if (!roots_[k].is_point()) return at;
-    const Rational last = k > 0 ? roots_[k - 1].interval().hi : start_;
-    Rational t = std::max<Rational>((at + last) / 2, at - hair());
-    while (instant_ && compare(*instant_, t) >= 0) t = (t + at) / 2;
-    return t;
-  }
-  // Whether both circles of the edge are in conflict after the root, and one at it. For that it is
-  // narrowed, to so many bits to begin with and no more than `most`: throws RootTooBlurred.
+  const RootInterval& beside() const { return beside_; }
+
+  // Whether both circles of the edge are in conflict after root k, which narrow() has been at, and
+  // one at it. For that it is narrowed further, to so many bits to begin with and no more than
+  // `most`: throws RootTooBlurred.
   bool shrinks(std::size_t k, int bits, int most) {
-    const auto s = exact_incircles(q_, after(k), exact_);
+    const auto s = exact_incircles(q_, beside_.hi, exact_);
     if (s[0] != Sign::negative || s[1] != Sign::negative) return false;
     for (;; bits *= 2) {
       const RootInterval& at = roots_[k].interval();
@@ -138,19 +150,30 @@ class EdgeRoots {
           contact_order(q_, sites(motion_, q_, MakeBall{bits}.hull(at.lo, at.hi)));
       if (is_certain(contacts)) return contacts == Sign::positive;
       if (bits > most) throw RootTooBlurred("the order of the contacts at a flip", bits);
-      roots_[k].refine(Rational(Integer(1), Integer(1) << bits));
+      roots_[k].refine(scale_ >> bits);
     }
   }
 
  private:
-  static Rational hair() { return Rational(Integer(1), Integer(1) << 64); }
+  // Moves the times beside root k to where no root of a tangency lies between.
+  void keep_tangencies(std::size_t k) {
+    const auto at = paths(q_, exact_);
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < i; ++j) {
+        const Polynomial<Tower> p =
+            tangency_of(at[i].x - at[j].x, at[i].y - at[j].y, at[i].r - at[j].r);
+        beside_ = clear_of(p, roots_[k], beside_);
+      }
+    }
+  }
 
   const Motion& motion_;
   const Quad& q_;
   ExactMotion& exact_;
-  const Rational &start_, &end_;
+  const Rational &start_, &end_, &scale_;
   std::vector<ExactTime> roots_;
   std::optional<ExactTime> instant_;
+  RootInterval beside_;  // the times beside the root that narrow() has been at
 };
 
 }  // namespace
@@ -171,8 +194,10 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
     }
     return *answer;
   }
-  const Rational finish = std::max<Rational>(to_rational(end), start), beyond = finish + 1;
-  EdgeRoots roots(motion_, q, exact, phi, start, beyond, now);
+  const Rational scale =
+      to_rational(time_scale(motion_, q, voroproof::internal::round_down(start)));
+  const Rational finish = std::max<Rational>(to_rational(end), start), beyond = finish + scale;
+  EdgeRoots roots(motion_, q, exact, phi, start, beyond, scale, now);
   for (std::size_t k = 0; k < roots.size(); ++k) {
     const auto order = roots.order_to_start(k);
     if (order < 0) continue;
@@ -189,13 +214,13 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
     // wait, for an event may come before the root.
     if (compare(roots[k], finish) > 0) break;
     roots.narrow(k);
-    const double reached = voroproof::internal::round_down(roots.before(k));
+    const double reached = voroproof::internal::round_down(roots.beside().lo);
     const bool can_wait =
         reached > (now != nullptr ? now->hi : voroproof::internal::round_up(start));
     try {
       if (roots.shrinks(k, least, can_wait ? std::min(most, kBitsBeforeWaiting) : most)) {
         // A root that is a point needs an interval all the same: it may not be an end.
-        return Collapse::at_root(roots.before(k), roots.after(k));
+        return Collapse::at_root(roots.beside().lo, roots.beside().hi);
       }
     } catch (const RootTooBlurred&) {
       if (!can_wait) throw;

@@ -30,9 +30,15 @@ constexpr double kPartWorthAnAnswerInDd = 0.01;
 // in balls by their bits, and no more than the second.
 constexpr int kHalvingsInDd = 48, kHalvingsInBalls = 512;
 // Windows beyond an instant are looked at from 1/2^4 of the way to the end of the search down to
-// 1/2^60, and are never shorter than 2^-40 altogether.
-constexpr int kFirstShortening = 4, kLastShortening = 60;
-const Rational kLeastWindow(1, 1L << 40);
+// 1/2^60, and are never shorter than 2^-40 of the edge's time scale altogether.
+constexpr int kFirstShortening = 4, kLastShortening = 60, kBitsOfLeastWindow = 40;
+// A root is narrowed to 2^-20 of that scale: its enclosure is short beside what happens near it.
+constexpr int kBitsOfRoot = 20;
+
+Rational least_window(const Motion& motion, const Quad& q, const Rational& t) {
+  return to_rational(time_scale(motion, q, voroproof::internal::round_down(t))) >>
+         kBitsOfLeastWindow;
+}
 
 // The answer of a tier that may give up: then it is decided up to `reached` only.
 struct Attempt {
@@ -54,6 +60,8 @@ Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, co
   };
   std::vector<Part> stack;
   stack.push_back({start, end, form_in<T>(motion, q, start, end, cocircular, make), 0});
+  const Rational narrow =
+      to_rational(time_scale(motion, q, voroproof::internal::round_down(start))) >> kBitsOfRoot;
   const T half = make(Rational(1, 2));
   while (!stack.empty()) {
     Patience::ask();
@@ -72,9 +80,7 @@ Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, co
         const Judgement verdict = judge(q, at_hull, after, cotangency_sign(-before, cocircular));
         const bool near_now = now != nullptr && part.a <= to_rational(now->hi);
         if (verdict == Judgement::stays && !near_now) break;
-        if (verdict == Judgement::collapses && !near_now &&
-            voroproof::internal::round_up(part.b) - voroproof::internal::round_down(part.a) <
-                1e-6 * (1 + std::fabs(voroproof::internal::round_down(part.a)))) {
+        if (verdict == Judgement::collapses && !near_now && part.b - part.a < narrow) {
           return {true, Collapse::at_root(part.a, part.b), {}};
         }
         if (++part.depth > max_halvings) return {false, {}, part.a};
@@ -125,7 +131,8 @@ std::optional<Collapse> CollapseSearch::while_cotangent(const Quad& q, const std
 
 Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instant* now,
                               double end) {
-  const Rational finish = std::max<Rational>(to_rational(end), start + kLeastWindow);
+  const Rational finish =
+      std::max<Rational>(to_rational(end), start + least_window(motion_, q, start));
   // Generators that look cotangent at the instant mostly are. Nothing but the exact tier can say
   // so, and while their motion is rational it is quick.
   const bool exact_first = motion_.options().filters && now != nullptr && has_rational_motion(q) &&
@@ -226,7 +233,8 @@ std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rationa
   const MakeBall make{motion_.goal_bits() + 32};
   // The answer goes as far beyond the instant as the signs are certain: a search is expensive next
   // to a root.
-  const Rational last = std::max<Rational>(to_rational(end) - to_rational(now->hi), kLeastWindow);
+  const Rational last =
+      std::max<Rational>(to_rational(end) - to_rational(now->hi), least_window(motion_, q, t));
   for (int k = kFirstShortening; k <= kLastShortening; k += 4) {
     const Rational beyond = to_rational(now->hi) + last / (Integer(1) << k);
     const Judgement verdict =

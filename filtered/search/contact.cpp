@@ -112,10 +112,10 @@ struct RoughPair {
 double down(double x) { return x * (1 - 0x1p-51); }
 double up(double x) { return x * (1 + 0x1p-51); }
 
-// Whether [lo, hi] will do as the enclosure of a contact: a wide one does, one that reaches the
-// present does not.
+// Whether [lo, hi] will do as the enclosure of a contact: one does that is short beside the delay,
+// or as short as doubles are there; one that reaches the present does not.
 bool is_answer(const Instant& now, double lo, double hi) {
-  return lo > now.hi && hi - lo < 1e-6 * (1 + std::fabs(lo));
+  return lo > now.hi && hi - lo < std::fmax(0x1p-20 * (lo - now.hi), 0x1p-40 * hi);
 }
 
 Ball hull_of(double lo, double hi, int bits) {
@@ -261,8 +261,9 @@ bool ContactSearch::certainly_apart(GenId i, GenId j, const Instant& now) const 
       if (RoughPair(motion_.doubles(i), motion_.doubles(j), t, h).apart()) return true;
     }
     const DoubleBall t = DoubleBall::hull(now.lo, now.hi);
-    return sign(Contact<DoubleBall>(motion_.moving_site(i, t), motion_.moving_site(j, t)).c) ==
-           apart;
+    const Sign by_doubles =
+        sign(Contact<DoubleBall>(motion_.moving_site(i, t), motion_.moving_site(j, t)).c);
+    if (is_certain(by_doubles)) return by_doubles == apart;
   }
   const Ball t = hull_of(now.lo, now.hi, motion_.goal_bits() + 32);
   return sign(Contact<Ball>(motion_.moving_site(i, t), motion_.moving_site(j, t)).c) == apart;

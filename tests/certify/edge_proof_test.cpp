@@ -332,5 +332,24 @@ TEST(ContactProof, ManyPairsAtOnce) {
   EXPECT_GT(proved, (made - touching) * 9 / 10);
 }
 
+TEST(EdgeProof, IllegalEdges) {
+  Random random(11);
+  int illegal = 0, legal = 0;
+  for (int k = 0; k < 300; ++k) {
+    const FourDisks disks(10, k % 2 == 0, random);
+    const Motion motion(disks.input(), {});
+    const double t = uniform(random, 0, 10);
+    for (const Quad& q : {Quad{0, 1, 2, 3}, Quad{0, 2, 1, 3}, Quad{container_id, 1, 2, 3}}) {
+      const auto [f, signs] = disks.signs(q, t);
+      const bool expected = disks.separated(t, t) && signs.end_in_start == Sign::negative &&
+                            signs.start_in_end == Sign::negative;
+      EXPECT_EQ(proved_illegal(motion, q, to_rational(t)), expected);
+      ++(expected ? illegal : legal);
+    }
+  }
+  EXPECT_GT(illegal, 20);
+  EXPECT_GT(legal, 20);
+}
+
 }  // namespace
 }  // namespace voroproof::internal::testing

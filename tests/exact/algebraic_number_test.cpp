@@ -152,5 +152,28 @@ TEST(AlgebraicNumber, SignsOfOtherPolynomials) {
   EXPECT_EQ(sign_at(TowerPolynomial{-s - power_of_two(-200), 1}, x), Sign::negative);
 }
 
+TEST(AlgebraicNumber, TimesBesideOneNumber) {
+  const RationalPolynomial two{-2, 0, 1};
+  const auto root2 = only_root(two, 0, 3);
+  // Another root as near on either side, and the number itself among the roots.
+  for (const int sign : {1, -1}) {
+    const Rational shift = sign * power_of_two(-300);
+    const RationalPolynomial near = two - RationalPolynomial{shift};
+    const auto other = only_root(near, 0, 3);
+    const Rational middle = rational_between(root2, other);
+    EXPECT_EQ(middle, rational_between(other, root2));
+    EXPECT_EQ(compare(root2, middle) < 0, sign > 0);
+    EXPECT_EQ(compare(other, middle) > 0, sign > 0);
+    const RootInterval part = clear_of(near * two, root2, RootInterval{0, 3});
+    EXPECT_TRUE(compare(root2, part.lo) > 0 && compare(root2, part.hi) < 0);
+    EXPECT_EQ(real_roots(near * two, part.lo, part.hi).size(), 1u);
+    EXPECT_EQ(sign > 0 ? part.lo : part.hi, sign > 0 ? Rational(0) : Rational(3));
+  }
+  const RootInterval all = clear_of(RationalPolynomial(), root2, RootInterval{1, 2});
+  EXPECT_EQ(all.lo, 1);
+  EXPECT_EQ(all.hi, 2);
+  EXPECT_EQ(clear_of(two, root2, RootInterval{0, 3}).hi, 3);
+}
+
 }  // namespace
 }  // namespace voroproof::internal::testing
