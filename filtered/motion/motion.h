@@ -217,7 +217,8 @@ class Motion {
   void append(const Record& r);
   std::optional<Impact> collide_ahead(const Record& r);
   Impact collide_now(const Record& r);
-  DdBall in_scene(const DdBall& x, int axis) const;
+  // A coordinate of a centre as the scene has it.
+  DdBall in_scene(const DdBall& x, int axis) const { return moved_ ? x + origin_[axis] : x; }
   double round_coordinate(const DdBall& rough, GenId g, int which);
 
   MotionOptions options_;

@@ -5,9 +5,6 @@
 
 namespace voroproof::internal {
 
-// A coordinate of a centre as the scene has it.
-DdBall Motion::in_scene(const DdBall& x, int axis) const { return moved_ ? x + origin_[axis] : x; }
-
 // A coordinate of disk g just after the last collision, its own, known roughly: 0 and 1 its centre,
 // 2 and 3 its velocity, 4 the time.
 double Motion::round_coordinate(const DdBall& rough, GenId g, int which) {

@@ -49,6 +49,20 @@ std::array<Site<Tower>, 4> exact_sites(const Quad& q, const Rational& t, ExactMo
   return {exact.site(q.l, at), exact.site(q.r, at), exact.site(q.s, at), exact.site(q.e, at)};
 }
 
+// The part around x of an interval that contains x, in which no tangency of the four vanishes but
+// perhaps at x.
+RootInterval clear_of_tangencies(const Quad& q, ExactMotion& exact, const ExactTime& x,
+                                 RootInterval within) {
+  const auto at = paths(q, exact);
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < i; ++j) {
+      within =
+          clear_of(tangency_of(at[i].x - at[j].x, at[i].y - at[j].y, at[i].r - at[j].r), x, within);
+    }
+  }
+  return within;
+}
+
 // Both in-circle signs at an exact time at which the circles exist.
 std::array<Sign, 2> exact_incircles(const Quad& q, const Rational& t, ExactMotion& exact) {
   const auto at = exact_sites(q, t, exact);
@@ -93,7 +107,7 @@ namespace {
 // The roots of an edge's flip polynomial after the start of a search, and rational times beside
 // each: so near that neither the polynomial nor a tangency of the four changes its sign between the
 // root and the time. So the in-circle functions have the signs there that they have just beside the
-// root (docs/certificate.md, Lemma 5.20).
+// root (docs/certificate.md, Lemma 5.19).
 class EdgeRoots {
  public:
   // `scale`: the edge's time scale.
@@ -130,8 +144,9 @@ class EdgeRoots {
                  std::min<Rational>((at + next) / 2, at + shortest)};
     }
     const MakeBall make{motion_.goal_bits() + 32};
-    if (!keeps_tangencies(sites(motion_, q_, make.hull(beside_.lo, beside_.hi))))
-      keep_tangencies(k);
+    if (!keeps_tangencies(sites(motion_, q_, make.hull(beside_.lo, beside_.hi)))) {
+      beside_ = clear_of_tangencies(q_, exact_, roots_[k], beside_);
+    }
     if (instant_ && compare(*instant_, roots_[k]) < 0) {
       beside_.lo = std::max<Rational>(beside_.lo, rational_between(*instant_, roots_[k]));
     }
@@ -155,18 +170,6 @@ class EdgeRoots {
   }
 
  private:
-  // Moves the times beside root k to where no root of a tangency lies between.
-  void keep_tangencies(std::size_t k) {
-    const auto at = paths(q_, exact_);
-    for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j < i; ++j) {
-        const Polynomial<Tower> p =
-            tangency_of(at[i].x - at[j].x, at[i].y - at[j].y, at[i].r - at[j].r);
-        beside_ = clear_of(p, roots_[k], beside_);
-      }
-    }
-  }
-
   const Motion& motion_;
   const Quad& q_;
   ExactMotion& exact_;
@@ -186,16 +189,21 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
   // touch.
   const int least = motion_.goal_bits() + 32;
   const int most = std::max(least, motion_.options().max_bits / 8);
+  const Rational scale =
+      to_rational(time_scale(motion_, q, voroproof::internal::round_down(start)));
   if (phi.is_zero()) {
-    const Rational t = now != nullptr ? Rational(to_rational(now->hi)) : start;
+    Rational t = start;
+    if (now != nullptr) {
+      const RootInterval about{to_rational(now->lo),
+                               to_rational(now->hi) + (scale >> kBitsOfShortest)};
+      t = clear_of_tangencies(q, exact, now->exact(exact), about).hi;
+    }
     const auto answer = while_cotangent(q, exact_incircles(q, t, exact), Ball(t, least));
     if (!answer) {
       throw Undecided("four generators stay cotangent, in an order that is not decided", q);
     }
     return *answer;
   }
-  const Rational scale =
-      to_rational(time_scale(motion_, q, voroproof::internal::round_down(start)));
   const Rational finish = std::max<Rational>(to_rational(end), start), beyond = finish + scale;
   EdgeRoots roots(motion_, q, exact, phi, start, beyond, scale, now);
   for (std::size_t k = 0; k < roots.size(); ++k) {

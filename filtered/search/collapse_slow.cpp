@@ -223,7 +223,9 @@ std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rationa
   const DoubleBall about =
       DoubleBall::hull(voroproof::internal::round_down(t), voroproof::internal::round_up(t));
   if (symmetry.always_cotangent(symmetry.states(q), about)) {
-    return while_cotangent(q, {Sign::zero, Sign::zero}, Ball(t, motion_.goal_bits() + 32));
+    const MakeBall make{motion_.goal_bits() + 32};
+    const Ball at = now != nullptr ? make.hull(to_rational(now->lo), t) : make(t);
+    return while_cotangent(q, {Sign::zero, Sign::zero}, at);
   }
   if (now == nullptr || !now->known) return std::nullopt;
   const auto proved = symmetry.cotangency(symmetry.states(q), now->known(), now->lo, now->hi);

@@ -341,9 +341,12 @@ TEST(EdgeProof, IllegalEdges) {
     const double t = uniform(random, 0, 10);
     for (const Quad& q : {Quad{0, 1, 2, 3}, Quad{0, 2, 1, 3}, Quad{container_id, 1, 2, 3}}) {
       const auto [f, signs] = disks.signs(q, t);
-      const bool expected = disks.separated(t, t) && signs.end_in_start == Sign::negative &&
-                            signs.start_in_end == Sign::negative;
-      EXPECT_EQ(proved_illegal(motion, q, to_rational(t)), expected);
+      const bool expected =
+          signs.end_in_start == Sign::negative && signs.start_in_end == Sign::negative;
+      const bool proved = proved_illegal(motion, q, to_rational(t));
+      EXPECT_TRUE(expected || !proved);
+      if (!disks.separated(t, t)) continue;
+      EXPECT_EQ(proved, expected);
       ++(expected ? illegal : legal);
     }
   }

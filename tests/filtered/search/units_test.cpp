@@ -28,7 +28,8 @@ const std::array<std::array<Disk, 3>, 2> ties{{
 }};
 
 Rational power_of_two(int e) {
-  return e < 0 ? Rational(1) / (Rational(1) << -e) : Rational(1) << e;
+  const Rational one = 1;
+  return e < 0 ? Rational(one >> -e) : Rational(one << e);
 }
 
 // The scene with lengths times 2^length, times times 2^time, then moved by (dx, dy).
@@ -83,6 +84,39 @@ TEST(CollapseSearch, ATangencyChangesJustAfterATie) {
       }
     }
   }
+}
+
+// Two disks and their mirror images stay cotangent. Those of one pair pass through each other
+// before the next binary64 after the instant 1 if they are fast: what is meant is the instant.
+TEST(CollapseSearch, CotangentForGoodFromAnInstantOn) {
+  const auto kinds = [](int speed) {
+    const Rational v = power_of_two(speed);
+    MotionInput input;
+    input.container_radius = 100;
+    input.horizon = 2;
+    for (const int side : {-1, 1}) {
+      input.disks.push_back({Rational(side * (2 + v)), 0, 1, Rational(-side * v), 0, 1});
+      input.disks.push_back({Rational(side * 3), 5, 1, 0, 0, 1});
+    }
+    Motion motion(input, {});
+    TierCounts counts;
+    CollapseSearch search(motion, counts);
+    Instant now;
+    now.lo = 1;
+    now.hi = std::nextafter(1, 2);
+    now.dd = DdBall(1);
+    now.exact = [](ExactMotion&) { return ExactTime(Rational(1)); };
+    std::array<GenId, 4> ids{0, 1, 2, 3};
+    std::vector<Collapse::Kind> found;
+    do {
+      const Quad q{ids[0], ids[1], ids[2], ids[3]};
+      found.push_back(search.from(q, now, now.hi).kind);
+    } while (std::next_permutation(ids.begin(), ids.end()));
+    return found;
+  };
+  const auto expected = kinds(-4);
+  EXPECT_NE(std::count(expected.begin(), expected.end(), Collapse::Kind::now), 0);
+  EXPECT_EQ(kinds(54), expected);
 }
 
 TEST(CollapseSearch, AnyUnitOfLength) {
