@@ -261,12 +261,16 @@ bool ContactSearch::certainly_apart(GenId i, GenId j, const Instant& now) const 
       if (RoughPair(motion_.doubles(i), motion_.doubles(j), t, h).apart()) return true;
     }
     const DoubleBall t = DoubleBall::hull(now.lo, now.hi);
-    const Sign by_doubles =
-        sign(Contact<DoubleBall>(motion_.moving_site(i, t), motion_.moving_site(j, t)).c);
-    if (is_certain(by_doubles)) return by_doubles == apart;
+    return sign(Contact<DoubleBall>(motion_.moving_site(i, t), motion_.moving_site(j, t)).c) ==
+           apart;
   }
+  return apart_by_balls(i, j, now);
+}
+
+bool ContactSearch::apart_by_balls(GenId i, GenId j, const Instant& now) const {
   const Ball t = hull_of(now.lo, now.hi, motion_.goal_bits() + 32);
-  return sign(Contact<Ball>(motion_.moving_site(i, t), motion_.moving_site(j, t)).c) == apart;
+  return sign(Contact<Ball>(motion_.moving_site(i, t), motion_.moving_site(j, t)).c) ==
+         (i == container_id ? Sign::negative : Sign::positive);
 }
 
 DdBall ContactSearch::refine(GenId i, GenId j, double t) const {

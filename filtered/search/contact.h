@@ -31,8 +31,10 @@ class ContactSearch {
   // the model does not cover.
   NextContact from(GenId i, GenId j, const Instant& now, double end);
 
-  // Whether the two certainly do not touch at `now`, nor overlap.
+  // Whether the two certainly do not touch at `now`, nor overlap: as far as doubles tell, where
+  // filters are on, and as far as balls do.
   bool certainly_apart(GenId i, GenId j, const Instant& now) const;
+  bool apart_by_balls(GenId i, GenId j, const Instant& now) const;
 
   // The contact that lies next to t, tightly; radius infinite where not known.
   DdBall refine(GenId i, GenId j, double t) const;

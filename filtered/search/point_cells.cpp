@@ -41,7 +41,7 @@ void PointCells::require_area(GenId point, const std::vector<GenId>& neighbours,
   int touched = 0;
   for (const GenId other : neighbours) {
     const auto [i, j] = std::minmax(point, other);
-    if (contacts_.certainly_apart(i, j, now)) continue;
+    if (contacts_.certainly_apart(i, j, now) || contacts_.apart_by_balls(i, j, now)) continue;
     if (++touched > 1) {
       throw Undecided("the point " + std::to_string(point) +
                           " may touch two generators at one instant: its cell has no area then",
