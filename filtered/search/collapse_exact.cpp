@@ -131,9 +131,9 @@ class EdgeRoots {
   }
   bool starts_at_instant() const { return instant_.has_value(); }
 
-  // Narrows root k, and finds the times beside it. The one before is after the root before, the
-  // start and the instant too; the one after is before the next root.
-  void narrow(std::size_t k) {
+  // Narrows root k, which has that order to the start, and finds the times beside it. The one before
+  // is after the root before, the start and the instant too; the one after is before the next root.
+  void narrow(std::size_t k, std::strong_ordering order) {
     const Rational shortest = scale_ >> kBitsOfShortest;
     roots_[k].refine(shortest);
     beside_ = roots_[k].interval();
@@ -147,7 +147,7 @@ class EdgeRoots {
     if (!keeps_tangencies(sites(motion_, q_, make.hull(beside_.lo, beside_.hi)))) {
       beside_ = clear_of_tangencies(q_, exact_, roots_[k], beside_);
     }
-    if (instant_ && compare(*instant_, roots_[k]) < 0) {
+    if (instant_ && order > 0) {
       beside_.lo = std::max<Rational>(beside_.lo, rational_between(*instant_, roots_[k]));
     }
   }
@@ -211,7 +211,7 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
     if (order < 0) continue;
     if (order == 0) {
       if (!roots.starts_at_instant()) continue;  // the search starts at a root: beyond it
-      roots.narrow(k);
+      roots.narrow(k, order);
       if (!roots.shrinks(k, least, most)) continue;
       Collapse answer;
       answer.kind = Collapse::Kind::now;
@@ -221,7 +221,7 @@ Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Ins
     // of the diagram do, and others are not there any more. Where the answer takes many bits it can
     // wait, for an event may come before the root.
     if (compare(roots[k], finish) > 0) break;
-    roots.narrow(k);
+    roots.narrow(k, order);
     const double reached = voroproof::internal::round_down(roots.beside().lo);
     const bool can_wait =
         reached > (now != nullptr ? now->hi : voroproof::internal::round_up(start));
