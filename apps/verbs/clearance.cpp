@@ -1,5 +1,6 @@
 // voroproof clearance: how near disks come to each other on given paths.
 #include <memory>
+#include <ostream>
 
 #include "apps/answers/clearance_answer.h"
 #include "apps/answers/history_paths.h"
@@ -7,6 +8,8 @@
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
 #include "apps/verbs/verbs.h"
+#include "filtered/motion/options.h"
+#include "history/error.h"
 #include "history/event_limit.h"
 
 namespace voroproof::internal {
@@ -86,12 +89,30 @@ void add_clearance(Verb& program) {
   verb.note(
       "Judged are the piecewise linear paths between the waypoints. A negative gap is an overlap. "
       "Paths that do not all begin and end together need --stay or --vanish. "
-      "With --required the last line is s FREE (exit code 0), s REFUTED (1) or s UNDECIDED (3): "
-      "no gap is too small, but there is none, or the input lacks what the line c missing names.");
+      "With --required the last line is s FREE (exit code 0), s REFUTED (1), s INVALID (2) or "
+      "s UNDECIDED (3): no gap is too small, but there is none, or the input lacks what the line "
+      "c missing names.");
   verb.example("voroproof clearance plan_log.xml --radius 0.25 --stay --required 0 --below 0.1");
   verb.example("voroproof clearance a.scene.json a.history.jsonl --required 1/2");
   add_computing_limits(verb, request->options);
-  verb.does([request] { return tell_clearance(*request); });
+  verb.does([request] {
+    // The last line is a verdict where one is asked for, whatever came in between.
+    const auto end_with = [&](const char* verdict) {
+      if (!request->required.empty()) words_beside({request->output}) << verdict;
+    };
+    try {
+      return tell_clearance(*request);
+    } catch (const InputError&) {
+      end_with("s INVALID\n");
+      throw;
+    } catch (const Undecided&) {
+      end_with("s UNDECIDED\n");
+      throw;
+    } catch (const EventLimitReached&) {
+      end_with("s UNDECIDED\n");
+      throw;
+    }
+  });
 }
 
 }  // namespace voroproof::internal

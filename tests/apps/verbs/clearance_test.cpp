@@ -113,6 +113,9 @@ TEST_F(CertifyCli, WhereDisksAreBeyondTheirPathsIsSaid) {
       return run(all);
     };
     refused({"clearance", paths, "--radius", "0.3"}, "disk quick: has waypoints from t = 0 to 1");
+    const Result unsaid = judged({});
+    EXPECT_EQ(unsaid.code, 2);
+    EXPECT_EQ(unsaid.out, "s INVALID\n");
     const Result stays = judged({"--stay"});
     EXPECT_EQ(stays.code, 1);
     EXPECT_NE(stays.out.find("1 of 2 disks are taken to stay"), std::string::npos);
