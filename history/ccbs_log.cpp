@@ -141,12 +141,6 @@ GivenPaths parse_ccbs_log(const std::string& bytes, const std::string& file,
     throw InputError(file, 0, "radius", "a plan does not give that of its agents: give it");
   }
   GivenPaths read = LogReader(file, *radius).read(bytes);
-  Rational last = 0;
-  for (const GivenPath& p : read.paths) last = std::max(last, p.waypoints.back().t);
-  for (GivenPath& p : read.paths) {
-    if (p.waypoints.back().t < last) p.waypoints.push_back({last, p.waypoints.back().at});
-  }
-  read.remarks.push_back("an agent stays at its goal until the last has arrived");
   read.remarks.push_back("obstacles of the map are not in the plan, and not judged");
   return read;
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kLongestLine = std::size_t{1} << 16;
 constexpr std::size_t kLongestRemark = 1000;
 constexpr std::string_view kBlanks = " \t\r";
-constexpr std::string_view kRemark = "# remark:";
+constexpr std::string_view kRemark = "# remark:", kMissing = "# missing:";
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(kBlanks);
@@ -43,7 +43,8 @@ class TableReader {
   GivenPaths read() {
     while (const auto line = lines_.next(kLongestLine)) {
       const std::string_view text = trimmed(*line);
-      if (text.starts_with(kRemark)) take_remark(text.substr(kRemark.size()));
+      if (text.starts_with(kRemark)) take_remark(text.substr(kRemark.size()), read_.remarks);
+      if (text.starts_with(kMissing)) take_remark(text.substr(kMissing.size()), read_.missing);
       if (text.empty() || text.front() == '#') continue;
       if (columns_.empty()) {
         take_heading(cells(text));
@@ -57,9 +58,9 @@ class TableReader {
 
  private:
   // What whoever made the table says of it: repeated wherever something is said of the paths.
-  void take_remark(std::string_view text) {
-    if (read_.remarks.size() == max_remarks) fail("remark", "too many");
-    read_.remarks.push_back(printable(trimmed(text), kLongestRemark));
+  void take_remark(std::string_view text, std::vector<std::string>& remarks) const {
+    if (remarks.size() == max_remarks) fail("remark", "too many");
+    remarks.push_back(printable(trimmed(text), kLongestRemark));
   }
 
   void take_heading(const std::vector<std::string>& names) {
@@ -117,6 +118,35 @@ class TableReader {
   GivenPaths read_;
 };
 
+// Where the paths do not all begin and end together.
+void take_beyond(GivenPaths& given, Beyond beyond, const std::string& file) {
+  if (given.paths.empty()) return;
+  const auto [begin, end] = time_of(given.paths);
+  std::size_t others = 0;
+  for (GivenPath& p : given.paths) {
+    std::vector<Waypoint>& w = p.waypoints;
+    if (w.front().t == begin && w.back().t == end) continue;
+    ++others;
+    if (beyond == Beyond::unsaid) {
+      throw InputError(file, 0, "disk " + printable(p.name),
+                       "has waypoints from t = " + w.front().t.get_str() + " to " +
+                           w.back().t.get_str() + ", and the file from " + begin.get_str() +
+                           " to " + end.get_str() +
+                           ": say by --stay or --vanish where it is meanwhile");
+    }
+    if (beyond == Beyond::vanishes) continue;
+    if (w.front().t > begin) w.insert(w.begin(), {begin, Point2(w.front().at)});
+    if (w.back().t < end) w.push_back({end, Point2(w.back().at)});
+  }
+  if (others == 0) return;
+  given.remarks.push_back(std::to_string(others) + " of " + std::to_string(given.paths.size()) +
+                          (beyond == Beyond::stays
+                               ? " disks are taken to stay where they are before their first "
+                                 "waypoint and after their last (--stay)"
+                               : " disks are taken to be nowhere before their first waypoint and "
+                                 "after their last (--vanish)"));
+}
+
 }  // namespace
 
 std::optional<Rational> path_number(const std::string& text, std::string& reason) {
@@ -131,15 +161,29 @@ std::optional<Rational> path_number(const std::string& text, std::string& reason
   return value;
 }
 
+std::pair<Rational, Rational> time_of(const std::vector<GivenPath>& paths) {
+  std::pair<Rational, Rational> time{paths.front().waypoints.front().t,
+                                     paths.front().waypoints.back().t};
+  for (const GivenPath& p : paths) {
+    time.first = std::min(time.first, p.waypoints.front().t);
+    time.second = std::max(time.second, p.waypoints.back().t);
+  }
+  return time;
+}
+
 GivenPaths read_waypoint_table(const std::string& path, const std::optional<Rational>& radius) {
   return TableReader(path, radius).read();
 }
 
-GivenPaths read_paths(const std::string& path, const std::optional<Rational>& radius) {
+GivenPaths read_paths(const std::string& path, const std::optional<Rational>& radius,
+                      Beyond beyond) {
   const std::string head = file_bytes(path, 4096, true);
   const std::size_t first = head.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos || head[first] != '<') return read_waypoint_table(path, radius);
-  return parse_ccbs_log(file_bytes(path, max_scene_bytes), path, radius);
+  const bool is_xml = first != std::string::npos && head[first] == '<';
+  GivenPaths given = is_xml ? parse_ccbs_log(file_bytes(path, max_scene_bytes), path, radius)
+                            : read_waypoint_table(path, radius);
+  take_beyond(given, beyond, path);
+  return given;
 }
 
 }  // namespace voroproof::internal

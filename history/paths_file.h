@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "exact/generators.h"
@@ -45,7 +46,17 @@ struct GivenPaths {
   std::vector<GivenPath> paths;  // in the order of their first lines
   std::vector<GivenContact> contacts;
   std::optional<GivenContainer> container;
-  std::vector<std::string> remarks;  // what the file cannot say, and what was assumed
+  std::vector<std::string> remarks;    // what the file cannot say, and what was assumed
+  std::vector<std::string> missing{};  // who and what may come near and is not in the paths
+  // What the paths are, in words.
+  std::string meaning = "the piecewise linear paths between the waypoints of the file";
+};
+
+// Where a disk is while others have waypoints and it has none yet, or no more.
+enum class Beyond {
+  unsaid,
+  stays,     // at its first waypoint before that, and at its last one after it
+  vanishes,  // nowhere
 };
 
 inline constexpr std::size_t max_waypoints = 20'000'000;
@@ -53,10 +64,18 @@ inline constexpr std::size_t max_remarks = 100;
 
 // Reads a file of either kind: XML where its first character but for white space is '<', else a
 // table. Numbers are exact: a decimal means what it says. `radius`: of all disks whose radius the
-// file does not give. Lines "# remark: ..." of a table are among the remarks. Throws InputError.
-GivenPaths read_paths(const std::string& path, const std::optional<Rational>& radius);
+// file does not give. Lines "# remark: ..." of a table are among the remarks, lines
+// "# missing: ..." among what is missing. With `beyond` stays all disks are there all the time.
+// Throws InputError, also where that is unsaid and the paths do not all begin at one time and end
+// at one time.
+GivenPaths read_paths(const std::string& path, const std::optional<Rational>& radius,
+                      Beyond beyond);
 
-// The two kinds, of bytes in memory; `file` is for messages. Throw InputError.
+// From the first waypoint of all paths to the last, of one path at least.
+std::pair<Rational, Rational> time_of(const std::vector<GivenPath>& paths);
+
+// The two kinds as they stand, without an end that is not in them; `file` is for messages. Throw
+// InputError.
 GivenPaths read_waypoint_table(const std::string& path, const std::optional<Rational>& radius);
 GivenPaths parse_ccbs_log(const std::string& bytes, const std::string& file,
                           const std::optional<Rational>& radius);

@@ -20,7 +20,7 @@ void require_one_time(const GivenPaths& given, const std::string& file) {
     }
     throw InputError(file, 0, "disk " + printable(p.name),
                      "is there from " + spell(p) + ", and " + printable(first.name) + " from " +
-                         spell(first) + ": all disks of a scene are there all the time");
+                         spell(first) + ": all disks of a scene are there all the time (--stay)");
   }
 }
 

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <deque>
 #include <iterator>
 #include <set>
@@ -88,6 +89,18 @@ int compare_distance_exactly(const DiskInput& a, const DiskInput& b, int sign) {
   return sgn(Integer(nx * nx + ny * ny - nr * nr));
 }
 
+// By how much |a - b| and |ra + sign * rb|, which is not zero, differ: to six digits, at any scale.
+std::string difference_text(const DiskInput& a, const DiskInput& b, int sign) {
+  const Rational x = a.x.value() - b.x.value(), y = a.y.value() - b.y.value();
+  const Rational reach = abs(Rational(a.radius.value() + sign * b.radius.value()));
+  // |a - b| is the reach times the root of 1 + part.
+  const double part = round_nearest(Rational((x * x + y * y) / (reach * reach) - 1));
+  const double difference = round_nearest(reach) * std::fabs(part) / (1 + std::sqrt(1 + part));
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", difference);
+  return text;
+}
+
 // A circle rounded to binary64; `exact` where rounding changed nothing.
 struct Circle {
   double x, y, r;
@@ -157,7 +170,9 @@ class Placement {
                                                        : disk.radius.value() < wall_.radius.value();
     if (!smaller) return PlacementFault{i, "not smaller than the container"};
     const int sign = compare_distance(container_, circles_[i], wall_, disk, -1);
-    if (sign > 0) return PlacementFault{i, "not inside the container"};
+    if (sign > 0) {
+      return PlacementFault{i, "not inside the container, by " + difference_text(wall_, disk, -1)};
+    }
     if (sign == 0 && (sgn(disk.vx) != 0 || sgn(disk.vy) != 0)) {
       const Rational nx = disk.x.value() - wall_.x.value(), ny = disk.y.value() - wall_.y.value();
       if (nx * disk.vx.value() + ny * disk.vy.value() == 0)
@@ -236,8 +251,10 @@ class Placement {
 
   PlacementFault fault(int i, int j) const {
     const std::string other = "disks[" + std::to_string(std::min(i, j)) + "]";
+    const DiskInput &a = scene_.disks[i], &b = scene_.disks[j];
     const bool points = circles_[i].r == 0 && circles_[j].r == 0;
-    return {std::max(i, j), (points ? "coincides with " : "overlaps ") + other};
+    return {std::max(i, j), points ? "coincides with " + other
+                                   : "overlaps " + other + " by " + difference_text(a, b, 1)};
   }
 
   const Scene& scene_;

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 namespace voroproof_kernel {
 namespace {
@@ -235,7 +236,15 @@ void check_places(const Scene& scene) {
     for (auto b = a + 1; b != order.end(); ++b) {
       if ((*b)->center[0] - (*a)->center[0] > (*a)->radius + widest) break;
       const Rat d2 = norm2(minus((*a)->center, (*b)->center));
-      if (d2 < square((*a)->radius + (*b)->radius) || d2 == 0) invalid("two disks overlap");
+      const Rat reach = (*a)->radius + (*b)->radius, reach2 = square(reach);
+      if (d2 == 0 && reach == 0) invalid("two points coincide");
+      if (d2 < reach2) {
+        // The distance is the reach times the root of 1 - part.
+        const double part = Rat(1 - d2 / reach2).convert_to<double>();
+        std::ostringstream amount;
+        amount << reach.convert_to<double>() * part / (1 + std::sqrt(1 - part));
+        invalid("two disks overlap by " + amount.str());
+      }
     }
   }
 }

@@ -42,6 +42,12 @@ struct Header {
   bool unoriented = false;
 };
 
+bool read_truth(JsonReader& json) {
+  const std::string_view value = json.any();
+  if (value != "true" && value != "false") json.fail("neither true nor false");
+  return value == "true";
+}
+
 Header read_header(std::string_view text, const std::string& path) {
   JsonReader json(text, path);
   Header header;
@@ -67,11 +73,8 @@ Header read_header(std::string_view text, const std::string& path) {
       case tolerance:
         header.tolerance = json.number().value();
         break;
-      case unoriented: {
-        const std::string_view value = json.any();
-        if (value != "true" && value != "false") json.fail("neither true nor false");
-        header.unoriented = value == "true";
-      }
+      case unoriented:
+        header.unoriented = read_truth(json);
     }
   });
   json.finish();
@@ -145,8 +148,8 @@ Entry read_entry(std::string_view text, const std::string& path, std::int64_t li
   Entry entry;
   entry.at.file = path;
   entry.at.line = line;
-  enum { cut, until, sha256, centers, state };
-  static constexpr std::array<std::string_view, 5> names = {"cut", "until", "sha256", "centers",
+  enum { cut, until, sha256, told, state };
+  static constexpr std::array<std::string_view, 5> names = {"cut", "until", "sha256", "told",
                                                             "state"};
   json.object(names, (std::uint32_t{1} << names.size()) - 1, [&](std::size_t member) {
     switch (member) {
@@ -159,14 +162,8 @@ Entry read_entry(std::string_view text, const std::string& path, std::int64_t li
       case sha256:
         entry.sha256 = read_hash(json);
         break;
-      case centers:
-        if (json.null()) break;
-        entry.centers.emplace();
-        json.array([&](std::size_t) {
-          ExactVec2 p;
-          json.array_of<2>([&](std::size_t k) { p[k] = json.number().value(); });
-          entry.centers->push_back(std::move(p));
-        });
+      case told:
+        entry.told = read_truth(json);
         break;
       case state:
         entry.at.state = json.any();
@@ -301,15 +298,11 @@ std::optional<RecordedMoment> start_at_entry(const IndexFile& index, const Scene
   Replay replay(scene, options);
   replay.read(entry->at);
   RecordedMoment moment;
-  if (entry->centers) {
-    const auto disks = static_cast<GenId>(scene.disks.size());
-    if (entry->centers->size() != scene.disks.size()) {
-      throw InputError(index.path, entry->at.line, "centers", "not one of each disk");
-    }
+  if (entry->told) {
     moment.states.emplace();
-    for (GenId g = 0; g < disks; ++g) {
-      moment.states->push_back(
-          {replay.path(g).since(), (*entry->centers)[g], replay.velocity(g).value()});
+    for (GenId g = 0; g < replay.disks(); ++g) {
+      const Rational since = replay.path(g).since();
+      moment.states->push_back({since, replay.path(g).at(since), replay.velocity(g).value()});
     }
   }
   moment.diagram = std::move(replay.diagram());

@@ -25,9 +25,8 @@ std::int64_t write_index(const std::string& path, const std::string& producer, C
 // What an index says of one cut.
 struct IndexEntry {
   IndexedCut at;
-  // The centres that the last claims of the disks give; nothing where some claim before the cut
-  // lacks its `v` or its `p`.
-  std::optional<std::vector<ExactVec2>> centers;
+  // Whether every claim before the cut that turns a disk has its `v`.
+  bool told = false;
 };
 
 // An index, which is to be by this program.

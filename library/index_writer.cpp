@@ -17,44 +17,12 @@ namespace {
 // The history between two entries is so many times longer than the first of them, at least.
 constexpr std::int64_t kRatio = 20;
 
-// The centres that claims give, as recorded_moment() takes them.
-class LastCenters {
- public:
-  explicit LastCenters(const Scene& scene) {
-    for (const DiskInput& disk : scene.disks) centers_.push_back({disk.x, disk.y});
-  }
-
-  void follow(const Event& event) {
-    if (const auto* c = std::get_if<CollideEvent>(&event)) {
-      for (const int side : {0, 1}) {
-        const GenId g = side == 0 ? c->i : c->j;
-        if (g == container_id) continue;
-        set(g, exact_center(*c, side), c->v[side].has_value());
-      }
-    } else if (const auto* m = std::get_if<ManeuverEvent>(&event)) {
-      set(m->disk, exact_center(*m), m->v.has_value());
-    }
-  }
-
-  std::string text() const {
-    if (!known_) return "null";
-    std::string out = "[";
-    for (const ExactVec2& p : centers_) {
-      if (out.size() > 1) out += ',';
-      out += '[' + number_text(p[0]) + ',' + number_text(p[1]) + ']';
-    }
-    return out + ']';
-  }
-
- private:
-  void set(GenId g, const std::optional<ExactVec2>& center, bool has_velocity) {
-    known_ = known_ && center && has_velocity;
-    if (known_) centers_[g] = *center;
-  }
-
-  std::vector<ExactVec2> centers_;
-  bool known_ = true;
-};
+// Whether the claim says how the disks that it turns go on.
+bool tells_velocities(const Event& event) {
+  if (const auto* c = std::get_if<CollideEvent>(&event)) return c->v[1].has_value();
+  const auto* m = std::get_if<ManeuverEvent>(&event);
+  return m == nullptr || m->v.has_value();
+}
 
 std::string cut_text(const Cut& cut) {
   const auto count = [](std::int64_t x) { return std::to_string(x); };
@@ -86,10 +54,10 @@ class IndexWriter {
   // Whether the history up to here is long enough for another entry.
   bool due(std::int64_t offset) const { return offset >= next_; }
 
-  void entry(const Cut& cut, const LastCenters& centers, const Replay& replay) {
+  void entry(const Cut& cut, bool told, const Replay& replay) {
     finish_entry(cut.offset);
     from_ = cut.offset;
-    std::string text = ",\"centers\":" + centers.text() + ",\"state\":";
+    std::string text = std::string(",\"told\":") + (told ? "true" : "false") + ",\"state\":";
     replay.put(text);
     head_ = "{\"cut\":" + cut_text(cut);
     tail_ = std::move(text) + "}\n";
@@ -135,18 +103,18 @@ std::int64_t write_index(const std::string& path, const std::string& producer, C
   std::vector<std::string> remarks;
   PartReader reader(claim.scene, input, *claim.history, options, remarks, true);
   writer.header(producer, fingerprint_of(claim.scene, reader.header()), options);
-  LastCenters centers(claim.scene);
+  bool told = true;
   std::int64_t events = 0;
   while (std::optional<Part> part = reader.next()) {
     while (const auto event = part->claims->next()) {
-      centers.follow(*event);
+      told = told && tells_velocities(*event);
       // The last part may be long.
       if (++events % 4096 == 0 && options.monitor && !options.monitor(time(*event), events)) {
         throw CertificationInterrupted{events, time(*event)};
       }
     }
     if (reader.done()) break;
-    if (writer.due(reader.offset())) writer.entry(reader.cut(), centers, reader.replay());
+    if (writer.due(reader.offset())) writer.entry(reader.cut(), told, reader.replay());
   }
   return writer.finish();
 }

@@ -1,10 +1,12 @@
 #include "voroproof/recorded_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
 
+#include "filtered/motion/enclosures.h"
 #include "filtered/numbers/dd_ball.h"
 #include "history/error.h"
 #include "library/true_moment.h"
@@ -29,11 +31,12 @@ HistoryCursor cursor_of(const Scene& scene, const voroproof::History& history,
                        [&] { return diagram_at(run_to(scene, 0, options)->motion(), 0); });
 }
 
-// A piece of a path whose numbers are all binary64.
+// A piece of a path whose time and velocity are binary64.
 struct PlainPiece {
   bool plain = false, plain_since = false;
   double since = 0;
-  Vec2 center{}, velocity{};
+  std::array<DdBall, 2> center{};
+  Vec2 velocity{};
 };
 
 PlainPiece plain_piece(const RecordedState& state) {
@@ -44,15 +47,15 @@ PlainPiece plain_piece(const RecordedState& state) {
   };
   out.plain = out.plain_since = take(state.since, out.since);
   for (const int axis : {0, 1}) {
-    out.plain = take(state.center[axis], out.center[axis]) && out.plain;
+    out.center[axis] = dd_of(state.center[axis]);
     out.plain = take(state.velocity[axis], out.velocity[axis]) && out.plain;
   }
   return out;
 }
 
 // x + v (t - s), rounded to nearest, where double-doubles tell.
-std::optional<double> plain_coordinate(double x, double v, double t, double s) {
-  const DdBall sum = DdBall(x) + DdBall(v) * (DdBall(t) - DdBall(s));
+std::optional<double> plain_coordinate(const DdBall& x, double v, double t, double s) {
+  const DdBall sum = x + DdBall(v) * (DdBall(t) - DdBall(s));
   if (!rounds_to_leading(sum)) return std::nullopt;
   return sum.hi;
 }

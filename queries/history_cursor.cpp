@@ -10,20 +10,6 @@
 #include "queries/followed_history.h"
 
 namespace voroproof::internal {
-namespace {
-
-// The disks whose motion an event changes; -1 for none.
-std::array<GenId, 2> movers(const Event& event) {
-  if (const auto* collision = std::get_if<CollideEvent>(&event)) {
-    return {collision->i, collision->j};
-  }
-  if (const auto* maneuver = std::get_if<ManeuverEvent>(&event)) {
-    return {container_id, maneuver->disk};
-  }
-  return {container_id, container_id};
-}
-
-}  // namespace
 
 HistoryCursor::HistoryCursor(const Scene& scene, const std::string& path,
                              const std::function<Diagram()>& initial, const Rational& covered)
@@ -32,7 +18,7 @@ HistoryCursor::HistoryCursor(const Scene& scene, const std::string& path,
 
 HistoryCursor::HistoryCursor(const Scene& scene, HistorySource& history, const std::string& name,
                              const std::function<Diagram()>& initial, const Rational& covered)
-    : path_(name), last_(scene.disks.size(), -1), diagram_(Diagram(0)) {
+    : path_(name), diagram_(Diagram(0)) {
   const int disks = static_cast<int>(scene.disks.size());
   HistoryFollower follower;
   follower.begin = [&](const HistoryHeader& header) {
@@ -41,47 +27,12 @@ HistoryCursor::HistoryCursor(const Scene& scene, HistorySource& history, const s
   };
   follower.event = [&](const Event& event, bool, std::int64_t) { events_.push_back(event); };
   follow_history(history, name, covered, follower);
-
-  for (const DiskInput& disk : scene.disks) {
-    initial_.push_back({0, {disk.x, disk.y}, {disk.vx, disk.vy}});
-  }
-  std::vector<std::ptrdiff_t> last = last_;
-  before_.reserve(events_.size());
-  for (std::size_t k = 0; k < events_.size(); ++k) {
-    std::array<std::ptrdiff_t, 2> before{-1, -1};
-    const std::array<GenId, 2> moved = movers(events_[k]);
-    for (const int side : {0, 1}) {
-      if (moved[side] == container_id) continue;
-      before[side] = std::exchange(last[moved[side]], static_cast<std::ptrdiff_t>(k));
-    }
-    before_.push_back(before);
-  }
-}
-
-std::optional<RecordedState> HistoryCursor::motion(GenId disk) const {
-  const std::ptrdiff_t last = last_[disk];
-  if (last < 0) return initial_[disk];
-  const Event& event = events_[last];
-  std::optional<ExactVec2> center, velocity;
-  if (const auto* collision = std::get_if<CollideEvent>(&event)) {
-    const int side = collision->i == disk ? 0 : 1;
-    center = exact_center(*collision, side);
-    velocity = exact_velocity(*collision, side);
-  } else {
-    center = exact_center(std::get<ManeuverEvent>(event));
-    velocity = exact_velocity(std::get<ManeuverEvent>(event));
-  }
-  if (!center || !velocity) return std::nullopt;
-  return RecordedState{exact_time(event), *std::move(center), *std::move(velocity)};
 }
 
 bool HistoryCursor::next() {
   if (position_ == events_.size()) return false;
   const Event& event = events_[position_];
   if (const auto* f = std::get_if<FlipEvent>(&event)) flip(f->quad, position_);
-  for (const GenId g : movers(event)) {
-    if (g != container_id) last_[g] = static_cast<std::ptrdiff_t>(position_);
-  }
   ++position_;
   return true;
 }
@@ -92,10 +43,6 @@ bool HistoryCursor::previous() {
   const Event& event = events_[position_];
   if (const auto* f = std::get_if<FlipEvent>(&event)) {
     flip(canonical(flipped(f->quad)), position_);
-  }
-  const std::array<GenId, 2> moved = movers(event);
-  for (const int side : {0, 1}) {
-    if (moved[side] != container_id) last_[moved[side]] = before_[position_][side];
   }
   return true;
 }

@@ -1,23 +1,21 @@
 // A place in a history, moved forwards and backwards.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "history/events.h"
 #include "history/history_file.h"
+#include "history/history_source.h"
 #include "history/scene.h"
-#include "queries/recorded_moment.h"
 #include "topology/named_diagram.h"
 
 namespace voroproof::internal {
 
-// The diagram and the motions between two events of a history, which is kept in memory: O(n + k)
-// for n disks and k events. A step takes O(1) expected time, there and back.
+// The diagram between two events of a history, which is kept in memory: O(n + k) for n disks and k
+// events. A step takes O(1) expected time, there and back.
 class HistoryCursor {
  public:
   // Stands before the first event. The history must be of this scene and complete in form; one that
@@ -38,8 +36,6 @@ class HistoryCursor {
   // The number of events that have happened: event(position()) is the next.
   std::size_t position() const { return position_; }
   const NamedDiagram& diagram() const { return diagram_; }
-  // The motion of a disk now; nothing where its last event lacks its `v` or its `p`.
-  std::optional<RecordedState> motion(GenId disk) const;
 
   // One step; false at the end, and at the beginning.
   bool next();
@@ -57,12 +53,7 @@ class HistoryCursor {
 
   std::string path_;
   HistoryHeader header_;
-  std::vector<RecordedState> initial_;
   std::vector<Event> events_;
-  // The last events before each event of its two disks, and the last event so far of each disk: -1
-  // for none.
-  std::vector<std::array<std::ptrdiff_t, 2>> before_;
-  std::vector<std::ptrdiff_t> last_;
   std::size_t position_ = 0;
   NamedDiagram diagram_;
 };

@@ -22,12 +22,11 @@ Paths::Paths(const Scene& scene, const HistoryCursor& history, const std::string
     pieces_.push_back({{0, {disk.x, disk.y}, {disk.vx, disk.vy}}});
     radii_.push_back(disk.radius);
   }
-  const auto start = [&](GenId g, RecordedState state) {
+  const auto turn = [&](GenId g, Rational t, ExactVec2 velocity) {
     std::vector<RecordedState>& pieces = pieces_[g + 1];
-    // Times are rounded: none runs backwards.
-    state.since = std::max(state.since, pieces.back().since);
-    if (state.since == pieces.back().since) pieces.pop_back();
-    pieces.push_back(std::move(state));
+    ExactVec2 here = position_at(pieces.back(), t);
+    if (t == pieces.back().since) pieces.pop_back();
+    pieces.push_back({std::move(t), std::move(here), std::move(velocity)});
   };
   std::vector<std::size_t> next_maneuver(scene.disks.size(), 0);
   for (std::size_t k = 0; k < history.size(); ++k) {
@@ -38,12 +37,9 @@ Paths::Paths(const Scene& scene, const HistoryCursor& history, const std::string
       for (const int side : {0, 1}) {
         const GenId g = side == 0 ? collision->i : collision->j;
         if (g == container_id) continue;
-        const auto center = exact_center(*collision, side);
-        const auto velocity = exact_velocity(*collision, side);
-        if (!center || !velocity) {
-          throw InputError(history_path, line, "collide", "its v and p are needed");
-        }
-        start(g, {exact_time(event), *center, *velocity});
+        auto velocity = exact_velocity(*collision, side);
+        if (!velocity) throw InputError(history_path, line, "collide", "its v is needed");
+        turn(g, exact_time(event), *std::move(velocity));
       }
     } else if (const auto* maneuver = std::get_if<ManeuverEvent>(&event)) {
       std::size_t& m = next_maneuver[maneuver->disk];
@@ -52,9 +48,8 @@ Paths::Paths(const Scene& scene, const HistoryCursor& history, const std::string
         throw InputError(history_path, line, "maneuver", "not one of the scene");
       }
       const Maneuver& given = scene.maneuvers[m++];
-      start(maneuver->disk, {given.t,
-                             position_at(pieces_[maneuver->disk + 1].back(), given.t),
-                             {given.vx, given.vy}});
+      turn(maneuver->disk, exact_time(event),
+           exact_velocity(*maneuver).value_or(ExactVec2{given.vx, given.vy}));
     }
   }
 }

@@ -1,8 +1,8 @@
-// The way of every disk, piece by piece, in exact numbers.
+// The recorded path of every disk (docs/claim.md, section 3), piece by piece, in exact numbers.
 //
-// A disk that has not collided yet moves as the scene says, exactly. After each of its collisions
-// it starts from the centre and the velocity that the history records, which are rounded: the paths
-// are the true motion up to that. Every question about them has an exact answer.
+// A disk starts as the scene says and turns, where its path is, at the time of each of its
+// collisions and maneuvers in the history, to the velocity that the history gives. Centres of the
+// history are not used. Every question about the paths has an exact answer.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,8 @@ namespace voroproof::internal {
 
 class Paths {
  public:
-  // Throws InputError where a collision lacks its `v` or its `p`, or a maneuver is not the scene's.
+  // A maneuver without `v` has the velocity that the scene schedules. Throws InputError where a
+  // collision lacks its `v`, or a maneuver is not the scene's.
   Paths(const Scene& scene, const HistoryCursor& history, const std::string& history_path);
 
   // The pieces of a generator, each in force up to the start of the next; the first starts at 0.

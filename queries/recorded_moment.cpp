@@ -26,7 +26,8 @@ class RecordedStates {
     if (!known_) return;
     const bool flip = std::holds_alternative<FlipEvent>(event);
     if (move_ == Move::all_at_events || (move_ == Move::all_at_collisions && !flip)) {
-      move_all(exact_time(event));
+      const Rational t = exact_time(event);
+      for (RecordedState& state : states_) move(state, t);
     }
     std::visit([&](const auto& kind) { follow_kind(kind); }, event);
   }
@@ -42,34 +43,30 @@ class RecordedStates {
   }
 
  private:
-  void move_all(const Rational& t) {
-    for (RecordedState& state : states_) {
-      if (state.since == t) continue;
-      const Rational passed = t - state.since;
-      for (const int axis : {0, 1}) state.center[axis] += state.velocity[axis] * passed;
-      state.since = t;
-    }
+  static void move(RecordedState& state, const Rational& t) {
+    if (state.since == t) return;
+    const Rational passed = t - state.since;
+    for (const int axis : {0, 1}) state.center[axis] += state.velocity[axis] * passed;
+    state.since = t;
   }
 
   void follow_kind(const CollideEvent& event) {
     for (const int side : {0, 1}) {
       const GenId id = side == 0 ? event.i : event.j;
       if (id == container_id) continue;
-      set(id, exact_time(event), exact_center(event, side), exact_velocity(event, side));
+      turn(id, exact_time(event), exact_velocity(event, side));
     }
   }
   void follow_kind(const ManeuverEvent& event) {
-    set(event.disk, exact_time(event), exact_center(event), exact_velocity(event));
+    turn(event.disk, exact_time(event), exact_velocity(event));
   }
   void follow_kind(const FlipEvent&) {}
 
-  void set(GenId id, Rational t, std::optional<ExactVec2> center,
-           std::optional<ExactVec2> velocity) {
-    if (!center || !velocity) {
-      known_ = false;
-    } else if (known_) {
-      states_[id] = {std::move(t), *std::move(center), *std::move(velocity)};
-    }
+  void turn(GenId id, const Rational& t, std::optional<ExactVec2> velocity) {
+    known_ = known_ && velocity;
+    if (!known_) return;
+    move(states_[id], t);
+    states_[id].velocity = *std::move(velocity);
   }
 
   Move move_;

@@ -13,7 +13,8 @@
 
 namespace voroproof::internal {
 
-// A disk since its last event: at center + velocity (t - since).
+// A disk since its last turn on its recorded path (docs/claim.md, section 3): at
+// center + velocity (t - since).
 struct RecordedState {
   Rational since;
   ExactVec2 center, velocity;
@@ -31,7 +32,7 @@ enum class Move {
 
 struct RecordedMoment {
   std::optional<Diagram> diagram;  // where asked for
-  // Nothing where some collision or maneuver up to the instant lacks its `v` or its `p`.
+  // Nothing where some collision or maneuver up to the instant lacks its `v`.
   std::optional<std::vector<RecordedState>> states;
 };
 

@@ -6,9 +6,6 @@
 namespace voroproof::internal {
 namespace {
 
-constexpr const char* kInterpolation =
-    "judged are the piecewise linear paths between the waypoints of the file";
-
 Json json_of(const Point2& p) {
   return Json::array({voroproof::internal::json_of(p.x), voroproof::internal::json_of(p.y)});
 }
@@ -66,6 +63,21 @@ class Teller {
   const std::vector<GivenPath>& paths_;
 };
 
+// What is judged, from when to when, and what is not.
+void add_basis(const GivenPaths& given, Json& json, std::string& lines) {
+  Json& remarks = json["remarks"] = Json::array({"judged are " + given.meaning});
+  for (const std::string& r : given.remarks) remarks.push_back(r);
+  for (const Json& r : remarks) lines += "c " + r.get<std::string>() + "\n";
+  json["missing"] = given.missing;
+  for (const std::string& m : given.missing) lines += "c missing: " + m + "\n";
+  if (given.paths.empty()) return;
+  const auto [from, to] = time_of(given.paths);
+  json["from"] = voroproof::internal::json_of(from);
+  json["to"] = voroproof::internal::json_of(to);
+  lines += "c judged from t = " + short_text(enclosure(from)) +
+           " to t = " + short_text(enclosure(to)) + "\n";
+}
+
 }  // namespace
 
 ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenPaths& given,
@@ -82,9 +94,7 @@ ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenP
   json["file"] = printable(question.file, 4096);
   json["disks"] = given.paths.size();
   json["legs"] = clearance.legs();
-  Json& remarks = json["remarks"] = Json::array({kInterpolation});
-  for (const std::string& r : given.remarks) remarks.push_back(r);
-  for (const Json& r : remarks) lines += "c " + r.get<std::string>() + "\n";
+  add_basis(given, json, lines);
 
   const std::optional<Approach> least = clearance.least();
   if (least) json["least"] = teller.json(*least);
@@ -109,11 +119,14 @@ ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenP
     lines += rows.size() == 1 ? "no approach below that\n" : table_of(rows);
   }
   if (question.required) {
-    told.refuted = (least && !keeps_clear(*least, *question.required)) ||
-                   (at_wall && !keeps_clear(*at_wall, *question.required));
+    const bool refuted = (least && !keeps_clear(*least, *question.required)) ||
+                         (at_wall && !keeps_clear(*at_wall, *question.required));
+    const bool is_whole = given.missing.empty() && (least || at_wall);
+    told.freedom = refuted ? Freedom::refuted : is_whole ? Freedom::free : Freedom::undecided;
+    const char* verdict = refuted ? "REFUTED" : is_whole ? "FREE" : "UNDECIDED";
     json["required"] = voroproof::internal::json_of(*question.required);
-    json["verdict"] = told.refuted ? "REFUTED" : "FREE";
-    lines += told.refuted ? "s REFUTED\n" : "s FREE\n";
+    json["verdict"] = verdict;
+    lines += std::string("s ") + verdict + "\n";
   }
   return told;
 }

@@ -16,9 +16,13 @@ struct ClearanceQuestion {
   std::optional<Rational> required;  // the gap that is to be kept
 };
 
+// Whether all gaps are as required. Free: they are, in the whole time, of all that may come near.
+// Undecided: those of the paths are, but something is missing, or there is no gap at all.
+enum class Freedom { not_asked, free, refuted, undecided };
+
 struct ClearanceAnswer {
   Answer answer;
-  bool refuted = false;  // something is required and not kept
+  Freedom freedom = Freedom::not_asked;
 };
 
 // Throws Interrupted where `go_on` says no.

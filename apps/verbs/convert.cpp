@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "apps/answers/query_answer.h"
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
@@ -28,6 +29,7 @@ struct Request {
   std::string input, output, scene, horizon, restitution, format, radius;
   std::string numbers = "hexadecimal", version = "1.1";
   std::uint64_t max_events = 0;
+  bool stay = false;
 };
 
 // What is to be written: said by an option, or else by the output's name.
@@ -55,6 +57,9 @@ void disks_to_scene(const Request& request) {
     throw UsageError(
         printable(request.input) +
         ": neither a disk file nor paths (.csv, .xml): only these are made into scenes");
+  }
+  if (!request.radius.empty() || request.stay) {
+    throw UsageError("--radius, --stay: a disk file gives radii, and no paths");
   }
   DiskFile disks = read_disk_file(request.input);
   if (request.horizon.empty()) {
@@ -91,7 +96,10 @@ void require_apart(const Request& request, const GivenPaths& given) {
   if (!least || keeps_clear(*least, 0)) return;
   const auto name = [&](int g) { return printable(given.paths[static_cast<std::size_t>(g)].name); };
   throw InputError(request.input, 0, "disks " + name(least->i) + " and " + name(least->j),
-                   "touch or overlap at t = " + number_text(round_nearest(least->t)) +
+                   (least->distance2 == least->reach * least->reach
+                        ? std::string("touch")
+                        : "overlap by " + short_text({-gap(*least).hi, -gap(*least).lo})) +
+                       " at t = " + number_text(round_nearest(least->t)) +
                        ": the disks of a scene would collide");
 }
 
@@ -101,7 +109,8 @@ void paths_to_scene(const Request& request) {
   }
   std::optional<Rational> radius;
   if (!request.radius.empty()) radius = time_argument("--radius", request.radius);
-  const GivenPaths given = read_paths(request.input, radius);
+  const GivenPaths given =
+      read_paths(request.input, radius, request.stay ? Beyond::stays : Beyond::vanishes);
   const Scene scene = scene_of_paths(given, request.input);
   require_apart(request, given);
   std::ostringstream text;
@@ -113,6 +122,7 @@ void paths_to_scene(const Request& request) {
          "touch nothing\n"
          "disk k is the k-th of the file, from 0; the container is made up\n";
   for (const std::string& remark : given.remarks) out << remark << '\n';
+  for (const std::string& missing : given.missing) out << "missing: " << missing << '\n';
 }
 
 void scene_to_disks(const Request& request) {
@@ -203,6 +213,7 @@ ExitCode convert(const Verb& verb, const Request& request) {
   require_use(verb, "--horizon", to_json, "a scene");
   require_use(verb, "--restitution", to_json, "a scene");
   require_use(verb, "--radius", to_json, "a scene");
+  require_use(verb, "--stay", to_json, "a scene");
   require_use(verb, "--numbers", to_sequence, "an event sequence");
   require_use(verb, "--evtsq-version", to_sequence, "an event sequence");
   const EventLimit limit(request.max_events);
@@ -243,6 +254,9 @@ void add_convert(Verb& program) {
             "The restitution of the scene that is written; 1 where it is not given.");
   verb.text("--radius", request->radius, "LENGTH",
             "The radius of every disk, where a file of paths does not give it.");
+  verb.flag("--stay", request->stay,
+            "Before its first waypoint and after its last a disk of a file of paths stays where it "
+            "is.");
   verb.choice(
       "--numbers", {"hexadecimal", "decimal"}, request->numbers,
       "How an .evtsq has its numbers: with all 64 bits, or with 15 digits after the point.");
@@ -250,7 +264,7 @@ void add_convert(Verb& program) {
               "The version of an .evtsq; 1.0 has no centres at collisions.");
   add_max_events(verb, request->max_events);
   verb.example("voroproof convert a.disks.txt --horizon 1000 -o a.scene.json")
-      .example("voroproof convert plan_log.xml --radius 0.25 -o a.scene.json")
+      .example("voroproof convert plan_log.xml --radius 0.25 --stay -o a.scene.json")
       .example("voroproof convert a.evtsq --scene a.scene.json -o a.history.jsonl");
   verb.does([request, &verb] { return convert(verb, *request); });
 }

@@ -44,7 +44,7 @@ struct Diagram {
 VOROPROOF_API Diagram diagram_at(const Scene& scene, const Number& t, int max_bits = 32768);
 
 // The diagram at t according to a history of the scene: its initial diagram after its flips up to
-// t, the disks where its last recorded centres and velocities put them. Throws InputError, also
+// t, the disks where its recorded paths are. Throws InputError, also
 // where the history does not cover t and, if `checked`, where an edge is illegal by more than
 // tolerances explain. No such edge is no proof; certify the history first.
 VOROPROOF_API Diagram diagram_at(const Scene& scene, const History& history, const Number& t,

@@ -14,9 +14,10 @@
 
 namespace voroproof {
 
-// A disk starts as the scene says and, after each of its collisions, from the centre and with the
-// velocity that the history gives there; a maneuver is the scene's. These paths are known exactly
-// (docs/queries.md), so that every answer has one right value. Nothing here judges the history.
+// A disk starts as the scene says and turns, where it is, at the time of each of its collisions and
+// maneuvers in the history to the velocity that the history gives. These recorded paths are known
+// exactly (docs/claim.md, section 3), so that every answer has one right value. Nothing here judges
+// the history.
 struct Neighbourhood {
   int generator = 0;
   Number from, to;  // as the history has them, or an end of the window
@@ -32,7 +33,7 @@ struct LeastGap {
 class VOROPROOF_API RecordedMotion {
  public:
   // Throws InputError where the history is none or not of this scene, also where a collision lacks
-  // its velocities or centres, and Undecided where it has no initial diagram and none can be found.
+  // its velocities, and Undecided where it has no initial diagram and none can be found.
   RecordedMotion(const Scene& scene, const History& history);
   RecordedMotion(RecordedMotion&&) noexcept;
   RecordedMotion& operator=(RecordedMotion&&) noexcept;

@@ -12,16 +12,25 @@ one consistent set of units of the caller's. Exact numbers go in as `fractions.F
 `Fraction`. Arrays hold binary64, rounded to nearest. docs/python.md says more.
 """
 
-from ._core import version as __version__
-from .diagram import Diagram
 from .errors import Error, InputError, Interrupted, OutputError, Undecided
-from .free_space import Critical, OffsetArc, OffsetPoint, Opening, Place, Tunnel, Vanishing, Void, VoidLife
-from .history import COLLISION, CONTAINER, FLIP, MANEUVER, Ending, History, event_dtype, simulate
-from .motion import LeastGap, Neighbourhood
-from .plan import Approach, Plan, Vehicle, plan
-from .queries import Closest, Instant, NearDisk, Neighbour
-from .report import Divergence, Leniency, Report, Witness, WitnessMotion, certify, certify_files
-from .scene import Disk, Maneuver, Scene
+
+try:
+    from ._core import version as __version__
+    from .diagram import Diagram
+    from .free_space import Critical, OffsetArc, OffsetPoint, Opening, Place, Tunnel, Vanishing, Void, VoidLife
+    from .history import COLLISION, CONTAINER, FLIP, MANEUVER, Ending, History, event_dtype, simulate
+    from .motion import LeastGap, Neighbourhood
+    from .plan import Approach, Plan, Vehicle, plan
+    from .queries import Closest, Instant, NearDisk, Neighbour
+    from .report import Divergence, Leniency, Report, Witness, WitnessMotion, certify, certify_files
+    from .scene import Disk, Maneuver, Scene
+except ImportError as error:  # the importers need neither the compiled part nor NumPy
+    _missing = error
+
+    def __getattr__(name):
+        if name in __all__:
+            raise ImportError(f"voroproof.{name} is not there: {_missing}") from _missing
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 __all__ = [
     "COLLISION", "CONTAINER", "FLIP", "MANEUVER", "Approach", "Closest", "Critical", "Diagram",

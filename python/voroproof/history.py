@@ -47,10 +47,10 @@ class History:
     Made by `simulate`, by `History.read`, or of arrays of an engine of your own by the constructor.
 
     `events` is a structured array of `event_dtype`, in the order of the events. The paths between them
-    are those that the history records: a disk starts as the scene says and, after each of its
-    collisions, from the centre and with the velocity that the event gives. What asks for places
-    (`positions`, `sample`, `gap_series`, ...) raises InputError where events lack them, and ValueError
-    for times beyond the history.
+    are those that the history records: a disk starts as the scene says and turns, where it is, at each
+    of its collisions and maneuvers, to the velocity that the event gives. What asks for places
+    (`positions`, `sample`, `gap_series`, ...) raises InputError where collisions lack velocities, and
+    ValueError for times beyond the history.
     """
 
     def __init__(self, scene: Scene, events: Any, *, initial: Any = None,

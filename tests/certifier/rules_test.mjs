@@ -43,6 +43,10 @@ test("a file that is not of its format is invalid, with file, line and field", (
     [sceneText.replace(/("velocity": ?\[)[^\]]*/, "$11e-400, 0"), "disks[0].velocity[0]: beyond the range"],
     [sceneText.replace(/("velocity": ?\[)[^\]]*/, '$1"1/0", 0'), "disks[0].velocity[0]: a fraction with denominator"],
     [sceneText.replace(/("velocity": ?\[)[^\]]*/, "$101, 0"), "not JSON"],
+    // A row of touching disks whose abscissas were computed in binary64.
+    [`{"format":"voroproof-scene","version":1,"horizon":2,"container":{"center":[0,0],"radius":3},"disks":[
+      {"center":[0.1143,0],"radius":0.028575,"velocity":[0,0]},
+      {"center":[0.17145,0],"radius":0.028575,"velocity":[0,0]}]}`, "the disk overlaps disk 0 by 6.93889e-18"],
   ];
   for (const [text, words] of cases) {
     assert.notEqual(text, sceneText);

@@ -11,9 +11,10 @@ namespace {
 
 class PathsFile : public ::testing::Test {
  protected:
-  GivenPaths read(const std::string& text, std::optional<Rational> radius = 1) {
+  GivenPaths read(const std::string& text, std::optional<Rational> radius = 1,
+                  Beyond beyond = Beyond::vanishes) {
     directory_.write("a", text);
-    return read_paths(directory_.file("a"), radius);
+    return read_paths(directory_.file("a"), radius, beyond);
   }
   void refused(const std::string& text, std::int64_t line, const std::string& field,
                std::optional<Rational> radius = 1) {
@@ -64,6 +65,38 @@ TEST_F(PathsFile, RemarksOfATable) {
   refused(many, static_cast<std::int64_t>(max_remarks) + 2, "remark");
 }
 
+TEST_F(PathsFile, WhatATableLacks) {
+  const GivenPaths g = read("# missing: a ship\ndisk,t,x,y\n#missing: no line of that\na,0,0,0\n");
+  EXPECT_EQ(g.missing, std::vector<std::string>{"a ship"});
+  EXPECT_TRUE(g.remarks.empty());
+}
+
+// Tables and plans agree on where a disk is beyond its own waypoints.
+TEST_F(PathsFile, WhatIsBeyondAPathIsSaid) {
+  const std::string table = "disk,t,x,y\na,0,0,0\na,2,2,0\nb,1,5,5\n";
+  const std::string plan = log(agent(section("0", "1", "2")) + agent(section("9", "8", "1")));
+  for (const std::string& text : {table, plan}) {
+    EXPECT_THROW(read(text, 1, Beyond::unsaid), InputError) << text;
+    const GivenPaths gone = read(text, 1, Beyond::vanishes);
+    ASSERT_EQ(gone.paths.size(), 2u);
+    EXPECT_EQ(gone.paths[1].waypoints.back().t, 1);
+    EXPECT_NE(gone.remarks.back().find("1 of 2 disks are taken to be nowhere"), std::string::npos);
+    const GivenPaths parked = read(text, 1, Beyond::stays);
+    for (const GivenPath& p : parked.paths) {
+      EXPECT_EQ(p.waypoints.front().t, 0);
+      EXPECT_EQ(p.waypoints.back().t, 2);
+    }
+    EXPECT_EQ(parked.paths[1].waypoints.back().at.x, gone.paths[1].waypoints.back().at.x);
+    EXPECT_NE(parked.remarks.back().find("1 of 2 disks are taken to stay"), std::string::npos);
+  }
+  EXPECT_EQ(read(table, 1, Beyond::stays).paths[1].waypoints.size(), 3u);
+  // Where all are there all the time nothing is to be said.
+  const std::string whole = "disk,t,x,y\na,0,0,0\na,2,2,0\nb,0,5,5\nb,2,5,6\n";
+  for (const Beyond beyond : {Beyond::unsaid, Beyond::stays, Beyond::vanishes}) {
+    EXPECT_TRUE(read(whole, 1, beyond).remarks.empty());
+  }
+}
+
 TEST_F(PathsFile, BrokenTables) {
   refused("", 0, "");
   refused("disk,t,x\n", 1, "y");
@@ -84,12 +117,9 @@ TEST_F(PathsFile, SectionsOfAPlanFollowEachOther) {
       read(log(agent(section("0", "1", "0.1") + section("1", "1", "0") + section("1", "3", "0.2")) +
                agent(section("9", "9", "1"))));
   ASSERT_EQ(g.paths.size(), 2u);
-  ASSERT_EQ(g.paths[0].waypoints.size(), 4u);
+  ASSERT_EQ(g.paths[0].waypoints.size(), 3u);
   EXPECT_EQ(g.paths[0].waypoints[2].t, Rational(3, 10));
   EXPECT_EQ(g.paths[0].waypoints[2].at.x, 3);
-  EXPECT_EQ(g.paths[0].waypoints[3].t, 1);  // it stays
-  EXPECT_EQ(g.paths[0].waypoints[3].at.x, 3);
-  EXPECT_EQ(g.remarks.size(), 2u);
 }
 
 TEST_F(PathsFile, BrokenPlans) {

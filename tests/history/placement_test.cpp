@@ -78,7 +78,7 @@ TEST(Placement, DecidesExactly) {
   EXPECT_FALSE(pair(1 + tiny));
   ASSERT_TRUE(pair(1 - tiny));
   EXPECT_EQ(pair(1 - tiny)->disk, 1);
-  EXPECT_EQ(pair(1 - tiny)->reason, "overlaps disks[0]");
+  EXPECT_EQ(pair(1 - tiny)->reason, "overlaps disks[0] by 1e-300");
 }
 
 TEST(Placement, Container) {
@@ -102,8 +102,8 @@ TEST(Placement, Container) {
   EXPECT_EQ(alone(touching, -4, 3), "touches the container with a tangential velocity");
   EXPECT_EQ(alone(touching, 4, -3), "touches the container with a tangential velocity");
   EXPECT_EQ(alone(disk(3, 4, Rational("5000000000000000000001/1000000000000000000000")), 0, 0),
-            "not inside the container");
-  EXPECT_EQ(alone(disk(30, 0, 1), 0, 0), "not inside the container");
+            "not inside the container, by 1e-21");
+  EXPECT_EQ(alone(disk(30, 0, 1), 0, 0), "not inside the container, by 21");
   EXPECT_EQ(alone(disk(0, 0, 10), 0, 0), "not smaller than the container");
   EXPECT_EQ(alone(disk(0, 0, 40), 0, 0), "not smaller than the container");
   EXPECT_EQ(alone(disk(10, 0, 0), 0, 0), "");

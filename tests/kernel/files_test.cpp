@@ -191,6 +191,20 @@ TEST(KernelFiles, ANewerFileIsToldAsSuch) {
   }
 }
 
+// A row of touching disks whose abscissas were computed in binary64.
+TEST(KernelFiles, OverlapsAreToldWithTheirAmount) {
+  try {
+    read_scene(R"({"format":"voroproof-scene","version":1,"horizon":2,
+      "container":{"center":[0,0],"radius":3},"disks":[
+      {"center":[0.1143,0],"radius":0.028575,"velocity":[0,0]},
+      {"center":[0.17145,0],"radius":0.028575,"velocity":[0,0]}]})");
+    ADD_FAILURE();
+  } catch (const Stop& stop) {
+    EXPECT_EQ(stop.verdict, Verdict::invalid);
+    EXPECT_EQ(stop.reason, "two disks overlap by 6.93889e-18");
+  }
+}
+
 TEST(KernelFiles, VerdictsOnBadInput) {
   EXPECT_EQ(check("", "", {}).verdict, Verdict::invalid);
   EXPECT_EQ(check(kScene, history(kEnd) + "x", {}).verdict, Verdict::invalid);

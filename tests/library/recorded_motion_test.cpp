@@ -97,6 +97,11 @@ TEST(LibraryRecordedMotion, RefusesWhatDoesNotTell) {
   for (Event& event : history.events) {
     if (auto* collision = std::get_if<CollisionEvent>(&event)) collision->center = {};
   }
+  EXPECT_EQ(RecordedMotion(scene, history).positions(3.5),
+            RecordedMotion(scene, simulate(scene)).positions(3.5));
+  for (Event& event : history.events) {
+    if (auto* collision = std::get_if<CollisionEvent>(&event)) collision->velocity = {};
+  }
   EXPECT_THROW(RecordedMotion(scene, history), InputError);
 }
 

@@ -2,7 +2,10 @@
 
 import gzip
 import math
+import os
 import pathlib
+import subprocess
+import sys
 from decimal import Decimal
 from fractions import Fraction
 
@@ -60,7 +63,7 @@ def test_a_dump_of_lammps(given, tmp_path):
 def test_coordinates_are_unwrapped_and_unscaled(given, tmp_path, columns, atoms):
     rows, remarks = imported("lammps-dump", given(periodic_dump(columns, *atoms)), tmp_path, periodic="unwrap")
     assert rows == {"7": [(0, Fraction(5, 2), 4), (1, Fraction(7, 2), -4)]}
-    assert told(remarks, "periodic images of others")
+    assert told(remarks, "missing: the box is periodic, and the periodic images")
 
 
 def test_a_data_file_of_lammps(given, tmp_path):
@@ -155,7 +158,8 @@ def test_a_scenario_of_bluesky(given, tmp_path):
     assert float(route[2][0] - route[1][0]) == pytest.approx(leg / (100 * 1852 / 3600), abs=5e-3)
     speed = float(route[2][2] - route[3][2]) / float(600 - route[2][0])
     assert speed == pytest.approx(50 * 1852 / 3600, abs=1e-3)
-    assert told(remarks, "heights are left out") and told(remarks, "commands that are not followed: HOLD 1")
+    assert told(remarks, "heights are left out") and told(remarks, "and move nobody: HOLD 1")
+    assert not told(remarks, "missing")
 
 
 def test_spellings_of_scenarios(given, tmp_path):
@@ -175,7 +179,8 @@ def test_routes_end_where_nobody_knows_the_way(given, tmp_path):
         head + "00:00:00.00>DEFWPT HERE,52.01,4\n00:00:00.00>ADDWPT A HERE\n00:00:00.00>DEST A EHAM\n"
         "00:00:00.00>ADDWPT B SUGOL\n"), tmp_path, radius=Fraction(0))
     assert list(rows) == ["A"] and len(rows["A"]) == 2
-    assert told(remarks, "1 aircraft are followed only up to") and told(remarks, "1 aircraft are left out")
+    assert told(remarks, "missing: 1 aircraft are followed only up to")
+    assert told(remarks, "missing: 1 aircraft are left out")
     # Commands that nobody follows end the path where they are given.
     rows, remarks = imported("bluesky", given(head + "00:01:00.00>DIRECT A HERE\n00:02:00.00>DEL B\n"), tmp_path)
     assert [row[0] for row in rows["A"]] == [0, 60] and [row[0] for row in rows["B"]] == [0, 120]
@@ -189,10 +194,12 @@ def test_american_tracks_of_ships(given, tmp_path):
     assert [row[0] for row in rows["367000002"]] == [30, Fraction(181, 2)]
     assert rows["367000001"][0][1:] == plane.place(Fraction("29.5"), Fraction("-90.104"))
     assert told(remarks, "from 2020-01-01T00:00:00 UTC")
-    for loss in ("1 messages without a position", "1 messages repeat", "1 messages give another place", "length, width"):
+    for loss in ("1 messages without a position", "1 messages repeat", "missing: 1 messages that give another place",
+                 "missing: 1 ships of which no message has a position", "length, width"):
         assert told(remarks, loss)
     rows, remarks = imported("ais", given(AMERICAN), tmp_path, longest_gap=Fraction(60))
     assert list(rows) == ["367000001", "367000002", "367000002/2"] and told(remarks, "cut 1 times")
+    assert told(remarks, "missing: ships between the parts of their tracks")
 
 
 def test_danish_and_other_tracks_of_ships(given, tmp_path):
@@ -234,4 +241,75 @@ def test_nobody(given, tmp_path):
     assert imported("ais", given(AMERICAN.splitlines()[0]), tmp_path)[0] == {}
     empty = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ATOMS id x y\n"
     assert imported("lammps-dump", given(empty), tmp_path)[0] == {}
-    assert program("clearance", tmp_path / "table.csv", "--radius", "1", "--required", "0").stdout.endswith("s FREE\n")
+    assert program("clearance", tmp_path / "table.csv", "--radius", "1", "--required", "0").stdout.endswith("s UNDECIDED\n")
+
+
+MESSAGES = """MMSI,BaseDateTime,LAT,LON,SOG,COG
+1,2020-05-01T18:20:00,37.0700,23.4700,0.1,27
+2,2020-05-01T18:20:00,36.7000,23.9000,11.0,332
+3,2020-05-01T18:20:00,37.0800,23.5200,0.1,27
+"""
+
+
+def test_one_message_a_ship(given, tmp_path):
+    """The closest point of approach of two that go on as their messages say: -(d.v)/(v.v), in floats here."""
+    where = geography.Projection(Fraction("37.07"), Fraction("23.47"))
+    rows, remarks = imported("ais", given(MESSAGES), tmp_path, origin=where, until=Fraction(21600), radius=Fraction(0))
+    assert told(remarks, "goes on with the speed and the course") and not told(remarks, "missing")
+    def motion(name):
+        (_, *start, _), (t, *end, _) = rows[name]
+        assert t == 21600
+        return start, [(b - a) / t for a, b in zip(start, end)]
+    (p, v), (q, w) = motion("1"), motion("2")
+    for velocity, knots, course in ((v, 0.1, 27), (w, 11, 332)):
+        speed = knots * 1852 / 3600
+        assert float(velocity[0]) == pytest.approx(speed * math.sin(math.radians(course)), abs=1e-10)
+        assert float(velocity[1]) == pytest.approx(speed * math.cos(math.radians(course)), abs=1e-10)
+    d, u = [float(b - a) for a, b in zip(p, q)], [float(b - a) for a, b in zip(v, w)]
+    t = -(d[0] * u[0] + d[1] * u[1]) / (u[0]**2 + u[1]**2)
+    assert t == pytest.approx(9653.205, abs=1e-3)
+    assert math.hypot(d[0] + t * u[0], d[1] + t * u[1]) == pytest.approx(13963.5668, abs=1e-3)
+    judged = program("clearance", tmp_path / "table.csv", "--below", "15000", "--required", "4000")
+    assert judged.returncode == 0 and "13963.5668  9653.205" in judged.stdout
+    # Without it there is one instant; a ship without speed is followed up to its message.
+    assert told(imported("ais", given(MESSAGES), tmp_path)[1], "--until gives motion")
+    for other in ("102.3,332", ",332", "11.0,360"):
+        rows, remarks = imported("ais", given(MESSAGES.replace("11.0,332", other)), tmp_path, until=Fraction(60))
+        assert len(rows["2"]) == 1 and told(remarks, "missing: 1 ships after their last message")
+
+
+@pytest.mark.parametrize("other", [
+    "CRECONFS KL205 B744 KL204 90 1 120 0 0 300", "MCRE 20", "CRE KL205,B744,EHAM,0,FL300,250", "PCALL other.scn",
+    "ADDWPT KL204 SUGOL", "NOBODY KNOWS THIS"])
+def test_who_is_not_in_the_table_may_be_near(given, tmp_path, other):
+    """Whatever may create or move somebody, and is not followed: free is not said."""
+    path = given(f"00:00:00.00>CRE KL204 B744 52 4 0 FL300 250\n00:00:00.00>CRE KL9 B744 53 9 0 FL300 250\n00:00:01.00>{other}\n")
+    table = tmp_path / "a.csv"
+    assert command("bluesky", path, "--until", "60", "--radius", "10", "-o", table).returncode == 0
+    judged = program("clearance", table, "--required", "0", "--vanish")
+    assert judged.returncode == 3 and judged.stdout.endswith("s UNDECIDED\n") and "\nc missing: " in judged.stdout
+    path = given(path.read_text().replace(other, "ZOOM 2"))
+    command("bluesky", path, "--until", "60", "--radius", "10", "-o", table)
+    assert program("clearance", table, "--required", "0").stdout.endswith("s FREE\n")
+
+
+def test_images_across_a_periodic_side_may_be_near(given, tmp_path):
+    """Two atoms that overlap by 0.2 across a side, and are far apart in the box."""
+    head = "ITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp ff pp\n0 10\n0 20\n-0.5 0.5\nITEM: ATOMS id x y radius\n"
+    path = given("".join(f"ITEM: TIMESTEP\n{t}\n{head}1 0.2 5 0.25\n2 9.9 5 0.25\n" for t in (0, 1000)))
+    assert command("lammps-dump", path, "--periodic", "as-is", "-o", tmp_path / "a.csv").returncode == 0
+    judged = program("clearance", tmp_path / "a.csv", "--required", "0")
+    assert judged.returncode == 3 and "c missing: the box is periodic" in judged.stdout
+    assert judged.stdout.endswith("s UNDECIDED\n")
+
+
+def test_importers_need_no_compiled_module(given, tmp_path):
+    """The sources have none beside them; nor have they NumPy here."""
+    sources = os.path.join(os.environ["VOROPROOF_SOURCE"], "python")
+    def python(*arguments):
+        return subprocess.run([sys.executable, "-B", "-S", *map(str, arguments)], capture_output=True, text=True,
+                              env={"PYTHONPATH": sources})
+    done = python("-m", "voroproof.importers", "lammps-dump", given(DUMP), "-o", tmp_path / "a.csv")
+    assert done.returncode == 0 and done.stderr == "" and (tmp_path / "a.csv").exists()
+    done = python("-c", "import voroproof; voroproof.InputError; voroproof.Scene")
+    assert done.stderr.splitlines()[-1].startswith("ImportError: voroproof.Scene is not there: No module named")

@@ -167,6 +167,11 @@ def test_databases(tmp_path):
     assert "no such table" in refusal("jupedsim", tmp_path / "empty.sqlite").reason
     (tmp_path / "no.sqlite").write_text(DUMP * 10)
     assert "not a database" in refusal("jupedsim", tmp_path / "no.sqlite").reason
+    # What SQLite says of this schema is no UTF-8 itself.
+    write_jupedsim(tmp_path / "damaged.sqlite")
+    whole = (tmp_path / "damaged.sqlite").read_bytes()
+    (tmp_path / "damaged.sqlite").write_bytes(whole.replace(b"CREATE TABLE geometry", b"CREATE \xe6ABLE geometry"))
+    assert "no trajectories of JuPedSim" in refusal("jupedsim", tmp_path / "damaged.sqlite").reason
     assert "no such file" in refusal("jupedsim", tmp_path / "none").reason
     assert not (tmp_path / "none").exists()
 
@@ -207,6 +212,21 @@ def test_tracks(tmp_path, old, new, line, field, reason):
     assert old in AMERICAN
     path.write_text(AMERICAN.replace(old, new, 1))
     error = refusal("ais", path)
+    assert (error.line, error.field) == (line, field), str(error)
+    assert reason in error.reason
+
+
+@pytest.mark.parametrize("old, new, line, field, reason", [
+    ("SOG", "speed", 1, "heading", "no column of speed"),
+    ("8.1,90.0,90.0", "fast,90.0,90.0", 2, "speed", "not a decimal"),
+    ("8.1,90.0,90.0", "8.1,-90.0,90.0", 2, "course", "negative"),
+    ("2020-01-01T00:01:00", "2020-01-01T01:00:00", 2, "time", "--until 600 is no later"),
+])
+def test_tracks_that_go_on(tmp_path, old, new, line, field, reason):
+    path = tmp_path / "a.csv"
+    assert old in AMERICAN
+    path.write_text(AMERICAN.replace(old, new, 1))
+    error = refusal("ais", path, until=Fraction(600))
     assert (error.line, error.field) == (line, field), str(error)
     assert reason in error.reason
 

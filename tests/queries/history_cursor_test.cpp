@@ -7,27 +7,12 @@
 #include <variant>
 
 #include "history/error.h"
-#include "tests/queries/scene_history.h"
-#include "tests/support/random_scenes.h"
+#include "tests/queries/watched.h"
 
 namespace voroproof::internal::testing {
 namespace {
 
-struct Sight {
-  std::vector<Quad> quads;
-  std::vector<std::optional<RecordedState>> motions;
-  bool operator==(const Sight&) const = default;
-};
-
-Sight sight(const HistoryCursor& cursor, const Scene& scene) {
-  Sight s{cursor.diagram().diagram().quads(), {}};
-  for (GenId g = 0; g < static_cast<GenId>(scene.disks.size()); ++g) {
-    s.motions.push_back(cursor.motion(g));
-  }
-  return s;
-}
-
-Diagram no_initial() { throw std::logic_error("the history has its initial diagram"); }
+std::vector<Quad> sight(const HistoryCursor& cursor) { return cursor.diagram().diagram().quads(); }
 
 class CursorTest : public ::testing::Test {
  protected:
@@ -42,24 +27,24 @@ TEST_F(CursorTest, EveryStepBackRestoresWhatWasBeforeIt) {
   const SceneHistory run = make();
   ASSERT_TRUE(run.complete);
   HistoryCursor cursor(run.scene, run.history, no_initial);
-  std::vector<Sight> sights{sight(cursor, run.scene)};
+  std::vector<std::vector<Quad>> sights{sight(cursor)};
   std::set<std::size_t> kinds;
   while (cursor.next()) {
     kinds.insert(cursor.event(cursor.position() - 1).index());
-    sights.push_back(sight(cursor, run.scene));
+    sights.push_back(sight(cursor));
     EXPECT_TRUE(cursor.diagram().diagram().is_valid());
     // The cursor goes there and back at once.
     EXPECT_TRUE(cursor.previous());
-    EXPECT_EQ(sight(cursor, run.scene), sights[sights.size() - 2]);
+    EXPECT_EQ(sight(cursor), sights[sights.size() - 2]);
     EXPECT_TRUE(cursor.next());
-    EXPECT_EQ(sight(cursor, run.scene), sights.back());
+    EXPECT_EQ(sight(cursor), sights.back());
   }
   EXPECT_EQ(kinds.size(), std::variant_size_v<voroproof::internal::Event>);
   EXPECT_EQ(cursor.position(), cursor.size());
   EXPECT_FALSE(cursor.next());
   for (std::size_t k = cursor.size(); k-- > 0;) {
     EXPECT_TRUE(cursor.previous());
-    EXPECT_EQ(sight(cursor, run.scene), sights[k]) << k;
+    EXPECT_EQ(sight(cursor), sights[k]) << k;
   }
   EXPECT_FALSE(cursor.previous());
 }
@@ -67,6 +52,7 @@ TEST_F(CursorTest, EveryStepBackRestoresWhatWasBeforeIt) {
 TEST_F(CursorTest, SeeksByNumberAndTimeAgreeWithTheWayThroughTheFile) {
   const SceneHistory run = make();
   HistoryCursor cursor(run.scene, run.history, no_initial);
+  const Paths paths(run.scene, cursor, run.history);
   ASSERT_GT(cursor.size(), 40u);
   for (const std::size_t k : {31u, 7u, 40u, 0u, 12u}) {
     const Rational t = exact_time(cursor.event(k));
@@ -74,15 +60,15 @@ TEST_F(CursorTest, SeeksByNumberAndTimeAgreeWithTheWayThroughTheFile) {
     EXPECT_GT(cursor.position(), k);
     const RecordedMoment moment =
         recorded_moment(run.scene, run.history, t, Move::colliding, true, no_initial);
-    const Sight here = sight(cursor, run.scene);
-    EXPECT_EQ(here.quads, moment.diagram->quads());
-    for (std::size_t g = 0; g < run.scene.disks.size(); ++g) {
-      EXPECT_EQ(here.motions[g], (*moment.states)[g]);
+    const std::vector<Quad> here = sight(cursor);
+    EXPECT_EQ(here, moment.diagram->quads());
+    for (GenId g = 0; g < static_cast<GenId>(run.scene.disks.size()); ++g) {
+      EXPECT_EQ(paths.piece(g, t), (*moment.states)[static_cast<std::size_t>(g)]);
     }
     const std::size_t position = cursor.position();
     cursor.seek(cursor.size());
     cursor.seek(position);
-    EXPECT_EQ(sight(cursor, run.scene), here);
+    EXPECT_EQ(sight(cursor), here);
     const Rational before = t - Rational(1, 1000000000);
     cursor.seek(before);
     EXPECT_LE(cursor.position(), k);

@@ -52,13 +52,19 @@ TEST(LeastGap, OfPairsIsThatOfManyInstants) {
   }
 }
 
-// The way of a disk from its lines in the history, or of the container, in 100 digits.
+// The recorded path of a disk, or of the container, in 100 digits: it turns where it is.
 struct Way {
   struct Piece {
     Real t, x, y, vx, vy;
   };
   std::vector<Piece> pieces;
   void turn(const Piece& piece) { pieces.push_back(piece); }
+  void turn(const Real& t, const Vec2& v) {
+    Piece here = at(t);
+    here.vx = v[0];
+    here.vy = v[1];
+    turn(here);
+  }
   Piece at(const Real& t) const {
     auto piece = pieces.rbegin();
     while (piece->t > t) ++piece;
@@ -77,21 +83,15 @@ std::vector<Way> ways_of(const Watched& w) {
     ways[i].turn({0, real(d.x), real(d.y), real(d.vx), real(d.vy)});
   }
   HistoryReader history(w.run.history, w.size());
-  std::size_t maneuvers = 0;
   while (const auto event = history.next()) {
     if (const auto* c = std::get_if<CollideEvent>(&*event)) {
       for (const int side : {0, 1}) {
         const GenId g = side == 0 ? c->i : c->j;
         if (g == container_id) continue;
-        ways[g].turn(
-            {c->t, (*c->p[side])[0], (*c->p[side])[1], (*c->v[side])[0], (*c->v[side])[1]});
+        ways[g].turn(c->t, *c->v[side]);
       }
-    } else if (std::holds_alternative<ManeuverEvent>(*event)) {
-      const Maneuver& m = scene.maneuvers[maneuvers++];
-      Way::Piece there = ways[m.disk].at(real(m.t));
-      there.vx = real(m.vx);
-      there.vy = real(m.vy);
-      ways[m.disk].turn(there);
+    } else if (const auto* m = std::get_if<ManeuverEvent>(&*event)) {
+      ways[m->disk].turn(m->t, *m->v);
     }
   }
   return ways;

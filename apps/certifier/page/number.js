@@ -189,7 +189,7 @@ class Fraction {
     return `${this.n < 0n ? "-" : ""}${digits.slice(0, -9)}.${digits.slice(-9)}`;
   }
 
-  // Near it, for drawing only.
+  // Near it, for drawing and messages only.
   near() {
     const excess = Math.max(0, bitLength(this.n) - 1000, bitLength(this.m) + this.k - 1000);
     const n = this.n >> BigInt(excess), d = (this.m << BigInt(this.k)) >> BigInt(excess);

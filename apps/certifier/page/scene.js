@@ -45,6 +45,12 @@ function readManeuvers(value, disks) {
   });
 }
 
+// By how much two disks overlap: the distance is the reach times the root of 1 - part.
+function overlapText(distance2, reach) {
+  const part = UNIT.minus(distance2.over(reach.square())).near();
+  return String(Number((reach.near() * part / (1 + Math.sqrt(1 - part))).toPrecision(6)));
+}
+
 // Disks lie in the container and do not overlap: by a sweep over their abscissas.
 function checkPlaces(scene, values) {
   let widest = ZERO;
@@ -64,11 +70,12 @@ function checkPlaces(scene, values) {
     for (let k = i + 1; k < order.length; ++k) {
       const b = scene.disks[order[k]];
       if (most.less(b.center[0].minus(a.center[0]))) break;
-      const distance = norm2(difference(a.center, b.center));
-      if (distance.sign === 0 || distance.less(a.radius.plus(b.radius).square())) {
-        const [first, second] = [order[i], order[k]].sort((x, y) => x - y);
-        refuseField(values[second], `the disk overlaps disk ${first}`);
+      const distance2 = norm2(difference(a.center, b.center)), reach = a.radius.plus(b.radius);
+      const [first, second] = [order[i], order[k]].sort((x, y) => x - y);
+      if (distance2.less(reach.square())) {
+        refuseField(values[second], `the disk overlaps disk ${first} by ${overlapText(distance2, reach)}`);
       }
+      if (distance2.sign === 0) refuseField(values[second], `the point coincides with point ${first}`);
     }
   }
 }

@@ -63,7 +63,7 @@ OPTIONS: Dict[str, Dict[str, Any]] = {
     "until": dict(type=positive, metavar="T", help="the end of motion"),
     "origin": dict(type=origin, metavar="LAT,LON", help="the point about which the Earth is taken for a plane, as in "
                    "--origin=-33.9,151.2"),
-    "columns": dict(type=columns, metavar="WHAT=NAME,...", help="the names of columns: id, time, lat, lon"),
+    "columns": dict(type=columns, metavar="WHAT=NAME,...", help="the names of columns: " + ", ".join(ais.KNOWN)),
     "longest_gap": dict(type=positive, metavar="S", help="cut a track where it has no message for so many seconds"),
 }
 
@@ -73,7 +73,7 @@ READERS = {
     gsd_file: ("GSD files of HOOMD-blue", ["radius", "timestep", "periodic", "flatten"]),
     jupedsim: ("SQLite trajectories of JuPedSim", ["radius"]),
     bluesky: ("scenarios of BlueSky (.scn)", ["radius", "origin", "until"]),
-    ais: ("tables of AIS messages", ["radius", "columns", "origin", "longest_gap"]),
+    ais: ("tables of AIS messages", ["radius", "columns", "origin", "longest_gap", "until"]),
 }
 
 

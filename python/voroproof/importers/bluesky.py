@@ -7,7 +7,7 @@ flies by another command is followed up to there.
 import math
 from collections import Counter
 from fractions import Fraction
-from typing import Dict, Iterator, List, Optional, Tuple
+from typing import Dict, Iterable, Iterator, List, Optional, Tuple
 
 from . import geography, numbers, scenario
 from .faults import Refused, printable
@@ -19,6 +19,11 @@ NAME = "bluesky"
 TIME_PLACES = 6  # of seconds: the times at waypoints are rounded to these
 # Commands of an aircraft that leave its way over ground as it is, or as if it were (heights).
 HARMLESS = {"ALT", "VS", "ORIG", "TYPE", "COLOR", "COLOUR", "LABEL", "PAN", "POS", "SSD", "TRAIL", "TRAILS", "ECHO"}
+# Commands of the simulator, its screen and its logs, which create and move nobody. Any other may.
+OF_NOBODY = {"HOLD", "OP", "FF", "DT", "DTMULT", "FIXDT", "REALTIME", "DATE", "TIME", "SCEN", "SEED", "ZOOM", "SWRAD", "SYMBOL",
+             "INSEDIT", "LEGEND", "LINE", "BOX", "CIRCLE", "POLY", "POLYALT", "POLYLINE", "DEFWPT", "SHOWPOLY", "SHOWTRAF",
+             "SHOWWPT", "SHOWAPT", "FILTERALT", "CRELOG", "SNAPLOG", "INSTLOG", "SKYLOG", "METRICS", "PLOT", "SAVEIC", "DIST",
+             "CALC", "HELP"}
 TURNS = {"FLYBY", "FLYOVER", "FLYTURN"}
 
 
@@ -113,6 +118,10 @@ class _Aircraft:
         self.t = max(until, self.t)
 
 
+def counted(commands: Iterable[Tuple[str, int]]) -> str:
+    return ", ".join(f"{printable(word, 20)} {count}" for word, count in sorted(commands)[:40])
+
+
 class _Reader:
     def __init__(self, path: str, radius: Optional[Fraction], origin: Optional[geography.Projection],
                  until: Optional[Fraction]):
@@ -140,6 +149,7 @@ class _Reader:
             self.lines.number = 0
             self.lines.fail("CRE", "of no aircraft a motion is known in degrees, feet and knots")
         table.remarks += self.remarks(read.ignored)
+        table.missing += self.missing()
         return table
 
     def choose_plane(self, commands: List[Command]) -> None:
@@ -298,6 +308,14 @@ class _Reader:
             yield "give --radius where the table is read: half of a separation makes that a contact"
         else:
             yield f"the radius of every disk is {numbers.text(self.radius)}, as given"
+        of_nobody = [item for item in self.not_followed.items() if item[0] in OF_NOBODY]
+        if of_nobody:
+            yield f"commands that are not followed, and move nobody: {counted(of_nobody)}"
+        if ignored:
+            yield f"{ignored} lines have no time, and are left out, as BlueSky does"
+
+    def missing(self) -> Iterator[str]:
+        """Aircraft, or parts of their ways, that may be near others and are not in the table."""
         cut = sum(aircraft.cut and len(aircraft.rows) > 1 for aircraft in self.fleet.values())
         if cut:
             yield f"{cut} aircraft are followed only up to a command or place that is not understood"
@@ -305,11 +323,9 @@ class _Reader:
             some = ", ".join(printable(name, 20) for name in self.left_out[:5])
             yield (f"{len(self.left_out)} aircraft are left out, of which no motion is known in degrees, feet and knots: "
                    f"{some}{', ...' if len(self.left_out) > 5 else ''}")
-        if self.not_followed:
-            told = ", ".join(f"{printable(word, 20)} {count}" for word, count in sorted(self.not_followed.items())[:40])
-            yield f"commands that are not followed: {told}"
-        if ignored:
-            yield f"{ignored} lines have no time, and are left out, as BlueSky does"
+        others = [item for item in self.not_followed.items() if item[0] not in OF_NOBODY]
+        if others:
+            yield f"what these commands do, which are not followed and may create or move somebody: {counted(others)}"
 
 
 def read(path: str, *, radius: Optional[Fraction] = None, origin: Optional[geography.Projection] = None,

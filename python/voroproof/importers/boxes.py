@@ -6,8 +6,8 @@ from typing import List, Optional, Tuple
 UNWRAP, AS_IS = "unwrap", "as-is"
 Bounds = Tuple[Fraction, Fraction]
 
-REMARK = ("the box is periodic, and the table is not: how near a disk comes to the periodic images of others is not "
-          "in it, so that a least gap in it may be larger than that in the box")
+MISSING = ("the box is periodic, and the periodic images of the disks are not in the table: across a side two may come "
+           "nearer than in it")
 
 
 def side(axis: str, periodic: Optional[bool], treatment: Optional[str]) -> None:

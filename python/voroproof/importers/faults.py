@@ -1,6 +1,7 @@
 """What is wrong with a file, said in one line, as the program says it."""
 
-from typing import NoReturn
+import contextlib
+from typing import Iterator, NoReturn
 
 from ..errors import InputError
 
@@ -24,3 +25,15 @@ def fail(file: str, line: int, field: str, reason: str) -> NoReturn:
     """Raises InputError; the line is 0 where the file as a whole is meant."""
     parts = [printable(file, 4096) + (f":{line}" if line else ""), printable(field), reason]
     raise InputError(": ".join(part for part in parts if part), file, line, field, reason)
+
+
+@contextlib.contextmanager
+def refusing(file: str, what: str) -> Iterator[None]:
+    """Whatever a library raises while it reads a damaged file is a fault of the file: raises InputError."""
+    try:
+        yield
+    except InputError:
+        raise
+    except Exception as error:
+        said = " ".join(str(error).split())
+        fail(file, 0, "", f"{what}: {printable(said or type(error).__name__, 400)}")

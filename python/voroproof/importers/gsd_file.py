@@ -1,12 +1,13 @@
 """GSD files with the schema of HOOMD-blue, by Debian's python3-gsd."""
 
+import contextlib
 import os
 import warnings
 from fractions import Fraction
 from typing import Any, List, Optional
 
 from . import boxes, numbers
-from .faults import Refused, fail
+from .faults import Refused, fail, refusing
 from .table import Table
 
 NAME = "gsd"
@@ -19,12 +20,9 @@ def _open(path: str) -> Any:
         import gsd.hoomd
     except ImportError:
         fail(path, 0, "", "a GSD file is read by the module gsd, which is not there (Debian: python3-gsd)")
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of names that newer versions of gsd have changed
-            return gsd.hoomd.open(path, "rb")
-    except (OSError, RuntimeError, ValueError, KeyError) as error:
-        fail(path, 0, "", f"no GSD file of HOOMD-blue: {error}")
+    with refusing(path, "no GSD file of HOOMD-blue"), warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of names that newer versions of gsd have changed
+        return gsd.hoomd.open(path, "rb")
 
 
 class _Reader:
@@ -40,7 +38,7 @@ class _Reader:
 
     def read(self) -> Table:
         frames = _open(self.path)
-        try:
+        with contextlib.closing(frames), refusing(self.path, "no frame can be read"):
             self.size = os.path.getsize(self.path)
             if len(frames) == 0:
                 fail(self.path, 0, "", "no frame")
@@ -49,11 +47,8 @@ class _Reader:
             table = Table(self.radius is not None or self.has_sizes)
             for k in range(len(frames)):
                 self.frame(table, frames, k)
-        except (OSError, RuntimeError, IndexError, KeyError, MemoryError) as error:
-            fail(self.path, 0, "", f"no frame can be read: {error}")
-        finally:
-            frames.close()
         table.remarks += self.remarks()
+        table.missing.append(boxes.MISSING)
         return table
 
     def require_plausible(self, frames: Any, k: int) -> None:
@@ -132,7 +127,7 @@ class _Reader:
             said.append("radii are half of the diameters of the file, which need not be those at which particles touch")
         else:
             said.append("the file does not give diameters: give --radius where the table is read")
-        return said + [boxes.REMARK, *self.plane.remarks(),
+        return said + [*self.plane.remarks(),
                        "no digit of the file is lost: positions are binary32 numbers, written exactly; HOOMD-blue may "
                        "have rounded them when it wrote them"]
 

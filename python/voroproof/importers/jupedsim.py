@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any, NoReturn, Optional
 
 from . import numbers
-from .faults import Refused, fail, printable
+from .faults import Refused, fail, printable, refusing
 from .table import Table
 
 NAME = "jupedsim"
@@ -26,11 +26,9 @@ class _Reader:
         if not pathlib.Path(self.path).is_file():
             self.fail("", "no such file, or no file of its own: a database cannot be read from a pipe")
         place = pathlib.Path(self.path).absolute().as_uri() + "?mode=ro"
-        try:
+        with refusing(self.path, "no trajectories of JuPedSim"):
             with contextlib.closing(sqlite3.connect(place, uri=True)) as database:
                 return self.table(database)
-        except (sqlite3.Error, OverflowError) as error:
-            self.fail("", f"no trajectories of JuPedSim: {error}")
 
     def metadata(self, database: sqlite3.Connection, key: str) -> str:
         found = database.execute("SELECT value FROM metadata WHERE key = ?", (key,)).fetchone()

@@ -132,6 +132,8 @@ class _Reader:
         except Refused as refused:
             self.lines.fail(refused.field, refused.reason)
         table.remarks += self.remarks()
+        table.missing.append("the periodic images of the atoms, where the box is periodic: the file does not say whether "
+                             "it is")
         return table
 
     def remarks(self) -> Iterator[str]:
@@ -141,8 +143,6 @@ class _Reader:
             yield ("each disk goes on with the velocity that the file gives it until "
                    f"t = {numbers.text(self.until)}; forces and collisions are not in the file")
         yield "lengths and times are in the units of the file, which it does not say"
-        yield ("the file does not say whether the box is periodic: how near a disk comes to periodic images of others "
-               "is not in the table")
         if self.radius is not None:
             yield f"the radius of every disk is {numbers.text(self.radius)}, as given"
         elif self.style.diameter is None:

@@ -77,6 +77,8 @@ class _Reader:
             self.lines.number = 0
             self.fail("", "no frame: this is no dump of LAMMPS")
         self.table.remarks += self.remarks()
+        if self.any_periodic:
+            self.table.missing.append(boxes.MISSING)
         return self.table
 
     def head(self, item: str) -> _Frame:
@@ -92,6 +94,8 @@ class _Reader:
                 time = self.number(self.line("TIME").strip(), "TIME")
             elif item.startswith("ITEM: NUMBER OF ATOMS"):
                 atoms = self.integer(self.line("NUMBER OF ATOMS"), "NUMBER OF ATOMS")
+                if atoms < 0:
+                    self.fail("NUMBER OF ATOMS", "negative")
             elif item.startswith("ITEM: BOX BOUNDS"):
                 box = self.box(item.split()[3:])
             else:
@@ -219,8 +223,6 @@ class _Reader:
             yield f"the radius of every disk is {numbers.text(self.radius)}, as given"
         elif not ({"radius", "diameter"} & set(self.columns)):
             yield "the file does not give radii: give --radius where the table is read"
-        if self.any_periodic:
-            yield boxes.REMARK
         yield from self.plane.remarks()
         yield "no digit is lost: decimals are taken as they stand"
 

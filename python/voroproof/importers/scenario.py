@@ -1,5 +1,6 @@
 """The lines of BlueSky's scenarios: a time, ">", a command with its arguments."""
 
+import itertools
 import re
 from decimal import Decimal
 from fractions import Fraction
@@ -31,7 +32,7 @@ def read(lines: Lines) -> Scenario:
     """Raises InputError."""
     commands: List[Command] = []
     ignored, before = 0, ""
-    for line in lines:
+    for line in itertools.chain(lines, [""]):  # what goes on where the file ends ends there
         text = before + line.split("#", 1)[0].strip()
         if text.endswith("\\"):
             before = text[:-1].strip() + " "

@@ -38,6 +38,8 @@ class Table:
         self._longest: Tuple[Fraction, str, Fraction] = (Fraction(0), "", Fraction(0))
         self._farthest: Tuple[float, str, Fraction] = (0.0, "", Fraction(0))
         self.remarks: List[str] = []
+        # Who and what may come near and is not in the table: nobody may call it free of approaches.
+        self.missing: List[str] = []
 
     def __len__(self) -> int:
         return len(self._disks)
@@ -88,7 +90,14 @@ class Table:
         self._farthest = max(self._farthest, (length, name, known.t), key=lambda leg: leg[0])
 
     def summary(self) -> List[str]:
-        """All remarks: what is in the table, and then those of the reader."""
+        """All that is said of the table, a line each."""
+        return self._remarks() + self._missing()
+
+    def _missing(self) -> List[str]:
+        return [f"missing: {reason}" for reason in self.missing]
+
+    def _remarks(self) -> List[str]:
+        """What is in the table, and then the remarks of the reader."""
         said = [f"{len(self._disks)} disks, {self._waypoints} waypoints"
                 + (f", t from {_short(self._span[0])} to {_short(self._span[1])}" if self._span else "")]
         if self._longest[1]:
@@ -105,7 +114,8 @@ class Table:
 
         Raises OutputError.
         """
-        heading = "".join(f"# remark: {printable(remark, 1000)}\n" for remark in self.summary())
+        heading = "".join(f"# {printable(said, 1000)}\n" for said in [
+            *(f"remark: {remark}" for remark in self._remarks()), *self._missing()])
         heading += "disk,t,x,y,radius\n" if self._with_radius else "disk,t,x,y\n"
         self._rows.seek(0)
         try:

@@ -12,13 +12,17 @@ TEST_F(CertifyCli, ClearanceOfATable) {
       written("a.csv", "disk,t,x,y,radius\na,0,0,0,1\na,2,4,0,1\nb,0,2,3,1\nb,2,2,3,1\n");
   const std::string out = file("o.json");
   EXPECT_EQ(must({"clearance", table, "--required", "1", "-o", out}).out,
-            std::string(kInterpolation) + "c least gap 1, of a b at t = 1\ns FREE\n");
+            std::string(kInterpolation) + "c judged from t = 0 to t = 2\n" +
+                "c least gap 1, of a b at t = 1\ns FREE\n");
   EXPECT_EQ(json("o.json")["verdict"], "FREE");
   EXPECT_EQ(json("o.json")["least"]["distance_squared"], 9);
+  EXPECT_EQ(json("o.json")["from"], 0);
+  EXPECT_EQ(json("o.json")["to"], 2);
+  EXPECT_EQ(json("o.json")["missing"], Json::array());
   const Result refuted = run({"clearance", table, "--required", "1.0000000000000000001"});
   EXPECT_EQ(refuted.code, 1);
-  EXPECT_EQ(refuted.out,
-            std::string(kInterpolation) + "c least gap 1, of a b at t = 1\ns REFUTED\n");
+  EXPECT_EQ(refuted.out, std::string(kInterpolation) + "c judged from t = 0 to t = 2\n" +
+                             "c least gap 1, of a b at t = 1\ns REFUTED\n");
   const std::string near = must({"clearance", table, "--below", "2", "-o", out}).out;
   EXPECT_NE(near.find("a b"), std::string::npos);
   EXPECT_EQ(json("o.json")["approaches"].size(), 1u);
@@ -29,9 +33,9 @@ TEST_F(CertifyCli, ClearanceOfATable) {
 TEST_F(CertifyCli, RemarksOfATableAreRepeated) {
   const std::string table =
       written("r.csv", "# remark: walls are left out\ndisk,t,x,y,radius\na,0,0,0,1\na,1,0,1,1\n");
-  EXPECT_EQ(
-      must({"clearance", table, "-o", file("o.json")}).out,
-      std::string(kInterpolation) + "c walls are left out\nc no two disks are there at one time\n");
+  EXPECT_EQ(must({"clearance", table, "-o", file("o.json")}).out,
+            std::string(kInterpolation) + "c walls are left out\nc judged from t = 0 to t = 1\n" +
+                "c no two disks are there at one time\n");
   EXPECT_EQ(json("o.json")["remarks"][1], "walls are left out");
   const std::string told = must({"convert", table, "-o", file("r.scene.json")}).out;
   EXPECT_NE(told.find("\nwalls are left out\n"), std::string::npos) << told;
@@ -55,9 +59,116 @@ TEST_F(CertifyCli, ScenesOfPaths) {
   const auto convert = [&](const char* text) -> Arguments {
     return {"convert", written("q.csv", text), "--radius", "1", "-o", file("q.scene.json")};
   };
-  refused(convert("disk,t,x,y\na,0,0,0\na,1,4,0\nb,0,3,1\nb,1,3,1\n"), "disks a and b: touch");
+  refused(convert("disk,t,x,y\na,0,0,0\na,1,4,0\nb,0,3,1\nb,1,3,1\n"),
+          "disks a and b: overlap by 1 at t = 0.75: ");
+  refused(convert("disk,t,x,y\na,0,0,0\na,1,4,0\nb,0,3,2\nb,1,3,2\n"),
+          "disks a and b: touch at t = 0.75: ");
   refused(convert("disk,t,x,y\na,0,0,0\na,1,4,0\nb,0,3,9\nb,2,3,1\n"),
           "disk b: is there from 0 to 2");
+  Arguments stay = convert("disk,t,x,y\na,0,0,0\na,1,4,0\nb,0,3,9\nb,2,3,4\n");
+  stay.push_back("--stay");
+  EXPECT_NE(must(stay).out.find("1 of 2 disks are taken to stay"), std::string::npos);
+  EXPECT_EQ(json("q.scene.json")["horizon"], 2);
+  EXPECT_EQ(json("q.scene.json")["maneuvers"].size(), 1u);
+}
+
+// Nobody is free of what was not looked at.
+TEST_F(CertifyCli, FreeOfNothingIsUndecided) {
+  const auto judged = [&](const std::string& rows) {
+    return run({"clearance", written("a.csv", "disk,t,x,y\n" + rows), "--radius", "1", "--vanish",
+                "--required", "0", "-o", file("o.json")});
+  };
+  const std::string apart = "a,0,0,0\na,1,0,0\nb,0,9,0\nb,1,9,0\n";
+  EXPECT_EQ(judged(apart).code, 0);
+  for (const std::string& nobody : {std::string(), std::string("a,0,0,0\na,1,4,0\n"),
+                                    std::string("a,0,0,0\na,1,4,0\nb,2,0,0\nb,3,0,0\n")}) {
+    const Result result = judged(nobody);
+    EXPECT_EQ(result.code, 3);
+    EXPECT_NE(result.out.find("c no two disks are there at one time\ns UNDECIDED\n"),
+              std::string::npos);
+    EXPECT_EQ(json("o.json")["verdict"], "UNDECIDED");
+  }
+  const Result lacking = judged("# missing: the images of b\n" + apart);
+  EXPECT_EQ(lacking.code, 3);
+  EXPECT_NE(lacking.out.find("c missing: the images of b\n"), std::string::npos);
+  EXPECT_NE(lacking.out.find("\ns UNDECIDED\n"), std::string::npos);
+  EXPECT_EQ(json("o.json")["missing"], Json::array({"the images of b"}));
+  // What is missing takes nothing back.
+  EXPECT_EQ(judged("# missing: the images of b\n" + apart + "c,0,9,0\nc,1,9,0\n").code, 1);
+}
+
+// One that has arrived, and one that passes there afterwards.
+TEST_F(CertifyCli, WhereDisksAreBeyondTheirPathsIsSaid) {
+  const std::string table =
+      written("p.csv", "disk,t,x,y\nquick,0,2,0\nquick,1,3,0\nslow,0,0,0\nslow,5,5,0\n");
+  const std::string plan = written("p.xml", R"(<root><log>
+    <agent number="quick"><path><section start_i="2" start_j="0" goal_i="3" goal_j="0" duration="1"/>
+    </path></agent><agent number="slow"><path>
+    <section start_i="0" start_j="0" goal_i="5" goal_j="0" duration="5"/></path></agent>
+    </log></root>)");
+  for (const std::string& paths : {table, plan}) {
+    const auto judged = [&](const Arguments& beyond) {
+      Arguments all{"clearance", paths, "--radius", "0.3", "--required", "0"};
+      all.insert(all.end(), beyond.begin(), beyond.end());
+      return run(all);
+    };
+    refused({"clearance", paths, "--radius", "0.3"}, "disk quick: has waypoints from t = 0 to 1");
+    const Result unsaid = judged({});
+    EXPECT_EQ(unsaid.code, 2);
+    EXPECT_EQ(unsaid.out, "s INVALID\n");
+    const Result stays = judged({"--stay"});
+    EXPECT_EQ(stays.code, 1);
+    EXPECT_NE(stays.out.find("1 of 2 disks are taken to stay"), std::string::npos);
+    EXPECT_NE(stays.out.find("c least gap -0.6 (they overlap), of quick slow at t = 3\n"),
+              std::string::npos)
+        << stays.out;
+    const Result vanishes = judged({"--vanish"});
+    EXPECT_EQ(vanishes.code, 0);
+    EXPECT_NE(vanishes.out.find("1 of 2 disks are taken to be nowhere"), std::string::npos);
+    EXPECT_EQ(judged({"--stay", "--vanish"}).code, 2);
+  }
+}
+
+// Three disks of which two touch at t = 5; the third is to turn at 1.5.
+TEST_F(CertifyCli, NoHistoryIsFreeOfWhatItDoesNotTell) {
+  const std::string whole = written("t.scene.json", R"({"format":"voroproof-scene","version":1,
+    "container":{"center":[0,0],"radius":20},"horizon":12,"disks":[
+    {"center":[-6,"1/3"],"radius":2,"velocity":[1,0]},
+    {"center":[4,"1/3"],"radius":3,"velocity":[0,0],"mass":4},
+    {"center":[5,-11],"radius":1,"velocity":[0,0]}],
+    "maneuvers":[{"t":1.5,"disk":2,"velocity":[1,0]}]})");
+  const std::string right = file("t.history.jsonl");
+  must({"simulate", whole, "-o", right});
+  EXPECT_EQ(run({"clearance", whole, right, "--required", "0"}).code, 1);
+  const std::string header = lines_of(read_file(right))[0];
+  const auto judged = [&](const std::string& horizon, const std::string& events,
+                          const std::string& end) {
+    std::string text = header;
+    text.replace(text.find("\"horizon\":12"), 12, "\"horizon\":" + horizon);
+    return run({"clearance", whole, written("s.history.jsonl", text + "\n" + events + end + "\n"),
+                "--required", "0"});
+  };
+  const auto lacks = [&](const Result& result, const std::string& what) {
+    EXPECT_EQ(result.code, 3) << result.out;
+    EXPECT_NE(result.out.find("c missing: " + what + "\n"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("\ns UNDECIDED\n"), std::string::npos) << result.out;
+  };
+  const std::string turn = "{\"t\":1.5,\"maneuver\":2,\"v\":[1,0],\"p\":[5,-11]}\n";
+  const auto end = [](const std::string& t, const std::string& maneuvers) {
+    return R"({"end":{"t":)" + t + R"(,"flips":0,"collisions":0,"maneuvers":)" + maneuvers + "}}";
+  };
+  const std::string rest = ", to the scene's horizon, 12";
+  lacks(judged("0", "", end("0", "0")), "the time from t = 0, where the history ends" + rest);
+  lacks(judged("4", turn, end("4", "1")), "the time from t = 4, where the history ends" + rest);
+  lacks(judged("12", "", R"({"stopped":{"t":1,"reason":"x","events":[]}})"),
+        "the time from t = 1, where the history stops" + rest);
+  const std::string maneuver =
+      "a maneuver of the scene, not in the history as scheduled: disk 2 at t = 1.5";
+  lacks(judged("4", "", end("4", "0")), maneuver);
+  std::string other = turn;
+  lacks(judged("4", other.replace(other.find("[1,0]"), 5, "[1,1]"), end("4", "1")), maneuver);
+  other = turn;
+  lacks(judged("4", other.replace(other.find("1.5"), 3, "2.5"), end("4", "1")), maneuver);
 }
 
 constexpr const char* kScene = R"({"format":"voroproof-scene","version":1,
@@ -109,6 +220,7 @@ TEST_F(CertifyCli, ClearanceOfAHistoryRefusesBadInput) {
   const std::string scene = written("c.scene.json", kScene), history = file("c.history.jsonl");
   must({"simulate", scene, "-o", history});
   refused({"clearance", scene, history, "--radius", "1"}, "--radius");
+  refused({"clearance", scene, history, "--stay"}, "--stay");
   refused({"clearance", history, scene}, "the scene comes first");
   const std::string other = file("other.scene.json");
   must({"generate", "grid", "--n", "4", "-o", other});

@@ -134,14 +134,14 @@ TEST_F(QueryCli, Refusals) {
   }
 }
 
-// A disk that leaps far out of the container has no cell on the paths as recorded.
+// A disk that is claimed to fly far out of the container has no cell on the recorded paths.
 TEST_F(QueryCli, PathsThatDoNotFitTheDiagramAreTheHistorysFault) {
   std::string text;
   bool leapt = false;
   for (const std::string& line : lines_of(directory_.read("a.history.jsonl"))) {
     Json json = Json::parse(line);
     if (!leapt && json.contains("collide") && json["collide"] == Json::parse("[7,8]")) {
-      json["p"][1][0] = -4e16;
+      json["v"][1][0] = -4e16;
       leapt = true;
     }
     text += json.dump() + '\n';

@@ -1,0 +1,94 @@
+// Recorded paths: those of the certifier, whatever centres a history claims.
+#include "queries/paths.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "certify/replay.h"
+#include "history/error.h"
+#include "history/history_file.h"
+#include "tests/queries/watched.h"
+#include "topology/diagram.h"
+
+namespace voroproof::internal::testing {
+namespace {
+
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+  const std::size_t at = text.find(old);
+  EXPECT_NE(at, std::string::npos) << old;
+  return text.replace(at, old.size(), by);
+}
+
+TEST(Paths, AreThoseOfTheCertifier) {
+  int turns = 0;
+  for (const unsigned seed : {1u, 2u}) {
+    const Watched w(crowd(7, seed));
+    CertifyOptions options;
+    options.truth = Truth::recorded;
+    Replay replay(w.run.scene, options);
+    HistoryReader history(w.run.history, w.size());
+    replay.diagram() = diagram_of(w.size(), *history.header().initial);
+    while (const auto event = history.next()) {
+      if (std::holds_alternative<FlipEvent>(*event)) continue;
+      replay.take(*event);
+      ++turns;
+      const Rational t = exact_time(*event);
+      for (GenId g = 0; g < w.size(); ++g) {
+        EXPECT_EQ(position_at(w.paths.piece(g, t), t), replay.path(g).at(t)) << seed << ' ' << g;
+      }
+    }
+  }
+  EXPECT_GT(turns, 20);
+}
+
+// A disk of radius 1 that reaches the wall of a container of radius 10 at t = 9, and turns at 10.
+constexpr const char* kScene = R"({"format":"voroproof-scene","version":1,
+  "container":{"center":[0,0],"radius":10},"horizon":12,"disks":[
+  {"center":[0,0],"radius":1,"velocity":[1,0]}],
+  "maneuvers":[{"t":10,"disk":0,"velocity":[0,"1/3"]}]})";
+
+class PathsOfOne : public ::testing::Test {
+ protected:
+  Paths paths(const std::string& collision, const std::string& maneuver) {
+    scene_ = read_scene(directory_.write("scene", kScene));
+    const std::string name = directory_.write(
+        "history", R"({"format":"voroproof-history","version":1,"scene_sha256":")" + scene_.sha256 +
+                       R"(","horizon":12,"producer":"a test","initial":[]})"
+                       "\n" +
+                       collision + "\n" + maneuver +
+                       "\n{\"end\":{\"t\":12,\"flips\":0,\"collisions\":1,\"maneuvers\":1}}\n");
+    return Paths(scene_, HistoryCursor(scene_, name, no_initial), name);
+  }
+  ExactVec2 at(const Paths& paths, const Rational& t) { return position_at(paths.piece(0, t), t); }
+
+  TemporaryDirectory directory_;
+  Scene scene_;
+};
+
+TEST_F(PathsOfOne, GoOnWhereTheyAre) {
+  const std::string collision = R"({"t":9,"collide":[-1,0],"v":[null,[-1,0]],"p":[null,[9,0]]})";
+  const std::string maneuver = R"({"t":10,"maneuver":0,"v":[0,0.25],"p":[8,0]})";
+  const Paths right = paths(collision, maneuver);
+  EXPECT_EQ(at(right, 10), (ExactVec2{8, 0}));
+  // The velocity that is claimed, and not the one that is scheduled.
+  EXPECT_EQ(at(right, 12), (ExactVec2{8, Rational(1, 2)}));
+  for (const Paths& other : {paths(replaced(collision, "[9,0]", "[9.0000004,0]"), maneuver),
+                             paths(replaced(collision, R"(,"p":[null,[9,0]])", ""), maneuver)}) {
+    EXPECT_EQ(other.pieces(0), right.pieces(0));
+  }
+  // At the time that is claimed.
+  const Paths late = paths(collision, replaced(maneuver, "10", "10.5"));
+  EXPECT_EQ(at(late, Rational(21, 2)), (ExactVec2{Rational(15, 2), 0}));
+  EXPECT_EQ(at(paths(collision, R"({"t":10,"maneuver":0})"), 11), (ExactVec2{8, Rational(1, 3)}));
+}
+
+TEST_F(PathsOfOne, NeedVelocities) {
+  EXPECT_THROW(paths(R"({"t":9,"collide":[-1,0]})", R"({"t":10,"maneuver":0,"v":[0,0.25]})"),
+               InputError);
+}
+
+}  // namespace
+}  // namespace voroproof::internal::testing
