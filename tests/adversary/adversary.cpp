@@ -82,6 +82,10 @@ void describe(std::ostream& out, const Made& m, Truth truth, const Judgement& j)
       << static_cast<int>(m.recipe.rewriting) << ", n " << m.scene.size() << ", lines "
       << m.history.lines.size() << ", truth " << name(truth) << "\n#   certifier "
       << name(j.certifier.verdict) << " " << j.certifier.reason << "\n";
+  if (m.recipe.units.length != 0 || m.recipe.units.time != 0) {
+    out << "#   lengths times 2^" << m.recipe.units.length << ", times times 2^"
+        << m.recipe.units.time << ": --tolerance " << tolerance_in(m.recipe.units) << "\n";
+  }
   if (j.kernel.verdict != Verdict::absent) {
     out << "#   kernel " << name(j.kernel.verdict) << " " << j.kernel.reason << "\n";
   }
@@ -92,15 +96,15 @@ void describe(std::ostream& out, const Made& m, Truth truth, const Judgement& j)
 
 void save(const std::string& directory, const Made& found, Truth truth, Find find) {
   const Made m = minimized(found, truth, find);
-  const auto scene = read(m.scene);
+  const auto scene = read(m);
   if (!scene) return;
   std::filesystem::create_directories(directory);
   std::string stem =
       directory + "/" + kind_of(m.recipe) + "-" + std::to_string(m.recipe.seed) + "-" + name(truth);
   std::replace(stem.begin(), stem.end(), ' ', '-');
   std::ofstream(stem + ".scene.json") << scene->text;
-  std::ofstream(stem + ".history.jsonl")
-      << history_text(m.history, scene->scene.sha256, m.recipe.long_decimals);
+  std::ofstream(stem + ".history.jsonl") << history_text(
+      in_units(m.history, m.recipe.units), scene->scene.sha256, m.recipe.long_decimals);
   std::ofstream note(stem + ".txt");
   describe(note, m, truth, judge_all(*scene, m, truth, true, true));
 }

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/adversary/campaign.h"
+#include "tests/support/scene_run.h"
 
 namespace voroproof::internal::adversary {
 namespace {
@@ -92,18 +93,65 @@ TEST(Adversary, OracleLeavesOpenWhatTheHorizonHides) {
             1);
 }
 
-// cases/NAME.scene.json, NAME.history.jsonl and NAME.verdict: lines "truth verdict".
+struct ExpectedVerdict {
+  Truth truth;
+  std::string verdict;
+  Asking asking{};
+};
+
+// The lines "truth verdict", with a tolerance and a number of bits behind where they are not the
+// usual ones.
+std::vector<ExpectedVerdict> read_verdicts(const std::filesystem::path& path) {
+  std::vector<ExpectedVerdict> all;
+  std::ifstream in(path);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string truth, tolerance;
+    int bits;
+    ExpectedVerdict expected;
+    words >> truth >> expected.verdict;
+    expected.truth = truth == name(Truth::exact) ? Truth::exact : Truth::recorded;
+    if (words >> tolerance) expected.asking.tolerance = parse_rational(tolerance).value();
+    if (words >> bits) expected.asking.bits = bits;
+    all.push_back(expected);
+  }
+  return all;
+}
+
+// What the engine writes of the scene must be right, whatever the case's own history claims.
+void expect_own_history_certified(const std::string& scene_path, const ExpectedVerdict& asked) {
+  const Scene scene = read_scene(scene_path);
+  MotionOptions options;
+  options.max_bits = asked.asking.bits;
+  const testing::RecordedRun run = testing::run(scene, options);
+  if (!run.complete()) {
+    EXPECT_NE(asked.verdict, name(Verdict::certified)) << "no own history of " << scene_path;
+    return;
+  }
+  const auto history = testing::claimed_history(scene, run);
+  CertifyOptions judged;
+  judged.truth = asked.truth == Truth::exact ? voroproof::internal::Truth::exact
+                                             : voroproof::internal::Truth::recorded;
+  judged.tolerance = asked.asking.tolerance;
+  judged.motion.max_bits = asked.asking.bits;
+  const Certificate c = testing::certify(scene, history, judged);
+  EXPECT_EQ(c.verdict, voroproof::internal::Verdict::certified)
+      << "the engine's own history of " << scene_path << ", " << name(asked.truth) << ": "
+      << (c.divergence ? c.divergence->truth : c.reason);
+}
+
+// cases/NAME.scene.json, NAME.history.jsonl and NAME.verdict.
 TEST(Adversary, SavedCases) {
   const std::filesystem::path folder(VOROPROOF_ADVERSARY_CASES);
   int replayed = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".verdict") continue;
     const std::string stem = (folder / entry.path().stem()).string();
-    std::ifstream expected(entry.path());
-    std::string truth, verdict;
-    while (expected >> truth >> verdict) {
-      const Truth t = truth == name(Truth::exact) ? Truth::exact : Truth::recorded;
-      const Judgement j = judge_files(stem + ".scene.json", stem + ".history.jsonl", t);
+    for (const ExpectedVerdict& expected : read_verdicts(entry.path())) {
+      const std::string truth = name(expected.truth), verdict = expected.verdict;
+      const Judgement j = judge_files(stem + ".scene.json", stem + ".history.jsonl", expected.truth,
+                                      expected.asking);
+      expect_own_history_certified(stem + ".scene.json", expected);
       EXPECT_EQ(verdict, name(j.certifier.verdict))
           << stem << ", " << truth << ": " << j.certifier.reason;
       // The kernel leaves open what takes irrational numbers.

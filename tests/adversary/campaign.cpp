@@ -92,6 +92,16 @@ Fault fault_of(FaultKind kind, Random& random) {
   return f;
 }
 
+// Nearer to the usual units until all values are in range.
+void fit(Made& made) {
+  Units& units = made.recipe.units;
+  // A tolerance beyond the horizon is refused, but for the usual one.
+  if (made.history.horizon < tolerance) units = {};
+  while ((units.length != 0 || units.time != 0) && !read(made)) {
+    units = {units.length / 2, units.time / 2};
+  }
+}
+
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -161,6 +171,14 @@ void count(Count& c, const Judgement& j) {
 
 }  // namespace
 
+Units random_units(Random& random) {
+  const int most = std::ilogb(max_scene_value);
+  if (random.chance(0.5)) return {-random.integer(most / 3, most), -random.integer(most / 3, most)};
+  const int length = random.integer(-most, most), time = random.integer(-most, most);
+  const Units units[] = {{length, time}, {length, length}, {length, 0}, {0, time}};
+  return units[random.integer(0, 3)];
+}
+
 Recipe recipe_of(std::uint64_t seed, std::optional<Family> family, std::optional<FaultKind> fault) {
   Random random(seed * 0x9e3779b97f4a7c15u + 1);
   Recipe r{.seed = seed};
@@ -186,6 +204,7 @@ Recipe recipe_of(std::uint64_t seed, std::optional<Family> family, std::optional
   r.velocities = random.chance(0.9);
   r.by_engine =
       kind == FaultKind::none && random.chance(in_general_position(r.family) ? 0.05 : 0.7);
+  if (random.chance(0.25)) r.units = random_units(random);
   return r;
 }
 
@@ -215,7 +234,12 @@ std::optional<Made> make(const Recipe& recipe, SceneData scene) {
   Random random(recipe.seed * 0xc2b2ae3d27d4eb4fu + 11);
   rewrite(made.history, recipe.rewriting, random);
   if (recipe.fuzzed) fuzz(made.history, random);
+  fit(made);
   return made;
+}
+
+std::optional<ReadScene> read(const Made& made) {
+  return read(in_units(made.scene, made.recipe.units));
 }
 
 std::string kind_of(const Recipe& recipe) {
@@ -228,7 +252,10 @@ std::string kind_of(const Recipe& recipe) {
 
 Judgement judge_all(const ReadScene& scene, const Made& made, Truth truth, bool always_oracle,
                     bool with_kernel) {
-  Judgement j = judge(scene, made.history, truth, made.recipe.long_decimals, with_kernel);
+  const Units& units = made.recipe.units;
+  Judgement j = judge(scene, in_units(made.history, units), truth,
+                      {made.recipe.long_decimals, with_kernel, tolerance_in(units)});
+  if (j.certifier.when) j.certifier.when = std::ldexp(*j.certifier.when, -units.time);
   const bool meant_right = made.recipe.fault.kind == FaultKind::none && !made.recipe.fuzzed;
   const Verdict c = j.certifier.verdict, k = j.kernel.verdict;
   const bool stands = c != Verdict::refuted || k == Verdict::certified;
@@ -248,7 +275,7 @@ void Campaign::run(std::uint64_t seed, std::optional<Family> family, std::option
                    const std::function<void(const Made&, Truth, const Judgement&)>& judged) {
   const double start = now();
   const auto made = make(recipe_of(seed, family, fault));
-  const auto scene = made ? read(made->scene) : std::nullopt;
+  const auto scene = made ? read(*made) : std::nullopt;
   seconds_[0] += now() - start;
   if (!scene) return;
   ++histories_;

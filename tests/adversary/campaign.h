@@ -26,6 +26,7 @@ struct Recipe {
   bool centres = true, velocities = true;  // whether lines give p and v
   bool by_engine = false;  // the project's own engine writes it: right, also where ties last
   bool long_decimals = false;
+  Units units{};  // in which certifier and kernel get it; the oracle knows the usual ones only
 };
 
 // The history of a recipe, and the scene with the horizon that it has.
@@ -40,8 +41,14 @@ struct Made {
 // What the seed asks for; family and fault as given, where they are.
 Recipe recipe_of(std::uint64_t seed, std::optional<Family> family, std::optional<FaultKind> fault);
 
+// Any that the range of values has room for, often where doubles of doubles underflow.
+Units random_units(Random& random);
+
 // Nothing where no scene comes about, or the fault finds no place in it.
 std::optional<Made> make(const Recipe& recipe);
+
+// The scene in the recipe's units; nothing where the reader refuses it.
+std::optional<ReadScene> read(const Made& made);
 
 // Makes the recipe with another scene.
 std::optional<Made> make(const Recipe& recipe, SceneData scene);

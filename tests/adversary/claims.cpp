@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace voroproof::internal::adversary {
 namespace {
@@ -78,7 +79,38 @@ void put(Text& out, const Line& line, const History& h) {
   out << "}\n";
 }
 
+void scale(double& x, int exponent) { x = std::ldexp(x, exponent); }
+
+void scale(Pair2& pair, int exponent) {
+  for (double& x : pair) scale(x, exponent);
+}
+
 }  // namespace
+
+SceneData in_units(SceneData s, const Units& units) {
+  const int speed = units.length - units.time;
+  for (double* x : {&s.cx, &s.cy, &s.radius}) scale(*x, units.length);
+  scale(s.horizon, units.time);
+  for (DiskData& d : s.disks) {
+    for (double* x : {&d.x, &d.y, &d.radius}) scale(*x, units.length);
+    for (double* v : {&d.vx, &d.vy}) scale(*v, speed);
+  }
+  for (ManeuverData& m : s.maneuvers) {
+    scale(m.t, units.time);
+    for (double* v : {&m.vx, &m.vy}) scale(*v, speed);
+  }
+  return s;
+}
+
+History in_units(History h, const Units& units) {
+  scale(h.horizon, units.time);
+  for (Line& line : h.lines) {
+    scale(line.t, units.time);
+    for (Pair2& v : line.v) scale(v, units.length - units.time);
+    for (Pair2& p : line.p) scale(p, units.length);
+  }
+  return h;
+}
 
 std::string scene_text(const SceneData& s) {
   Text out(false);

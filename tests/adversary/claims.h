@@ -55,6 +55,14 @@ struct History {
   std::vector<Line> lines;
 };
 
+// Powers of two by which lengths and times are multiplied. No rounding differs in other units, so
+// that what is right in one is right in all.
+struct Units {
+  int length = 0, time = 0;  // exponents
+};
+SceneData in_units(SceneData scene, const Units& units);
+History in_units(History history, const Units& units);
+
 // The smaller of the edge's two names.
 inline Edge canonical(const Edge& q) {
   const Edge back{q[1], q[0], q[3], q[2]};

@@ -16,9 +16,9 @@
 namespace voroproof::internal::adversary {
 namespace {
 
-constexpr int most_bits = 1024;
-
 Quad quad(const Edge& q) { return canonical(Quad{q[0], q[1], q[2], q[3]}); }
+
+}  // namespace
 
 testing::ClaimedHistory claimed(const ReadScene& scene, const History& history) {
   testing::ClaimedHistory h;
@@ -57,10 +57,14 @@ testing::ClaimedHistory claimed(const ReadScene& scene, const History& history) 
   return h;
 }
 
-Answer ask_certifier(const Scene& scene, const testing::ClaimedHistory& history, Truth truth) {
+namespace {
+
+Answer ask_certifier(const Scene& scene, const testing::ClaimedHistory& history, Truth truth,
+                     const Asking& asking) {
   CertifyOptions options;
-  // Ties that cost seconds are left undecided.
-  options.motion.max_bits = most_bits;
+  options.tolerance = asking.tolerance;
+  options.motion.max_bits = asking.bits;
+  options.motion.max_radicals = 2;
   options.truth = truth == Truth::exact ? voroproof::internal::Truth::exact
                                         : voroproof::internal::Truth::recorded;
   try {
@@ -86,9 +90,11 @@ Answer ask_certifier(const Scene& scene, const testing::ClaimedHistory& history,
 }
 
 #ifdef VOROPROOF_KERNEL
-Answer ask_kernel(const std::string& scene, const std::string& history, Truth truth) {
+Answer ask_kernel(const std::string& scene, const std::string& history, Truth truth,
+                  const Rational& tolerance) {
   namespace k = voroproof_kernel;
   k::Options options;
+  options.tolerance = tolerance.get_str();
   options.truth = truth == Truth::exact ? k::Truth::exact : k::Truth::recorded;
   try {
     const k::Result r = k::check(scene, history, options);
@@ -102,7 +108,7 @@ Answer ask_kernel(const std::string& scene, const std::string& history, Truth tr
   }
 }
 #else
-Answer ask_kernel(const std::string&, const std::string&, Truth) { return {}; }
+Answer ask_kernel(const std::string&, const std::string&, Truth, const Rational&) { return {}; }
 #endif
 
 }  // namespace
@@ -136,18 +142,28 @@ std::optional<ReadScene> read(const SceneData& scene) {
   return r;
 }
 
-Judgement judge(const ReadScene& scene, const History& history, Truth truth, bool long_decimals,
-                bool with_kernel) {
+Rational tolerance_in(const Units& units) {
+  Rational scaled(1, 1000000);
+  if (units.time < 0) {
+    scaled >>= static_cast<mp_bitcnt_t>(-units.time);
+  } else {
+    scaled <<= static_cast<mp_bitcnt_t>(units.time);
+  }
+  return scaled;
+}
+
+Judgement judge(const ReadScene& scene, const History& history, Truth truth, const Asking& asking) {
   Judgement j;
-  j.certifier = ask_certifier(scene.scene, claimed(scene, history), truth);
-  if (with_kernel) {
-    j.kernel =
-        ask_kernel(scene.text, history_text(history, scene.scene.sha256, long_decimals), truth);
+  j.certifier = ask_certifier(scene.scene, claimed(scene, history), truth, asking);
+  if (asking.with_kernel) {
+    const auto text = history_text(history, scene.scene.sha256, asking.long_decimals);
+    j.kernel = ask_kernel(scene.text, text, truth, asking.tolerance);
   }
   return j;
 }
 
-Judgement judge_files(const std::string& scene_path, const std::string& history_path, Truth truth) {
+Judgement judge_files(const std::string& scene_path, const std::string& history_path, Truth truth,
+                      const Asking& asking) {
   const auto text = [](const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     return std::string{std::istreambuf_iterator<char>(in), {}};
@@ -156,12 +172,12 @@ Judgement judge_files(const std::string& scene_path, const std::string& history_
   try {
     const Scene scene = read_scene(scene_path);
     const auto history = testing::read_claimed_history(history_path, scene);
-    j.certifier = history ? ask_certifier(scene, *history, truth)
+    j.certifier = history ? ask_certifier(scene, *history, truth, asking)
                           : Answer{Verdict::invalid, "not a complete history"};
   } catch (const InputError& error) {
     j.certifier = {Verdict::invalid, error.what()};
   }
-  j.kernel = ask_kernel(text(scene_path), text(history_path), truth);
+  j.kernel = ask_kernel(text(scene_path), text(history_path), truth, asking.tolerance);
   return j;
 }
 

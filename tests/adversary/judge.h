@@ -10,6 +10,7 @@
 #include "history/scene.h"
 #include "tests/adversary/claims.h"
 #include "tests/adversary/truth.h"
+#include "tests/certify/claimed_history.h"
 
 namespace voroproof::internal::adversary {
 
@@ -63,12 +64,27 @@ struct ReadScene {
 };
 std::optional<ReadScene> read(const SceneData& scene);
 
+// The history as the certifier takes it.
+testing::ClaimedHistory claimed(const ReadScene& scene, const History& history);
+
+// The tolerance of times in these units.
+Rational tolerance_in(const Units& units);
+
+// Of the certifier. Ties that cost seconds are left undecided.
+inline constexpr int most_bits = 4096;
+
+struct Asking {
+  bool long_decimals = false, with_kernel = true;
+  Rational tolerance = tolerance_in({});
+  int bits = most_bits;
+};
+
 // Asks the certifier and, where wanted, the kernel.
-Judgement judge(const ReadScene& scene, const History& history, Truth truth, bool long_decimals,
-                bool with_kernel);
+Judgement judge(const ReadScene& scene, const History& history, Truth truth, const Asking& asking);
 
 // Asks the certifier and the kernel about files.
-Judgement judge_files(const std::string& scene_path, const std::string& history_path, Truth truth);
+Judgement judge_files(const std::string& scene_path, const std::string& history_path, Truth truth,
+                      const Asking& asking);
 
 // Asks the oracle, too.
 void ask_oracle(Judgement& j, const SceneData& scene, const History& history, Truth truth,

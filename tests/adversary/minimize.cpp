@@ -7,7 +7,7 @@ namespace voroproof::internal::adversary {
 namespace {
 
 bool is_still(const Made& made, Truth truth, Find find) {
-  const auto scene = read(made.scene);
+  const auto scene = read(made);
   return scene && find_of(judge_all(*scene, made, truth, true, true)) == find;
 }
 

@@ -175,11 +175,14 @@ class ProvedCampaign {
 
  private:
   void judge_seed(std::uint64_t seed) {
-    const auto made = make(recipe_of(seed, {}, {}));
-    const auto scene = made ? read(made->scene) : std::nullopt;
+    Recipe recipe = recipe_of(seed, {}, {});
+    recipe.units = {};  // with the usual tolerance
+    const auto made = make(recipe);
+    const auto scene = made ? read(*made) : std::nullopt;
     if (!scene) return;
     const bool long_decimals = made->recipe.long_decimals;
-    const Judgement j = judge(*scene, made->history, Truth::recorded, long_decimals, true);
+    const Judgement j =
+        judge(*scene, made->history, Truth::recorded, {.long_decimals = long_decimals});
     if (j.kernel.verdict == Verdict::absent) {
       throw std::runtime_error("this build has no kernel");
     }

@@ -22,8 +22,10 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(directory);
   std::uint64_t seed = argc > 3 ? std::stoull(argv[3]) : 1;
   for (int written = 0; written < count; ++seed) {
-    const auto made = make(recipe_of(seed, {}, {}));
-    const auto scene = made ? read(made->scene) : std::nullopt;
+    Recipe recipe = recipe_of(seed, {}, {});
+    recipe.units = {};  // with the usual tolerance
+    const auto made = make(recipe);
+    const auto scene = made ? read(*made) : std::nullopt;
     if (!scene) continue;
     const std::string stem = (directory / std::to_string(seed)).string();
     std::ofstream(stem + ".scene.json") << scene->text;

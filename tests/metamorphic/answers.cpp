@@ -1,0 +1,119 @@
+#include "tests/metamorphic/answers.h"
+
+#include <ctime>
+#include <exception>
+
+#include "evidence/evidence.h"
+#include "history/error.h"
+#include "tests/metamorphic/maps.h"
+#ifdef VOROPROOF_KERNEL
+#include "kernel/kernel.h"
+#endif
+
+namespace voroproof::internal::metamorphic {
+namespace {
+
+class Stopwatch {
+ public:
+  bool in_time() const { return passed() < budget().seconds; }
+  double passed() const { return seconds() - begin_; }
+
+ private:
+  static double seconds() {
+    return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+  }
+  double begin_ = seconds();
+};
+
+void bound(MotionOptions& motion) {
+  motion.max_bits = budget().bits;
+  motion.max_radicals = budget().radicals;
+}
+
+Answer answer_of(const Certificate& c) {
+  switch (c.verdict) {
+    case Verdict::certified:
+      return {"certified"};
+    case Verdict::undecided:
+      return {"undecided", c.reason};
+    case Verdict::refuted:
+      break;
+  }
+  const Divergence& d = *c.divergence;
+  const EvidenceCheck evidence = check_evidence(d);
+  if (evidence.evidence == Evidence::contradicted) return {"failed", evidence.sentence};
+  return {"refuted", d.truth, 0, d.line, d.fault, d.true_flip, d.true_contact};
+}
+
+}  // namespace
+
+Budget& budget() {
+  static Budget current;
+  return current;
+}
+
+const char* name_of(Truth truth) { return truth == Truth::exact ? "exact" : "recorded"; }
+
+Run simulated(const Scene& scene, EngineOptions options) {
+  const Stopwatch watch;
+  bound(options.motion);
+  options.monitor = [&watch](double, std::uint64_t) { return watch.in_time(); };
+  Run run{testing::run_with(scene, options)};
+  run.seconds = watch.passed();
+  return run;
+}
+
+bool excuses(double seconds) { return 16 * seconds > budget().seconds; }
+
+std::string text(const Answer& a) {
+  std::string out = a.verdict;
+  if (a.fault) out += ", " + std::string(fault_names[static_cast<std::size_t>(*a.fault)]);
+  if (a.line > 0) out += ", line " + std::to_string(a.line);
+  return out + (a.reason.empty() ? "" : ": " + a.reason);
+}
+
+Answer certified(const Case& of, Truth truth, CertifyOptions options) {
+  const Stopwatch watch;
+  options.truth = truth;
+  options.tolerance = of.tolerance;
+  bound(options.motion);
+  options.monitor = [&watch](double, std::int64_t) { return watch.in_time(); };
+  try {
+    Answer answer = answer_of(testing::certify(of.scene, *of.claim, options));
+    answer.seconds = watch.passed();
+    return answer;
+  } catch (const CertificationInterrupted&) {
+    return {"endless"};
+  } catch (const InputError& error) {
+    return {"invalid", error.what()};
+  } catch (const std::exception& error) {
+    return {"failed", error.what()};
+  }
+}
+
+#ifdef VOROPROOF_KERNEL
+std::string kernel_verdict(const Case& of, Truth truth) {
+  namespace k = voroproof_kernel;
+  k::Options options;
+  options.truth = truth == Truth::exact ? k::Truth::exact : k::Truth::recorded;
+  options.tolerance = of.tolerance.get_str();
+  const Scene read = parse_scene(testing::text(of.scene), "scene");
+  const k::Result r =
+      k::check(testing::text(of.scene), history_text(*of.claim, read.sha256), options);
+  switch (r.verdict) {
+    case k::Verdict::certified:
+      return "certified";
+    case k::Verdict::refuted:
+      return "refuted";
+    case k::Verdict::undecided:
+      return "undecided";
+    case k::Verdict::invalid:
+      break;
+  }
+  return "invalid: " + r.reason;
+}
+#else
+std::string kernel_verdict(const Case&, Truth) { return "absent"; }
+#endif
+
+}  // namespace voroproof::internal::metamorphic
