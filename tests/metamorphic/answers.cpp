@@ -15,8 +15,7 @@ namespace {
 
 class Stopwatch {
  public:
-  bool in_time() const { return passed() < budget().seconds; }
-  double passed() const { return seconds() - begin_; }
+  bool in_time() const { return seconds() - begin_ < budget().seconds; }
 
  private:
   static double seconds() {
@@ -42,7 +41,7 @@ Answer answer_of(const Certificate& c) {
   const Divergence& d = *c.divergence;
   const EvidenceCheck evidence = check_evidence(d);
   if (evidence.evidence == Evidence::contradicted) return {"failed", evidence.sentence};
-  return {"refuted", d.truth, 0, d.line, d.fault, d.true_flip, d.true_contact};
+  return {"refuted", d.truth, d.line, d.fault, d.true_flip, d.true_contact};
 }
 
 }  // namespace
@@ -58,12 +57,8 @@ Run simulated(const Scene& scene, EngineOptions options) {
   const Stopwatch watch;
   bound(options.motion);
   options.monitor = [&watch](double, std::uint64_t) { return watch.in_time(); };
-  Run run{testing::run_with(scene, options)};
-  run.seconds = watch.passed();
-  return run;
+  return {testing::run_with(scene, options)};
 }
-
-bool excuses(double seconds) { return 16 * seconds > budget().seconds; }
 
 std::string text(const Answer& a) {
   std::string out = a.verdict;
@@ -79,9 +74,7 @@ Answer certified(const Case& of, Truth truth, CertifyOptions options) {
   bound(options.motion);
   options.monitor = [&watch](double, std::int64_t) { return watch.in_time(); };
   try {
-    Answer answer = answer_of(testing::certify(of.scene, *of.claim, options));
-    answer.seconds = watch.passed();
-    return answer;
+    return answer_of(testing::certify(of.scene, *of.claim, options));
   } catch (const CertificationInterrupted&) {
     return {"endless"};
   } catch (const InputError& error) {

@@ -15,7 +15,6 @@ inline constexpr std::array both_truths{Truth::exact, Truth::recorded};
 const char* name_of(Truth truth);
 
 struct Run : testing::RecordedRun {
-  double seconds = 0;
   bool endless() const { return outcome.kind == Outcome::Kind::interrupted; }
 };
 // The engine's run, interrupted where it takes too long.
@@ -25,7 +24,6 @@ struct Answer {
   // A verdict, or "invalid", "failed", "endless".
   std::string verdict;
   std::string reason{};
-  double seconds = 0;
   // Of a refutation.
   std::int64_t line = 0;
   std::optional<Fault> fault{};
@@ -33,9 +31,6 @@ struct Answer {
   std::optional<std::pair<GenId, GenId>> contact{};
 };
 std::string text(const Answer& answer);
-
-// Whether the one that is too long says nothing of the other, which took so many seconds, too.
-bool excuses(double seconds);
 
 // What is judged, and how.
 struct Case {

@@ -70,11 +70,6 @@ bool is_generic(const World& world, const RecordedRun& run) {
   return world.generic && has_distinct_times(run);
 }
 
-// Whether one has no end, and the other is no quick one.
-bool are_slow(const Run& a, const Run& b) {
-  return (a.endless() || b.endless()) && excuses(std::min(a.seconds, b.seconds));
-}
-
 std::string run_difference(const World& world, const Run& run, const Image& image,
                            const Run& image_run) {
   if (run.outcome.kind != image_run.outcome.kind) {
@@ -95,7 +90,7 @@ std::pair<GenId, GenId> contact_image(const std::pair<GenId, GenId>& pair, const
 // `only_verdict`: ties may be broken otherwise, and the first fault be another.
 bool are_same(const Answer& ours, const Image& image, const Answer& theirs, bool only_verdict) {
   if (ours.verdict == "endless" || theirs.verdict == "endless") {
-    return ours.verdict == theirs.verdict || excuses(std::max(ours.seconds, theirs.seconds));
+    return true;  // one takes too long: nothing is known
   }
   if (ours.verdict != theirs.verdict) return false;
   if (only_verdict || ours.verdict != "refuted") return true;
@@ -166,11 +161,10 @@ Comparison compare_image(const World& world, Relation relation) {
   Case ours{world.scene, {}, world.tolerance};
   Case theirs{std::move(*scene), {}, world.tolerance * image->time};
   const Run run = simulated(ours.scene), image_run = simulated(theirs.scene);
-  if (are_slow(run, image_run)) return {};
+  if (run.endless() || image_run.endless()) return {};
   const std::string difference = run_difference(world, run, *image, image_run);
   if (!difference.empty()) {
-    const bool endless = run.endless() || image_run.endless();
-    return {true, Contradiction{"simulate: " + difference, ours, theirs, endless}};
+    return {true, Contradiction{"simulate: " + difference, ours, theirs}};
   }
   if (!run.complete() && !world.claim) return {true};
   ours.claim = claim_of(world, run);
@@ -187,8 +181,7 @@ Comparison compare_image(const World& world, Relation relation) {
     if (are_same(a, *image, b, only_verdict)) continue;
     ours.answer = text(a);
     theirs.answer = text(b);
-    const bool endless = a.verdict == "endless" || b.verdict == "endless";
-    return {true, Contradiction{"certify, " + std::string(name_of(truth)), ours, theirs, endless}};
+    return {true, Contradiction{"certify, " + std::string(name_of(truth)), ours, theirs}};
   }
   return {true};
 }

@@ -79,11 +79,9 @@ std::string told(Relation relation, const World& world, const Contradiction& c) 
          (c.ours.answer.empty() ? "" : "\n  " + c.ours.answer + "\n  " + c.theirs.answer) + "\n";
 }
 
-void save(const std::string& directory, Relation relation, const World& found,
-          const Contradiction& contradiction) {
-  // What has no end takes too long to be shrunk.
-  const World world = contradiction.of_time ? found : shrunk(relation, found);
-  const Contradiction c = contradiction.of_time ? contradiction : *compare(relation, world).found;
+void save(const std::string& directory, Relation relation, const World& found) {
+  const World world = shrunk(relation, found);
+  const Contradiction c = *compare(relation, world).found;
   std::filesystem::create_directories(directory);
   std::string stem = directory + "/" + std::string(name(relation)) + "-" + world.family + "-" +
                      std::to_string(world.seed);
@@ -150,7 +148,7 @@ int run(const Wishes& w) {
     ++found;
     if (saved[std::string(name(relation)) + world->family]++ >= most_saved_of_a_kind) continue;
     std::cout << told(relation, *world, *comparison.found) << std::flush;
-    if (!w.out.empty()) save(w.out, relation, *world, *comparison.found);
+    if (!w.out.empty()) save(w.out, relation, *world);
   }
   const bool relations = print("relation", by_relation), families = print("family", by_family);
   std::printf("%lld seeds, %lld contradictions\n", static_cast<long long>(k),

@@ -40,7 +40,6 @@ inline std::string_view name(Relation r) { return relation_names[static_cast<std
 struct Contradiction {
   std::string what;
   Case ours, theirs;
-  bool of_time = false;  // one of the two has no end
 };
 
 struct Comparison {
