@@ -64,6 +64,7 @@ TEST_F(Indexes, OfSomethingElseAreRefused) {
   changed("beginning of the history", [&](auto& l) { l[1]["cut"]["part"] = 0; });
   changed("text after the last line", [](auto& l) { l.push_back(l.back()); });
   changed("other bytes", [&](auto& l) { l[last]["sha256"] = std::string(64, '0'); });
+  changed("no state of SHA-256", [&](auto& l) { l[last]["cut"]["digest"] = "0"; });
   changed("neither an entry", [](auto& l) { l[1] = Json{{"x", 1}}; });
   put(right);
   std::string text = directory_.read("a.index");
