@@ -88,11 +88,15 @@ const Sha256& LineSource::digest_up_to(std::int64_t offset) {
 
 std::string LineSource::content_sha256() {
   if (!digest_ || (!ended_ && is_stream(path_))) return {};
-  do {
-    offset_ += static_cast<std::int64_t>(end_ - begin_);
-    begin_ = end_;
-    digest_up_to(offset_);
-  } while (fill());
+  try {
+    do {
+      offset_ += static_cast<std::int64_t>(end_ - begin_);
+      begin_ = end_;
+      digest_up_to(offset_);
+    } while (fill());
+  } catch (const InputError&) {
+    return {};
+  }
   return Sha256(*digest_).hex();
 }
 

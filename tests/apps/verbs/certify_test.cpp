@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -49,6 +50,25 @@ TEST_F(CertifyCli, ReportsNameTheBytes) {
         EXPECT_EQ(json("r.json")["history_sha256"], sha256_of_file(history)) << truth;
       }
     }
+  }
+}
+
+// What refutes a history is enough, also where its rest cannot be read: then the report has no hash
+// of it, and cannot be shown with it.
+TEST_F(CertifyCli, RefutedBeforeADamagedRest) {
+  const std::string scene = reference(30, "1000"), path = history(scene);
+  const std::string wrong = edited(path, [](auto& lines) { lines.erase(lines.begin() + 1); });
+  // A gzip of it that breaks off in the middle.
+  const std::string packed = file("w.jsonl.gz");
+  ASSERT_EQ(std::system(("gzip -c " + wrong + " > " + packed).c_str()), 0);
+  std::filesystem::resize_file(packed, std::filesystem::file_size(packed) / 2);
+  for (const char* truth : {"exact", "recorded"}) {
+    const Result out =
+        run({"certify", scene, packed, "--truth", truth, "--report", file("r.json")});
+    EXPECT_EQ(out.code, 1) << truth << out.err;
+    EXPECT_FALSE(json("r.json").contains("history_sha256"));
+    refused({"movie", scene, wrong, "--report", file("r.json"), "-o", file("m.html")},
+            "does not say which history");
   }
 }
 
@@ -171,6 +191,7 @@ TEST_F(CertifyCli, ReportsAreExplainedAndDrawn) {
   const std::string cut_report = written("cut.json", cut.dump());
   refused({"explain", cut_report},
           cut_report + ": divergence.witness.generators[0].center: fewer than 1 elements");
+  cut = json("r.json");
   cut["certified_prefix"]["events"] = "12";
   refused({"explain", written("cut.json", cut.dump())},
           ": certified_prefix.events: not an integer\n");
