@@ -84,10 +84,11 @@ Json json(const Divergence& d) {
   return j;
 }
 
-// As a decimal, where it is the shortest one of a binary64; else "p/q".
+// As the shortest decimal of a binary64, where it is that number or that decimal; else "p/q".
 std::string exact_text(const Rational& q) {
-  const std::string decimal = number_text(round_nearest(q));
-  return parse_rational(decimal) == q ? decimal : q.get_str();
+  const double near = round_nearest(q);
+  const std::string decimal = number_text(near);
+  return to_rational(near) == q || parse_rational(decimal) == q ? decimal : q.get_str();
 }
 
 // What a verdict is not about, where only collisions were judged; else empty.
