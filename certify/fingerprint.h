@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 
-#include "history/events.h"
 #include "history/history_file.h"
 #include "history/scene.h"
 #include "history/sha256.h"
@@ -31,8 +30,7 @@ class Fingerprint {
   void add(const Rational& q);
   void add(const ExactVec2& v);
   void add(const Quad& q);
-  void add(const Event& event, std::int64_t line);  // line > 0
-  void add(const HistoryHeader& header);            // what is judged of it
+  void add(const HistoryHeader& header);  // what is judged of it
 
   // Of all so far, as 64 lower-case hexadecimal digits. Once, and last.
   std::string hex();

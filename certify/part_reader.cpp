@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "certify/fingerprint.h"
 #include "history/error.h"
 
 namespace voroproof::internal {
@@ -102,17 +103,21 @@ PartReader::PartReader(const Scene& scene, const MotionInput& input, HistorySour
       horizon_(header_.horizon.get_d()),
       replay_(scene, options),
       ahead_(history, kAhead),
-      before_(replay_) {
+      before_(replay_),
+      marks_(marks) {
   if (!marks) return;
   offset_ = history.offset();
+  history.keep_digest();
+  history.settle(offset_);
   header_sha256_ = fingerprint_of(scene, header_);
-  begin_marks(header_sha256_);
 }
 
 void PartReader::start_at(const IndexedCut& start) {
   const Cut& cut = start.cut;
   replay_.read(start);
-  if (!history_.skip_to({cut.offset, cut.line, cut.t, cut.claims})) {
+  std::optional<Sha256> digest = Sha256::resumed(start.digest, cut.offset);
+  if (!digest) throw InputError(start.file, start.line, "cut.digest", "no state of SHA-256");
+  if (!history_.skip_to({cut.offset, cut.line, cut.t, cut.claims, std::move(digest)})) {
     throw InputError(start.file, 0, "", "the history is none that can be read from the middle");
   }
   before_ = replay_;
@@ -122,20 +127,9 @@ void PartReader::start_at(const IndexedCut& start) {
   taken_ = cut.claims;
   line_ = cut.line;
   offset_ = cut.offset;
-  begin_marks(cut.claims_sha256);
+  history_.settle(offset_);
   // Behind a cut there is a claim.
   if (!ahead_.first()) throw InputError(start.file, start.line, "cut.offset", "no event follows");
-}
-
-void PartReader::begin_marks(const std::string& claims_sha256) {
-  claims_sha256_ = claims_sha256;
-  fingerprint_.emplace();
-  fingerprint_->add(std::string_view(claims_sha256_));
-}
-
-// A part begins.
-void PartReader::mark() {
-  if (fingerprint_) begin_marks(fingerprint_->hex());
 }
 
 Cut PartReader::cut() const {
@@ -147,7 +141,7 @@ Cut PartReader::cut() const {
           line_,
           offset_,
           header_sha256_,
-          claims_sha256_,
+          digest().hex(),
           state.hex()};
 }
 
@@ -161,8 +155,8 @@ void PartReader::take_next_claim() {
   last_ = time(claim.event());
   line_ = claim.line;
   offset_ = claim.offset;
+  if (marks_) history_.settle(offset_);
   taken_.add(claim.event());
-  if (fingerprint_) fingerprint_->add(claim.event(), claim.line);
   claims_.add(std::move(claim.event()), claim.line);
   ahead_.drop_first();
 }
@@ -241,7 +235,6 @@ std::optional<Part> PartReader::next() {
               std::exchange(before_, replay_),
               std::exchange(begin_, until),
               PartEnd{until, replay_.diagram()}};
-    mark();
     return part;
   }
   return last_part();
@@ -249,6 +242,8 @@ std::optional<Part> PartReader::next() {
 
 std::optional<Part> PartReader::last_part() {
   done_ = true;
+  // No cut follows, and what is left may be long.
+  if (marks_) history_.settle(LineSource::all_given);
   return Part{number_++,
               std::make_unique<Section>(header_, std::move(claims_), &ahead_),
               std::move(places_),

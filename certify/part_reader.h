@@ -8,7 +8,6 @@
 
 #include "certify/certifier.h"
 #include "certify/checker.h"
-#include "certify/fingerprint.h"
 #include "certify/read_ahead.h"
 #include "certify/replay.h"
 #include "certify/shard.h"
@@ -81,6 +80,8 @@ class PartReader {
   double begins_at() const { return begin_.value_or(0); }
   // The bytes of the history before it, and what these claims lead to.
   std::int64_t offset() const { return offset_; }
+  // The hash of these bytes. Precondition: marks.
+  Sha256 digest() const { return history_.digest_up_to(offset_); }
   const Replay& replay() const { return replay_; }
   // The place before the next part. Preconditions: marks, !done().
   Cut cut() const;
@@ -94,8 +95,6 @@ class PartReader {
   bool may_end() const;
   bool is_full() const;
   std::optional<Part> last_part();
-  void begin_marks(const std::string& claims_sha256);
-  void mark();
 
   const MotionInput& input_;
   HistorySource& history_;
@@ -118,9 +117,8 @@ class PartReader {
   // Of all claims taken.
   HistoryCounts taken_;
   std::int64_t line_ = 1, offset_ = 0;  // of the last
-  // Of the claims of the present part, and of the parts before it.
-  std::optional<Fingerprint> fingerprint_;
-  std::string header_sha256_, claims_sha256_;  // the latter of the parts before it
+  bool marks_;
+  std::string header_sha256_;
   // Whether the claims so far make sense. The others are left to the last part, to say why not.
   bool clear_ = true;
   bool done_ = false;

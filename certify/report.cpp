@@ -1,5 +1,7 @@
 #include "certify/report.h"
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "history/json_text.h"
@@ -82,6 +84,31 @@ Json json(const Divergence& d) {
   return j;
 }
 
+// As the shortest decimal of a binary64, where it is that number or that decimal; else "p/q".
+std::string exact_text(const Rational& q) {
+  const double near = round_nearest(q);
+  const std::string decimal = number_text(near);
+  return to_rational(near) == q || parse_rational(decimal) == q ? decimal : q.get_str();
+}
+
+// What a verdict is not about, where only collisions were judged; else empty.
+std::string scope_line(const CertifyOptions& options, const Certificate& c) {
+  if (options.judges_flips()) return {};
+  return "flips were not judged (" + std::to_string(c.flips_not_judged) +
+         " in the history), and no diagram is claimed";
+}
+
+// Where times are so late that rounding them to binary64 may take them out of the tolerance: which
+// tolerance lets all times of a history be that are rounded correctly. Else empty.
+std::string coarse_times_line(const CertifyOptions& options, const Rational& horizon) {
+  const double last = round_up(horizon);
+  const double ulp = std::nextafter(last, std::numeric_limits<double>::infinity()) - last;
+  if (options.tolerance >= to_rational(ulp / 2)) return {};
+  return "binary64 numbers near t = " + number_text(last) + " are " + number_text(ulp) +
+         " apart, so that rounding alone takes a time out of the tolerance: --tolerance " +
+         number_text(ulp) + " allows for it";
+}
+
 }  // namespace
 
 std::string_view verdict_line(Verdict verdict) {
@@ -94,12 +121,6 @@ std::string_view verdict_line(Verdict verdict) {
       break;
   }
   return "s UNDECIDED";
-}
-
-std::string scope_line(const CertifyOptions& options, const Certificate& c) {
-  if (options.judges_flips()) return {};
-  return "flips were not judged (" + std::to_string(c.flips_not_judged) +
-         " in the history), and no diagram is claimed";
 }
 
 std::string reason_line(const Certificate& c) {
@@ -127,12 +148,31 @@ std::vector<Leniency> leniencies(const Certificate& c) {
 
 std::string horizon_line(const Certificate& c) {
   if (!c.other_horizon) return {};
-  const auto text = [](const Rational& q) {
-    const double near = round_nearest(q);
-    return to_rational(near) == q ? number_text(near) : q.get_str();
-  };
-  return "horizon " + text((*c.other_horizon)[0]) + " of the scene's " +
-         text((*c.other_horizon)[1]);
+  return "horizon " + exact_text((*c.other_horizon)[0]) + " of the scene's " +
+         exact_text((*c.other_horizon)[1]);
+}
+
+VerdictWords words_of(const CertifyOptions& options, const Rational& horizon,
+                      const Certificate& c) {
+  VerdictWords words;
+  const bool all = options.judges_flips();
+  words.verdict =
+      std::string(verdict_line(c.verdict).substr(2)) + (all ? "" : " (collisions alone)");
+  words.about = std::string(all ? "all events" : "collisions and maneuvers") + ", " +
+                (options.truth == Truth::exact ? "exact" : "recorded") +
+                " truth, up to t = " + exact_text(horizon) + ", times within " +
+                exact_text(options.tolerance) + ", velocities within " +
+                exact_text(options.law_tolerance) + (options.strict ? ", strict" : "");
+  for (const Leniency& l : leniencies(c)) {
+    if (l.count == 0) continue;
+    words.reservations.push_back("leniency: " + std::to_string(l.count) + " " +
+                                 std::string(l.words));
+  }
+  for (const std::string& line :
+       {horizon_line(c), coarse_times_line(options, horizon), scope_line(options, c)}) {
+    if (!line.empty()) words.reservations.push_back(line);
+  }
+  return words;
 }
 
 std::string report_text(const CertificationRun& run, const CertifyOptions& options,
@@ -144,6 +184,7 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
   j["scene"] = run.scene_file;
   j["history"] = run.history_file;
   j["scene_sha256"] = run.scene_sha256;
+  if (!run.history_sha256.empty()) j["history_sha256"] = run.history_sha256;
   j["history_producer"] = run.history_producer;
   j["disks"] = run.disks;
   j["horizon"] = run.horizon.get_str();
@@ -154,6 +195,9 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
   j["law_tolerance"] = options.law_tolerance.get_str();
   j["strict"] = options.strict;
   j["verdict"] = verdict_line(c.verdict).substr(2);
+  const VerdictWords words = words_of(options, run.horizon, c);
+  j["words"] = {
+      {"verdict", words.verdict}, {"about", words.about}, {"reservations", words.reservations}};
   j["reason"] = reason_line(c);
   j["certified_prefix"] = {{"events", c.prefix_events}, {"t", c.prefix_t}};
   if (c.divergence) {

@@ -13,7 +13,11 @@ namespace voroproof::internal {
 
 // What a report says of the run besides the certificate.
 struct CertificationRun {
-  std::string producer, scene_file, history_file, scene_sha256, history_producer;
+  std::string producer, scene_file, history_file;
+  // Of the contents. That of the history is empty where not all of it is known: of a shard behind
+  // which the history goes on, and of a stream that was not read to its end.
+  std::string scene_sha256, history_sha256;
+  std::string history_producer;
   int disks = 0;
   Rational horizon;
   std::string evidence{};  // of a refutation: whether its witness was checked, and by what
@@ -36,11 +40,19 @@ struct Leniency {
 };
 std::vector<Leniency> leniencies(const Certificate& certificate);
 
-// What a verdict is not about, where only collisions were judged; else empty.
-std::string scope_line(const CertifyOptions& options, const Certificate& certificate);
-
 // "horizon 5 of the scene's 1000", where the history has another; else empty.
 std::string horizon_line(const Certificate& certificate);
+
+// What a certificate says, wherever it is said: by the program, in reports and tables, in movies,
+// in the library and in Python.
+struct VerdictWords {
+  std::string verdict;  // "CERTIFIED" and so on, or "CERTIFIED (collisions alone)"
+  std::string about;    // which events, which truth, up to when, within which tolerances
+  // What the verdict is not about, and what was accepted that is not exact; each a line.
+  std::vector<std::string> reservations;
+};
+VerdictWords words_of(const CertifyOptions& options, const Rational& horizon,
+                      const Certificate& certificate);
 
 // The text of the report file.
 std::string report_text(const CertificationRun& run, const CertifyOptions& options,

@@ -21,16 +21,17 @@ struct Cut {
   std::int64_t line = 1;      // the last before it
   std::int64_t offset = 0;    // of the end of that line, as HistorySource has it
   std::string header_sha256;  // of the scene and the history's header
-  std::string claims_sha256;  // of these and the claims before it, as read
+  std::string bytes_sha256;   // of the history's content up to the offset
   std::string state_sha256;   // of the diagram and the recorded motion that these claims lead to
   bool operator==(const Cut&) const = default;
 };
 
 // A cut as an index (docs/formats.md, section 19) has it: nothing of it is believed.
 struct IndexedCut {
-  Cut cut;            // but for header_sha256
-  std::string state;  // as Replay::put() writes it
-  std::string file;   // where this is from
+  Cut cut;             // but for header_sha256
+  std::string digest;  // Sha256::state() of the content before it
+  std::string state;   // as Replay::put() writes it
+  std::string file;    // where this is from
   std::int64_t line = 0;
 };
 

@@ -6,8 +6,9 @@ usage: mpirun -n RANKS python3 cluster/certify_mpi.py [--program VOROPROOF] [--s
 
 Every rank certifies shards, one at a time; rank 0 deals them, too: a rank that is done gets the next. The
 files must have the same names on all nodes. The certificates go to REPORT.shards/, each whole or not at all:
-given again after a rank, a node or the whole job was lost, the same command takes up what is there. Output and
-exit code are those of certify --merge; 2 where a shard could not be certified at all.
+given again after a rank, a node or the whole job was lost, the same command takes up what is there, where that is of
+these bytes, these options and this version. Output and exit code are those of certify --merge; 2 where a shard could
+not be certified at all. A rank that fails ends the job.
 """
 
 import argparse
@@ -17,6 +18,7 @@ import signal
 import subprocess
 import sys
 import time
+import traceback
 
 from mpi4py import MPI
 
@@ -24,6 +26,8 @@ DEALER = 0
 ASK, DEAL = 1, 2
 PATIENCE = 0.005  # seconds between two looks; MPI's own waiting would take a processor
 VERDICTS = (0, 1, 3)  # the exit codes of a certificate: certified, refuted, undecided
+NO_VERDICT = -1  # a limit has ended the process
+FAILED = 2
 
 
 def arguments():
@@ -34,6 +38,29 @@ def arguments():
     parser.add_argument("scene")
     parser.add_argument("history")
     return parser.parse_known_args()
+
+
+class Shard:
+    """A process that certifies a shard."""
+
+    def __init__(self, number, of, command):
+        """It does not outlive this one."""
+        libc = ctypes.CDLL(None)
+        set_parent_death_signal = 1
+        self.number, self.verdict = number, f"s SHARD {number}/{of} "
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True,
+                                        preexec_fn=lambda: libc.prctl(set_parent_death_signal, signal.SIGTERM))
+
+    def is_over(self):
+        return self.process.poll() is not None
+
+    def code(self):
+        """Its exit code once it is over, if that is a verdict on the shard; else one that is none."""
+        out = self.process.communicate()[0].splitlines()
+        code = self.process.returncode
+        if code in VERDICTS and not (out and out[-1].startswith(self.verdict)):
+            return NO_VERDICT
+        return code
 
 
 class Certifier:
@@ -48,14 +75,11 @@ class Certifier:
         return self.folder / f"{number}-of-{self.shards}.json"
 
     def start(self, number):
-        """The process that certifies the shard; it does not outlive this one."""
-        libc = ctypes.CDLL(None)
-        set_parent_death_signal = 1
-        return subprocess.Popen(
-            [self.asked.program, "certify", self.asked.scene, self.asked.history, "--truth", "recorded", "--quiet",
-             "--part", f"{number}/{self.shards}", "--resume", "--report", str(self.path(number)), *self.options],
-            stdout=subprocess.DEVNULL,
-            preexec_fn=lambda: libc.prctl(set_parent_death_signal, signal.SIGTERM))
+        """Certifies the shard, or does nothing where its certificate is what it would be."""
+        return Shard(number, self.shards,
+                     [self.asked.program, "certify", self.asked.scene, self.asked.history, "--truth", "recorded",
+                      "--quiet", "--part", f"{number}/{self.shards}", "--resume", "--report", str(self.path(number)),
+                      *self.options])
 
     def merge(self, numbers):
         return subprocess.run([self.asked.program, "certify", "--report", self.asked.report, "--merge",
@@ -66,20 +90,19 @@ class Dealer:
     """Which shards are left. Those behind one that is not certified do not matter."""
 
     def __init__(self, certifier):
-        self.certifier, self.next, self.last = certifier, 1, certifier.shards
+        self.next, self.last = 1, certifier.shards
         self.failed = []
 
     def deal(self):
-        """The number of a shard that nobody has certified; 0 if none is left."""
-        while self.next <= self.last and not self.failed:
-            number, self.next = self.next, self.next + 1
-            if not self.certifier.path(number).exists():
-                return number
-        return 0
+        """The number of a shard that nobody was given; 0 if none is left."""
+        if self.next > self.last or self.failed:
+            return 0
+        self.next += 1
+        return self.next - 1
 
     def take(self, number, code):
         """What has become of a shard."""
-        if code not in VERDICTS or not self.certifier.path(number).exists():
+        if code not in VERDICTS:
             self.failed.append((number, code))
         elif code != 0:
             self.last = min(self.last, number)
@@ -95,16 +118,16 @@ def work(comm, certifier):
         number = comm.recv(source=DEALER, tag=DEAL)
         if number == 0:
             return
-        done = number, certifier.start(number).wait()
+        done = number, certifier.start(number).code()
 
 
 def deal(comm, certifier):
     """The dealer, who certifies between two looks at the others."""
     dealer = Dealer(certifier)
-    others, own, running = comm.Get_size() - 1, None, None
+    others, running = comm.Get_size() - 1, None
     while True:
-        if running is not None and running.poll() is not None:
-            dealer.take(own, running.returncode)
+        if running is not None and running.is_over():
+            dealer.take(running.number, running.code())
             running = None
         if running is None:
             own = dealer.deal()
@@ -133,8 +156,18 @@ def main():
     failed = [(number, code) for number, code in dealer.failed if number <= dealer.last]
     for number, code in failed:
         print(f"certify_mpi: shard {number} of {certifier.shards}: exit code {code}", file=sys.stderr)
-    return 2 if failed else certifier.merge(range(1, dealer.last + 1))
+    return FAILED if failed else certifier.merge(range(1, dealer.last + 1))
+
+
+def main_or_abort():
+    """The others would wait for a rank that fails."""
+    try:
+        return main()
+    except Exception:  # whatever it is
+        traceback.print_exc()
+        sys.stderr.flush()
+        MPI.COMM_WORLD.Abort(FAILED)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main_or_abort())

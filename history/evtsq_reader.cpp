@@ -77,6 +77,8 @@ class EvtsqLines {
 
   const EvtsqHeader& header() const { return header_; }
   std::int64_t number() const { return lines_.number(); }
+  LineSource& source() { return lines_.source(); }
+  std::int64_t offset() const { return lines_.offset(); }
   std::int64_t read() const { return read_; }
   char kind() const { return lines_.field(0)[0]; }
   [[noreturn]] void fail(const char* field, const std::string& reason) const {
@@ -158,6 +160,11 @@ class EvtsqHistory : public HistorySource {
 
   const HistoryHeader& header() const override { return header_; }
   std::int64_t line() const override { return lines_.number(); }
+  std::int64_t offset() const override { return lines_.offset(); }
+  void keep_digest() override { lines_.source().keep_digest(); }
+  void settle(std::int64_t offset) override { lines_.source().settle(offset); }
+  Sha256 digest_up_to(std::int64_t offset) override { return lines_.source().digest_up_to(offset); }
+  std::string content_sha256() override { return lines_.source().content_sha256(); }
   const std::variant<HistoryEnd, HistoryStop>& ending() const override { return ending_; }
   const HistoryCounts& counts() const override { return counts_; }
   bool counts_match() const override { return lines_.read() == lines_.header().lines; }

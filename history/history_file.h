@@ -125,10 +125,11 @@ inline constexpr std::size_t max_event_line = std::size_t{1} << 20;
 
 // A place between two lines of a history file, and what reading them up to there has come to.
 struct HistoryPlace {
-  std::int64_t offset = 0;  // in bytes of the content
-  std::int64_t line = 0;    // the last before it
-  double t = 0;             // no line before the place is of a later time
-  HistoryCounts counts;     // of the events before it
+  std::int64_t offset = 0;         // in bytes of the content
+  std::int64_t line = 0;           // the last before it
+  double t = 0;                    // no line before the place is of a later time
+  HistoryCounts counts;            // of the events before it
+  std::optional<Sha256> digest{};  // of the content before it, where it is to be kept
 };
 
 // Reads a history line by line in bounded memory and checks everything that can be checked without
@@ -158,6 +159,12 @@ class HistoryReader {
   // no plain one. Throws InputError where no line ends there. Precondition: next() has not given
   // nothing yet.
   bool skip_to(const HistoryPlace& place);
+
+  // The hash of the content, as LineSource has it.
+  void keep_digest() { lines_.keep_digest(); }
+  void settle(std::int64_t offset) { lines_.settle(offset); }
+  const Sha256& digest_up_to(std::int64_t offset) { return lines_.digest_up_to(offset); }
+  std::string content_sha256() { return lines_.content_sha256(); }
 
   // Those of the line of the event that next() gave last; after the last event, of the last line.
   const Extensions& extensions() const { return extensions_; }

@@ -358,7 +358,7 @@ std::optional<Event> HistoryReader::read_strictly(std::string_view text) {
 }
 
 bool HistoryReader::skip_to(const HistoryPlace& place) {
-  if (!lines_.skip_to(place.offset, place.line)) return false;
+  if (!lines_.skip_to(place.offset, place.line, place.digest)) return false;
   last_t_ = place.t;
   last_exact_t_.reset();
   counts_ = place.counts;

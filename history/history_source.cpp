@@ -13,6 +13,10 @@ class NativeHistory : public HistorySource {
   std::int64_t line() const override { return reader_.line(); }
   std::int64_t offset() const override { return reader_.offset(); }
   bool skip_to(const HistoryPlace& place) override { return reader_.skip_to(place); }
+  void keep_digest() override { reader_.keep_digest(); }
+  void settle(std::int64_t offset) override { reader_.settle(offset); }
+  Sha256 digest_up_to(std::int64_t offset) override { return reader_.digest_up_to(offset); }
+  std::string content_sha256() override { return reader_.content_sha256(); }
   const std::variant<HistoryEnd, HistoryStop>& ending() const override { return reader_.ending(); }
   const HistoryCounts& counts() const override { return reader_.counts(); }
   bool counts_match() const override { return reader_.counts_match(); }

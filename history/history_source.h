@@ -20,6 +20,11 @@ class HistorySource {
   virtual std::int64_t offset() const { return 0; }
   // Goes on at the place, as HistoryReader does. False, and nothing is done, where it cannot.
   virtual bool skip_to(const HistoryPlace&) { return false; }
+  // The hash of the content, as LineSource has it: of what is no file that of nothing.
+  virtual void keep_digest() {}
+  virtual void settle(std::int64_t) {}
+  virtual Sha256 digest_up_to(std::int64_t) { return {}; }
+  virtual std::string content_sha256() { return {}; }
   virtual const std::variant<HistoryEnd, HistoryStop>& ending() const = 0;
   virtual const HistoryCounts& counts() const = 0;
   virtual bool counts_match() const = 0;

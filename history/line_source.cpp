@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
+#include "history/descriptor.h"
 #include "history/error.h"
 
 namespace voroproof::internal {
@@ -47,29 +49,78 @@ std::optional<std::string_view> LineSource::next(std::size_t limit) {
   }
 }
 
-bool LineSource::skip_to(std::int64_t offset, std::int64_t number) {
+bool LineSource::skip_to(std::int64_t offset, std::int64_t number, std::optional<Sha256> digest) {
   // The byte before shows whether a line ends there.
   if (!source_.skip_to(offset - 1)) return false;
+  digest_.reset();
   begin_ = end_ = 0;
   if (!fill() || buffer_[0] != '\n') {
     throw InputError(path_, 0, "", "no line ends at byte " + std::to_string(offset));
   }
   begin_ = 1;
   number_ = number;
-  offset_ = offset;
+  offset_ = digested_ = offset;
+  settled_ = all_given;
+  digest_ = std::move(digest);
   return true;
 }
 
-bool LineSource::fill() {
-  if (begin_ > 0) {
-    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
-    end_ -= begin_;
-    begin_ = 0;
+void LineSource::keep_digest() {
+  digest_.emplace();
+  ByteSource again(path_);
+  std::string piece(kStep, '\0');
+  for (std::int64_t left = offset_; left > 0;) {
+    const auto wanted = std::min(static_cast<std::size_t>(left), piece.size());
+    const std::size_t got = again.read(piece.data(), wanted);
+    if (got == 0) throw InputError(path_, 0, "", "has become shorter");
+    digest_->add({piece.data(), got});
+    left -= static_cast<std::int64_t>(got);
   }
+  digested_ = offset_;
+}
+
+const Sha256& LineSource::digest_up_to(std::int64_t offset) {
+  const auto more = static_cast<std::size_t>(offset - digested_);
+  digest_->add({buffer_.data() + begin_ - (offset_ - digested_), more});
+  digested_ = offset;
+  return *digest_;
+}
+
+std::string LineSource::content_sha256() {
+  if (!digest_ || (!ended_ && is_stream(path_))) return {};
+  try {
+    do {
+      offset_ += static_cast<std::int64_t>(end_ - begin_);
+      begin_ = end_;
+      digest_up_to(offset_);
+    } while (fill());
+  } catch (const InputError&) {
+    return {};
+  }
+  return Sha256(*digest_).hex();
+}
+
+// Makes room for more; what may still be asked of the digest is kept.
+void LineSource::drop_given() {
+  std::size_t drop = begin_;
+  if (digest_) {
+    const std::int64_t settled = std::min(settled_, offset_);
+    if (settled > digested_) digest_up_to(settled);
+    drop -= static_cast<std::size_t>(offset_ - digested_);
+  }
+  if (drop == 0) return;
+  std::memmove(buffer_.data(), buffer_.data() + drop, end_ - drop);
+  end_ -= drop;
+  begin_ -= drop;
+}
+
+bool LineSource::fill() {
+  drop_given();
   if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
   const std::size_t got =
       source_.read(buffer_.data() + end_, std::min(buffer_.size() - end_, kStep));
   end_ += got;
+  ended_ = got == 0;
   return got > 0;
 }
 

@@ -1,7 +1,9 @@
-// The fingerprint that ties a history to its scene.
+// The fingerprint that ties a history to its scene, and what is said of either to its bytes.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +13,9 @@ namespace voroproof::internal {
 class Sha256 {
  public:
   Sha256();
+  // Goes on behind `length` bytes whose state() this was; nothing where it is the state of none.
+  static std::optional<Sha256> resumed(std::string_view state, std::int64_t length);
+  Sha256(const Sha256& other);
   Sha256(Sha256&&) noexcept;
   Sha256& operator=(Sha256&&) noexcept;
   ~Sha256();
@@ -19,6 +24,10 @@ class Sha256 {
   // Of all bytes so far, as 64 lower-case hexadecimal digits. Once, and nothing is added
   // afterwards.
   std::string hex();
+
+  // What the bytes so far have come to, from which resumed() goes on: hexadecimal digits of the
+  // eight words of FIPS 180-4, and of the bytes behind the last whole block of 64.
+  std::string state() const;
 
  private:
   struct Context;

@@ -23,6 +23,8 @@ class FieldLines {
 
   std::string_view line() const { return line_; }  // without white space at its end
   std::int64_t number() const { return lines_.number(); }
+  std::int64_t offset() const { return lines_.offset(); }
+  LineSource& source() { return lines_; }
   std::size_t size() const { return fields_.size(); }
   std::string_view field(std::size_t k) const { return fields_[k]; }
 

@@ -4,7 +4,10 @@
 #include <stdexcept>
 
 #include "evidence/evidence.h"
+#include "history/descriptor.h"
+#include "history/error.h"
 #include "history/json_text.h"
+#include "history/sha256.h"
 #include "kinetic/static_diagram.h"
 
 namespace voroproof::internal {
@@ -39,6 +42,15 @@ std::string checked_evidence(const Certificate& certificate, const std::string& 
   return check.sentence;
 }
 
+bool has_other_bytes(const std::string& path, const std::string& sha256) {
+  if (is_stream(path)) return false;
+  try {
+    return !sha256.empty() && sha256_of_file(path) != sha256;
+  } catch (const InputError&) {
+    return false;  // it is not there
+  }
+}
+
 CertificationRun certification_run(const std::string& producer, const std::string& scene_path,
                                    const std::string& history_path, const Claim& claim,
                                    const std::string& evidence) {
@@ -47,6 +59,7 @@ CertificationRun certification_run(const std::string& producer, const std::strin
           .scene_file = scene_path,
           .history_file = history_path,
           .scene_sha256 = claim.scene.sha256,
+          .history_sha256 = {},
           .history_producer = header.producer,
           .disks = static_cast<int>(claim.scene.disks.size()),
           .horizon = header.horizon,

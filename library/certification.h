@@ -24,6 +24,9 @@ std::vector<Quad> construct_initial(Motion& motion);
 std::string checked_evidence(const Certificate& certificate, const std::string& scene_path,
                              const std::string& history_path);
 
+// Whether there is a regular file of that name whose content has another hash than this one.
+bool has_other_bytes(const std::string& path, const std::string& sha256);
+
 // What the report says of the two files and of the evidence; `producer` is this program.
 CertificationRun certification_run(const std::string& producer, const std::string& scene_path,
                                    const std::string& history_path, const Claim& claim,

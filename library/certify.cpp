@@ -61,6 +61,7 @@ voroproof::Report judged(Claim&& claim, const std::string& scene_name,
                          const std::string& history_name, const voroproof::CertifyOptions& asked) {
   const CertifyOptions options = options_of(asked);
   require_meaningful(options, claim.history->header());
+  claim.history->keep_digest();
   Certificate c = certify(claim.scene, *claim.history, options);
   c.remarks.insert(c.remarks.begin(), claim.remarks.begin(), claim.remarks.end());
 
@@ -79,9 +80,14 @@ voroproof::Report judged(Claim&& claim, const std::string& scene_name,
     if (l.count > 0) out.leniency.push_back({std::string(l.name), std::string(l.words), l.count});
   }
   out.remarks = c.remarks;
-  out.json = report_text(certification_run("voroproof " VOROPROOF_VERSION, scene_name, history_name,
-                                           claim, out.evidence),
-                         options, c);
+  CertificationRun run = certification_run("voroproof " VOROPROOF_VERSION, scene_name, history_name,
+                                           claim, out.evidence);
+  run.history_sha256 = claim.history->content_sha256();
+  VerdictWords words = words_of(options, run.horizon, c);
+  out.words = std::move(words.verdict);
+  out.about = std::move(words.about);
+  out.reservations = std::move(words.reservations);
+  out.json = report_text(run, options, c);
   return out;
 }
 

@@ -1,11 +1,14 @@
 #include "library/explanation.h"
 
 #include <sstream>
+#include <utility>
 
 #include "history/error.h"
 #include "history/json_text.h"
 #include "history/scene.h"
+#include "library/certification.h"
 #include "library/json_field.h"
+#include "library/report_reader.h"
 
 namespace voroproof::internal {
 
@@ -60,18 +63,20 @@ class Explainer {
  public:
   explicit Explainer(const JsonField& report) : report_(report) {}
 
-  Explanation explain() {
-    const std::string verdict = report_["verdict"].text();
-    found_.verdict = verdict;
-    found_.truth = report_["truth"].text();
+  // `notes`: lines that are said besides.
+  Explanation explain(const std::vector<std::string>& notes) {
+    const CertificationRun run = read_run(report_);
+    const CertifyOptions options = read_options(report_);
+    found_.verdict = words_of(options, run.horizon, read_certificate(report_));
+    found_.judges_flips = options.judges_flips();
     found_.reason = report_["reason"].text();
-    found_.scene_sha256 = report_["scene_sha256"].text();
-    out_ << shown(report_["history"]) << " against " << shown(report_["scene"]) << ", truth "
-         << shown(report_["truth"]) << ": " << shown(verdict) << ".\n";
-    // Reports of before there was a choice lack it.
-    if (report_.has("events") && report_["events"].text() == "collisions") {
-      out_ << "Flips were not judged, and no diagram is claimed.\n";
-    }
+    found_.producer = run.producer;
+    found_.scene_sha256 = run.scene_sha256;
+    found_.history_sha256 = run.history_sha256;
+    out_ << shown(run.history_file) << " against " << shown(run.scene_file) << ": "
+         << found_.verdict.verdict << ".\nJudged: " << found_.verdict.about << ".\n";
+    for (const std::string& line : found_.verdict.reservations) out_ << "Note: " << line << ".\n";
+    for (const std::string& line : notes) out_ << "Note: " << line << ".\n";
     const JsonField prefix = report_["certified_prefix"];
     found_.prefix_events = prefix["events"].integer();
     found_.prefix_t = prefix["t"].number();
@@ -82,7 +87,7 @@ class Explainer {
          << ".\n";
     if (report_.has("divergence")) {
       explain_divergence(report_["divergence"]);
-    } else if (verdict != "CERTIFIED") {
+    } else if (!found_.reason.empty()) {
       out_ << shown(report_["reason"]) << '\n';
     }
     for (const JsonField& remark : report_["remarks"].elements()) {
@@ -105,8 +110,7 @@ class Explainer {
     }
     out_ << "  truth: " << shown(d["truth"]) << '\n';
     explain_witness(d["witness"], d["t"].number());
-    // Reports of before it was checked lack it.
-    if (report_.has("evidence")) out_ << "Evidence: " << shown(report_["evidence"]) << ".\n";
+    out_ << "Evidence: " << shown(report_["evidence"]) << ".\n";
   }
 
   void explain_witness(const JsonField& w, double t) {
@@ -162,12 +166,40 @@ class Explainer {
 
 Explanation explain_report(const std::string& path) {
   const nlohmann::json report = read_report(path, "voroproof-report", max_report);
-  return Explainer(JsonField(report, path)).explain();
+  const JsonField field(report, path);
+  const CertificationRun run = read_run(field);
+  std::vector<std::string> notes;
+  for (const auto& [file, sha256] : {std::pair(run.scene_file, run.scene_sha256),
+                                     std::pair(run.history_file, run.history_sha256)}) {
+    if (has_other_bytes(file, sha256)) {
+      notes.push_back(shown(file) + " has other bytes now than those that were judged");
+    }
+  }
+  return Explainer(field).explain(notes);
 }
 
 Explanation explain_report_text(const std::string& text, const std::string& name) {
   const nlohmann::json report = parse_report(text, name);
-  return Explainer(JsonField(report, name)).explain();
+  return Explainer(JsonField(report, name)).explain({});
+}
+
+void require_report_of(const Explanation& report, const std::string& name,
+                       const std::string& producer, const std::string& scene_sha256,
+                       const std::string& history_sha256) {
+  if (report.producer != producer) {
+    throw InputError(name, 0, "producer",
+                     "the report is by " + shown(report.producer) + ", and this is " + producer);
+  }
+  if (report.scene_sha256 != scene_sha256) {
+    throw InputError(name, 0, "scene_sha256", "the report is about another scene");
+  }
+  if (report.history_sha256.empty()) {
+    throw InputError(name, 0, "history_sha256",
+                     "the report does not say which history it is about");
+  }
+  if (report.history_sha256 != history_sha256) {
+    throw InputError(name, 0, "history_sha256", "the report is about another history");
+  }
 }
 
 }  // namespace voroproof::internal

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/report.h"
 #include "exact/generators.h"
 #include "history/events.h"
 
@@ -31,15 +32,25 @@ struct Explanation {
   std::vector<DrawnGenerator> generators;
   double generators_t = 0;  // the time at which they are drawn
   // What the report is about, and what it found.
-  std::string scene_sha256, truth, verdict, reason;
+  std::string producer, scene_sha256, history_sha256;
+  VerdictWords verdict;
+  bool judges_flips = true;
+  std::string reason;
   std::int64_t prefix_events = 0;  // so many events are proved, and nothing is missing
   double prefix_t = 0;             // before this time
   std::optional<FirstFault> fault;
 };
 
-// Reads a report file. Throws InputError where it is none.
+// Reads a report file. Throws InputError where it is none. The words say so where the files that
+// the report names are there and have other bytes than those that were judged.
 Explanation explain_report(const std::string& path);
 // Explains the text of a report; `name` is for messages.
 Explanation explain_report_text(const std::string& text, const std::string& name);
+
+// Throws InputError, naming what differs, where the report `name` is not by this program, or not
+// about contents with these hashes.
+void require_report_of(const Explanation& report, const std::string& name,
+                       const std::string& producer, const std::string& scene_sha256,
+                       const std::string& history_sha256);
 
 }  // namespace voroproof::internal

@@ -1,11 +1,17 @@
 #include "voroproof/history.h"
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <type_traits>
 
 #include "history/error.h"
 #include "history/history_file.h"
+#include "history/sha256.h"
 #include "library/values.h"
 
 namespace voroproof {
@@ -47,6 +53,8 @@ class MemoryHistory final : public HistorySource {
   const HistoryCounts& counts() const override { return counts_; }
   bool counts_match() const override { return true; }
   std::vector<std::string> remarks() const override { return {}; }
+  // Of the file that write_history() would write.
+  std::string content_sha256() override;
   std::optional<std::int64_t> shadow_line(const Quad&, double, double) const override {
     return std::nullopt;
   }
@@ -129,6 +137,42 @@ class MemoryHistory final : public HistorySource {
   bool ended_ = false;
   std::variant<HistoryEnd, HistoryStop> ending_;
 };
+
+void write_as(const std::string& path, const voroproof::History& history) {
+  MemoryHistory source(history, max_disks);
+  HistoryWriter writer(path);
+  writer.header(source.header());
+  for (std::size_t k = 0; const auto event = source.next(); ++k) {
+    const auto extended = history.event_extensions.find(k);
+    writer.write(*event,
+                 extended == history.event_extensions.end() ? Extensions{} : extended->second);
+  }
+  const Ending& ending = history.ending;
+  if (ending.complete) {
+    writer.end(ending.extensions);
+  } else {
+    writer.stopped(ending.t, ending.reason, {}, ending.extensions);
+  }
+  writer.close();
+}
+
+std::string MemoryHistory::content_sha256() {
+  const int file = memfd_create("history", MFD_CLOEXEC);
+  if (file < 0) throw OutputError(name_in_memory, std::strerror(errno));
+  const std::unique_ptr<const int, void (*)(const int*)> closed(&file,
+                                                                [](const int* f) { close(*f); });
+  write_as("/proc/self/fd/" + std::to_string(file), history_);
+  lseek(file, 0, SEEK_SET);
+  Sha256 sha;
+  std::vector<char> piece(std::size_t{1} << 18);
+  for (;;) {
+    const ssize_t got = read(file, piece.data(), piece.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw OutputError(name_in_memory, std::strerror(errno));
+    if (got == 0) return sha.hex();
+    sha.add({piece.data(), static_cast<std::size_t>(got)});
+  }
+}
 
 bool is_rounded(const Event& event) {
   return std::visit([](const auto& e) { return e.exact != nullptr; }, event);
@@ -260,23 +304,7 @@ History read_history(const std::string& path, EventSink& sink) {
 }
 
 void write_history(const std::string& path, const History& history) {
-  with_public_errors([&] {
-    const auto source = internal::memory_history(history, internal::max_disks);
-    internal::HistoryWriter writer(path);
-    writer.header(source->header());
-    for (std::size_t k = 0; const auto event = source->next(); ++k) {
-      const auto extended = history.event_extensions.find(k);
-      writer.write(*event,
-                   extended == history.event_extensions.end() ? Extensions{} : extended->second);
-    }
-    const Ending& ending = history.ending;
-    if (ending.complete) {
-      writer.end(ending.extensions);
-    } else {
-      writer.stopped(ending.t, ending.reason, {}, ending.extensions);
-    }
-    writer.close();
-  });
+  with_public_errors([&] { internal::write_as(path, history); });
 }
 
 }  // namespace voroproof

@@ -81,12 +81,12 @@ Header read_header(std::string_view text, const std::string& path) {
   return header;
 }
 
-Cut read_cut(JsonReader& json) {
-  Cut cut;
-  enum { part, t, flips, collisions, maneuvers, line, offset, claims_sha256, state_sha256 };
+IndexedCut read_cut(JsonReader& json) {
+  IndexedCut at;
+  Cut& cut = at.cut;
+  enum { part, t, flips, collisions, maneuvers, line, offset, digest, state_sha256 };
   static constexpr std::array<std::string_view, 9> names = {
-      "part", "t",      "flips",         "collisions",  "maneuvers",
-      "line", "offset", "claims_sha256", "state_sha256"};
+      "part", "t", "flips", "collisions", "maneuvers", "line", "offset", "digest", "state_sha256"};
   json.object(names, (std::uint32_t{1} << names.size()) - 1, [&](std::size_t member) {
     switch (member) {
       case part:
@@ -111,8 +111,8 @@ Cut read_cut(JsonReader& json) {
       case offset:
         cut.offset = read_count(json);
         break;
-      case claims_sha256:
-        cut.claims_sha256 = read_hash(json);
+      case digest:
+        at.digest = json.text();
         break;
       case state_sha256:
         cut.state_sha256 = read_hash(json);
@@ -120,7 +120,10 @@ Cut read_cut(JsonReader& json) {
   });
   // At the beginning of the history there is nothing to know.
   if (cut.part == 0 || cut.offset == 0) json.fail("the beginning of the history");
-  return cut;
+  std::optional<Sha256> sha = Sha256::resumed(at.digest, cut.offset);
+  if (!sha) json.fail("no state of SHA-256 in \"digest\"");
+  cut.bytes_sha256 = sha->hex();
+  return at;
 }
 
 struct End {
@@ -146,15 +149,14 @@ struct Entry : IndexEntry {
 Entry read_entry(std::string_view text, const std::string& path, std::int64_t line) {
   JsonReader json(text, path, line);
   Entry entry;
-  entry.at.file = path;
-  entry.at.line = line;
+  std::string state_text;
   enum { cut, until, sha256, told, state };
   static constexpr std::array<std::string_view, 5> names = {"cut", "until", "sha256", "told",
                                                             "state"};
   json.object(names, (std::uint32_t{1} << names.size()) - 1, [&](std::size_t member) {
     switch (member) {
       case cut:
-        entry.at.cut = read_cut(json);
+        entry.at = read_cut(json);
         break;
       case until:
         entry.until = read_count(json);
@@ -166,10 +168,13 @@ Entry read_entry(std::string_view text, const std::string& path, std::int64_t li
         entry.told = read_truth(json);
         break;
       case state:
-        entry.at.state = json.any();
+        state_text = json.any();
     }
   });
   json.finish();
+  entry.at.state = state_text;
+  entry.at.file = path;
+  entry.at.line = line;
   return entry;
 }
 
@@ -178,7 +183,8 @@ Entry read_entry(std::string_view text, const std::string& path, std::int64_t li
 std::string sha256_of_stretch(const std::string& path, std::int64_t from, std::int64_t until) {
   ByteSource source(path);
   Sha256 sha;
-  if (!source.skip_to(from)) throw InputError(path, 0, "", "an index is of a plain file alone");
+  if (from > 0 && !source.skip_to(from))
+    throw InputError(path, 0, "", "an index is of a plain file alone");
   std::string piece(std::size_t{1} << 18, '\0');
   while (from < until) {
     const auto wanted =
@@ -229,7 +235,7 @@ std::optional<IndexEntry> find_entry(const IndexFile& index, const Scene& scene,
       if (name == "end") {
         end = read_end(json);
       } else if (name == "cut") {
-        const Cut cut = read_cut(json);
+        const Cut cut = read_cut(json).cut;
         if (last && (cut.part <= last->part || cut.offset <= last->offset)) {
           json.fail("not behind the one before it");
         }

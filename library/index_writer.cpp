@@ -24,14 +24,14 @@ bool tells_velocities(const Event& event) {
   return m == nullptr || m->v.has_value();
 }
 
-std::string cut_text(const Cut& cut) {
+std::string cut_text(const Cut& cut, const std::string& digest) {
   const auto count = [](std::int64_t x) { return std::to_string(x); };
   return "{\"part\":" + count(cut.part) + ",\"t\":" + number_text(cut.t) +
          ",\"flips\":" + count(cut.claims.flips) +
          ",\"collisions\":" + count(cut.claims.collisions) +
          ",\"maneuvers\":" + count(cut.claims.maneuvers) + ",\"line\":" + count(cut.line) +
-         ",\"offset\":" + count(cut.offset) + ",\"claims_sha256\":\"" + cut.claims_sha256 +
-         "\",\"state_sha256\":\"" + cut.state_sha256 + "\"}";
+         ",\"offset\":" + count(cut.offset) + ",\"digest\":\"" + digest + "\",\"state_sha256\":\"" +
+         cut.state_sha256 + "\"}";
 }
 
 class IndexWriter {
@@ -54,12 +54,13 @@ class IndexWriter {
   // Whether the history up to here is long enough for another entry.
   bool due(std::int64_t offset) const { return offset >= next_; }
 
-  void entry(const Cut& cut, bool told, const Replay& replay) {
+  void entry(const PartReader& reader, bool told) {
+    const Cut cut = reader.cut();
     finish_entry(cut.offset);
     from_ = cut.offset;
     std::string text = std::string(",\"told\":") + (told ? "true" : "false") + ",\"state\":";
-    replay.put(text);
-    head_ = "{\"cut\":" + cut_text(cut);
+    reader.replay().put(text);
+    head_ = "{\"cut\":" + cut_text(cut, reader.digest().state());
     tail_ = std::move(text) + "}\n";
     ++entries_;
     next_ = cut.offset + kRatio * static_cast<std::int64_t>(tail_.size());
@@ -114,7 +115,7 @@ std::int64_t write_index(const std::string& path, const std::string& producer, C
       }
     }
     if (reader.done()) break;
-    if (writer.due(reader.offset())) writer.entry(reader.cut(), told, reader.replay());
+    if (writer.due(reader.offset())) writer.entry(reader, told);
   }
   return writer.finish();
 }

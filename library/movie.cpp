@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "history/claim.h"
-#include "history/error.h"
 #include "library/explanation.h"
 #include "library/movie/movie.h"
 #include "library/values.h"
@@ -14,18 +13,20 @@ namespace internal {
 namespace {
 
 std::string movie_of(Claim&& claim, const voroproof::MovieOptions& options) {
+  const std::string producer = "voroproof " VOROPROOF_VERSION;
   std::optional<Explanation> report;
   if (options.report != nullptr) {
     report = explain_report_text(options.report->json, "report");
-    if (report->scene_sha256 != claim.scene.sha256) {
-      throw InputError("report", 0, "scene_sha256", "the report is about another scene");
-    }
+    require_report_of(*report, "report", producer, claim.scene.sha256,
+                      claim.history->content_sha256());
   }
   const std::int64_t line = report && report->fault ? report->fault->line : 0;
-  const MovieData data = movie_data(claim, "history", {}, line);
+  MovieSpan span;
+  span.flips = !report || report->judges_flips;
+  const MovieData data = movie_data(claim, "history", span, line);
   std::string page;
   make_movie(claim, data, report ? &*report : nullptr,
-             {.producer = "voroproof " VOROPROOF_VERSION, .follow = options.follow},
+             {.producer = producer, .follow = options.follow},
              [&](std::string_view piece) { page += piece; });
   return page;
 }

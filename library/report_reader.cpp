@@ -144,6 +144,18 @@ void read_reason(const JsonField& field, Certificate& c) {
   c.reason = text.substr(colon + 2);
 }
 
+// "horizon 5 of the scene's 1000": see horizon_line(). Nothing where the text is empty.
+std::optional<std::array<Rational, 2>> read_horizons(const JsonField& field) {
+  const std::string text = field.text(), before = "horizon ", between = " of the scene's ";
+  if (text.empty()) return std::nullopt;
+  const std::size_t middle = text.find(between);
+  if (!text.starts_with(before) || middle == std::string::npos) field.fail("no two horizons");
+  const auto own = parse_rational(text.substr(before.size(), middle - before.size()));
+  const auto of_scene = parse_rational(text.substr(middle + between.size()));
+  if (!own || !of_scene) field.fail("no two horizons");
+  return std::array{*own, *of_scene};
+}
+
 }  // namespace
 
 std::int64_t read_count(const JsonField& field) {
@@ -183,6 +195,8 @@ Certificate read_certificate(const JsonField& report) {
   c.left_out = read_count(lenient["left_out"]);
   c.proved_anew = read_count(lenient["proved_anew"]);
   c.computed_velocities = read_count(lenient["computed_velocities"]);
+  c.other_horizon = read_horizons(lenient["other_horizon"]);
+  if (report.has("flips_not_judged")) c.flips_not_judged = read_count(report["flips_not_judged"]);
   c.highest_bits = static_cast<int>(
       std::min<std::int64_t>(read_count(report["highest_bits"]), std::numeric_limits<int>::max()));
   for (const JsonField& remark : report["remarks"].elements()) c.remarks.push_back(remark.text());
@@ -196,6 +210,7 @@ CertificationRun read_run(const JsonField& report) {
           .scene_file = report["scene"].text(),
           .history_file = report["history"].text(),
           .scene_sha256 = report["scene_sha256"].text(),
+          .history_sha256 = report.has("history_sha256") ? report["history_sha256"].text() : "",
           .history_producer = report["history_producer"].text(),
           .disks = static_cast<int>(disks),
           .horizon = read_exact(report["horizon"])};

@@ -7,7 +7,7 @@
 namespace voroproof::internal {
 
 // All throw InputError where the report is none. A report does not hold what the certifier counts
-// of its own work (Certificate::tiers), and has other_horizon in words only: these are left empty.
+// of its own work (Certificate::tiers): that is left empty.
 Certificate read_certificate(const JsonField& report);
 CertificationRun read_run(const JsonField& report);
 // What a report says of the options; the others are as they are by default.

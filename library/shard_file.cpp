@@ -27,7 +27,7 @@ Json json(const std::optional<Cut>& cut) {
           {"line", cut->line},
           {"offset", cut->offset},
           {"header_sha256", cut->header_sha256},
-          {"claims_sha256", cut->claims_sha256},
+          {"bytes_sha256", cut->bytes_sha256},
           {"state_sha256", cut->state_sha256}};
 }
 
@@ -48,7 +48,7 @@ std::optional<Cut> read_cut(const JsonField& field) {
              .line = read_count(field["line"]),
              .offset = read_count(field["offset"]),
              .header_sha256 = read_hash(field["header_sha256"]),
-             .claims_sha256 = read_hash(field["claims_sha256"]),
+             .bytes_sha256 = read_hash(field["bytes_sha256"]),
              .state_sha256 = read_hash(field["state_sha256"])};
 }
 
@@ -62,9 +62,8 @@ int read_small(const JsonField& field, int least, int most) {
 std::string difference(const Cut& a, const Cut& b) {
   if (a.header_sha256 != b.header_sha256) return "another beginning of the history";
   if (a.part != b.part || a.t != b.t || a.offset != b.offset) return "another place";
-  if (a.claims != b.claims || a.line != b.line || a.claims_sha256 != b.claims_sha256) {
-    return "other claims before it";
-  }
+  if (a.bytes_sha256 != b.bytes_sha256) return "other bytes before it";
+  if (a.claims != b.claims || a.line != b.line) return "other claims before it";
   return "another state";
 }
 
@@ -205,6 +204,7 @@ ShardFile merge_shards(const std::vector<std::string>& paths) {
       refuse(path, "shard " + name + " " + why);
     }
     append(whole->shard, std::move(file.shard));
+    whole->run.history_sha256 = file.run.history_sha256;
   }
   if (whole->shard.certificate.verdict == Verdict::certified) {
     if (whole->number != whole->of) {

@@ -30,4 +30,10 @@ class BegunCertificate {
   PartialFile file_;
 };
 
+// The certificate at `path`, where it is of the shard that is `wanted`, and of the bytes that the
+// history has: who asks for this shard gets it again. Else nothing, whatever is there; nor where it
+// is undecided, which may have been for a limit.
+std::optional<ShardFile> finished_shard(const std::string& path, const ShardFile& wanted,
+                                        const std::string& history);
+
 }  // namespace voroproof::internal

@@ -25,6 +25,10 @@ class LimitedHistory final : public HistorySource {
   const HistoryHeader& header() const override { return whole_->header(); }
   std::int64_t line() const override { return whole_->line(); }
   std::int64_t offset() const override { return whole_->offset(); }
+  void keep_digest() override { whole_->keep_digest(); }
+  void settle(std::int64_t offset) override { whole_->settle(offset); }
+  Sha256 digest_up_to(std::int64_t offset) override { return whole_->digest_up_to(offset); }
+  std::string content_sha256() override { return whole_->content_sha256(); }
   const HistoryCounts& counts() const override { return whole_->counts(); }
   bool counts_match() const override { return cut_ || whole_->counts_match(); }
   std::vector<std::string> remarks() const override { return whole_->remarks(); }

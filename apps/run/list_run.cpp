@@ -127,6 +127,8 @@ class ListOfRuns {
     for (ListedRun& run : read_run_list(request.list)) {
       table_.rows.push_back({.run = std::move(run),
                              .code = {},
+                             .words = {},
+                             .says = {},
                              .reason = {},
                              .scene_sha256 = {},
                              .history_sha256 = {},

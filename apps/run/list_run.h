@@ -23,7 +23,8 @@ struct ListedVerb {
   // The words of a run, the verb first, which writes its results, as JSON, to `result`.
   std::function<std::vector<std::string>(const ListedRun& run, const std::string& result)>
       arguments;
-  // Takes `events` and `t` of the row from these results.
+  // Takes of the row from these results what they say: `events`, `t`, the words, and the hashes of
+  // what was read.
   std::function<void(const std::string& result, RunRow& row)> read;
   bool writes_history = false;
 };

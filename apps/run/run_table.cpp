@@ -43,9 +43,16 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
+  return text;
+}
+
 Json json_of(const RunTable& table, const RunRow& row) {
   Json json = {{"scene", row.run.scene}, {"history", row.run.history}};
-  json["verdict"] = verdict_of(table.verb, row.code);
+  json["verdict"] = verdict_of(table.verb, row);
+  if (!row.says.empty()) json["says"] = row.says;
   if (row.code) json["exit_code"] = static_cast<int>(*row.code);
   if (!row.reason.empty()) json["reason"] = row.reason;
   if (row.events) json["events"] = *row.events;
@@ -60,6 +67,8 @@ RunRow row_of(const Json& json) {
   RunRow row;
   row.run = {json.at("scene"), json.at("history")};
   if (json.contains("exit_code")) row.code = static_cast<ExitCode>(json.at("exit_code").get<int>());
+  row.says = json.value("says", std::vector<std::string>());
+  if (!row.says.empty()) row.words = json.at("verdict");
   row.reason = json.value("reason", "");
   row.scene_sha256 = json.value("scene_sha256", "");
   row.history_sha256 = json.value("history_sha256", "");
@@ -88,10 +97,11 @@ std::vector<ListedRun> read_run_list(const std::string& path) {
   return runs;
 }
 
-std::string verdict_of(const std::string& verb, std::optional<ExitCode> code) {
-  if (!code) return "NOT RUN";
+std::string verdict_of(const std::string& verb, const RunRow& row) {
+  if (!row.code) return "NOT RUN";
+  if (!row.words.empty()) return row.words;
   const bool simulated = verb == "simulate";
-  switch (*code) {
+  switch (*row.code) {
     case ExitCode::ok:
       return simulated ? "COMPLETE" : "CERTIFIED";
     case ExitCode::refuted:
@@ -121,13 +131,13 @@ ExitCode worst_of(const RunTable& table) {
 }
 
 std::string table_csv(const RunTable& table) {
-  std::string text = "scene,history,verdict,exit_code,events,t,reason\r\n";
+  std::string text = "scene,history,verdict,exit_code,events,t,reason,says\r\n";
   for (const RunRow& row : table.rows) {
-    text += quoted(row.run.scene) + ',' + quoted(row.run.history) + ',' +
-            verdict_of(table.verb, row.code) + ',' +
-            (row.code ? std::to_string(static_cast<int>(*row.code)) : "") + ',' +
-            (row.events ? std::to_string(*row.events) : "") + ',' +
-            (row.t ? number_text(*row.t) : "") + ',' + quoted(row.reason) + "\r\n";
+    text +=
+        quoted(row.run.scene) + ',' + quoted(row.run.history) + ',' + verdict_of(table.verb, row) +
+        ',' + (row.code ? std::to_string(static_cast<int>(*row.code)) : "") + ',' +
+        (row.events ? std::to_string(*row.events) : "") + ',' + (row.t ? number_text(*row.t) : "") +
+        ',' + quoted(row.reason) + ',' + quoted(joined(row.says)) + "\r\n";
   }
   return text;
 }
@@ -147,11 +157,12 @@ std::string table_words(const RunTable& table) {
   std::string text;
   std::map<std::string, std::size_t> counts;
   for (const RunRow& row : table.rows) {
-    const std::string verdict = verdict_of(table.verb, row.code);
+    const std::string verdict = verdict_of(table.verb, row);
     ++counts[verdict];
     text += verdict + ' ' + printable(row.run.scene, longest_shown) + ' ' +
             printable(row.run.history, longest_shown);
     if (!row.reason.empty()) text += ": " + printable(row.reason, longest_shown);
+    if (!row.says.empty()) text += "; " + joined(row.says);
     text += '\n';
   }
   text += "c " + std::to_string(table.rows.size()) + " scenes";

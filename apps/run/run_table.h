@@ -23,6 +23,8 @@ std::vector<ListedRun> read_run_list(const std::string& path);
 struct RunRow {
   ListedRun run;
   std::optional<ExitCode> code;              // nothing: the run has not ended
+  std::string words;                         // the verdict, where a report says more than the code
+  std::vector<std::string> says;             // what the verdict is about, and each reservation
   std::string reason;                        // of a code other than ok
   std::string scene_sha256, history_sha256;  // of the contents; empty where they could not be read
   std::vector<std::string> options;          // that the run had
@@ -36,8 +38,8 @@ struct RunTable {
   std::vector<RunRow> rows;  // in the order of the list
 };
 
-// What an exit code of the verb says, in capitals; "NOT RUN" without one.
-std::string verdict_of(const std::string& verb, std::optional<ExitCode> code);
+// The verdict of a run of the verb, in capitals; "NOT RUN" where it has not ended.
+std::string verdict_of(const std::string& verb, const RunRow& row);
 
 // The exit code of the whole: that of the worst row. From the worst on: interrupted, a fault of the
 // program, out of memory, refuted, bad input, undecided, good.

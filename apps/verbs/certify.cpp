@@ -13,6 +13,7 @@
 #include "apps/run/checkpoints.h"
 #include "apps/run/limited_history.h"
 #include "apps/run/second_checker.h"
+#include "apps/run/told_certificate.h"
 #include "apps/verbs/list.h"
 #include "apps/verbs/listed_certify.h"
 #include "apps/verbs/verbs.h"
@@ -63,40 +64,6 @@ std::string name_of_shard(const Request& request, const ShardFile& file) {
   return "SHARD " + std::to_string(file.number) + "/" + std::to_string(file.of) + " ";
 }
 
-// Says what was found, the verdict last, and the reason of a verdict other than
-// CERTIFIED to stderr.
-void tell(const Request& request, const Certificate& certificate, const SecondWords& second,
-          const std::string& evidence, const std::string& shard) {
-  if (certificate.verdict != Verdict::certified) {
-    std::cerr << "voroproof: " << printable(request.history, 4096) << ": "
-              << printable(reason_line(certificate), 4096) << '\n';
-  }
-  std::ostream& out = words_beside({request.report});
-  if (!request.quiet) {
-    out << "c ";
-    if (request.options.judges_flips()) out << certificate.flips << " flips, ";
-    out << certificate.collisions << " collisions, " << certificate.maneuvers
-        << " maneuvers proved; certified prefix " << certificate.prefix_events
-        << " events, t = " << certificate.prefix_t << "; swaps " << certificate.swaps << '\n';
-    for (const Leniency& l : leniencies(certificate)) {
-      if (l.count > 0) out << "c leniency: " << l.count << " " << l.words << '\n';
-    }
-    for (const std::string& remark : certificate.remarks)
-      out << "c " << printable(remark, 4096) << '\n';
-    for (const auto& [checker, said] : second) {
-      out << "c " << checker.name << ": " << printable(said, 4096) << '\n';
-    }
-    if (!evidence.empty()) out << "c evidence: " << evidence << '\n';
-  }
-  if (const std::string line = horizon_line(certificate); !line.empty()) {
-    out << "c " << line << '\n';
-  }
-  if (const std::string line = scope_line(request.options, certificate); !line.empty()) {
-    out << "c " << line << '\n';
-  }
-  out << "s " << shard << verdict_line(certificate.verdict).substr(2) << '\n';
-}
-
 // The shard that --part names, or the one of all parts.
 void read_part(const Request& request, ShardFile& file) {
   if (request.part.empty()) return;
@@ -129,6 +96,15 @@ void require_shards(const Request& request) {
 bool can_be_resumed(const Request& request) {
   return request.truth == "recorded" && request.events == "all" && !request.report.empty() &&
          !is_stream(request.report) && !is_standard_output(request.report);
+}
+
+// The certificate that an earlier run of the same shard has made already.
+std::optional<ShardFile> finished_certificate(const Request& request, const Claim& claim,
+                                              const ShardFile& wanted) {
+  if (!request.resume || request.part.empty()) return std::nullopt;
+  ShardFile whole = wanted;
+  whole.shard.certificate.other_horizon = other_horizon(claim.scene, claim.history->header());
+  return finished_shard(request.report, whole, request.history);
 }
 
 // Certifies the shard from where an earlier run has left it.
@@ -233,6 +209,16 @@ SecondWords ask(const std::vector<SecondChecker>& seconds, const Request& reques
   return words;
 }
 
+void read_tolerances(const Request& request, const HistoryHeader& header, CertifyOptions& options) {
+  options.tolerance = time_argument("--tolerance", request.tolerance);
+  options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
+  try {
+    require_meaningful(options, header);
+  } catch (const std::invalid_argument& fault) {
+    throw UsageError(std::string("--") + fault.what());
+  }
+}
+
 ExitCode certify_files(Request& request) {
   CertifyOptions& options = request.options;
   options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
@@ -258,16 +244,15 @@ ExitCode certify_files(Request& request) {
                                                      event_limit_reason(request.max_events));
   }
   const HistoryHeader& header = claim.history->header();
-  options.tolerance = time_argument("--tolerance", request.tolerance);
-  options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
-  try {
-    require_meaningful(options, header);
-  } catch (const std::invalid_argument& fault) {
-    throw UsageError(std::string("--") + fault.what());
-  }
+  read_tolerances(request, header, options);
   options.propose_initial = construct_initial;
   file.options = options;
   file.run = certification_run(producer(), request.scene, request.history, claim, {});
+  if (const auto done = finished_certificate(request, claim, file)) {
+    tell(words_beside({request.report}), *done, {}, name_of_shard(request, *done), request.quiet);
+    return exit_code(done->shard.certificate.verdict);
+  }
+  if (report_file) claim.history->keep_digest();
   std::optional<Progress> progress;
   progress.emplace(round_nearest(header.horizon), request.quiet);
   options.monitor = [&](double t, std::int64_t events) {
@@ -280,10 +265,13 @@ ExitCode certify_files(Request& request) {
   const SecondWords second = ask(seconds, request, interruption, file);
   interruption.wind_up();
   file.run.evidence = checked_evidence(certificate, request.scene, request.history);
-  if (report_file) write_result(request, *report_file, file);
+  if (report_file) {
+    if (!file.shard.end) file.run.history_sha256 = claim.history->content_sha256();
+    write_result(request, *report_file, file);
+  }
   // Where a limit has ended the run, or that of a second checker, it may be taken up.
   if (begun && judged && second.size() == seconds.size()) begun->forget();
-  tell(request, certificate, second, file.run.evidence, name_of_shard(request, file));
+  tell(words_beside({request.report}), file, second, name_of_shard(request, file), request.quiet);
   return exit_code(certificate.verdict);
 }
 
@@ -297,12 +285,16 @@ ExitCode merge_files(Request& request) {
     throw InputError(request.shards.front(), 0, "report.producer",
                      "is of " + printable(whole.run.producer) + ", and this is " + producer());
   }
-  request.history = whole.run.history_file;
-  request.options = whole.options;
+  for (const auto& [path, sha256] : {std::pair(whole.run.scene_file, whole.run.scene_sha256),
+                                     std::pair(whole.run.history_file, whole.run.history_sha256)}) {
+    if (has_other_bytes(path, sha256)) {
+      throw InputError(path, 0, "", "has other bytes than those of which the certificates are");
+    }
+  }
   const Certificate& certificate = whole.shard.certificate;
   whole.run.evidence = checked_evidence(certificate, whole.run.scene_file, whole.run.history_file);
   if (report_file) write_result(request, *report_file, whole);
-  tell(request, certificate, {}, whole.run.evidence, {});
+  tell(words_beside({request.report}), whole, {}, {}, request.quiet);
   return exit_code(certificate.verdict);
 }
 
@@ -367,14 +359,17 @@ void add_certify(Verb& program) {
                  "--resume", "--checkpoint", "--max-bits", "--max-events"});
   verb.flag("--resume", request->resume,
             "Take up what a run that was interrupted or killed, or that a limit ended, has left "
-            "beside this report; the report is the same as without the break.");
+            "beside this report; the report is the same as without the break. With --part, nothing "
+            "is done where the report is that of this shard already: of these bytes, these options "
+            "and this version.");
   verb.whole("--checkpoint", request->checkpoint, 0, 1'000'000,
              "Under the recorded truth, keep what is proved every so many seconds in a file of the "
              "report's name with .partial at its end; 0: as often as can be.");
   add_max_bits(verb, request->options.motion.max_bits);
   add_max_events(verb, request->max_events);
   verb.flag("--quiet", request->quiet,
-            "Show no progress on the terminal, and write nothing but the verdict.");
+            "Show no progress on the terminal, and write nothing but the verdict, what it is about "
+            "and what it leaves open.");
   const auto list =
       add_list_options(verb, {"--report", "--part", "--index", "--merge", "--resume"});
   verb.note("What s CERTIFIED says is stated in docs/claim.md.")

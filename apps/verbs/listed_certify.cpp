@@ -7,11 +7,17 @@
 namespace voroproof::internal {
 namespace {
 
-// What the report of a run says of how far the history is proved.
+// What the report of a run says of how far the history is proved, and of which bytes.
 void read_report(const std::string& path, RunRow& row) {
   const nlohmann::json report = nlohmann::json::parse(file_bytes(path, std::size_t{1} << 28));
   row.events = report.at("certified_prefix").at("events").get<std::int64_t>();
   row.t = report.at("certified_prefix").at("t").get<double>();
+  const nlohmann::json& words = report.at("words");
+  row.words = words.at("verdict");
+  row.says = words.at("reservations").get<std::vector<std::string>>();
+  row.says.insert(row.says.begin(), words.at("about").get<std::string>());
+  row.scene_sha256 = report.at("scene_sha256");
+  row.history_sha256 = report.value("history_sha256", "");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "history/error.h"
 #include "history/event_limit.h"
 #include "history/output_file.h"
+#include "history/sha256.h"
 #include "library/movie/movie.h"
 
 namespace voroproof::internal {
@@ -19,15 +20,6 @@ struct Request {
   std::optional<GenId> follow;
   EngineOptions options;
 };
-
-// The report must be one about the scene; that it is about the history is the user's word.
-Explanation read_report(const std::string& path, const Scene& scene) {
-  Explanation report = explain_report(path);
-  if (report.scene_sha256 != scene.sha256) {
-    throw InputError(path, 0, "scene_sha256", "the report is about another scene");
-  }
-  return report;
-}
 
 ExitCode write_movie(const Verb& verb, const Request& request) {
   require_distinct({request.scene, request.history, request.report, request.index},
@@ -50,7 +42,12 @@ ExitCode write_movie(const Verb& verb, const Request& request) {
     throw UsageError("--follow: the scene has " + std::to_string(disks) + " disks");
   }
   std::optional<Explanation> report;
-  if (!request.report.empty()) report = read_report(request.report, claim.scene);
+  if (!request.report.empty()) {
+    report = explain_report(request.report);
+    require_report_of(*report, request.report, producer(), claim.scene.sha256,
+                      sha256_of_file(request.history));
+    span.flips = report->judges_flips;
+  }
   const std::int64_t line = report && report->fault ? report->fault->line : 0;
   const MovieData data = movie_data(claim, request.history, span, line, request.options);
   // Without a limit the page does without the diagram, and says why.
@@ -73,7 +70,8 @@ void add_movie(Verb& program) {
   verb.input("history", request->history, "A history of the scene, right or wrong.").required();
   verb.output(request->output, "The page to write: HTML that needs no other file.").required();
   verb.input("--report", request->report,
-             "The report of certify on this history. The time line shows what is proved, and the "
+             "The report of this version's certify on these files; another one is refused. The "
+             "time line shows what is proved, and the "
              "evidence of a refutation is drawn.");
   verb.whole("--follow", request->follow, 0, max_disks, "The disk to follow to begin with.");
   verb.text("--from", request->from, "TIME",

@@ -91,6 +91,11 @@ struct Leniency {
 
 struct Report {
   Verdict verdict = Verdict::undecided;
+  // What the report says, in the words of the program: "CERTIFIED" or "CERTIFIED (collisions
+  // alone)" and so on; about which events and which truth, up to when, within which tolerances; and
+  // each reservation, a line.
+  std::string words, about;
+  std::vector<std::string> reservations;
   std::string reason;  // in one line, why it is not certified
   std::optional<Divergence> divergence;
   std::string evidence;  // of a refutation: how its witness was checked, by CGAL

@@ -30,8 +30,11 @@ Json generator_json(const DrawnGenerator& g) {
 }
 
 Json report_json(const Explanation& report, const MovieData& data) {
-  Json j{{"verdict", report.verdict},
-         {"truth", report.truth},
+  const std::string& verdict = report.verdict.verdict;
+  Json j{{"verdict", verdict.substr(0, verdict.find(' '))},
+         {"words", verdict},
+         {"about", report.verdict.about},
+         {"reservations", report.verdict.reservations},
          {"reason", report.reason},
          {"prefixEvents", report.prefix_events},
          {"prefixT", report.prefix_t}};
@@ -68,6 +71,7 @@ Json facts_json(const Claim& claim, const MovieData& data, const Explanation* re
          {"palette", palette_json()}};
   if (data.stop) j["stop"] = {{"t", data.stop->t}, {"reason", data.stop->reason}};
   if (!data.no_initial.empty()) j["noInitial"] = data.no_initial;
+  if (!data.no_diagram.empty()) j["noDiagram"] = data.no_diagram;
   if (options.follow) j["follow"] = *options.follow;
   if (report != nullptr) j["report"] = report_json(*report, data);
   return j;

@@ -141,6 +141,10 @@ std::vector<Quad> initial_edges(const Claim& claim, const EngineOptions& options
 // Brings the collector to where the reading of the history begins.
 void start(Claim& claim, const std::string& history_path, const MovieSpan& span,
            const EngineOptions& options, Collector& collector) {
+  if (!span.flips) {
+    collector.data().no_diagram = "flips were not judged, and no diagram is claimed";
+    return;
+  }
   if (span.from && span.index) {
     const auto entry =
         go_on_before(*span.index, claim.scene, *claim.history, history_path, *span.from);
@@ -179,6 +183,7 @@ MovieData movie_data(Claim& claim, const std::string& history_path, const MovieS
   };
   if (!span.from) open();
   while (const std::optional<Event> event = history.next()) {
+    if (!span.flips && std::holds_alternative<FlipEvent>(*event)) continue;
     if (!is_open && exact_time(*event) <= *span.from) {
       collector.replay(*event, history.line());
       continue;

@@ -22,6 +22,8 @@ enum class MovieEvent : std::uint8_t { flip, collision, maneuver };
 struct MovieSpan {
   std::optional<Rational> from, until;
   std::optional<IndexFile> index;
+  // Whether flips and the diagram belong to it: not where they are not judged.
+  bool flips = true;
 };
 
 // The events in their order; what they are about follows one another without gaps.
@@ -40,6 +42,7 @@ struct MovieData {
   std::vector<double> disks;           // x, y, radius, vx, vy of each then, all its events over
   std::vector<std::uint16_t> initial;  // l, r, s, e of each edge just after that
   std::string no_initial;              // why there is none, where there should be one
+  std::string no_diagram;              // why none is to be shown
   double end = 0;                      // up to which it tells
   bool cut = false;                    // whether the history goes on
   std::optional<HistoryStop> stop;     // where it ends with that

@@ -42,11 +42,12 @@ py::dict dict_of(const Report& r) {
   if (r.divergence) divergence = dict_of(*r.divergence);
   py::list leniency;
   for (const Leniency& l : r.leniency) leniency.append(py::make_tuple(l.name, l.words, l.count));
-  return py::dict("verdict"_a = name(r.verdict), "reason"_a = r.reason, "divergence"_a = divergence,
-                  "evidence"_a = r.evidence, "prefix_events"_a = r.prefix_events,
-                  "prefix_t"_a = r.prefix_t, "flips"_a = r.flips, "collisions"_a = r.collisions,
-                  "maneuvers"_a = r.maneuvers, "leniency"_a = leniency, "remarks"_a = r.remarks,
-                  "json"_a = r.json);
+  return py::dict("verdict"_a = name(r.verdict), "words"_a = r.words, "about"_a = r.about,
+                  "reservations"_a = r.reservations, "reason"_a = r.reason,
+                  "divergence"_a = divergence, "evidence"_a = r.evidence,
+                  "prefix_events"_a = r.prefix_events, "prefix_t"_a = r.prefix_t,
+                  "flips"_a = r.flips, "collisions"_a = r.collisions, "maneuvers"_a = r.maneuvers,
+                  "leniency"_a = leniency, "remarks"_a = r.remarks, "json"_a = r.json);
 }
 
 CertifyOptions options_of(const std::string& truth, const Number& tolerance,

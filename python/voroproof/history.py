@@ -273,8 +273,9 @@ class History:
     def movie_page(self, *, report: "Optional[Report]" = None, follow: Optional[int] = None) -> str:
         """A page of HTML that plays the history and needs no other file and no network.
 
-        `report` is one of a certification of this history: the time line shows what is proved, and the
-        evidence of a refutation is drawn. `follow` is the disk that is followed to begin with. The history
+        `report` is one of a certification of this history, or of the file that `write` makes of it: the time
+        line shows what is proved, and the evidence of a refutation is drawn. A report of other bytes or by
+        another version is an InputError. `follow` is the disk that is followed to begin with. The history
         may be right or wrong. Raises InputError, and ValueError for a disk that there is not.
         """
         return _core.movie_page(self.scene._core, self._core, None if report is None else report.json, follow)

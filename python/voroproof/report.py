@@ -82,12 +82,18 @@ class Leniency:
 class Report:
     """What the certifier found. docs/claim.md states what each verdict says.
 
-    `verdict` is "certified", "refuted" or "undecided"; `reason` why it is not certified. The first
+    `verdict` is "certified", "refuted" or "undecided"; `words` the same as the program has it, with
+    "(collisions alone)" behind it where only these were judged; `about` which events, which truth, up to
+    when, within which tolerances; `reservations` what it is not about and what was accepted that is not
+    exact, each a line; `reason` why it is not certified. The first
     `prefix_events` events are right, and nothing is missing before `prefix_t`. `evidence` says how the
     witness of a refutation was checked. `json` is the report's file.
     """
 
     verdict: str
+    words: str
+    about: str
+    reservations: List[str]
     reason: str
     divergence: Optional[Divergence]
     evidence: str
@@ -117,7 +123,7 @@ class Report:
         write_whole(path, self.json)
 
     def __str__(self) -> str:
-        return self.verdict.upper() + (f": {self.reason}" if self.reason else "")
+        return self.words + (f": {self.reason}" if self.reason else "")
 
     def __repr__(self) -> str:
         return f"<Report: {self}>"

@@ -169,6 +169,17 @@ test("a certification that is ended is undecided, wherever it is", () => {
   }
 });
 
+test("what a verdict is about is said of the options that were judged, whatever it is", () => {
+  const about = (text, options) => new core.Certification(options, () => true).run(scene, text).about;
+  const horizon = JSON.parse(history.toString().split("\n")[0]).horizon;
+  assert.equal(about(history, { truth: "recorded", tolerance: "1/3", strict: true }),
+    `all events, recorded truth, up to t = ${horizon}, times within 1/3, velocities within 1e-9, strict`);
+  const longer = bytes(history.toString().replace(/("horizon"|"end":{"t"):[0-9.]+/g, "$1:1e3"));
+  assert.equal(about(longer, { truth: "exact" }), `all events, exact truth, up to t = 1000, times within 1e-6, `
+    + `velocities within 1e-9, horizon 1000 of the scene's ${horizon}`);
+  assert.equal(about(bytes("{}"), { truth: "exact" }), "");
+});
+
 test("options are those of the kernel", () => {
   const without = readFileSync(join(corpus, "certified/disks-quadruplets-not-oriented.history.jsonl"));
   assert.equal(certify(scene, without).at(-1), "s REFUTED");

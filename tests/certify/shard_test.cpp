@@ -10,8 +10,10 @@
 #include "certify/fingerprint.h"
 #include "certify/replay.h"
 #include "certify/report.h"
+#include "history/history_file.h"
 #include "tests/certify/claimed_history.h"
 #include "tests/certify/mutation.h"
+#include "tests/history/temporary_directory.h"
 #include "tests/support/random_scenes.h"
 
 namespace voroproof::internal::testing {
@@ -30,6 +32,22 @@ Shard shard(const Scene& scene, const ClaimedHistory& history, const CertifyOpti
             const ShardTask& task) {
   MemoryHistory source(history);
   return certify_shard(scene, source, options, task);
+}
+
+// The same of the history as a file, the bytes of which a cut is bound to.
+Shard shard_of_file(const Scene& scene, const ClaimedHistory& history,
+                    const CertifyOptions& options, const ShardTask& task) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("a.history.jsonl");
+  HistoryWriter writer(path);
+  HistoryHeader header = history.header;
+  header.scene_sha256 = std::string(64, '0');
+  writer.header(header);
+  for (const auto& event : history.events) writer.write(event);
+  writer.end();
+  writer.close();
+  const auto source = open_history(path, static_cast<int>(scene.disks.size()));
+  return certify_shard(scene, *source, options, task);
 }
 
 // All shards up to the first that is not certified.
@@ -142,10 +160,10 @@ TEST(Shards, ACutIsBoundToAllBeforeIt) {
   const Scene scene = some_scene(random);
   const ClaimedHistory right = claimed_history(scene, run(scene));
   const CertifyOptions options = recorded(10);
-  const Cut cut = shard(scene, right, options, {.number = 2, .of = 2}).begin.value();
+  const Cut cut = shard_of_file(scene, right, options, {.number = 2, .of = 2}).begin.value();
   ASSERT_GT(cut.claims.all(), 30);
   const auto refused = [&](const Scene& other_scene, const ClaimedHistory& other) {
-    EXPECT_THROW(shard(other_scene, other, options, {.from = cut}), OtherHistory);
+    EXPECT_THROW(shard_of_file(other_scene, other, options, {.from = cut}), OtherHistory);
   };
   const std::size_t before = static_cast<std::size_t>(cut.claims.all());
   int collisions = 0;
@@ -170,7 +188,7 @@ TEST(Shards, ACutIsBoundToAllBeforeIt) {
   other.header.horizon += 1;
   refused(scene, other);
   other = right;
-  std::swap(other.header.initial->front(), other.header.initial->back());
+  other.header.producer += " 2";
   refused(scene, other);
   Scene heavier = scene;
   heavier.disks[3].mass = Rational(2 * heavier.disks[3].mass.value());
@@ -178,7 +196,7 @@ TEST(Shards, ACutIsBoundToAllBeforeIt) {
   // What comes after the cut does not matter to it.
   other = right;
   other.events.pop_back();
-  EXPECT_EQ(shard(scene, other, options, {.from = cut}).begin, cut);
+  EXPECT_EQ(shard_of_file(scene, other, options, {.from = cut}).begin, cut);
 }
 
 // The claims are right, and what somebody says of the state is not.
@@ -192,7 +210,7 @@ TEST(Shards, ACutThatLies) {
                                                     [](Cut& c) { c.t = std::nextafter(c.t, 0); },
                                                     [](Cut& c) { --c.claims.flips; },
                                                     [](Cut& c) { ++c.line; },
-                                                    [](Cut& c) { c.claims_sha256[5] ^= 1; },
+                                                    [](Cut& c) { c.bytes_sha256[5] ^= 1; },
                                                     [](Cut& c) { c.state_sha256[5] ^= 1; }};
   for (std::size_t k = 0; k < lies.size(); ++k) {
     Cut lie = cut;

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """cluster/certify_mpi.py for real: four ranks give the report of one process, also with an index, of a history that is
-false, and after a rank was killed in the middle.
+false, after a rank was killed in the middle, and where certificates of other bytes or options are there. A rank that
+fails ends the job.
 
 usage: mpi.py PROGRAM      (build/voroproof)
 """
@@ -37,19 +38,22 @@ def start(folder, program, history, *options):
         stderr=subprocess.PIPE, text=True)
 
 
-def finish(job, folder, wanted):
+def finish(job, folder, wanted, keep=False):
+    """With `keep` the certificates of the shards stay."""
     out, err = job.communicate()
     code, last, report = wanted
     assert job.returncode == code, (job.returncode, out, err)
     assert out.splitlines()[-1] == last, (out, err)
     assert (folder / "mpi.json").read_bytes() == report
     (folder / "mpi.json").unlink()
-    shutil.rmtree(folder / "mpi.json.shards")
+    if not keep:
+        shutil.rmtree(folder / "mpi.json.shards")
 
 
-def of_one_process(folder, program, history):
+def of_one_process(folder, program, history, *options):
     """Exit code, last line and report."""
-    done = subprocess.run([program, "certify", "a.scene.json", history, "--truth", "recorded", "--report", "one.json"],
+    done = subprocess.run([program, "certify", "a.scene.json", history, "--truth", "recorded", "--report", "one.json",
+                           *options],
                           cwd=folder, capture_output=True, text=True, check=False)
     return done.returncode, done.stdout.splitlines()[-1], (folder / "one.json").read_bytes()
 
@@ -72,6 +76,34 @@ def kill_a_rank(job, folder):
     assert 0 < len(list(shards.glob("*.json"))) < SHARDS
 
 
+def without_a_flip(history):
+    lines = history.splitlines(keepends=True)
+    flip = next(k for k in range(len(lines) // 2, len(lines)) if "flip" in lines[k])
+    return "".join(lines[:flip] + lines[flip + 1:])
+
+
+def check_stale_certificates(folder, program):
+    """Certificates of the right history are there when it is replaced, and some with other options."""
+    history = folder / "c.history.jsonl"
+    right = (folder / "a.history.jsonl").read_text()
+    history.write_text(right)
+    finish(start(folder, program, history.name), folder, of_one_process(folder, program, history.name), keep=True)
+    options = ("--tolerance", "1e-7")
+    finish(start(folder, program, history.name, *options), folder,
+           of_one_process(folder, program, history.name, *options), keep=True)
+    history.write_text(without_a_flip(right))
+    wrong = of_one_process(folder, program, history.name, *options)
+    assert wrong[0] == 1
+    finish(start(folder, program, history.name, *options), folder, wrong)
+
+
+def check_failing_rank(folder):
+    job = start(folder, str(folder / "no-such-program"), "a.history.jsonl")
+    out, err = job.communicate()
+    assert job.returncode != 0 and "no-such-program" in err, (job.returncode, out, err)
+    shutil.rmtree(folder / "mpi.json.shards")
+
+
 def main():
     skip_without_tools()
     program = str(pathlib.Path(sys.argv[1]).resolve())
@@ -86,12 +118,13 @@ def main():
         subprocess.run([program, "index", "a.scene.json", "a.history.jsonl"], cwd=folder, check=True, capture_output=True)
         finish(start(folder, program, "a.history.jsonl", "--index", "a.history.jsonl.index"), folder, right)
 
-        lines = (folder / "a.history.jsonl").read_text().splitlines(keepends=True)
-        flip = next(k for k in range(len(lines) // 2, len(lines)) if "flip" in lines[k])
-        (folder / "b.history.jsonl").write_text("".join(lines[:flip] + lines[flip + 1:]))
+        (folder / "b.history.jsonl").write_text(without_a_flip((folder / "a.history.jsonl").read_text()))
         wrong = of_one_process(folder, program, "b.history.jsonl")
         assert wrong[0] == 1
         finish(start(folder, program, "b.history.jsonl"), folder, wrong)
+
+        check_stale_certificates(folder, program)
+        check_failing_rank(folder)
 
         # The last shard takes longer than the test waits: so not all are there, however fast the others are.
         slow = folder / "slow"

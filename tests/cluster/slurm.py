@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """cluster/certify_array.sh and cluster/Snakefile under a Slurm of one node on this machine: the array gives the report
-of one process, also where tasks were lost, and the workflow that of each of many scenes.
+of one process, also where tasks were lost, and the workflow that of each of many scenes. Where the history is replaced,
+or the options are others, nothing that is there counts as done.
 
 usage: slurm.py PROGRAM      (build/voroproof)
 
@@ -107,12 +108,25 @@ def one_process(folder, program, name, *options):
     return (folder / "one.json").read_bytes()
 
 
-def array(folder, program, environment, *options):
+def array(folder, program, environment, *options, more=()):
     """Submits the array and waits for it."""
     return subprocess.run(
         ["sbatch", "--wait", f"--array=1-{SHARDS}", "--output=/dev/null", *options, CLUSTER / "certify_array.sh",
-         "a.scene.json", "a.history.jsonl", "a.shards"],
+         "a.scene.json", "a.history.jsonl", "a.shards", *more],
         cwd=folder, env={**environment, "VOROPROOF": program}, capture_output=True, text=True, check=False)
+
+
+def without_a_flip(history):
+    lines = history.splitlines(keepends=True)
+    flip = next(k for k in range(len(lines) // 2, len(lines)) if "flip" in lines[k])
+    return "".join(lines[:flip] + lines[flip + 1:])
+
+
+def merged(folder, program):
+    """Exit code and report of all certificates."""
+    done = subprocess.run([program, "certify", "--report", "merged.json", "--merge",
+                           *sorted((folder / "a.shards").glob("*.json"))], cwd=folder, capture_output=True, check=False)
+    return done.returncode, (folder / "merged.json").read_bytes()
 
 
 def check_array(folder, program, environment):
@@ -128,11 +142,15 @@ def check_array(folder, program, environment):
     done = array(folder, program, environment)
     assert done.returncode == 0, done.stderr
     assert times == [path.stat().st_mtime_ns for path in certificates]
-    merged = subprocess.run([program, "certify", "--report", "merged.json", "--merge",
-                             *sorted((folder / "a.shards").glob("*.json"))], cwd=folder, capture_output=True, text=True,
-                            check=False)
-    assert merged.returncode == 0, merged.stderr
-    assert (folder / "merged.json").read_bytes() == report
+    assert merged(folder, program) == (0, report)
+    # With other options, then of another history.
+    options = ("--tolerance", "1e-7")
+    assert array(folder, program, environment, more=options).returncode == 0
+    assert merged(folder, program) == (0, one_process(folder, program, "a", *options))
+    history = folder / "a.history.jsonl"
+    history.write_text(without_a_flip(history.read_text()))
+    assert array(folder, program, environment, more=options).returncode == 0
+    assert merged(folder, program) == (1, one_process(folder, program, "a", *options))
 
 
 def check_workflow(folder, program, environment):
@@ -144,9 +162,18 @@ def check_workflow(folder, program, environment):
                         "60", "-o", f"s{seed}.scene.json"], cwd=many, check=True)
     subprocess.run([program, "simulate", "s2.scene.json", "-o", "s2.history.jsonl", "--quiet"], cwd=many, check=True,
                    capture_output=True)
-    lines = (many / "s2.history.jsonl").read_text().splitlines(keepends=True)
-    flip = next(k for k in range(len(lines) // 2, len(lines)) if "flip" in lines[k])
-    (many / "s2.history.jsonl").write_text("".join(lines[:flip] + lines[flip + 1:]))
+    (many / "s2.history.jsonl").write_text(without_a_flip((many / "s2.history.jsonl").read_text()))
+    run_workflow(folder, program, environment, ["CERTIFIED", "REFUTED", "CERTIFIED"])
+    # A replaced history that looks as old as the one before it.
+    history = many / "s3.history.jsonl"
+    times = history.stat()
+    history.write_text(without_a_flip(history.read_text()))
+    os.utime(history, ns=(times.st_atime_ns, times.st_mtime_ns))
+    run_workflow(folder, program, environment, ["CERTIFIED", "REFUTED", "REFUTED"])
+
+
+def run_workflow(folder, program, environment, verdicts):
+    many = folder / "many"
     done = subprocess.run(
         ["snakemake", "-s", CLUSTER / "Snakefile", "--directory", many, "--jobs", "8", "--latency-wait", "30",
          "--max-jobs-per-second", "20", "--max-status-checks-per-second", "20", "--cluster",
@@ -154,7 +181,7 @@ def check_workflow(folder, program, environment):
         env={**environment, "HOME": str(folder)}, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr[-3000:]
     table = [line.split("\t")[:2] for line in (many / "verdicts.tsv").read_text().splitlines()]
-    assert table == [["s1", "CERTIFIED"], ["s2", "REFUTED"], ["s3", "CERTIFIED"]], table
+    assert table == [[f"s{k + 1}", verdict] for k, verdict in enumerate(verdicts)], table
     for name, _ in table:
         assert (many / f"{name}.report.json").read_bytes() == one_process(many, program, name), name
 

@@ -176,6 +176,9 @@ TEST_F(ForgedIndexes, AnOffsetBehindFalseClaims) {
   ASSERT_EQ(there.entry["cut"], p.entry["cut"]);
   Json forged = there.entry;
   forged["cut"]["offset"] = offset + garbage.size();
+  Sha256 read;
+  read.add(std::string_view(bytes).substr(0, offset + garbage.size()));
+  forged["cut"]["digest"] = read.state();
   EXPECT_PRED2(has, joined(there, forged, "b.history.jsonl"), "another place");
 }
 
@@ -207,7 +210,9 @@ TEST_F(ForgedIndexes, WhatNamesTheCut) {
   refused("another place", [](Json& c) { c["part"] = c["part"].get<int>() + 1; });
   refused("another place", [](Json& c) { c["t"] = std::nextafter(c["t"].get<double>(), 0); });
   refused("other claims", [](Json& c) { c["line"] = c["line"].get<int>() + 1; });
-  refused("other claims", [](Json& c) { c["claims_sha256"] = std::string(64, '0'); });
+  refused("other bytes", [](Json& c) {
+    c["digest"] = std::string(64, '0') + c["digest"].get<std::string>().substr(64);
+  });
 }
 
 // The shards read two files: of this scene, with the same claims, and with other first lines.

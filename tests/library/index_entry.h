@@ -14,14 +14,17 @@ namespace voroproof::internal::testing {
 // or of another type.
 inline IndexedCut cut_of(const nlohmann::ordered_json& entry) {
   const nlohmann::ordered_json& c = entry.at("cut");
+  const std::string digest = c.at("digest");
+  std::optional<Sha256> before = Sha256::resumed(digest, c.at("offset"));
   return {.cut = {.part = c.at("part"),
                   .t = c.at("t"),
                   .claims = {c.at("flips"), c.at("collisions"), c.at("maneuvers")},
                   .line = c.at("line"),
                   .offset = c.at("offset"),
                   .header_sha256 = {},
-                  .claims_sha256 = c.at("claims_sha256"),
+                  .bytes_sha256 = before ? before->hex() : "",
                   .state_sha256 = c.at("state_sha256")},
+          .digest = digest,
           .state = entry.at("state").dump(),
           .file = "a.index",
           .line = 1};

@@ -64,6 +64,7 @@ TEST_F(Indexes, OfSomethingElseAreRefused) {
   changed("beginning of the history", [&](auto& l) { l[1]["cut"]["part"] = 0; });
   changed("text after the last line", [](auto& l) { l.push_back(l.back()); });
   changed("other bytes", [&](auto& l) { l[last]["sha256"] = std::string(64, '0'); });
+  changed("no state of SHA-256", [&](auto& l) { l[last]["cut"]["digest"] = "0"; });
   changed("neither an entry", [](auto& l) { l[1] = Json{{"x", 1}}; });
   put(right);
   std::string text = directory_.read("a.index");
@@ -100,8 +101,15 @@ TEST_F(Indexes, DamagedStatesAreRefused) {
   refused("fewer disks", [](Json& e) { e["state"]["disks"].erase(0); });
   refused("not in [", [](Json& e) { e["state"]["next_maneuver"] = 5; });
   refused("missing", [](Json& e) { e["state"].erase("changes"); });
-  refused("no line ends", [](Json& e) { e["cut"]["offset"] = e["cut"]["offset"].get<int>() + 1; });
-  refused("no line ends", [](Json& e) { e["cut"]["offset"] = 1 << 30; });
+  const std::int64_t offset = right["cut"]["offset"];
+  for (const std::int64_t other : {offset + 1, std::int64_t{1} << 30}) {
+    refused("no line ends", [&](Json& e) {
+      e["cut"]["offset"] = other;
+      // What may be a state of SHA-256 after so many bytes.
+      e["cut"]["digest"] = std::string(64 + 2 * static_cast<std::size_t>(other % 64), '0');
+    });
+  }
+  refused("no state of SHA-256", [&](Json& e) { e["cut"]["offset"] = offset + 1; });
 }
 
 }  // namespace

@@ -29,6 +29,22 @@ TEST(MoviePage, HoldsTheHistoryAndTheReport) {
   EXPECT_NE(told.find("\"verdict\":\"REFUTED\""), std::string::npos);
 }
 
+// Nothing of a flip is shown as if it had been judged.
+TEST(MoviePage, OfAReportOnCollisionsAlone) {
+  const Scene scene = reference(6, 20);
+  const History history = simulate(scene);
+  CertifyOptions options;
+  options.events = EventKinds::collisions;
+  const Report report = certify(scene, history, options);
+  EXPECT_EQ(report.words, "CERTIFIED (collisions alone)");
+  EXPECT_EQ(report.about.rfind("collisions and maneuvers, exact truth, up to t = 20", 0), 0u);
+  ASSERT_EQ(report.reservations.size(), 1u);
+  const std::string page = movie_page(scene, history, {{}, &report});
+  EXPECT_NE(page.find("\"words\":\"CERTIFIED (collisions alone)\""), std::string::npos);
+  EXPECT_NE(page.find("\"noDiagram\":"), std::string::npos);
+  EXPECT_NE(page.find("id=\"movie-initial\"></script>"), std::string::npos);
+}
+
 TEST(MoviePage, OfSmallScenes) {
   for (const int n : {0, 1, 2}) {
     const Scene scene = reference(n, 5);
@@ -42,6 +58,15 @@ TEST(MoviePage, RefusesWhatDoesNotBelongTogether) {
   EXPECT_THROW(movie_page(other, history), InputError);
   const Report report = certify(other, simulate(other));
   EXPECT_THROW(movie_page(scene, history, {{}, &report}), InputError);
+  // Of this scene and another history: of one event less, or by another version.
+  Report right = certify(scene, history);
+  EXPECT_NE(movie_page(scene, history, {{}, &right}).find("\"words\":\"CERTIFIED\""),
+            std::string::npos);
+  History wrong = history;
+  wrong.events.pop_back();
+  EXPECT_THROW(movie_page(scene, wrong, {{}, &right}), InputError);
+  right.json.replace(right.json.find("voroproof 0"), 11, "voroproof 9");
+  EXPECT_THROW(movie_page(scene, history, {{}, &right}), InputError);
   EXPECT_THROW(movie_page(scene, history, {6, nullptr}), std::invalid_argument);
   EXPECT_THROW(movie_page(scene, history, {-1, nullptr}), std::invalid_argument);
 }

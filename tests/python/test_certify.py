@@ -1,5 +1,9 @@
 """The certifier: verdicts, witnesses in Fractions, words, refusals."""
 
+import dataclasses
+import hashlib
+import os
+import subprocess
 from fractions import Fraction
 
 import numpy as np
@@ -26,7 +30,40 @@ def test_right(scene, history, truth):
     assert report.certified and report.verdict == "certified" and report.divergence is None
     assert report.prefix_events == len(history) and report.collisions == 1
     assert str(report) == "CERTIFIED" and "CERTIFIED" in report.explain()
+    assert report.about == f"all events, {truth} truth, up to t = 8, times within 1e-6, velocities within 1e-9, strict"
+    assert report.reservations == []
     assert report.to_dict()["format"] == "voroproof-report"
+
+
+def test_a_report_is_of_bytes(scene, history, tmp_path):
+    scene.write(tmp_path / "a.scene.json")
+    history.write(tmp_path / "a.history.jsonl")
+    of_files = vp.certify_files(tmp_path / "a.scene.json", tmp_path / "a.history.jsonl")
+    written = hashlib.sha256((tmp_path / "a.history.jsonl").read_bytes()).hexdigest()
+    for report in (of_files, vp.certify(scene, history)):
+        assert report.to_dict()["history_sha256"] == written
+    wrong = history.with_events(history.events[1:])
+    for report in (of_files, vp.certify(scene, history)):
+        assert '"words":"CERTIFIED"' in history.movie_page(report=report)
+        with pytest.raises(vp.InputError, match="another history"):
+            wrong.movie_page(report=report)
+
+
+def test_collisions_alone_are_said_to_be(scene, history, tmp_path):
+    """A report of the program, as its file has it."""
+    scene.write(tmp_path / "a.scene.json")
+    history.write(tmp_path / "a.history.jsonl")
+    subprocess.run([os.environ["VOROPROOF_PROGRAM"], "certify", "a.scene.json", "a.history.jsonl", "--events", "collisions",
+                    "--report", "r.json"], cwd=tmp_path, check=True, capture_output=True)
+    report = dataclasses.replace(vp.certify(scene, history), json=(tmp_path / "r.json").read_text())
+    assert "CERTIFIED (collisions alone)" in report.explain()
+    page = history.movie_page(report=report)
+    assert '"words":"CERTIFIED (collisions alone)"' in page and '"noDiagram":"' in page
+
+
+def test_leniency_is_a_reservation(scene, history):
+    report = vp.certify(scene, history.with_events(history.events[:0]), truth="recorded", tolerance=8)
+    assert report.certified and "not claimed" in report.reservations[0]
 
 
 def test_a_witness_in_fractions(scene, history):

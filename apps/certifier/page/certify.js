@@ -60,8 +60,17 @@ class Certification {
   }
 
   result(verdict, reason, { line = 0, file = "", fileLine = 0, field = "", witness = null }) {
-    const { counts, horizonNote } = this;
-    return { verdict, reason, line, file, fileLine, field, witness, counts, horizonNote };
+    const { counts, horizonNote, about } = this;
+    return { verdict, reason, line, file, fileLine, field, witness, counts, horizonNote, about };
+  }
+
+  // What the verdict is about, in the words of `certify`; empty before both files are read.
+  get about() {
+    const { problem, options } = this;
+    if (!problem?.history) return "";
+    return [`all events, ${problem.isExact ? "exact" : "recorded"} truth, up to t = ${problem.history.horizon}`,
+      `times within ${options.tolerance ?? "1e-6"}`, `velocities within ${options.lawTolerance ?? "1e-9"}`,
+      ...(problem.strict ? ["strict"] : []), ...(this.horizonNote ? [this.horizonNote] : [])].join(", ");
   }
 
   read(sceneBytes, historyBytes) {

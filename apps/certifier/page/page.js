@@ -137,12 +137,12 @@ class CertifierPage {
 
   // ---- What came out
 
-  showOutcome({ verdict, reason, lines, counts, line, place, claim, seconds, drawing }) {
+  showOutcome({ verdict, reason, lines, about, counts, line, place, claim, seconds, drawing }) {
     const kind = verdict.toLowerCase(), where = place?.file ? `${this.files[place.file].name}:${place.line}` : line > 0 ? `line ${line}` : "";
     element("outcome").hidden = false;
     element("verdict").textContent = kind;
     element("verdict").className = kind;
-    element("meaning").textContent = this.meaning(verdict, reason, where, place?.field);
+    element("meaning").textContent = this.meaning(verdict, reason, about, where, place?.field);
     element("claim").textContent = claim ?? "";
     element("claim").hidden = !claim;
     element("lines").textContent = lines.join("\n");
@@ -157,11 +157,11 @@ class CertifierPage {
     element("outcome").focus();
   }
 
-  meaning(verdict, reason, where, field) {
-    const truth = this.options.truth === "exact" ? "the scene's true motion" : "the motion that the history records";
-    if (verdict === "CERTIFIED") return `Every claim is proved against ${truth}, and none is missing.`;
+  // The options are those of the work, which need not be those that the form has by now.
+  meaning(verdict, reason, about, where, field) {
+    if (verdict === "CERTIFIED") return `Every claim is proved, and none is missing: ${about}.`;
     const place = [where, field].filter((word) => word).join(", ");
-    return `${place ? `${place}: ` : ""}${reason}.`;
+    return `${place ? `${place}: ` : ""}${reason}.${about ? ` Judged: ${about}.` : ""}`;
   }
 
   fillCounts(counts) {

@@ -131,7 +131,7 @@ class EventList {
   // What the report says of the event.
   standing(event) {
     const report = this.data.facts.report;
-    if (event + 1 >= this.replay.broken) return "refuted";
+    if (this.replay.fault && event + 1 >= this.replay.broken) return "refuted";
     if (!report) return "";
     if (report.fault && event === report.fault.event) {
       return report.fault.kind === "missing event" ? "refuted missing" : "refuted fault";

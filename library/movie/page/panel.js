@@ -37,16 +37,15 @@ class Panel {
     const report = this.data.facts.report, badge = element("verdict");
     badge.hidden = !report;
     if (!report) return;
-    badge.textContent = report.verdict.toLowerCase();
+    badge.textContent = report.words.toLowerCase();
     badge.className = report.verdict.toLowerCase();
-    badge.title = `against the ${report.truth === "exact" ? "true" : "recorded"} motion`;
-    const words = element("finding");
+    badge.title = report.about;
+    const words = element("finding"), judged = [report.about, ...report.reservations].join("; ");
     if (report.verdict === "CERTIFIED") {
-      words.textContent = `Proved against the ${report.truth === "exact" ? "true" : "recorded"} ` +
-        "motion: every event is right and none is missing.";
+      words.textContent = `Every event that was judged is right and none is missing: ${judged}.`;
       return;
     }
-    words.textContent = `Proved up to t = ${Number(report.prefixT.toPrecision(9))} ` +
+    words.textContent = `Judged: ${judged}. Proved up to t = ${Number(report.prefixT.toPrecision(9))} ` +
       `(${plural(report.prefixEvents, "event")}).` +
       (report.fault ? ` Line ${report.fault.line}, ${report.fault.kind}: ${report.fault.truth}.`
         : ` ${report.reason}`);
@@ -63,7 +62,7 @@ class Panel {
     const broken = element("broken");
     broken.hidden = replay.whole && irregular === 0;
     if (!replay.whole) {
-      broken.textContent = `No diagram from here on: ${replay.fault}.`;
+      broken.textContent = replay.fault ? `No diagram from here on: ${replay.fault}.` : `No diagram: ${data.facts.noDiagram}.`;
     } else if (irregular > 0) {
       broken.textContent = `${plural(irregular, "edge")} of the claimed diagram ` +
         `${irregular === 1 ? "is" : "are"} no Voronoi edge here (red).`;

@@ -6,16 +6,12 @@ class Replay {
   constructor(data) {
     this.data = data;
     this.applied = 0;
-    // From this event on there is no diagram, because of `fault`; the number of events if never.
+    // From this event on there is no diagram, because of `fault`, or because none is to be shown; the
+    // number of events if never.
     this.broken = data.events + 1;
     this.fault = null;
-    const missing = data.facts.noInitial;
-    try {
-      if (missing !== undefined) throw new Error(missing);
-      this.diagram = new Diagram(data.count, data.initial);
-    } catch (error) {
-      this.breakAt(0, `there is no initial diagram: ${error.message}`);
-    }
+    if (data.facts.noDiagram === undefined) this.begin();
+    else this.broken = 0;
     this.halfOf = new Int32Array(data.events);  // of each flip, once it has been played
     this.played = 0;    // so many events have been played once
     this.resolved = 0;  // flips whose edge was found with its third generators exchanged
@@ -23,6 +19,16 @@ class Replay {
     // Through the whole history once: to know where it breaks.
     this.moveTo(data.events);
     this.moveTo(0);
+  }
+
+  begin() {
+    const { data } = this, missing = data.facts.noInitial;
+    try {
+      if (missing !== undefined) throw new Error(missing);
+      this.diagram = new Diagram(data.count, data.initial);
+    } catch (error) {
+      this.breakAt(0, `there is no initial diagram: ${error.message}`);
+    }
   }
 
   breakAt(count, reason) {

@@ -1,6 +1,7 @@
 // The movie as a file, without a browser.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "tests/apps/verbs/cli.h"
@@ -57,6 +58,52 @@ TEST_F(MovieFile, BadRequestsAreRefused) {
           "before --from");
   refused({"movie", scene, file("a.history.jsonl"), "-o", page, "--index", file("a.index")},
           "only with --from");
+}
+
+// A report is shown with the history that it is about, and with no other one.
+TEST_F(MovieFile, AReportOfOtherBytesIsRefused) {
+  const std::string scene = reference(5, "10"), history = file("a.history.jsonl");
+  must({"simulate", scene, "-o", history});
+  must({"certify", scene, history, "--report", file("a.report.json")});
+  const Arguments words{"movie",    scene, history,    "--report",    file("a.report.json"),
+                        "--follow", "1",   "--output", file("a.html")};
+  must(words);
+  std::filesystem::remove(file("a.html"));
+  const std::string right = directory_.read("a.history.jsonl");
+  std::string wrong = right;
+  wrong.erase(wrong.find('\n'), wrong.find('\n', wrong.find('\n') + 1) - wrong.find('\n'));
+  directory_.write("a.history.jsonl", wrong);
+  refused(words, "history_sha256: the report is about another history");
+  EXPECT_FALSE(std::filesystem::exists(file("a.html")));
+  EXPECT_NE(must({"explain", file("a.report.json")}).out.find("has other bytes now"),
+            std::string::npos);
+  directory_.write("a.history.jsonl", right);
+  EXPECT_EQ(must({"explain", file("a.report.json")}).out.find("has other bytes now"),
+            std::string::npos);
+  // By another version, or of bytes that it does not name.
+  Json report = json("a.report.json");
+  report["producer"] = "voroproof 9";
+  directory_.write("a.report.json", report.dump());
+  refused(words, "producer: the report is by voroproof 9");
+  must({"certify", scene, history, "--report", file("a.report.json")});
+  report = json("a.report.json");
+  report.erase("history_sha256");
+  directory_.write("a.report.json", report.dump());
+  refused(words, "does not say which history");
+}
+
+TEST_F(MovieFile, OfAReportOnCollisionsAloneHasNoFlips) {
+  const std::string scene = reference(8, "20"), history = file("a.history.jsonl");
+  must({"simulate", scene, "-o", history});
+  must({"certify", scene, history, "--events", "collisions", "--report", file("a.report.json")});
+  must({"movie", scene, history, "--report", file("a.report.json"), "-o", file("a.html")});
+  const std::string page = directory_.read("a.html");
+  EXPECT_NE(page.find("\"words\":\"CERTIFIED (collisions alone)\""), std::string::npos);
+  EXPECT_NE(page.find("\"noDiagram\":"), std::string::npos);
+  EXPECT_NE(page.find("id=\"movie-initial\"></script>"), std::string::npos);
+  // A byte a kind, in base64: three collisions are "AQEB".
+  const std::size_t kinds = page.find("id=\"movie-kinds\">") + 17;
+  EXPECT_EQ(page.substr(kinds, 4), "AQEB");
 }
 
 }  // namespace

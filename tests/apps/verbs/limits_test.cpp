@@ -244,14 +244,17 @@ TEST_F(Limits, AReportWithANumberOutOfRangeIsAnErrorOfTheFile) {
 // Escape sequences, C1 controls and marks that turn the direction of writing.
 TEST_F(Limits, TextOfStrangersDoesNotControlTheTerminal) {
   const std::string evil = R"(x\u001b]0;x\u0007\u009b31m\u202e\ny)";
-  const std::string report = directory_.write(
-      "r.json", R"({"format":"voroproof-report","version":1,"verdict":"REFUTED","truth":"exact",)"
-                R"("scene":"s","history":")" +
-                    evil + R"(","scene_sha256":"","reason":")" + evil +
-                    R"(","certified_prefix":{"events":0,"t":0},"remarks":[")" + evil + R"("]})");
+  const std::string scene = reference(3, "5"), history = file("a.history.jsonl");
+  must({"simulate", scene, "-o", history});
+  must({"certify", scene, history, "--report", file("r.json")});
+  Json told = json("r.json");
+  for (const char* field : {"history", "reason"}) told[field] = Json::parse('"' + evil + '"');
+  told["remarks"] = {told["reason"]};
+  told["scene"] = "s";
+  const std::string report = directory_.write("r.json", told.dump());
   const Result explained = must({"explain", report});
   const std::string shown = "x\\x1b]0;x\\x07\\xc2\\x9b31m\\xe2\\x80\\xae\\x0ay";
-  EXPECT_EQ(lines_of(explained.out).front(), shown + " against s, truth exact: REFUTED.");
+  EXPECT_EQ(lines_of(explained.out).front(), shown + " against s: CERTIFIED.");
   EXPECT_EQ(lines_of(explained.out).back(), "Note: " + shown + ".");
   for (const char c : explained.out) {
     const auto byte = static_cast<unsigned char>(c);

@@ -68,7 +68,7 @@ TEST_F(Lists, EveryRunHasItsRowAndTheWorstIsTheExitCode) {
             std::string::npos);
   const Arguments csv = lines_of(directory_.read("c.csv"));
   ASSERT_EQ(csv.size(), 4u);
-  EXPECT_EQ(csv[0], "scene,history,verdict,exit_code,events,t,reason\r");
+  EXPECT_EQ(csv[0], "scene,history,verdict,exit_code,events,t,reason,says\r");
   EXPECT_EQ(csv[1].rfind(file("a.scene.json") + ',' + history("a") + ",CERTIFIED,0,", 0), 0u);
   EXPECT_NE(csv[1].find(",20,"), std::string::npos) << csv[1];
   // The order of the rows is that of the list, however many run side by side.
@@ -76,6 +76,25 @@ TEST_F(Lists, EveryRunHasItsRowAndTheWorstIsTheExitCode) {
   EXPECT_EQ(directory_.read("d.json"), directory_.read("c.json"));
   directory_.write("list", line("a") + line("c"));
   EXPECT_EQ(run({"certify", "--list", list}).code, 2);
+}
+
+// A table says of each verdict what it is about, and what was accepted.
+TEST_F(Lists, SayWhatTheVerdictsAreAbout) {
+  const std::string list = three();
+  must({"simulate", "--list", list});
+  const Arguments words{"certify", "--list",       list,    "--events",   "collisions",
+                        "--json",  file("c.json"), "--csv", file("c.csv")};
+  for (const char* time : {"first", "kept"}) {
+    const Result out = must(words);
+    EXPECT_EQ(lines_of(out.out).back(), "c 3 scenes: 3 CERTIFIED (collisions alone)") << time;
+    for (const Json& row : json("c.json")["rows"]) {
+      EXPECT_EQ(row["verdict"], "CERTIFIED (collisions alone)");
+      EXPECT_EQ(row["says"][0].get<std::string>().rfind("collisions and maneuvers, exact", 0), 0u);
+      EXPECT_EQ(row["says"][1].get<std::string>().rfind("flips were not judged", 0), 0u);
+    }
+    EXPECT_NE(lines_of(directory_.read("c.csv"))[1].find("flips were not judged"),
+              std::string::npos);
+  }
 }
 
 TEST_F(Lists, RowsOfTheSameFilesAndOptionsAreKept) {

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "tests/apps/verbs/cli.h"
+#include "tests/apps/verbs/shards_cli.h"
 
 namespace voroproof::internal {
 namespace {
@@ -21,86 +21,6 @@ bool has_ended(pid_t child) {
   return found.si_pid == child;
 }
 
-class ShardsCli : public Cli {
- protected:
-  void SetUp() override {
-    scene_ = reference(30, "1000");
-    history_ = file("a.history.jsonl");
-    report_ = file("a.report.json");
-    must({"simulate", scene_, "-o", history_});
-  }
-
-  Arguments certify(const Arguments& more = {}) const {
-    Arguments arguments{"certify",  scene_,     history_, "--truth",
-                        "recorded", "--report", report_,  "--quiet"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-  }
-
-  // The report of one process.
-  std::string whole(int code = 0) const {
-    EXPECT_EQ(run(certify()).code, code);
-    std::string text = read_bytes(report_);
-    std::filesystem::remove(report_);
-    return text;
-  }
-
-  std::string name(int k) const { return file("s" + std::to_string(k) + ".shard.json"); }
-
-  Result part(int k, int of, const Arguments& more = {}) const {
-    Arguments arguments{
-        "certify",  scene_,    history_, "--truth",
-        "recorded", "--quiet", "--part", std::to_string(k) + "/" + std::to_string(of),
-        "--report", name(k)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(arguments);
-  }
-
-  // Certifies all, and gives their names.
-  Arguments parts(int of) const {
-    Arguments names;
-    for (int k = 1; k <= of; ++k) {
-      const Result result = part(k, of);
-      EXPECT_EQ(result.code, 0) << result.err;
-      EXPECT_EQ(result.out,
-                "s SHARD " + std::to_string(k) + "/" + std::to_string(of) + " CERTIFIED\n");
-      names.push_back(name(k));
-    }
-    return names;
-  }
-
-  Arguments merge(const Arguments& names) const {
-    Arguments arguments{"certify", "--report", report_, "--quiet", "--merge"};
-    arguments.insert(arguments.end(), names.begin(), names.end());
-    return arguments;
-  }
-
-  void refused_merge(const Arguments& names, const std::string& message) const {
-    const Result result = run(merge(names));
-    EXPECT_EQ(result.code, 2) << message;
-    EXPECT_EQ(result.out, "s INVALID\n") << message;
-    EXPECT_NE(result.err.find(message), std::string::npos) << message << ": " << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_FALSE(std::filesystem::exists(report_)) << message;
-  }
-
-  void change(int k, const std::function<void(Json&)>& what) const {
-    Json shard = json("s" + std::to_string(k) + ".shard.json");
-    what(shard);
-    directory_.write("s" + std::to_string(k) + ".shard.json", shard.dump());
-  }
-
-  // The history without the first flip after so many bytes.
-  void drop_a_flip(std::size_t after) const {
-    std::string text = read_bytes(history_);
-    const std::size_t flip = text.find("\"flip\"", after), from = text.rfind('\n', flip);
-    text.erase(from, text.find('\n', flip) - from);
-    directory_.write("a.history.jsonl", text);
-  }
-
-  std::string scene_, history_, report_;
-};
-
 TEST_F(ShardsCli, HaveTheReportOfTheWhole) {
   const std::string report = whole();
   for (const int of : {1, 3, 20}) {
@@ -108,7 +28,7 @@ TEST_F(ShardsCli, HaveTheReportOfTheWhole) {
     std::reverse(names.begin(), names.end());
     const Result result = run(merge(names));
     EXPECT_EQ(result.code, 0) << result.err;
-    EXPECT_EQ(result.out, "s CERTIFIED\n");
+    EXPECT_EQ(result.out, about + "s CERTIFIED\n");
     EXPECT_TRUE(read_bytes(report_) == report) << of;
     std::filesystem::remove(report_);
   }
@@ -121,10 +41,10 @@ TEST_F(ShardsCli, RefuteTheWhole) {
   EXPECT_EQ(part(1, 3).code, 0);
   const Result second = part(2, 3);
   EXPECT_EQ(second.code, 1);
-  EXPECT_EQ(second.out, "s SHARD 2/3 REFUTED\n");
+  EXPECT_EQ(second.out, about + "s SHARD 2/3 REFUTED\n");
   const Result result = run(merge({name(2), name(1)}));
   EXPECT_EQ(result.code, 1);
-  EXPECT_EQ(result.out, "s REFUTED\n");
+  EXPECT_EQ(result.out, about + "s REFUTED\n");
   EXPECT_NE(result.err.find("missing event"), std::string::npos) << result.err;
   EXPECT_TRUE(read_bytes(report_) == report);
   std::filesystem::remove(report_);
@@ -176,8 +96,8 @@ TEST_F(ShardsCli, ThatDoNotFit) {
        [](Json& s) { s["begin"]["state_sha256"] = std::string(64, 'a'); });
   with(2, breaks + "another state",
        [](Json& s) { s["end"]["state_sha256"] = std::string(64, 'a'); });
-  with(2, breaks + "other claims",
-       [](Json& s) { s["begin"]["claims_sha256"] = std::string(64, 'a'); });
+  with(2, breaks + "other bytes",
+       [](Json& s) { s["begin"]["bytes_sha256"] = std::string(64, 'a'); });
   with(2, breaks + "other claims", [](Json& s) { s["end"]["flips"] = 5; });
   with(2, breaks + "other claims", [](Json& s) { s["end"]["line"] = 5; });
   with(2, breaks + "another place", [](Json& s) { s["end"]["t"] = 500; });
@@ -233,7 +153,7 @@ TEST_F(ShardsCli, OfTwoHistoriesDoNotFit) {
   directory_.write("a.history.jsonl", other);
   parts(3);
   directory_.write("s3.shard.json", last);
-  refused_merge({name(1), name(2), name(3)}, "other claims before it");
+  refused_merge({name(1), name(2), name(3)}, "other bytes before it");
 }
 
 // What a merge would have to judge itself is asked for when the shards are made.

@@ -1,0 +1,42 @@
+#include "apps/run/told_certificate.h"
+
+#include <iostream>
+
+#include "history/error.h"
+
+namespace voroproof::internal {
+namespace {
+
+constexpr std::size_t longest_shown = 4096;
+
+void tell_counts(std::ostream& out, const ShardFile& file, const SecondWords& second) {
+  const Certificate& c = file.shard.certificate;
+  out << "c ";
+  if (file.options.judges_flips()) out << c.flips << " flips, ";
+  out << c.collisions << " collisions, " << c.maneuvers << " maneuvers proved; certified prefix "
+      << c.prefix_events << " events, t = " << c.prefix_t << "; swaps " << c.swaps << '\n';
+  for (const std::string& remark : c.remarks)
+    out << "c " << printable(remark, longest_shown) << '\n';
+  for (const auto& [checker, said] : second) {
+    out << "c " << checker.name << ": " << printable(said, longest_shown) << '\n';
+  }
+  if (!file.run.evidence.empty()) out << "c evidence: " << file.run.evidence << '\n';
+}
+
+}  // namespace
+
+void tell(std::ostream& out, const ShardFile& file, const SecondWords& second,
+          const std::string& shard, bool quiet) {
+  const Certificate& c = file.shard.certificate;
+  if (c.verdict != Verdict::certified) {
+    std::cerr << "voroproof: " << printable(file.run.history_file, longest_shown) << ": "
+              << printable(reason_line(c), longest_shown) << '\n';
+  }
+  if (!quiet) tell_counts(out, file, second);
+  const VerdictWords words = words_of(file.options, file.run.horizon, c);
+  out << "c " << words.about << '\n';
+  for (const std::string& line : words.reservations) out << "c " << line << '\n';
+  out << "s " << shard << verdict_line(c.verdict).substr(2) << '\n';
+}
+
+}  // namespace voroproof::internal
