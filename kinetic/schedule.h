@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -15,12 +14,12 @@
 #include <vector>
 
 #include "exact/patience.h"
-#include "filtered/numbers/next_double.h"
 #include "filtered/search/collapse.h"
 #include "filtered/search/contact.h"
 #include "kinetic/engine_stats.h"
 #include "kinetic/event.h"
 #include "kinetic/fetch.h"
+#include "kinetic/look_ahead.h"
 #include "kinetic/maneuvers.h"
 #include "kinetic/queue.h"
 #include "topology/diagram.h"
@@ -57,8 +56,9 @@ class Schedule {
   // Begins anew for the diagram as it is, with nothing known but maneuvers and horizon. `window`:
   // how far the first searches look ahead. `since`: when they begin.
   void start(double window, int disks, double since = 0) {
-    window_ = window;
-    since_ = since;
+    frontier_ = since;
+    look_ahead_ = LookAhead(window, since, horizon_up_,
+                            static_cast<std::uint64_t>(diagram_.edges()), stats_.flip_searches);
     // A lone disk has no V-edge but meets the container all the same: one slot.
     slots_ = disks == 1 ? 1 : diagram_.edges();
     queue_ = EventQueue(items());
@@ -98,13 +98,13 @@ class Schedule {
   void search_flip_from_now(int edge) {
     const Stopwatch watch(profile_, stats_.flip_seconds);
     count_search();
-    record(edge, arithmetic_.collapse_from_now(quad_of(edge), window_end(now())));
+    record(edge, arithmetic_.collapse_from_now(quad_of(edge), look_ahead_.end(now())));
   }
   // Searches as CollapseSearch::after() does.
   void search_flip_after(int edge, double start, const RootInterval* fine) {
     const Stopwatch watch(profile_, stats_.flip_seconds);
     count_search();
-    record(edge, arithmetic_.collapse_after(quad_of(edge), start, window_end(start), fine));
+    record(edge, arithmetic_.collapse_after(quad_of(edge), start, look_ahead_.end(start), fine));
   }
   void search_contact(int edge) {
     const Stopwatch watch(profile_, stats_.collision_seconds);
@@ -339,19 +339,7 @@ class Schedule {
     }
   }
 
-  double window_end(double from) const {
-    return std::min(std::max(from + window_, next_above(from)), horizon_up_);
-  }
-  // The look-ahead follows the mean life of a search's result. Those made at the start do not
-  // count: what is known then is of edges that have not come to the end of their lives.
-  void count_search() {
-    ++stats_.flip_searches;
-    const auto searches = static_cast<std::int64_t>(stats_.flip_searches) - diagram_.edges();
-    if ((stats_.flip_searches & 0xfff) == 0 && now() > since_ && searches > 0) {
-      const double life = (now() - since_) * diagram_.edges() / static_cast<double>(searches);
-      window_ = std::fmax(2 * life, 1e-9 * horizon_up_);
-    }
-  }
+  void count_search() { look_ahead_.count(++stats_.flip_searches, frontier_); }
 
   // Looks further ahead for an item of which only a bound is known.
   void extend(int item) { search_flip_after(item / 2, queue_.key(item), nullptr); }
@@ -381,8 +369,7 @@ class Schedule {
   std::vector<IsolatingInterval> isolating_;  // of those that are flips or contacts found
   std::unordered_map<int, std::shared_ptr<const RootInterval>> fine_;  // of edges
   double quiet_until_ = 0;
-  double window_ = 0;
-  double since_ = 0;
+  LookAhead look_ahead_;
   double frontier_ = 0;
   std::set<std::pair<Quad, int>> due_flips_;
   std::set<std::pair<GenId, GenId>> due_contacts_;
