@@ -1,6 +1,7 @@
 // The fingerprint that ties a history to its scene.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -19,6 +20,8 @@ class Sha256 {
   // Of all bytes so far, as 64 lower-case hexadecimal digits. Once, and nothing is added
   // afterwards.
   std::string hex();
+  // The same, and more may be added.
+  std::string hex_so_far() const;
 
  private:
   struct Context;
@@ -30,5 +33,7 @@ std::string sha256_hex(std::string_view bytes);
 
 // The same of the content of a file of any size (ByteSource). Throws InputError.
 std::string sha256_of_file(const std::string& path);
+// Of so many bytes at its beginning; of all where there are fewer.
+std::string sha256_of_beginning(const std::string& path, std::int64_t bytes);
 
 }  // namespace voroproof::internal

@@ -182,11 +182,6 @@ class Schedule {
   void make_first_maneuvers_due() {
     due_maneuvers_ = maneuvers_.has_next() && sgn(maneuvers_.next_time()) == 0;
   }
-  // The next maneuvers of the scene, if they are at a time that is rounded to t.
-  std::optional<Event> maneuvers_at(double t) const {
-    if (!maneuvers_.has_next() || round_nearest(maneuvers_.next_time()) != t) return std::nullopt;
-    return event_of(maneuver_item());
-  }
   std::optional<std::pair<GenId, GenId>> take_due_contact() {
     if (due_contacts_.empty()) return std::nullopt;
     return due_contacts_.extract(due_contacts_.begin()).value();
@@ -199,6 +194,10 @@ class Schedule {
     std::vector<ManeuverInput> together = maneuvers_.take();
     queue_maneuver();
     return together;
+  }
+  // The next ones, of a run that goes on after them.
+  std::vector<ManeuverInput> pass_maneuvers() {
+    return maneuvers_.has_next() ? maneuvers_.take() : std::vector<ManeuverInput>();
   }
   // The edge with the smallest quadruplet.
   std::optional<int> take_due_flip() {
@@ -346,10 +345,10 @@ class Schedule {
   // Works on until the head of the queue is an event; false if there is none.
   bool advance_to_event() {
     for (;;) {
-      Patience::ask();
       const int item = queue_.top();
       if (queue_.key(item) == infinity) return false;
       frontier_ = queue_.key(item);
+      Patience::ask();
       if (is(is_event, item)) return true;
       extend(item);
     }
