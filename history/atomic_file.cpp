@@ -82,7 +82,18 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
 }
 
 AtomicFile::~AtomicFile() {
+  if (!outlives_) discard();
   if (descriptor_ >= 0) close(descriptor_);
+}
+
+void AtomicFile::outlive() {
+  outlives_ = true;
+  if (unfinished_ != nullptr) unfinished_->exists.store(false);
+}
+
+void AtomicFile::discard() {
+  if (descriptor_ >= 0) close(descriptor_);
+  descriptor_ = -1;
   if (temporary_.empty()) return;
   unlink(temporary_.c_str());
   forget_temporary();

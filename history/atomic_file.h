@@ -33,8 +33,13 @@ class AtomicFile {
   bool end_early(std::size_t room,
                  const std::function<std::optional<std::string>(std::string_view line)>& ending);
 
-  // Removes what is not committed, of all files of the process, which is about to end. For handlers
-  // of signals.
+  // From here on what is written stays where it is not committed, as that of a process that is
+  // killed outright: there is something to go on with. discard() removes it all the same.
+  void outlive();
+  void discard();
+
+  // Removes what is not committed and does not outlive its process, of all files of the process,
+  // which is about to end. For handlers of signals.
   static void remove_unfinished() noexcept;
 
   // Gives the file its name. Nothing may be written afterwards.
@@ -56,6 +61,7 @@ class AtomicFile {
   Unfinished* unfinished_ = nullptr;  // temporary_, for remove_unfinished()
   int descriptor_ = -1;
   bool full_ = false;  // no room was left for a write
+  bool outlives_ = false;
 };
 
 // Visits the files that killed processes had begun to write in place of the target, which no living

@@ -74,6 +74,20 @@ class HistoryWriter {
   // The events so far outlive the process, as OutputFile says.
   void flush() { file_.flush(); }
 
+  // For a history that another one may go on from: what is written of it is known, and stays where
+  // the process ends before it has its name (AtomicFile::outlive()). follow_content() comes first.
+  void follow_content() { file_.follow_content(); }
+  OutputFile::Written written() {
+    file_.flush();
+    return file_.written();
+  }
+  void outlive() { file_.outlive(); }
+  void discard() { file_.discard(); }
+  // Begins with that part of another history, up to its event at time `last`, in place of a header
+  // and so many events. Throws InputError where the file has another beginning.
+  void begin_with(const std::string& path, const OutputFile::Written& part, const Rational& horizon,
+                  const HistoryCounts& counts, double last);
+
   // The run covered the whole horizon. The counts are those of the events written.
   void end(const Extensions& extensions = {});
 
@@ -86,6 +100,8 @@ class HistoryWriter {
   // Closes, too, but a history that stopped does not replace one that is complete: it gets the name
   // with ".partial" at its end. Returns the path of what was written.
   std::string close_beside_complete();
+  // Closes it as a file whose name has ".partial" at its end, and returns that.
+  std::string close_as_partial();
 
   // After an OutputError for which no room was left: closes the history as one that stopped, for
   // that reason, at the last event that is on the disk. Gives its path as above; with `replace` it

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "history/byte_source.h"
 #include "history/error.h"
 #include "history/history_file.h"
 #include "history/json_text.h"
@@ -196,6 +197,27 @@ void HistoryWriter::write(const Event& event, const Extensions& extensions) {
   maneuver(std::get<ManeuverEvent>(event), extensions);
 }
 
+void HistoryWriter::begin_with(const std::string& path, const OutputFile::Written& part,
+                               const Rational& horizon, const HistoryCounts& counts, double last) {
+  require(State::fresh);
+  ByteSource source(path);
+  std::vector<char> piece(OutputFile::max_room * 64);
+  for (std::int64_t left = part.bytes; left > 0;) {
+    const auto most = std::min<std::int64_t>(left, static_cast<std::int64_t>(piece.size()));
+    const std::size_t got = source.read(piece.data(), static_cast<std::size_t>(most));
+    if (got == 0) break;
+    file_.write({piece.data(), got});
+    left -= static_cast<std::int64_t>(got);
+  }
+  if (written().sha256 != part.sha256) {
+    throw InputError(path, 0, "", "is not the history that was kept");
+  }
+  state_ = State::open;
+  horizon_ = number_text(horizon);
+  counts_ = counts;
+  last_t_ = last;
+}
+
 void HistoryWriter::end(const Extensions& extensions) {
   require(State::open);
   state_ = State::ended;
@@ -234,6 +256,10 @@ std::string HistoryWriter::close_beside_complete() {
     close();
     return path_;
   }
+  return close_as_partial();
+}
+
+std::string HistoryWriter::close_as_partial() {
   require(State::ended);
   state_ = State::closed;
   return file_.commit_beside(".partial");

@@ -81,6 +81,8 @@ void OutputFile::finish() {
 }
 
 void OutputFile::compress(std::string_view bytes) {
+  if (content_) content_->add(bytes);
+  size_ += static_cast<std::int64_t>(bytes.size());
   if (compressor_) {
     compressor_->write(bytes, [this](std::string_view compressed) { write_through(compressed); });
   } else {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "history/atomic_file.h"
 #include "history/compression.h"
+#include "history/sha256.h"
 
 namespace voroproof::internal {
 
@@ -42,6 +44,23 @@ class OutputFile {
   // Whether the bytes go into a stream.
   bool is_stream() const { return stream_ >= 0; }
 
+  // The content that flush() has written, of files alone whose content is followed.
+  struct Written {
+    std::int64_t bytes = 0;
+    std::string sha256;
+  };
+  // To be called before anything is written.
+  void follow_content() { content_.emplace(); }
+  Written written() const { return {size_, Sha256(content_.value()).hex()}; }
+
+  // As those of AtomicFile; nothing for streams.
+  void outlive() {
+    if (file_) file_->outlive();
+  }
+  void discard() {
+    if (file_) file_->discard();
+  }
+
   // As that of AtomicFile; false for streams, and for what is compressed.
   bool end_early(std::size_t room,
                  const std::function<std::optional<std::string>(std::string_view line)>& ending);
@@ -62,6 +81,8 @@ class OutputFile {
   std::optional<AtomicFile> file_;
   int stream_ = -1;
   std::unique_ptr<Compressor> compressor_;
+  std::optional<Sha256> content_;
+  std::int64_t size_ = 0;
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;
 };

@@ -5,8 +5,10 @@
 #define OPENSSL_API_COMPAT 0x10100000L
 #include <openssl/sha.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 #include <vector>
 
 #include "history/byte_source.h"
@@ -97,12 +99,20 @@ std::string sha256_hex(std::string_view bytes) {
 }
 
 std::string sha256_of_file(const std::string& path) {
-  constexpr std::size_t piece = std::size_t{1} << 18;
+  return sha256_of_beginning(path, std::numeric_limits<std::int64_t>::max());
+}
+
+std::string sha256_of_beginning(const std::string& path, std::int64_t bytes) {
+  constexpr std::int64_t piece = std::int64_t{1} << 18;
   ByteSource source(path);
   Sha256 digest;
   std::vector<char> buffer(piece);
-  while (const std::size_t got = source.read(buffer.data(), buffer.size())) {
+  while (bytes > 0) {
+    const std::size_t got =
+        source.read(buffer.data(), static_cast<std::size_t>(std::min(bytes, piece)));
+    if (got == 0) break;
     digest.add({buffer.data(), got});
+    bytes -= static_cast<std::int64_t>(got);
   }
   return digest.hex();
 }

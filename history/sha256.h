@@ -39,5 +39,7 @@ std::string sha256_hex(std::string_view bytes);
 
 // The same of the content of a file of any size (ByteSource). Throws InputError.
 std::string sha256_of_file(const std::string& path);
+// Of so many bytes at its beginning; of all where there are fewer.
+std::string sha256_of_beginning(const std::string& path, std::int64_t bytes);
 
 }  // namespace voroproof::internal

@@ -55,10 +55,11 @@ class Engine::Implementation {
     if (const std::optional<Outcome> outcome = sliced_->run(sink)) return *outcome;
     return run_on(sink);
   }
-  Outcome resume(const std::function<void(EventSink&)>& told, const Rational& t0, EventSink& sink) {
+  Outcome resume(const KeptRun& kept, const std::function<void(EventSink&)>& told,
+                 EventSink& sink) {
     sliced_.reset();
     if (!whole_) make_whole();
-    return whole_->resume(told, t0, sink);
+    return whole_->resume(kept, told, sink);
   }
 
   const EngineStats& stats() const { return sliced_ ? sliced_->stats() : whole_->stats(); }
@@ -81,6 +82,12 @@ class Engine::Implementation {
         return monitor(std::max(t, told.t), std::max(events, told.events));
       };
     }
+    // What was told before is not kept again.
+    if (const auto keep = options_.keep) {
+      options_.keep = [keep, told](KeptRun&& kept) {
+        if (kept.events >= told.events) keep(std::move(kept));
+      };
+    }
     make_whole();
     Continuation rest(sink, told);
     Outcome outcome = whole_->run(rest);
@@ -101,9 +108,9 @@ Engine::Engine(MotionInput input, std::vector<ManeuverInput> maneuvers, EngineOp
 Engine::~Engine() = default;
 
 Outcome Engine::run(EventSink& sink) { return implementation_->run(sink); }
-Outcome Engine::resume(const std::function<void(EventSink&)>& told, const Rational& t0,
+Outcome Engine::resume(const KeptRun& kept, const std::function<void(EventSink&)>& told,
                        EventSink& sink) {
-  return implementation_->resume(told, t0, sink);
+  return implementation_->resume(kept, told, sink);
 }
 const EngineStats& Engine::stats() const { return implementation_->stats(); }
 const Diagram& Engine::diagram() const { return implementation_->diagram(); }

@@ -29,6 +29,8 @@
 
 namespace voroproof::internal {
 
+struct KeptRun;  // kinetic/kept_run.h
+
 // What tests of runs in slices may ask for; each may be null.
 struct SliceHooks {
   // The least work of a slice (Leader::lead), in place of what suits.
@@ -53,6 +55,11 @@ struct EngineOptions {
   // Called now and then, also within a long decision, with the time reached and the number of
   // events; false stops the run (Outcome::interrupted).
   std::function<bool(double t, std::uint64_t events)> monitor;
+  // Both or none. Asked as often as the monitor: whether what the run has come to is to be kept.
+  std::function<bool()> is_to_keep;
+  // Given that, once all events up to it are told, as soon as there is a time at which nothing
+  // happens; also where the monitor ends the run between two instants.
+  std::function<void(KeptRun&& kept)> keep;
 };
 
 struct Outcome {
@@ -91,14 +98,13 @@ class Engine {
 
   // Runs from 0 to the horizon, events at the horizon included. Once only.
   Outcome run(EventSink& sink);
-  // Takes up a run of the same input that did not come to its end, in place of run(): `told` tells
-  // its history up to some event as run() told it, or only the first diagram. t0 > 0 is a time
-  // after that event and before the next one. The sink is told the whole history.
+  // Goes on with a run of the same input that was kept, in place of run(): `told` tells the
+  // collisions and maneuvers of its history up to there, and may tell flips. The sink is told what
+  // comes after.
   //
-  // Throws OtherRun where a collision or maneuver, which are computed anew, is not what was told, a
-  // flip is of no edge, or an edge is illegal at t0. Nothing is searched for before t0: what is
-  // told must be of a history that this engine computed.
-  Outcome resume(const std::function<void(EventSink&)>& told, const Rational& t0, EventSink& sink);
+  // Throws OtherRun where what is told does not fit what was kept. Nothing of it is computed again:
+  // both must be what this engine gave.
+  Outcome resume(const KeptRun& kept, const std::function<void(EventSink&)>& told, EventSink& sink);
 
   const EngineStats& stats() const;
   // The diagram and the motion at the end of the run.

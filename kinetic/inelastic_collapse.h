@@ -26,6 +26,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "filtered/motion/motion.h"
@@ -42,12 +43,16 @@ class InelasticCollapse {
   // time, where a collapse is seen.
   void after_collision(GenId i, GenId j, const Instant& now, double quiet_until);
 
- private:
   struct Past {
     std::vector<double> times;  // of the last collisions
     int at_wall = 0;            // collisions with the wall alone since the last other one
   };
+  // Per disk; empty where no collapse is possible. What it knows of the run, for one that goes on.
+  const std::vector<Past>& pasts() const { return past_; }
+  // Precondition: they are of a run of the same scene.
+  void go_on_with(std::vector<Past> pasts) { past_ = std::move(pasts); }
 
+ private:
   void alone_at_wall(GenId g, const Instant& now, double quiet_until);
   bool undisturbed(GenId g, const DoubleBall& t, const DoubleBall& speed,
                    const DoubleBall& delay) const;
@@ -56,7 +61,7 @@ class InelasticCollapse {
   const Motion& motion_;
   double horizon_;
   bool possible_;
-  std::vector<Past> past_;  // per disk; empty where no collapse is possible
+  std::vector<Past> past_;
 };
 
 }  // namespace voroproof::internal

@@ -33,6 +33,12 @@ class InstantRecord {
   // The time of the last instant that was told.
   double told_time() const { return told_t_; }
 
+  // So many events were told before this object was there, the last of them at time t.
+  void go_on_after(std::uint64_t events, double t) {
+    told_ = events;
+    t_ = told_t_ = t;
+  }
+
   void add_flip(const Quad& canonical_edge) { events_.emplace_back(canonical_edge); }
   void add_collision(GenId i, GenId j, const Impact& impact) {
     add_collision(i, j, impact.first, impact.second);

@@ -45,6 +45,8 @@ class Leader {
   const Motion& motion() const { return motion_; }
   Motion& motion() { return motion_; }
   const EngineStats& stats() const { return stats_; }
+  // InelasticCollapse::pasts().
+  const std::vector<InelasticCollapse::Past>& collapses() const { return collapse_watch_.pasts(); }
 
  private:
   // What is to come: a contact of i < j in [lo, hi] while both are in the states of these ids, or,

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <new>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,8 +18,8 @@
 #include "kinetic/flipping.h"
 #include "kinetic/inelastic_collapse.h"
 #include "kinetic/instant_record.h"
+#include "kinetic/kept_run.h"
 #include "kinetic/meetings.h"
-#include "kinetic/resumption.h"
 #include "kinetic/schedule.h"
 #include "kinetic/static_diagram.h"
 
@@ -47,8 +51,8 @@ class EngineOver {
   }
   // Does what Engine::resume() says.
   template <class Tell>
-  Outcome resume(const Tell& told, const Rational& t0, EventSink& sink) {
-    return run_from(sink, [&] { take_up(told, t0); });
+  Outcome resume(const KeptRun& kept, const Tell& told, EventSink& sink) {
+    return run_from(sink, [&] { take_up(kept, told); });
   }
 
   const EngineStats& stats() const { return stats_; }
@@ -66,13 +70,14 @@ class EngineOver {
     if (options_.monitor) patience.emplace([this] { return goes_on(); });
     try {
       start();
+      is_between_ = true;
       while (step()) {
-        if (options_.monitor && (++steps_ & 0x0f) == 0 && !goes_on()) throw GivenUp();
       }
       motion_.settle();
       outcome.t = round_nearest(motion_.input().horizon);
     } catch (const GivenUp&) {
       if (!begun_) sink_->begin({});
+      keep_quietly();
       outcome.kind = Outcome::Kind::interrupted;
       outcome.t = instant_.told_time();
       outcome.reason = "interrupted";
@@ -92,7 +97,51 @@ class EngineOver {
     return outcome;
   }
 
+  // Between two instants, once the next one is found.
+  void look_up() {
+    if (options_.keep && (wants_to_keep_ || options_.is_to_keep())) wants_to_keep_ = !keep();
+    if (options_.monitor && !goes_on()) throw GivenUp();
+  }
   bool goes_on() const { return options_.monitor(arithmetic_.now().lo, instant_.told()); }
+
+  // Tells what there is to go on with from a time between the last instant and the next; false if
+  // no double is between them.
+  bool keep() {
+    const double last = arithmetic_.now().hi, next = schedule_.frontier();
+    const double t0 = last + 0.5 * (next - last);
+    if (!(last < t0 && t0 < next)) return false;
+    try {
+      keep_at(t0);
+    } catch (const std::bad_alloc&) {
+      // The run needs no such memory: another time there may be some.
+    }
+    return true;
+  }
+  void keep_at(double t0) {
+    KeptRun kept;
+    kept.t0 = t0;
+    kept.events = instant_.told();
+    kept.last = instant_.told_time();
+    kept.stats = stats_;
+    kept.diagram = diagram_.quads();
+    kept.divisions = divisions_;
+    kept.collapses = collapse_watch_.pasts();
+    keep_motion(motion_, kept);
+    options_.keep(std::move(kept));
+  }
+  // The same for a run that was given up; it need not be possible, and may not take long: whoever
+  // gave it up waits.
+  void keep_quietly() {
+    if (!options_.keep || !is_between_) return;
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point until = Clock::now() + std::chrono::milliseconds(400);
+    const Patience patience([until] { return Clock::now() < until; });
+    try {
+      keep();
+    } catch (const GivenUp&) {
+    } catch (const Undecided&) {
+    }
+  }
 
   // Completes the states for the statistics of a run that has stopped, possibly for want of bits.
   void settle_quietly() {
@@ -126,18 +175,34 @@ class EngineOver {
 
   // ---- The start at t0, after all that is told. ----
   template <class Tell>
-  void take_up(const Tell& told, const Rational& t0) {
-    Resumption<Arithmetic> resumption({motion_, diagram_, flipping_.degrees(), arithmetic_,
-                                       schedule_, instant_, collapse_watch_, stats_, *sink_,
-                                       [this] {
-                                         flipping_.start();
-                                         flipping_.begin();
-                                         schedule_.start(first_window(motion_), motion_.size());
-                                         begun_ = true;
-                                       }});
-    told(resumption);
-    resumption.finish(t0);
-    schedule_.start(first_window(motion_), motion_.size(), round_down(t0));
+  void take_up(const KeptRun& kept, const Tell& told) {
+    begun_ = true;
+    instant_.go_on_after(kept.events, kept.last);
+    if (motion_.size() > 1 || !kept.diagram.empty()) {
+      try {
+        diagram_ = diagram_of(motion_.size(), kept.diagram);
+      } catch (const std::invalid_argument& e) {
+        throw OtherRun(std::string("the diagram that was kept is none: ") + e.what());
+      }
+    }
+    schedule_.start(0, motion_.size());
+    ReturnOfMotion motion(motion_, kept, [this] { return schedule_.pass_maneuvers(); });
+    told(motion);
+    motion.finish();
+    stats_.add(kept.stats);
+    stats_.settling_flips = kept.stats.settling_flips;
+    divisions_ = kept.divisions;
+    if (kept.collapses.size() != collapse_watch_.pasts().size()) {
+      throw OtherRun("the last collisions are not those of each disk");
+    }
+    collapse_watch_.go_on_with(kept.collapses);
+    resumed_at_ = to_rational(kept.t0);
+    Event here(Event::Kind::maneuver, 0);
+    here.exactly = &resumed_at_;
+    arithmetic_.begin({arithmetic_.tight(here)});
+    flipping_.start();
+    flipping_.begin();
+    schedule_.start(first_window(motion_), motion_.size(), round_down(resumed_at_));
     flipping_.search_all();
     search_contacts();
     if (schedule_.take_due_flip() || schedule_.take_due_contact()) {
@@ -168,10 +233,13 @@ class EngineOver {
     if (!schedule_.next_instant(ties_)) return false;
     const TimedEvent& first = ties_.front();
     meetings_.require_none_until(first.hi);
+    if ((++steps_ & 0x0f) == 0) look_up();
+    is_between_ = false;
     if (diagram_.edges() > 0) {
       if (first.event.exactly == nullptr) fetch_.around_edge(first.event.item & ~1);
       schedule_.fetch_ahead(fetch_);
     }
+    const int records = motion_.records();
     arithmetic_.begin(ties_);
     bool horizon = false;
     if (!first.tight) {
@@ -183,8 +251,12 @@ class EngineOver {
     }
     process_motion_events();
     while (const std::optional<int> edge = schedule_.take_due_flip()) process_flip(*edge);
+    const double before = instant_.told_time();
     instant_.tell(*sink_);
+    if (instant_.told_time() == before && motion_.records() > records)
+      divisions_.push_back(records);
     if (horizon) schedule_.pass_horizon();
+    is_between_ = true;
     return true;
   }
 
@@ -314,7 +386,11 @@ class EngineOver {
   Meetings meetings_;
   Fetch fetch_;
   EventSink* sink_ = nullptr;
-  bool begun_ = false;            // the sink has the first diagram
+  bool begun_ = false;       // the sink has the first diagram
+  bool is_between_ = false;  // all of the last instant is told, and nothing of the next is done
+  bool wants_to_keep_ = false;
+  Rational resumed_at_;           // of a run that was taken up
+  std::vector<int> divisions_;    // see KeptRun
   std::vector<GenId> changed_;    // disks with new velocities at the present instant
   std::vector<TimedEvent> ties_;  // the events of the present instant
   std::uint64_t steps_ = 0;

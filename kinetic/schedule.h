@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -15,12 +14,12 @@
 #include <vector>
 
 #include "exact/patience.h"
-#include "filtered/numbers/next_double.h"
 #include "filtered/search/collapse.h"
 #include "filtered/search/contact.h"
 #include "kinetic/engine_stats.h"
 #include "kinetic/event.h"
 #include "kinetic/fetch.h"
+#include "kinetic/look_ahead.h"
 #include "kinetic/maneuvers.h"
 #include "kinetic/queue.h"
 #include "topology/diagram.h"
@@ -57,8 +56,9 @@ class Schedule {
   // Begins anew for the diagram as it is, with nothing known but maneuvers and horizon. `window`:
   // how far the first searches look ahead. `since`: when they begin.
   void start(double window, int disks, double since = 0) {
-    window_ = window;
-    since_ = since;
+    frontier_ = since;
+    look_ahead_ = LookAhead(window, since, horizon_up_,
+                            static_cast<std::uint64_t>(diagram_.edges()), stats_.flip_searches);
     // A lone disk has no V-edge but meets the container all the same: one slot.
     slots_ = disks == 1 ? 1 : diagram_.edges();
     queue_ = EventQueue(items());
@@ -98,13 +98,13 @@ class Schedule {
   void search_flip_from_now(int edge) {
     const Stopwatch watch(profile_, stats_.flip_seconds);
     count_search();
-    record(edge, arithmetic_.collapse_from_now(quad_of(edge), window_end(now())));
+    record(edge, arithmetic_.collapse_from_now(quad_of(edge), look_ahead_.end(now())));
   }
   // Searches as CollapseSearch::after() does.
   void search_flip_after(int edge, double start, const RootInterval* fine) {
     const Stopwatch watch(profile_, stats_.flip_seconds);
     count_search();
-    record(edge, arithmetic_.collapse_after(quad_of(edge), start, window_end(start), fine));
+    record(edge, arithmetic_.collapse_after(quad_of(edge), start, look_ahead_.end(start), fine));
   }
   void search_contact(int edge) {
     const Stopwatch watch(profile_, stats_.collision_seconds);
@@ -182,11 +182,6 @@ class Schedule {
   void make_first_maneuvers_due() {
     due_maneuvers_ = maneuvers_.has_next() && sgn(maneuvers_.next_time()) == 0;
   }
-  // The next maneuvers of the scene, if they are at a time that is rounded to t.
-  std::optional<Event> maneuvers_at(double t) const {
-    if (!maneuvers_.has_next() || round_nearest(maneuvers_.next_time()) != t) return std::nullopt;
-    return event_of(maneuver_item());
-  }
   std::optional<std::pair<GenId, GenId>> take_due_contact() {
     if (due_contacts_.empty()) return std::nullopt;
     return due_contacts_.extract(due_contacts_.begin()).value();
@@ -199,6 +194,10 @@ class Schedule {
     std::vector<ManeuverInput> together = maneuvers_.take();
     queue_maneuver();
     return together;
+  }
+  // The next ones, of a run that goes on after them.
+  std::vector<ManeuverInput> pass_maneuvers() {
+    return maneuvers_.has_next() ? maneuvers_.take() : std::vector<ManeuverInput>();
   }
   // The edge with the smallest quadruplet.
   std::optional<int> take_due_flip() {
@@ -339,29 +338,17 @@ class Schedule {
     }
   }
 
-  double window_end(double from) const {
-    return std::min(std::max(from + window_, next_above(from)), horizon_up_);
-  }
-  // The look-ahead follows the mean life of a search's result. Those made at the start do not
-  // count: what is known then is of edges that have not come to the end of their lives.
-  void count_search() {
-    ++stats_.flip_searches;
-    const auto searches = static_cast<std::int64_t>(stats_.flip_searches) - diagram_.edges();
-    if ((stats_.flip_searches & 0xfff) == 0 && now() > since_ && searches > 0) {
-      const double life = (now() - since_) * diagram_.edges() / static_cast<double>(searches);
-      window_ = std::fmax(2 * life, 1e-9 * horizon_up_);
-    }
-  }
+  void count_search() { look_ahead_.count(++stats_.flip_searches, frontier_); }
 
   // Looks further ahead for an item of which only a bound is known.
   void extend(int item) { search_flip_after(item / 2, queue_.key(item), nullptr); }
   // Works on until the head of the queue is an event; false if there is none.
   bool advance_to_event() {
     for (;;) {
-      Patience::ask();
       const int item = queue_.top();
       if (queue_.key(item) == infinity) return false;
       frontier_ = queue_.key(item);
+      Patience::ask();
       if (is(is_event, item)) return true;
       extend(item);
     }
@@ -381,8 +368,7 @@ class Schedule {
   std::vector<IsolatingInterval> isolating_;  // of those that are flips or contacts found
   std::unordered_map<int, std::shared_ptr<const RootInterval>> fine_;  // of edges
   double quiet_until_ = 0;
-  double window_ = 0;
-  double since_ = 0;
+  LookAhead look_ahead_;
   double frontier_ = 0;
   std::set<std::pair<Quad, int>> due_flips_;
   std::set<std::pair<GenId, GenId>> due_contacts_;

@@ -6,11 +6,13 @@
 #include <deque>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "filtered/motion/motion.h"
 #include "kinetic/engine_stats.h"
 #include "kinetic/event_sink.h"
+#include "kinetic/inelastic_collapse.h"
 #include "kinetic/led_turns.h"
 #include "topology/diagram.h"
 
@@ -26,10 +28,12 @@ class Chunk final : public EventSink {
     items_.push_back({t, {i, j, 0, 0}, Kind::collision});
     states_.push_back(first);
     states_.push_back(second);
+    ++turns_;
   }
   void maneuver(double t, GenId disk, const RoundedState& state) override {
     items_.push_back({t, {disk, disk, 0, 0}, Kind::maneuver});
     states_.push_back(state);
+    ++turns_;
   }
 
   EngineStats stats;  // of its slice up to its end
@@ -39,20 +43,25 @@ class Chunk final : public EventSink {
     if (!items_.empty()) items_.back().ends_instant = true;
   }
   std::size_t size() const { return items_.size(); }
-  // Tells all of it; calls `instant` before each instant with its time and the number of its
-  // events.
+  int turns() const { return turns_; }
+  // Tells all of it; calls `instant` before each instant with its time, the number of its events
+  // and the number of turns told before.
   template <class Instant>
   void tell(EventSink& sink, const Instant& instant) const {
     const RoundedState* state = states_.data();
+    int turns = 0;
     for (std::size_t k = 0, end = 0; k < items_.size(); ++k) {
       const Item& e = items_[k];
       if (k == end) {
         while (!items_[end++].ends_instant) continue;
-        instant(e.t, end - k);
+        instant(e.t, end - k, turns);
       }
       if (e.kind == Kind::flip) {
         sink.flip(e.t, e.quad);
-      } else if (e.kind == Kind::collision) {
+        continue;
+      }
+      ++turns;
+      if (e.kind == Kind::collision) {
         sink.collide(e.t, e.quad.l, e.quad.r, state[0], state[1]);
         state += 2;
       } else {
@@ -71,6 +80,7 @@ class Chunk final : public EventSink {
   };
   std::vector<Item> items_;
   std::vector<RoundedState> states_;
+  int turns_ = 0;
 };
 
 // What a thread of a run in slices does next, and with which of the slices that are not told yet.
@@ -111,6 +121,9 @@ struct Slice {
   int number = 0;
   double begin = 0;
   MotionSnapshot start;  // the leader's motion at the begin, for the follower
+  // The same, and what the leader knows of collapses then, of a run that is to be kept.
+  std::optional<MotionSnapshot> kept;
+  std::vector<InelasticCollapse::Past> collapses;
 
   // Written by the leader before `led`, read by the follower.
   Rational end;

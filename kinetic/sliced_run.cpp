@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "exact/patience.h"
+#include "kinetic/kept_run.h"
 
 namespace voroproof::internal {
 
@@ -133,6 +134,10 @@ void SlicedRun::lead(Slice& slice) {
     next->number = slice.number + 1;
     next->begin = *border;
     next->start = motion.snapshot();
+    if (options_.keep) {
+      next->kept = next->start;
+      next->collapses = leader_.collapses();
+    }
   }
   slice.end = border ? to_rational(*border) : motion.input().horizon;
   {
@@ -259,6 +264,7 @@ bool SlicedRun::tell_slices(EventSink& sink) {
       slice = slices_.front().get();
     }
     if (!tell_slice(*slice, sink)) return false;
+    if (options_.keep && options_.is_to_keep()) keep(*slice);
     bool is_last = false;
     {
       std::unique_lock lock(mutex_);
@@ -274,6 +280,32 @@ bool SlicedRun::tell_slices(EventSink& sink) {
     changed_.notify_all();
     if (is_last) return true;
   }
+}
+
+// All of the slice is told: the run is kept as it is at the begin of the next one, if there is one.
+void SlicedRun::keep(const Slice& slice) {
+  const Slice* next = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    if (slices_.size() > 1) next = slices_[1].get();
+  }
+  if (next == nullptr) return;
+  KeptRun kept;
+  kept.t0 = next->begin;
+  kept.events = told_.events;
+  kept.last = told_.t;
+  kept.stats = stats_;
+  kept.stats.add(slice.stats);
+  kept.stats.settling_flips =
+      slice.number == 0 ? slice.stats.settling_flips : stats_.settling_flips;
+  kept.diagram = slice.last;
+  kept.divisions = divisions_;
+  kept.collapses = next->collapses;
+  const Motion& leaders = leader_.motion();
+  Motion motion(leaders.input(), leaders.options(), leaders.log());
+  motion.follow(*next->kept);
+  keep_motion(motion, kept);
+  options_.keep(std::move(kept));
 }
 
 bool SlicedRun::tell_slice(Slice& slice, EventSink& sink) {
@@ -301,13 +333,15 @@ bool SlicedRun::tell_slice(Slice& slice, EventSink& sink) {
     const Chunk chunk = std::move(slice.chunks.front());
     slice.chunks.pop_front();
     lock.unlock();
-    chunk.tell(sink, [&](double t, std::uint64_t events) {
+    chunk.tell(sink, [&](double t, std::uint64_t events, int turns) {
       if (options_.max_events > 0 && told_.events + events > options_.max_events) {
         throw Undecided("more events than allowed");
       }
+      if (told_.t == t && told_.events > 0) divisions_.push_back(turns_ + turns);
       told_.t = t;
       told_.events += events;
     });
+    turns_ += chunk.turns();
     present_ = chunk.stats;
     ask_monitor();
     lock.lock();

@@ -57,6 +57,7 @@ class SlicedRun {
   void end();
 
   bool tell_slices(EventSink& sink);
+  void keep(const Slice& slice);
   bool tell_slice(Slice& slice, EventSink& sink);
   template <class Ready>
   void wait_until(std::unique_lock<std::mutex>& lock, const Ready& ready);
@@ -69,7 +70,9 @@ class SlicedRun {
   EngineStats stats_;
   EngineStats present_;  // of the slice that is being told
   Diagram diagram_;
-  std::vector<Quad> last_;  // the diagram at the end of what is told
+  std::vector<Quad> last_;      // the diagram at the end of what is told
+  int turns_ = 0;               // told
+  std::vector<int> divisions_;  // of what is told: see KeptRun
 
   std::mutex mutex_;
   std::condition_variable changed_;

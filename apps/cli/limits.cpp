@@ -1,6 +1,7 @@
 #include "apps/cli/limits.h"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -51,6 +52,12 @@ void start_process_limits() {
   limit.rlim_cur = std::min<rlim_t>(limit.rlim_cur, megabytes * bytes_per_megabyte);
   setrlimit(RLIMIT_DATA, &limit);
 }
+
+TimeLimitOfWaiting::TimeLimitOfWaiting() {
+  if (seconds > 0) start_time_limit(seconds);
+}
+
+TimeLimitOfWaiting::~TimeLimitOfWaiting() { alarm(0); }
 
 void add_max_bits(Verb& verb, int& bits) {
   verb.whole("--max-bits", bits, least_bits, most_bits,

@@ -5,8 +5,10 @@
 #include <utility>
 #include <variant>
 
+#include "history/atomic_file.h"
 #include "history/error.h"
 #include "history/json_text.h"
+#include "history/sha256.h"
 #include "kinetic/engine.h"
 
 namespace voroproof::internal {
@@ -57,33 +59,77 @@ bool is_of(const std::string& path, const HistoryHeader& wanted) {
   }
 }
 
+// Whether every line of the file can be read, and the last one says that it is complete.
+bool is_complete(const std::string& path, int disks) {
+  if (!is_complete_history(path)) return false;
+  try {
+    HistoryReader reader(path, disks);
+    while (reader.next()) continue;
+    return std::holds_alternative<HistoryEnd>(reader.ending()) && reader.counts_match();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+// The lines of events in what can be read of a file; 0 where there is none.
+std::int64_t events_in(const std::string& path) {
+  if (!exists(path)) return 0;
+  std::int64_t events = 0;
+  try {
+    LineSource lines(path);
+    while (const auto line = lines.next(max_header_line)) events += line->starts_with("{\"t\":");
+  } catch (const InputError&) {
+    // It goes so far and no farther.
+  }
+  return events;
+}
+
+bool begins_with(const std::string& path, const OutputFile::Written& part) {
+  try {
+    return exists(path) && sha256_of_beginning(path, part.bytes) == part.sha256;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 std::string partial_of(const std::string& history) { return history + ".partial"; }
+
+// Of the files of killed processes the one that goes farther than the others gets a name that
+// stays. So does one that can be taken up, if no other can.
+void name_abandoned(const std::string& history, const std::optional<KeptFile>& kept) {
+  const std::string partial = partial_of(history);
+  const bool may_go_on =
+      kept && (begins_with(history, kept->history) || begins_with(partial, kept->history));
+  std::int64_t most = events_in(history), in_partial = events_in(partial);
+  most = std::max(most, in_partial);
+  bool goes_on = may_go_on;
+  each_abandoned(history, [&](const std::string& path) {
+    const bool useful = kept && !goes_on && begins_with(path, kept->history);
+    const std::int64_t events = events_in(path);
+    if (events <= (useful ? in_partial : most)) return;
+    if (std::rename(path.c_str(), partial.c_str()) != 0) return;
+    goes_on = goes_on || useful;
+    in_partial = events;
+    most = std::max(most, events);
+  });
+}
 
 }  // namespace
 
 std::optional<BegunHistory> BegunHistory::find(const std::string& history,
                                                const HistoryHeader& wanted, int disks) {
-  std::optional<BegunHistory> best;
   if (exists(history)) {
     const std::string other = difference(HistoryReader(history).header(), wanted);
     if (!other.empty()) throw InputError(history, 1, "", other);
-    best = read(history, wanted, disks);
-    if (best && best->complete_) return best;
+    if (is_complete(history, disks)) return BegunHistory(history, disks, std::nullopt);
   }
-  const std::string partial = partial_of(history);
-  const auto take = [&](std::optional<BegunHistory> found) {
-    if (found && (!best || found->t0() > best->t0())) best = std::move(found);
-  };
-  if (exists(partial)) take(read(partial, wanted, disks));
-  each_abandoned(history, [&](const std::string& path) {
-    std::optional<BegunHistory> found = read(path, wanted, disks);
-    if (!found || (best && found->t0() <= best->t0())) return;
-    if (std::rename(path.c_str(), partial.c_str()) != 0) return;
-    found->path_ = partial;
-    best = std::move(found);
-  });
-  if (best && best->t0() == 0) return std::nullopt;
-  return best;
+  std::optional<KeptFile> kept = read_kept(history + kept_ending, wanted, disks);
+  name_abandoned(history, kept);
+  if (!kept) return std::nullopt;
+  for (const std::string& path : {history, partial_of(history)}) {
+    if (begins_with(path, kept->history)) return BegunHistory(path, disks, std::move(kept));
+  }
+  return std::nullopt;
 }
 
 void BegunHistory::remove_beside_complete(const std::string& history, const HistoryHeader& wanted) {
@@ -92,31 +138,36 @@ void BegunHistory::remove_beside_complete(const std::string& history, const Hist
   each_abandoned(history, [](const std::string& path) { std::remove(path.c_str()); });
 }
 
-std::optional<BegunHistory> BegunHistory::read(const std::string& path, const HistoryHeader& wanted,
-                                               int disks) {
-  BegunHistory found(path);
-  found.disks_ = disks;
-  std::optional<HistoryReader> reader;
-  try {
-    reader.emplace(path, disks);
-    if (!difference(reader->header(), wanted).empty() || !reader->header().initial) return {};
-    while (const std::optional<Event> event = reader->next()) found.point_.see(time(*event));
-    found.complete_ = std::holds_alternative<HistoryEnd>(reader->ending());
-  } catch (const InputError&) {
-    // It goes so far and no farther.
-    if (!reader) return std::nullopt;
-  }
-  return found;
+void BegunHistory::remove_shorter(const std::string& history, const HistoryHeader& wanted,
+                                  std::int64_t events) {
+  const std::string partial = partial_of(history);
+  if (events_in(partial) <= events && is_of(partial, wanted)) std::remove(partial.c_str());
+}
+
+bool BegunHistory::is_there(const std::string& history) {
+  return exists(history) || exists(partial_of(history));
 }
 
 void BegunHistory::tell(EventSink& sink) const {
   HistoryReader reader(path_, disks_);
   try {
-    sink.begin(reader.header().initial.value());
-    for (std::uint64_t k = 0; k < events(); ++k) tell_event(reader.next().value(), sink);
+    for (std::uint64_t k = 0; k < kept().run.events; ++k) {
+      const std::optional<Event> event = reader.next();
+      if (!event) throw OtherRun("the history has fewer events than was kept");
+      tell_event(*event, sink);
+    }
   } catch (const OtherRun& other) {
     throw InputError(path_, reader.line(), "", other.what());
   }
+}
+
+PlaceOfStopped place_of_stopped(const std::string& history, const OutputFile::Written& events,
+                                std::int64_t number) {
+  if (events_in(history) <= number) return PlaceOfStopped::history;
+  if (begins_with(history, events)) return PlaceOfStopped::none;
+  const std::string partial = partial_of(history);
+  if (events_in(partial) <= number) return PlaceOfStopped::partial;
+  return begins_with(partial, events) ? PlaceOfStopped::none : PlaceOfStopped::partial;
 }
 
 }  // namespace voroproof::internal

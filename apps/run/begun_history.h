@@ -5,50 +5,58 @@
 #include <optional>
 #include <string>
 
+#include "apps/run/kept_file.h"
 #include "history/history_file.h"
-#include "history/resumption_point.h"
 #include "kinetic/event_sink.h"
 
 namespace voroproof::internal {
 
 // A run that was stopped or interrupted leaves HISTORY, or HISTORY.partial beside a complete one; a
 // process that was killed leaves a file for the time being (AtomicFile), possibly cut off within a
-// line.
+// line. HISTORY.kept says up to where one of them can be gone on from: of the others nothing is
+// believed.
 class BegunHistory {
  public:
-  // Of these files the one that goes farthest, of those of the scene, the horizon and the producer
-  // that `wanted` names; nothing if there is none that can be taken up. A file for the time being
-  // gets the name HISTORY.partial, so that the next writer of HISTORY does not remove it. Throws
-  // InputError where HISTORY itself is there and is of something else: it is not to be replaced.
+  // What can be taken up of the run of the scene, the horizon and the producer that `wanted` names:
+  // a complete HISTORY, or a file with the beginning that was kept; nothing if there is none. Of
+  // the files for the time being the one that goes farthest, or can be taken up, gets the name
+  // HISTORY.partial, so that the next writer of HISTORY does not remove it. Throws InputError where
+  // HISTORY itself is there and is of something else: it is not to be replaced.
   static std::optional<BegunHistory> find(const std::string& history, const HistoryHeader& wanted,
                                           int disks);
 
   // Removes what other processes of that run have left beside HISTORY, which is complete. What a
   // living process writes stays, and so does HISTORY.partial where it is of something else.
   static void remove_beside_complete(const std::string& history, const HistoryHeader& wanted);
+  // Removes HISTORY.partial where it is of that run and has no more than so many events.
+  static void remove_shorter(const std::string& history, const HistoryHeader& wanted,
+                             std::int64_t events);
+  // Whether there is HISTORY or HISTORY.partial, of whatever run.
+  static bool is_there(const std::string& history);
 
   const std::string& path() const { return path_; }
   // Whether it is HISTORY, and nothing is left to do.
-  bool complete(const std::string& history) const { return complete_ && path_ == history; }
-  // The run is taken up at this time, after so many events.
-  double t0() const { return point_.t0(); }
-  std::uint64_t events() const { return point_.events(); }
+  bool complete() const { return !kept_; }
+  // What was kept of one that is not complete.
+  const KeptFile& kept() const { return kept_.value(); }
 
   // What Engine::resume() asks for. Throws InputError, with the line, where the sink throws
   // OtherRun.
   void tell(EventSink& sink) const;
 
  private:
-  explicit BegunHistory(std::string path) : path_(std::move(path)) {}
-
-  // What there is of it; nothing if the file cannot be read so far, or its run is another.
-  static std::optional<BegunHistory> read(const std::string& path, const HistoryHeader& wanted,
-                                          int disks);
+  BegunHistory(std::string path, int disks, std::optional<KeptFile> kept)
+      : path_(std::move(path)), disks_(disks), kept_(std::move(kept)) {}
 
   std::string path_;
-  int disks_ = 0;
-  bool complete_ = false;
-  ResumptionPoint point_;
+  int disks_;
+  std::optional<KeptFile> kept_;
 };
+
+// Where a history that stopped goes, for no file beside it to lose events: HISTORY,
+// HISTORY.partial, or nowhere, because one of them has its events and more.
+enum class PlaceOfStopped { history, partial, none };
+PlaceOfStopped place_of_stopped(const std::string& history, const OutputFile::Written& events,
+                                std::int64_t number);
 
 }  // namespace voroproof::internal

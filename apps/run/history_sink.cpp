@@ -62,19 +62,29 @@ BackgroundHistorySink::~BackgroundHistorySink() {
 
 void BackgroundHistorySink::begin(const std::vector<Quad>& initial) {
   HistorySink::begin(initial);
-  batch_.reserve(batch_size);
+  start();
+}
+
+void BackgroundHistorySink::go_on_after(double t) {
+  HistorySink::go_on_after(t);
+  start();
+}
+
+void BackgroundHistorySink::start() {
+  batch_.events.reserve(batch_size);
   thread_ = std::thread([this] { write_batches(); });
 }
 
-void BackgroundHistorySink::checkpoint() {
+void BackgroundHistorySink::checkpoint(std::function<void()> then) {
   if (!thread_.joinable()) return;
-  if (!batch_.empty()) hand_on();
+  batch_.is_checkpoint = true;
+  batch_.then = std::move(then);
   hand_on();
 }
 
 void BackgroundHistorySink::finish() {
   if (!thread_.joinable()) return;
-  if (!batch_.empty()) hand_on();
+  if (!batch_.events.empty()) hand_on();
   {
     const std::lock_guard lock(mutex_);
     closed_ = true;
@@ -85,13 +95,13 @@ void BackgroundHistorySink::finish() {
 }
 
 void BackgroundHistorySink::put(Event&& event) {
-  batch_.push_back(std::move(event));
-  if (batch_.size() == batch_size) hand_on();
+  batch_.events.push_back(std::move(event));
+  if (batch_.events.size() == batch_size) hand_on();
 }
 
 void BackgroundHistorySink::hand_on() {
   Batch next;
-  next.reserve(batch_size);
+  next.events.reserve(batch_size);
   {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return error_ || queue_.size() < max_batches; });
@@ -113,8 +123,9 @@ void BackgroundHistorySink::write_batches() {
         queue_.pop_front();
       }
       changed_.notify_all();
-      for (const Event& event : batch) writer_.write(event);
-      if (batch.empty()) writer_.flush();
+      for (const Event& event : batch.events) writer_.write(event);
+      if (batch.is_checkpoint) writer_.flush();
+      if (batch.then) batch.then();
     }
   } catch (...) {
     {

@@ -39,8 +39,18 @@ class HistorySink : public EventSink {
   bool has_begun() const { return begun_; }
   double last_time() const { return last_time_; }  // of the last event; 0 without any
 
-  // The events so far are to outlive the process, soon.
-  virtual void checkpoint() { writer_.flush(); }
+  // In place of begin(): the writer has the header and the events up to time t.
+  virtual void go_on_after(double t) {
+    begun_ = true;
+    last_time_ = t;
+  }
+
+  // The events so far are to outlive the process, soon; what is asked for is done then, by the
+  // thread that writes.
+  virtual void checkpoint(std::function<void()> then = {}) {
+    writer_.flush();
+    if (then) then();
+  }
   // Afterwards all events have reached the writer, which is the caller's again.
   virtual void finish() {}
 
@@ -74,15 +84,21 @@ class BackgroundHistorySink final : public HistorySink {
   ~BackgroundHistorySink() override;
 
   void begin(const std::vector<Quad>& initial) override;
-  void checkpoint() override;
+  void go_on_after(double t) override;
+  void checkpoint(std::function<void()> then = {}) override;
   void finish() override;
 
  private:
-  using Batch = std::vector<Event>;  // an empty one asks for a checkpoint
+  struct Batch {
+    std::vector<Event> events;
+    bool is_checkpoint = false;  // after the events, and what is to be done then
+    std::function<void()> then;
+  };
   static constexpr std::size_t batch_size = 1024;
   static constexpr std::size_t max_batches = 64;
 
   void put(Event&& event) override;
+  void start();
   void hand_on();
   void write_batches();
 

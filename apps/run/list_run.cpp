@@ -1,6 +1,7 @@
 #include "apps/run/list_run.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <string_view>
 #include <utility>
 
+#include "apps/cli/limits.h"
 #include "apps/run/process.h"
 #include "history/descriptor.h"
 #include "history/error.h"
@@ -68,8 +70,11 @@ int become_program(const std::vector<std::string>& arguments, const std::string&
   return static_cast<int>(ExitCode::internal);
 }
 
-// The hash of the content; empty where it cannot be read.
+// The hash of the content; empty where it cannot be read, and of a pipe or a device, whose content
+// is another one each time, or has no end.
 std::string content_hash(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return {};
   try {
     return sha256_of_file(path);
   } catch (const InputError&) {
@@ -78,6 +83,8 @@ std::string content_hash(const std::string& path) {
 }
 
 ExitCode code_of(const ProcessEnd& end) {
+  // It was asked to end before it was this program.
+  if (end.kind == ProcessEnd::Kind::signalled && end.code == SIGTERM) return ExitCode::interrupted;
   const bool known = end.kind == ProcessEnd::Kind::exited && end.code >= 0 &&
                      end.code <= static_cast<int>(ExitCode::interrupted);
   return known ? static_cast<ExitCode>(end.code) : ExitCode::internal;
@@ -124,7 +131,7 @@ class ListOfRuns {
  public:
   ListOfRuns(const ListRequest& request, const ListedVerb& verb)
       : request_(request), verb_(verb), table_{verb.name, producer(), {}} {
-    for (ListedRun& run : read_run_list(request.list)) {
+    for (ListedRun& run : read_list()) {
       table_.rows.push_back({.run = std::move(run),
                              .code = {},
                              .words = {},
@@ -161,6 +168,11 @@ class ListOfRuns {
   }
 
  private:
+  // It may come through a pipe.
+  std::vector<ListedRun> read_list() const {
+    const TimeLimitOfWaiting limit;
+    return read_run_list(request_.list);
+  }
   void require_different_histories() const {
     std::set<std::string> names;
     for (const RunRow& row : table_.rows) {
@@ -197,11 +209,11 @@ class ListOfRuns {
     const std::string result = scratch_.file(k, ".json"), messages = scratch_.file(k, ".err");
     std::vector<std::string> arguments = verb_.arguments(table_.rows[k].run, result);
     arguments.insert(arguments.begin() + 1, request_.options.begin(), request_.options.end());
-    return {
-        .work = [=] { return become_program(arguments, messages); },
-        .limits = {.seconds = for_ever, .bytes = 0},
-        .on_end = [this, k, result, messages](
-                      const ProcessEnd& end) { finish(table_.rows[k], end, result, messages); }};
+    return {.work = [=] { return become_program(arguments, messages); },
+            .limits = {.seconds = for_ever, .bytes = 0},
+            .on_end = [this, k, result, messages](
+                          const ProcessEnd& end) { finish(table_.rows[k], end, result, messages); },
+            .answers = true};
   }
 
   void finish(RunRow& row, const ProcessEnd& end, const std::string& result,

@@ -34,8 +34,8 @@ struct ListedVerb {
 // version, of files with the same contents, with the same options; of runs that came to a verdict
 // the limits of time and of memory may differ. The tables are written anew every few seconds, so
 // that a run that is killed can be continued. Asked several times a second whether to `go_on`;
-// where not, all runs are ended, and their rows say that they did not run. Throws InputError for a
-// bad list.
+// where not, those that run are asked to end and waited for, and the rows of the others say that
+// they did not run. Throws InputError for a bad list.
 RunTable run_list(const ListRequest& request, const ListedVerb& verb,
                   const std::function<bool()>& go_on);
 

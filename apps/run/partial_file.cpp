@@ -28,11 +28,12 @@ void PartialFile::require_replaceable(const std::string& option) const {
                    " is there, in which what the run reaches is kept, and is something else");
 }
 
-void PartialFile::keep(const std::string& text) {
+bool PartialFile::keep(const std::string& text) {
   try {
     AtomicFile file(path_);
     file.write(text);
     file.commit();
+    return true;
   } catch (const OutputError& error) {
     if (!told_) {
       std::cerr << "voroproof: " << printable(error.what(), 4096)
@@ -40,6 +41,7 @@ void PartialFile::keep(const std::string& text) {
     }
     told_ = true;
   }
+  return false;
 }
 
 void PartialFile::forget() const { std::remove(path_.c_str()); }

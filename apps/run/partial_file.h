@@ -5,11 +5,11 @@
 
 namespace voroproof::internal {
 
-// The file RESULT.partial, of one of the project's formats.
+// The file RESULT.partial, or of another ending, of one of the project's formats.
 class PartialFile {
  public:
-  PartialFile(const std::string& result, std::string format)
-      : path_(result + ".partial"), format_(std::move(format)) {}
+  PartialFile(const std::string& result, std::string format, const std::string& ending = ".partial")
+      : path_(result + ending), format_(std::move(format)) {}
 
   const std::string& path() const { return path_; }
 
@@ -20,8 +20,9 @@ class PartialFile {
   // than a file of this format has its name: it would be replaced, and removed at the end.
   void require_replaceable(const std::string& option) const;
 
-  // Replaces it. A disk that is full is no reason to end the run: the user is told, once.
-  void keep(const std::string& text);
+  // Replaces it, and returns true. A disk that is full is no reason to end the run: the user is
+  // told, once.
+  bool keep(const std::string& text);
 
   // The result says more.
   void forget() const;

@@ -2,9 +2,10 @@
 //
 // Whatever happens to the work (it crashes, it hangs, it eats all memory) happens to its process
 // alone. A process leads a group of its own; the whole group is killed when its time is over, when
-// the leader has ended, and when the run is given up. Of another program's work no descendant
-// survives, whatever group it is in, not even where this process is killed outright. No other
-// thread of this process does anything meanwhile, so that a forked one may do anything.
+// the leader has ended, and when the run is given up; where it answers it is asked first. Of
+// another program's work no descendant survives, whatever group it is in, not even where this
+// process is killed outright. No other thread of this process does anything meanwhile, so that a
+// forked one may do anything.
 #pragma once
 
 #include <cstdint>
@@ -43,6 +44,9 @@ struct ProcessStep {
   std::function<void(const ProcessEnd&)> on_end;
   // The work is another program's, whose processes may leave the group: they are ended, too.
   bool foreign = false;
+  // The work answers SIGTERM: it keeps what it has reached, and ends. When the run is given up it
+  // is waited for.
+  bool answers = false;
 };
 
 // Steps one after the other; on_end may add some.
@@ -50,7 +54,7 @@ using ProcessJob = std::deque<ProcessStep>;
 
 // Runs the jobs, at most `at_once` (>= 1) side by side, started in their order. After each finished
 // job `progress` is called; several times a second it is asked too, without a finished job, and
-// where it returns false everything is killed. Returns whether all jobs were finished. Throws
+// where it returns false everything is ended. Returns whether all jobs were finished. Throws
 // std::system_error where the system gives no process.
 bool run_jobs(std::vector<std::shared_ptr<ProcessJob>> jobs, std::size_t at_once,
               const std::function<bool(std::size_t finished)>& progress);

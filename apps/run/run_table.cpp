@@ -17,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t longest_line = 1 << 16;
+constexpr std::int64_t longest_list = std::int64_t{1} << 28;
 constexpr std::size_t longest_table = std::size_t{1} << 28;
 constexpr std::size_t longest_shown = 4096;
 constexpr const char* format_name = "voroproof-table";
@@ -84,6 +85,9 @@ std::vector<ListedRun> read_run_list(const std::string& path) {
   std::vector<ListedRun> runs;
   LineSource lines(path);
   while (auto line = lines.next(longest_line)) {
+    if (lines.offset() > longest_list) {
+      throw InputError(path, lines.number(), "", "a list has 256 MB at most");
+    }
     while (!line->empty() && std::string_view(" \t\r").find(line->back()) != std::string_view::npos)
       line->remove_suffix(1);
     if (line->empty() || line->front() == '#') continue;
@@ -94,6 +98,7 @@ std::vector<ListedRun> read_run_list(const std::string& path) {
     }
     runs.push_back({names[0], names[1]});
   }
+  if (runs.empty()) throw InputError(path, 0, "", "names no scene and history");
   return runs;
 }
 

@@ -29,7 +29,11 @@ ExitCode run_listed(const Verb& verb, ListRequest request, const ListedVerb& lis
   require_distinct({request.list}, {request.json, request.csv});
   request.options = verb.given_words({"--list", "--json", "--csv", "--jobs", "--quiet"});
   CooperativeInterruption interruption;
-  const RunTable table = run_list(request, listed, [&] { return !interruption.requested(); });
+  const RunTable table = run_list(request, listed, [&] {
+    if (!interruption.requested()) return true;
+    interruption.wind_up();  // what the runs have reached is being written
+    return false;
+  });
   interruption.wind_up();
   write_run_tables(request, table);
   words_beside({request.json, request.csv}) << table_words(table);

@@ -13,6 +13,7 @@
 #include "apps/run/begun_history.h"
 #include "apps/run/checkpoints.h"
 #include "apps/run/history_sink.h"
+#include "apps/run/keeper.h"
 #include "apps/run/self_check.h"
 #include "apps/run/stats_file.h"
 #include "apps/verbs/list.h"
@@ -112,8 +113,8 @@ void require_checked(const Certificate& certificate, bool complete) {
 Outcome run_or_resume(Engine& engine, HistorySink& sink, const std::optional<BegunHistory>& begun) {
   if (!begun) return engine.run(sink);
   try {
-    return engine.resume([&](EventSink& told) { begun->tell(told); }, to_rational(begun->t0()),
-                         sink);
+    return engine.resume(
+        begun->kept().run, [&](EventSink& told) { begun->tell(told); }, sink);
   } catch (const OtherRun& other) {
     throw InputError(begun->path(), 0, "", other.what());
   }
@@ -189,35 +190,41 @@ std::optional<BegunHistory> find_begun(const Request& request, const HistoryHead
   if (is_stream(request.history) || is_standard_output(request.history)) {
     throw UsageError("--resume: what was written into a stream cannot be taken up");
   }
-  const auto begun = BegunHistory::find(request.history, header, disks);
-  if (begun && !request.quiet && !begun->complete(request.history)) {
+  auto begun = BegunHistory::find(request.history, header, disks);
+  // The check sees all events as they come.
+  if (begun && !begun->complete() && request.self_check) begun.reset();
+  if (begun && !request.quiet && !begun->complete()) {
     std::cerr << "voroproof: takes up " << printable(begun->path(), 4096)
-              << " at t = " << number_text(begun->t0()) << ", after " << begun->events()
-              << " events\n";
+              << " at t = " << number_text(begun->kept().run.t0) << ", after "
+              << begun->kept().run.events << " events\n";
   }
   return begun;
 }
 
 // Gives the history its name.
-void close(HistoryWriter& writer, const Request& request) {
+void close(HistoryWriter& writer, const Request& request, const Outcome& outcome,
+           std::optional<Keeper>& keeper) {
+  const bool complete = outcome.kind == Outcome::Kind::complete;
+  if (keeper && request.resume && !complete) {
+    keeper->close_stopped();
+    return;
+  }
   if (request.replace) {
     writer.close();
     return;
   }
   const std::string written = writer.close_beside_complete();
+  if (keeper && complete) keeper->forget(request.resume);
   if (written == request.history) return;
   std::cerr << "voroproof: " << printable(request.history, 4096)
             << ": is complete and stays; the history that stopped is in "
             << printable(written, 4096) << '\n';
 }
 
-// Once there is a history that goes farther, what was left beside it is of no use.
-void forget(const BegunHistory& begun, const Request& request) {
-  if (begun.path() != request.history) std::remove(begun.path().c_str());
-}
-
 // Where a disk is full the history so far is kept, as one that stopped.
-void close_short(HistoryWriter& writer, const Request& request, const OutputError& error) {
+void close_short(HistoryWriter& writer, const Request& request, const OutputError& error,
+                 std::optional<Keeper>& keeper) {
+  if (keeper && request.resume && keeper->leave()) return;
   if (const auto written = writer.close_short(error.reason(), request.replace)) {
     std::cerr << "voroproof: what there was room for, a history that stopped, is in "
               << printable(*written, 4096) << '\n';
@@ -241,9 +248,10 @@ ExitCode simulate(const Request& request) {
                        .producer = producer(),
                        .initial = {}};
   const std::optional<BegunHistory> begun = find_begun(request, header, disks);
-  if (begun && begun->complete(request.history)) {
+  if (begun && begun->complete()) {
     // A process that was killed once its history had its name removed nothing any more.
     BegunHistory::remove_beside_complete(request.history, header);
+    PartialFile(request.history, kept_format, kept_ending).forget();
     if (!request.quiet) std::cout << request.history << " is complete\n";
     return ExitCode::ok;
   }
@@ -252,6 +260,11 @@ ExitCode simulate(const Request& request) {
   std::optional<OutputFile> stats_file;
   if (!request.stats.empty()) stats_file.emplace(request.stats);
   HistoryWriter writer(request.history);
+  // A history that is checked as it comes is not gone on with.
+  std::optional<Keeper> keeper;
+  if (!request.self_check && !writer.is_stream()) {
+    keeper.emplace(request.history, header, writer, request.checkpoint);
+  }
   std::unique_ptr<HistorySink> sink = make_sink(request.threads, writer, std::move(header), disks);
 
   std::optional<SelfCheck> check;
@@ -266,6 +279,13 @@ ExitCode simulate(const Request& request) {
     if (sink->has_begun() && checkpoints.due()) sink->checkpoint();
     return !interruption.requested() && !(check && check->over());
   };
+  if (keeper) {
+    // What is kept when the run is interrupted is being written.
+    keeper->serve(options, *sink, [&] {
+      if (interruption.requested()) interruption.wind_up();
+    });
+  }
+  if (begun) keeper->begin_with(*begun, *sink);
   Engine engine(motion_input(scene), maneuver_input(scene), options);
   if (!check) scene.disks = std::vector<DiskInput>();  // the engine has its own
   Outcome outcome;
@@ -275,13 +295,13 @@ ExitCode simulate(const Request& request) {
     // A stream may wait for ever for its reader.
     if (!writer.is_stream()) interruption.wind_up();
     sink->finish();
+    if (keeper) keeper->see_stop();
     finish(writer, check, outcome);
-    close(writer, request);
-    if (begun) forget(*begun, request);
+    close(writer, request, outcome, keeper);
   } catch (const OutputError& error) {
     progress.reset();
     sink.reset();
-    if (!check) close_short(writer, request, error);
+    if (!check) close_short(writer, request, error, keeper);
     throw;
   }
   if (stats_file) {
@@ -345,17 +365,19 @@ void add_simulate(Verb& program) {
   verb.flag("--replace", request->replace,
             "Let a history that stops replace a complete one of its name, too, instead of going to "
             "that name with .partial at its end.");
-  verb.flag("--resume", request->resume,
-            "Take up what a run that stopped, was interrupted or killed has left of this history; "
-            "the result is the same as without the break. Where there is nothing to take up the "
-            "run begins at 0, and where the history is complete nothing is done.");
+  verb.flag(
+      "--resume", request->resume,
+      "Take up what a run that stopped, was interrupted or killed has left of this history; "
+      "the result is the same as without the break. It goes on from what was kept in "
+      "HISTORY.kept. Where that is not there, or not of these bytes, the run begins at 0, and "
+      "where the history is complete nothing is done.");
   verb.whole("--checkpoint", request->checkpoint, 1, 1'000'000,
              "After so many seconds at the latest events are safe from the end of the process: "
              "--resume finds them.");
   verb.flag(
       "--self-check", request->self_check,
       "A second thread certifies every event (certify --strict). A history that is not proved "
-      "right is not written (exit code 4).");
+      "right is not written (exit code 4), and nothing is kept for --resume.");
   verb.flag("--quiet", request->quiet, "Show no progress on the terminal and no summary.");
   const auto list = add_list_options(verb, {"--stats"});
   verb.example("voroproof simulate a.scene.json -o a.history.jsonl --stats a.stats.json");

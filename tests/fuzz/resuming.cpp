@@ -223,7 +223,7 @@ bool resumes_history(std::string_view bytes) {
                                .initial = {}};
     const auto begun = BegunHistory::find(folder.write("history", pieces[1]), wanted,
                                           static_cast<int>(scene.disks.size()));
-    if (!begun || begun->complete(folder.file("history"))) return;
+    if (!begun || begun->complete()) return;
     EngineOptions options;
     options.motion.max_bits = most_bits;
     int questions = 0;
@@ -231,7 +231,8 @@ bool resumes_history(std::string_view bytes) {
     Engine engine(motion_input(scene), maneuver_input(scene), options);
     NoSink sink;
     try {
-      engine.resume([&](EventSink& told) { begun->tell(told); }, to_rational(begun->t0()), sink);
+      engine.resume(
+          begun->kept().run, [&](EventSink& told) { begun->tell(told); }, sink);
     } catch (const OtherRun& other) {
       throw InputError("history", 0, "", other.what());
     }

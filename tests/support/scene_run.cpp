@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "history/error.h"
-#include "history/resumption_point.h"
+#include "kinetic/kept_run.h"
 #include "library/maneuver_input.h"
 
 namespace voroproof::internal::testing {
@@ -162,23 +162,34 @@ RecordedRun run_with(const Scene& scene, const EngineOptions& options) {
   return result;
 }
 
-RecordedRun resume(const Scene& scene, const RecordedRun& begun, std::size_t events,
-                   const MotionOptions& options) {
-  RecordedRun result;
-  Recorder recorder(result);
-  EngineOptions engine_options;
-  engine_options.motion = options;
-  Engine engine(motion_input(scene), maneuver_input(scene), engine_options);
-  ResumptionPoint point;
-  for (std::size_t k = 0; k < events; ++k) point.see(begun.events[k].t);
-  const auto tell = [&](EventSink& sink) {
-    sink.begin(begun.initial);
-    for (std::size_t k = 0; k < point.events(); ++k) tell_event(begun.events[k], sink);
-  };
-  result.outcome = point.t0() == 0 ? engine.run(recorder)
-                                   : engine.resume(tell, to_rational(point.t0()), recorder);
-  note_end(engine, result);
-  return result;
+RecordedRun resume(const Scene& scene, std::size_t events, const EngineOptions& options,
+                   std::size_t& kept) {
+  std::optional<KeptRun> left;
+  EngineOptions first = options;
+  RecordedRun begun;
+  first.is_to_keep = [&] { return !left && begun.events.size() >= events; };
+  first.keep = [&](KeptRun&& run) { left = std::move(run); };
+  first.monitor = [&](double, std::uint64_t) { return !left; };
+  {
+    Recorder recorder(begun);
+    Engine engine(motion_input(scene), maneuver_input(scene), first);
+    begun.outcome = engine.run(recorder);
+    note_end(engine, begun);
+  }
+  kept = left ? left->events : 0;
+  if (!left) return begun;
+  begun.events.resize(kept);
+  const std::vector<Event> told = begun.events;
+  Recorder recorder(begun);
+  Engine engine(motion_input(scene), maneuver_input(scene), options);
+  begun.outcome = engine.resume(
+      *left,
+      [&](EventSink& sink) {
+        for (const Event& event : told) tell_event(event, sink);
+      },
+      recorder);
+  note_end(engine, begun);
+  return begun;
 }
 
 std::vector<std::string> names(const RecordedRun& run) {

@@ -57,10 +57,11 @@ RecordedRun run(const Scene& scene, const MotionOptions& options = {},
 // The run with all options that an engine has.
 RecordedRun run_with(const Scene& scene, const EngineOptions& options);
 
-// A run that takes up the first `events` of another of the same scene, as if nothing else of it
-// were there.
-RecordedRun resume(const Scene& scene, const RecordedRun& begun, std::size_t events,
-                   const MotionOptions& options = {});
+// A run that is kept, and ended, once so many events are told, or some more, and another one that
+// goes on from there: what both tell. `kept` gets how many are of the first; 0 where it came to its
+// end before.
+RecordedRun resume(const Scene& scene, std::size_t events, const EngineOptions& options,
+                   std::size_t& kept);
 
 // "flip [..]" or "collide i j" in order, without times: what two runs must share.
 std::vector<std::string> names(const RecordedRun& run);

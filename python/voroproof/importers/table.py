@@ -1,13 +1,12 @@
 """The table of waypoints that an importer writes, and what it says beside it."""
 
-import os
-import stat
 import sys
 import tempfile
 from fractions import Fraction
 from typing import Dict, IO, List, NamedTuple, Optional, Tuple
 
 from ..errors import OutputError
+from ..files import whole_file
 from . import numbers
 from .faults import Refused, printable
 
@@ -122,27 +121,11 @@ class Table:
             if output == "-":
                 _copy(heading, self._rows, sys.stdout)
                 sys.stdout.flush()
-            elif os.path.exists(output) and not stat.S_ISREG(os.stat(output).st_mode):
-                with open(output, "w", encoding="utf-8", newline="\n") as there:  # a pipe or a device
-                    _copy(heading, self._rows, there)
             else:
-                self._replace(heading, os.path.realpath(output))
+                with whole_file(output) as made:
+                    _copy(heading, self._rows, made)
         except OSError as error:
             raise OutputError(f"{printable(output, 4096)}: {error.strerror or error}") from error
-
-    def _replace(self, heading: str, path: str) -> None:
-        with tempfile.NamedTemporaryFile("w", encoding="utf-8", newline="\n", dir=os.path.dirname(path),
-                                         delete=False) as made:
-            try:
-                _copy(heading, self._rows, made)
-                made.flush()
-                mask = os.umask(0)
-                os.umask(mask)
-                os.chmod(made.name, 0o666 & ~mask)
-                os.replace(made.name, path)
-            except BaseException:
-                os.unlink(made.name)
-                raise
 
 
 def _copy(heading: str, rows: IO[str], to: IO[str]) -> None:

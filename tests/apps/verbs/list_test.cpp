@@ -1,6 +1,7 @@
 // certify and simulate for many scenes.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <string>
@@ -171,12 +172,41 @@ TEST_F(Lists, ASignalLeavesATableThatIsContinued) {
   while (!second_has_begun()) usleep(1000);
   kill(child, SIGTERM);
   EXPECT_EQ(finish(child).code, 6);
-  EXPECT_EQ(verdicts(json("s.json")), (Arguments{"COMPLETE", "NOT RUN"}));
+  EXPECT_EQ(verdicts(json("s.json")), (Arguments{"COMPLETE", "INTERRUPTED"}));
+  // The run that was ended has written what it had reached, and what it takes to go on.
+  must({"validate", history("a")});
+  EXPECT_NE(read_bytes(history("b")).find("\"stopped\""), std::string::npos);
+  for (const auto& entry : std::filesystem::directory_iterator(file(""))) {
+    EXPECT_NE(entry.path().extension(), ".tmp");
+  }
+}
+
+// A row whose file has no end, or nobody writes to, is ended by its own limit.
+TEST_F(Lists, PipesAndEndlessDevicesEndWithTheirRuns) {
+  scene("a", "1");
+  const std::string pipe = file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string first = file("a.scene.json");
+  const std::string list = directory_.write(
+      "list", first + '\t' + pipe + '\n' + first + "\t/dev/zero\n/dev/zero\t" + pipe + '\n');
+  const Result result = run(
+      {"certify", "--list", list, "--time-limit", "1/4", "--jobs", "3", "--json", file("c.json")});
+  for (const std::string& verdict : verdicts(json("c.json"))) {
+    EXPECT_TRUE(verdict == "UNDECIDED" || verdict == "INVALID") << verdict << result.err;
+  }
+  // The list itself: nobody writes it.
+  const Result waited = run({"certify", "--list", pipe, "--time-limit", "1/4"});
+  EXPECT_EQ(waited.code, 3) << waited.err;
+  EXPECT_NE(waited.err.find("the time limit"), std::string::npos) << waited.err;
 }
 
 TEST_F(Lists, BadListsAndOptionsAreRefused) {
   const std::string list = three();
   refused({"certify", "--list", directory_.write("one", "only-one\n")}, "one:1: not the names");
+  for (const char* verb : {"certify", "simulate"}) {
+    refused({verb, "--list", directory_.write("empty", "")}, "empty: names no scene and history");
+    refused({verb, "--list", directory_.write("blank", "# a\n\n")}, "names no scene and history");
+  }
   refused({"certify", "--list", directory_.write("tabs", "# x\na\tb\tc\n")},
           "tabs:2: not the names");
   refused({"simulate", "--list", directory_.write("twice", "a h\nb h\n")},

@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <random>
@@ -46,11 +47,57 @@ class Resume : public Cli {
     return text.replace(at, from.size(), to);
   }
 
-  // The history up to its last line, with another number behind that text in its first collision.
-  std::string with_another_number(const std::string& behind) const {
-    std::string text = whole_.substr(0, whole_.find("{\"end\""));
-    const std::size_t from = text.find(behind, text.find("\"collide\"")) + behind.size();
-    return text.replace(from, text.find_first_of(",]", from) - from, "0.125");
+  std::size_t events_in(const std::string& name) const {
+    std::size_t events = 0;
+    for (const std::string& line : lines_of(read_bytes(file(name)))) {
+      events += line.starts_with("{\"t\":") ? 1 : 0;
+    }
+    return events;
+  }
+  // In whatever file it is.
+  std::size_t most_events() const {
+    std::size_t most = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(file(""))) {
+      most = std::max(most, events_in(entry.path().filename().string()));
+    }
+    return most;
+  }
+
+  // Another scene, whose history is some times as long as what is written at a time.
+  void take_longer_scene() {
+    scene_ = reference(100, "600");
+    const std::string undisturbed = file("b.history.jsonl");
+    must({"simulate", scene_, "-o", undisturbed});
+    whole_ = read_bytes(undisturbed);
+    std::filesystem::remove(undisturbed);
+  }
+
+  // Ends a run by a signal once more than so many bytes are written, unless it is over before.
+  Result end_beyond(std::uintmax_t bytes, int number) const {
+    const pid_t child = start(resume());
+    const std::string written = history_ + "." + std::to_string(child) + ".0.tmp";
+    for (;;) {
+      siginfo_t ended{};
+      waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
+      if (ended.si_pid == child) break;
+      std::error_code error;
+      const std::uintmax_t size = std::filesystem::file_size(written, error);
+      if (!error && size > bytes) {
+        kill(child, number);
+        break;
+      }
+      usleep(200);
+    }
+    return finish(child);
+  }
+
+  // Ends runs by a signal until something is kept.
+  void keep(int number) const {
+    for (int k = 0; !std::filesystem::exists(history_ + ".kept"); ++k) {
+      ASSERT_LT(k, 50);
+      std::filesystem::remove(history_);
+      end_beyond(0, number);
+    }
   }
 
   std::string scene_, history_, whole_;
@@ -98,17 +145,94 @@ TEST_F(Resume, OfAStoppedAndAnInterruptedRun) {
   expect_whole({"--self-check"});
 }
 
-// The one that goes farther is taken up, and what was beside it is removed.
-TEST_F(Resume, TheFarthestOfSeveral) {
-  directory_.write("a.history.jsonl", whole_.substr(0, whole_.size() / 4));
-  directory_.write("a.history.jsonl.partial", whole_.substr(0, whole_.size() / 2));
-  Arguments arguments = resume();
-  arguments.erase(arguments.end() - 1);  // --quiet
-  const Result result = run(arguments);
-  EXPECT_EQ(result.code, 0);
-  EXPECT_NE(result.err.find("a.history.jsonl.partial at t = "), std::string::npos) << result.err;
+// What was reached is there whatever ends the runs, and each goes on from it.
+TEST_F(Resume, GoesOnFromWhereARunWasEnded) {
+  take_longer_scene();
+  for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
+    keep(number);
+    Arguments arguments = resume();
+    arguments.erase(arguments.end() - 1);  // --quiet
+    const Result result = run(arguments);
+    EXPECT_EQ(result.code, 0);
+    EXPECT_NE(result.err.find("takes up "), std::string::npos) << result.err;
+    EXPECT_TRUE(read_bytes(history_) == whole_);
+    EXPECT_EQ(directory_.number_of_files(), 2u);
+    std::filesystem::remove(history_);
+  }
+}
+
+// Each run gets a little further, until one comes to the end.
+TEST_F(Resume, ALoopOfEndedRunsEnds) {
+  take_longer_scene();
+  std::size_t before = 0;
+  for (int k = 0;; ++k) {
+    ASSERT_LT(k, 50);
+    const Result result = end_beyond(read_bytes(history_).size(), SIGTERM);
+    EXPECT_GE(most_events(), before);
+    before = most_events();
+    if (result.code == 0) break;
+    EXPECT_EQ(result.code, 6) << result.err;
+  }
   EXPECT_TRUE(read_bytes(history_) == whole_);
-  EXPECT_EQ(directory_.number_of_files(), 2u);
+}
+
+// A long history of which nothing is kept, and runs that end long before they are there.
+TEST_F(Resume, NoEndingLosesEvents) {
+  const std::string long_one = whole_.substr(0, whole_.rfind("{\"end\""));
+  const std::size_t events = std::count(long_one.begin(), long_one.end(), '\n') - 1;
+  for (const char* name :
+       {"a.history.jsonl", "a.history.jsonl.partial", "a.history.jsonl.999999999.0.tmp"}) {
+    directory_.write(name, long_one);
+    for (const Arguments& limit : {Arguments{"--max-events", "50"},
+                                   {"--max-bits", "64", "--start-bits", "64"},
+                                   {"--time-limit", "1/100"},
+                                   {"--max-memory", "40"}}) {
+      run(resume(limit));
+      EXPECT_GE(most_events(), events) << limit[0] << ' ' << name;
+    }
+    for (const int number : {SIGTERM, SIGINT, SIGHUP, SIGKILL}) {
+      const pid_t child = start(resume());
+      usleep(10000);
+      kill(child, number);
+      finish(child);
+      EXPECT_GE(most_events(), events) << number << ' ' << name;
+    }
+    expect_whole();
+    std::filesystem::remove(history_);
+  }
+}
+
+// What is kept is of some bytes: of others nothing is taken up.
+TEST_F(Resume, OfAnAlteredHistoryIsRight) {
+  take_longer_scene();
+  for (int k = 0; k < 4; ++k) {
+    keep(SIGTERM);
+    std::string text = read_bytes(history_);
+    const std::size_t kept =
+        std::stoul(read_bytes(history_ + ".kept")
+                       .substr(read_bytes(history_ + ".kept").find("\"bytes\":") + 8));
+    ASSERT_LE(kept, text.size());
+    std::size_t flip = text.rfind("{\"t\"", text.find("\"flip\"", kept * (k + 1) / 6));
+    if (k % 2 == 0) {
+      text.erase(flip, text.find('\n', flip) + 1 - flip);
+    } else {
+      const std::size_t digit = text.find(',', flip) - 1;
+      text[digit] = text[digit] == '3' ? '4' : '3';
+    }
+    directory_.write("a.history.jsonl", text);
+    if (k == 3) {
+      std::string state = read_bytes(history_ + ".kept");
+      state[state.size() / 2] ^= 1;
+      directory_.write("a.history.jsonl.kept", state);
+    }
+    expect_whole();
+    std::filesystem::remove(history_);
+  }
+}
+
+TEST_F(Resume, AnotherFileOfTheNameThatIsKeptInIsRefused) {
+  directory_.write("a.history.jsonl.kept", "the user's");
+  refused(resume(), "a.history.jsonl.kept is there");
 }
 
 TEST_F(Resume, OfACompleteHistoryIsNothing) {
@@ -163,21 +287,6 @@ TEST_F(Resume, OfACompressedHistory) {
 
 TEST_F(Resume, OfAStreamIsRefused) {
   refused({"simulate", scene_, "-o", "-", "--resume"}, "written into a stream");
-}
-
-// What is told is held against what is computed.
-TEST_F(Resume, OfAChangedHistoryIsRefused) {
-  directory_.write("a.history.jsonl", with_another_number("\"v\":[["));
-  refused(resume(), "a disk has another velocity");
-  directory_.write("a.history.jsonl", with_another_number("\"p\":[["));
-  refused(resume(), "a disk turns at another place");
-  std::string text = whole_.substr(0, whole_.find("{\"end\""));
-  const std::size_t flip = text.rfind("{\"t\"", text.find("\"flip\""));
-  text.erase(flip, text.find('\n', flip) + 1 - flip);
-  directory_.write("a.history.jsonl", text);
-  const Result result = run(resume());
-  EXPECT_EQ(result.code, 2);
-  EXPECT_EQ(directory_.number_of_files(), 2u);
 }
 
 }  // namespace
