@@ -137,12 +137,12 @@ class CertifierPage {
 
   // ---- What came out
 
-  showOutcome({ verdict, reason, lines, counts, line, place, claim, seconds, drawing }) {
+  showOutcome({ verdict, reason, isFirst, lines, counts, line, place, claim, seconds, drawing }) {
     const kind = verdict.toLowerCase(), where = place?.file ? `${this.files[place.file].name}:${place.line}` : line > 0 ? `line ${line}` : "";
     element("outcome").hidden = false;
     element("verdict").textContent = kind;
     element("verdict").className = kind;
-    element("meaning").textContent = this.meaning(verdict, reason, where, place?.field);
+    element("meaning").textContent = this.meaning(verdict, reason, where, place?.field, isFirst);
     element("claim").textContent = claim ?? "";
     element("claim").hidden = !claim;
     element("lines").textContent = lines.join("\n");
@@ -157,11 +157,12 @@ class CertifierPage {
     element("outcome").focus();
   }
 
-  meaning(verdict, reason, where, field) {
+  meaning(verdict, reason, where, field, isFirst) {
     const truth = this.options.truth === "exact" ? "the scene's true motion" : "the motion that the history records";
     if (verdict === "CERTIFIED") return `Every claim is proved against ${truth}, and none is missing.`;
     const place = [where, field].filter((word) => word).join(", ");
-    return `${place ? `${place}: ` : ""}${reason}.`;
+    const more = verdict === "REFUTED" && isFirst === false ? " An earlier fault may exist." : "";
+    return `${place ? `${place}: ` : ""}${reason}.${more}`;
   }
 
   fillCounts(counts) {
