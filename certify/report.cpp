@@ -122,6 +122,8 @@ std::vector<Leniency> leniencies(const Certificate& c) {
       {"left_out", c.left_out, "events within the tolerance of the horizon that are not claimed"},
       {"proved_anew", c.proved_anew, "pairs of which one lay inside the other for a moment"},
       {"computed_velocities", c.computed_velocities, "collisions without velocities"},
+      {"other_orders", c.other_orders,
+       "instants whose turns are not proved to be in the format's order"},
   };
 }
 
@@ -150,6 +152,7 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
   j["truth"] = options.truth == Truth::exact ? "exact" : "recorded";
   j["events"] = options.judges_flips() ? "all" : "collisions";
   if (!options.judges_flips()) j["flips_not_judged"] = c.flips_not_judged;
+  if (options.truth == Truth::exact) j["order"] = options.any_order ? "any" : "format";
   j["tolerance"] = options.tolerance.get_str();
   j["law_tolerance"] = options.law_tolerance.get_str();
   j["strict"] = options.strict;

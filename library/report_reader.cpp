@@ -183,6 +183,7 @@ Certificate read_certificate(const JsonField& report) {
   c.left_out = read_count(lenient["left_out"]);
   c.proved_anew = read_count(lenient["proved_anew"]);
   c.computed_velocities = read_count(lenient["computed_velocities"]);
+  c.other_orders = read_count(lenient["other_orders"]);
   c.highest_bits = static_cast<int>(
       std::min<std::int64_t>(read_count(report["highest_bits"]), std::numeric_limits<int>::max()));
   for (const JsonField& remark : report["remarks"].elements()) c.remarks.push_back(remark.text());
