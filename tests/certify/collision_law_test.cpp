@@ -163,7 +163,8 @@ TEST(CollisionLaw, IsUndecidedWithoutNormalOrMass) {
 
 TEST(CollisionLaw, ExpectationTellsTheVelocitiesAndHowFarTheClaimIsOff) {
   const Scene scene = two(1, 1, 1, 1);
-  const CollisionLaw law(scene, fraction(1, 1024));
+  const Rational tolerance = fraction(1, 1024);
+  const CollisionLaw law(scene, tolerance);
   const ExactPair p{ExactVec2{0, 0}, ExactVec2{2, 0}}, v{ExactVec2{3, 0}, ExactVec2{-1, 0}};
   const std::string off =
       ", and the claimed ones are off by 0.25 of the speeds that meet, where 0.000976562 and what "
