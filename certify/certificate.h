@@ -24,8 +24,9 @@ enum class Fault {
   wrong_quadruple,  // another edge flips here
   wrong_time,       // it happens at another time
   wrong_order,      // it happens after what is claimed later, or before what is claimed earlier
-  wrong_pair,       // other generators touch here
-  wrong_response,   // the velocities or centres claimed are not those of the event
+  other_order,  // collisions and maneuvers of one instant come in an order that is not the format's
+  wrong_pair,   // other generators touch here
+  wrong_response,         // the velocities or centres claimed are not those of the event
   wrong_initial_diagram,  // the diagram claimed is not that at the start
   overlap,                // generators overlap and no collision is claimed
   bad_count,              // the counts of the last line are not those of the events
@@ -34,9 +35,11 @@ enum class Fault {
   count
 };
 inline constexpr std::array<std::string_view, static_cast<int>(Fault::count)> fault_names{
-    "missing event", "spurious event", "wrong quadruple",  "wrong time",
-    "wrong order",   "wrong pair",     "wrong response",   "wrong initial diagram",
-    "overlap",       "bad count",      "edge not present", "other horizon"};
+    "missing event", "spurious event", "wrong quadruple",
+    "wrong time",    "wrong order",    "another order of touching collisions",
+    "wrong pair",    "wrong response", "wrong initial diagram",
+    "overlap",       "bad count",      "edge not present",
+    "other horizon"};
 
 // A number as evidence: exact ("3/8") where it is rational and short enough, else an enclosure.
 struct EvidenceNumber {
@@ -101,6 +104,7 @@ struct Certificate {
   std::int64_t left_out = 0;             // events there that are not claimed
   std::int64_t proved_anew = 0;          // pairs of which one lay inside the other for a moment
   std::int64_t computed_velocities = 0;  // collisions without velocities: by the law
+  std::int64_t other_orders = 0;  // instants whose turns are not proved to be in the format's order
   // With EventKinds::collisions: flips of the history, which nobody has looked at.
   std::int64_t flips_not_judged = 0;
   // The history's horizon and the scene's, where they are not one.

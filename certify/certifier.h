@@ -37,7 +37,10 @@ struct CertifyOptions {
   EventKinds events = EventKinds::all;
   Rational tolerance{1, 1000000};         // of times
   Rational law_tolerance{1, 1000000000};  // of velocities, relative to the speeds involved
-  bool strict = false;      // swaps, unoriented quadruplets and another horizon are refuted
+  bool strict = false;  // swaps, unoriented quadruplets and another horizon are refuted
+  // Exact truth: collisions and maneuvers of one instant may come in any order in which every
+  // collision is of two that touch and approach then, and none such is left (docs/claim.md).
+  bool any_order = false;
   bool unoriented = false;  // quadruplets may exchange their third generators, as in .evtsq files
   // For all events of the recorded truth, and for the initial diagram. The certificate is the same.
   int threads = 1;
@@ -45,6 +48,7 @@ struct CertifyOptions {
   // ones (Certificate::ulps_max).
   bool measures_times = true;
   bool judges_flips() const { return events == EventKinds::all; }
+  bool accepts_other_orders() const { return any_order && !strict; }
   // Recorded truth, all events: the history is certified in parts of so many claims at least, and
   // of one in 512 of that for each disk.
   std::size_t least_part = 4096;

@@ -52,7 +52,7 @@ Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
       flips_(s_, claims_, front_, refuter_, edges_, pairs_, order_, instants_),
       turns_(s_, claims_, front_, refuter_, pairs_, around_, order_, instants_),
       claim_order_(s_, claims_, front_, refuter_, edges_, pairs_, instants_),
-      first_divergence_(s_, claims_, front_, refuter_, edges_, pairs_) {}
+      first_divergence_(s_, claims_, front_, refuter_, edges_, pairs_, order_) {}
 
 Certificate Checker::run(const PartEnd* end) {
   Certificate& c = s_.certificate;

@@ -84,17 +84,12 @@ bool Claims::crowded() {
   }
 }
 
-bool Claims::has_unchecked(const Maneuver& due, const Rational& tolerance) {
-  const auto is_it = [&](const Event& event) {
-    const auto* m = std::get_if<ManeuverEvent>(&event);
-    return m != nullptr && m->disk == due.disk &&
-           abs(Rational(exact_time(event) - due.t)) <= tolerance;
-  };
+bool Claims::has_unchecked(const Rational& until, const std::function<bool(const Event&)>& is_it) {
   if (current_ && is_it(*current_)) return true;
   for (const Claim& c : near_) {
     if (is_it(c.event)) return true;
   }
-  const double latest = round_up(Rational(due.t + tolerance));
+  const double latest = round_up(until);
   try {
     while (near_.empty() || time(near_.back().event) <= latest) {
       ReadAhead::Claim* const claim = next();
@@ -104,6 +99,8 @@ bool Claims::has_unchecked(const Maneuver& due, const Rational& tolerance) {
         return stop != nullptr && stop->t <= latest;
       }
       near_.emplace_back(std::move(claim->event()), claim->line, -1, false);
+      times_.push_back(time(near_.back().event));
+      lines_.push_back(claim->line);
       ahead_.drop_first();
       if (is_it(near_.back().event)) return true;
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -97,9 +98,9 @@ class Claims {
   bool crowded();
   // An event before this time is claimed by none but claims that were taken already.
   double settled() const { return next_below(taken_ - tolerance_); }
-  // Whether a claim that has not been checked is of this maneuver, or may be for what the file
-  // says. Reads on: no claim is checked after this.
-  bool has_unchecked(const Maneuver& due, const Rational& tolerance);
+  // Whether a claim that has not been proved, up to the time `until`, is such a one, or may be for
+  // what the file says. Reads on: no claim is checked after this.
+  bool has_unchecked(const Rational& until, const std::function<bool(const Event&)>& is_it);
 
   // ---- The claim being checked; none before the first and after the last. ----
   const std::optional<Event>& current() const { return current_; }

@@ -1,5 +1,8 @@
 #include "certify/collision_law.h"
 
+#include <algorithm>
+
+#include "certify/standing.h"
 #include "filtered/motion/motion.h"
 #include "history/json_text.h"
 
@@ -157,17 +160,27 @@ bool CollisionLaw::obeyed(const CollideEvent& claim, const ExactPair& p, const E
   return true;
 }
 
-std::string CollisionLaw::expectation(GenId i, GenId j, const ExactPair& p,
+std::string CollisionLaw::expectation(const CollideEvent& claim, const ExactPair& p,
                                       const ExactPair& before) const {
+  const GenId i = claim.i, j = claim.j;
   if (norm2(normal(i, p)) == 0) return "the centres coincide and give no normal";
   const ExactPair v = after(i, j, p, before);
+  Rational off = 0;
   std::string words = "by the law of collision the velocities are ";
   for (const int side : {0, 1}) {
     if (side == 0 && i == container_id) continue;
     words += "(" + number_text(v[side][0].get_d()) + ", " + number_text(v[side][1].get_d()) + ")";
     if (side == 0) words += " and ";
+    if (const auto claimed = exact_velocity(claim, side)) {
+      off = std::max(off, length_bound(minus(*claimed, v[side])));
+    }
   }
-  return words;
+  Rational speed = length_bound(before[1]);
+  if (i != container_id) speed += length_bound(before[0]);
+  if (speed == 0) return words;
+  return words + ", and the claimed ones are off by " + amount(Rational(off / speed).get_d()) +
+         " of the speeds that meet, where " + amount(tolerance_.get_d()) +
+         " and what roundings do are allowed (--law-tolerance)";
 }
 
 }  // namespace voroproof::internal

@@ -38,8 +38,8 @@ class CollisionLaw {
     if (!near_masses_.empty()) internal::prefetch(&near_masses_[g]);
   }
 
-  // What obeyed() would have accepted, in words.
-  std::string expectation(GenId i, GenId j, const ExactPair& p, const ExactPair& v) const;
+  // What obeyed() would have accepted in place of the claim, in words.
+  std::string expectation(const CollideEvent& claim, const ExactPair& p, const ExactPair& v) const;
 
  private:
   bool obeyed_in_some_direction(const CollideEvent& claim, const ExactPair& before,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "certify/standing.h"
 #include "certify/wording.h"
 
 namespace voroproof::internal {
@@ -59,6 +60,34 @@ NextContact ExactPairs::next_contact(GenId i, GenId j) {
     c.hi = std::min(c.hi, hi);
   }
   return c;
+}
+
+std::string ExactPairs::standing(GenId i, GenId j, const Rational& t) const {
+  const bool wall = i == container_id;
+  const Moment& now = front_.moment;
+  const double near = round_nearest(t);
+  const bool present = std::fabs(near - now.lo) <= s_.tolerance_up;
+  try {
+    ExactMotion exact(s_.motion);
+    const Tower at = !present                             ? Tower(t)
+                     : now.kind == Moment::Kind::state    ? exact.start(now.state, now.j)
+                     : now.kind == Moment::Kind::rational ? Tower(now.exact())
+                                                          : Tower(t);
+    const auto site = [&](GenId g) -> MovingSite<Tower> {
+      const ExactMotion::State& m = exact.state(g);
+      const Tower dt = at - Tower(m.t_ref);
+      return {m.x + m.vx * dt, m.y + m.vy * dt, m.vx, m.vy, exact.radius(g)};
+    };
+    const MovingSite<Tower> first = site(i), second = site(j);
+    const Tower reach = wall ? -(first.r + second.r) : first.r + second.r;
+    return text_of(standing_of(Contact<Tower>(first, second), reach, wall), near);
+  } catch (const BudgetExceeded&) {
+    const DdBall at = present ? s_.chronology.narrow(now) : s_.chronology.narrow(Moment::at(t));
+    const MovingSite<DdBall> first = s_.motion.moving_site(i, at),
+                             second = s_.motion.moving_site(j, at);
+    const DdBall reach = wall ? -(first.r + second.r) : first.r + second.r;
+    return text_of(standing_of(Contact<DdBall>(first, second), reach, wall), near);
+  }
 }
 
 void ExactPairs::require_no_meeting(GenId i, GenId j, const Moment& m) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "certify/front.h"
@@ -29,6 +30,9 @@ class ExactPairs {
   NextContact next_contact(GenId i, GenId j);
   // When i and j touch: `c` is not `none`.
   Moment moment_of(GenId i, GenId j, const NextContact& c) const;
+  // How two that are said to collide at the time t, and do not, stand to each other then, or at the
+  // present instant if it is no further from t than the tolerance: see text_of().
+  std::string standing(GenId i, GenId j, const Rational& t) const;
   // Two points do not meet from the birth of their motion to m. Throws Undecided.
   void require_no_meeting(GenId i, GenId j, const Moment& m);
   // The pair does not touch while it approaches from the birth of its motion to m; at m itself it

@@ -47,21 +47,42 @@ double FirstDivergence::margin(const Earliest& first) const {
 }
 
 void FirstDivergence::look_for_contacts(Earliest& first) {
-  for (const auto& [i, j, since, edge] : pairs_.open(first.limit)) {
+  // What does not happen may be the consequence of what happens as little later as times may be
+  // off.
+  const auto limit = [&] {
+    const bool spurious = first.divergence.fault == Fault::spurious_event;
+    return std::min(first.limit + (spurious ? s_.tolerance_up : 0), s_.search_end);
+  };
+  for (const auto& [i, j, since, edge] : pairs_.open(limit())) {
     if (s_.replay.partners(i, j) || turns_one_of({i, j}) ||
-        proved_apart(s_.motion, i, j, since, first.limit)) {
+        proved_apart(s_.motion, i, j, since, limit())) {
       continue;
     }
     const Instant begin = s_.options.truth == Truth::exact
                               ? pairs_.exact().since(i, j)
                               : s_.chronology.instant(Moment::at(since));
-    const NextContact c = s_.contacts.from(i, j, begin, first.limit);
-    if (c.kind == NextContact::Kind::none ||
-        c.hi >= first.limit - margin(first) - s_.tolerance_up) {
-      continue;
-    }
+    const NextContact c = s_.contacts.from(i, j, begin, limit());
+    if (c.kind == NextContact::Kind::none) continue;
+    const bool near = c.hi >= first.limit - margin(first) - s_.tolerance_up;
+    if (near && (margin(first) == 0 || !is_never_claimed(i, j, c))) continue;
     first = {refuter_.missing_contact(i, j, c.lo, c.hi), c.lo};
+    if (near) first.divergence.line = std::min(first.divergence.line, claims_.line());
   }
+}
+
+// Exact truth: whether the contact is missing although it is so near the refuted claim: no claim is
+// left that may be of it, or may turn one of the two before it. Reads on.
+bool FirstDivergence::is_never_claimed(GenId i, GenId j, const NextContact& c) {
+  if (s_.options.truth != Truth::exact) return false;
+  const Event* const refuted = claims_.current() ? &*claims_.current() : nullptr;
+  return !claims_.has_unchecked(
+      to_rational(c.hi) + s_.options.tolerance, [refuted, i, j](const Event& event) {
+        const auto [a, b] = turned_by(event);
+        if (&event == refuted)
+          return std::holds_alternative<CollideEvent>(event) && std::pair(a, b) == std::pair(i, j);
+        const auto turns = [a, b](GenId g) { return g != container_id && (g == a || g == b); };
+        return turns(i) || turns(j);
+      });
 }
 
 void FirstDivergence::look_for_flips(Earliest& first) {
@@ -103,10 +124,23 @@ void FirstDivergence::look_for_flips(Earliest& first) {
 
 // What was refuted may be the consequence of something missed before, an event or a maneuver.
 // Claims within the tolerance of a maneuver may be meant on either side of it.
-Divergence FirstDivergence::before(const Divergence& found) {
+Divergence FirstDivergence::before(const Divergence& refuted) {
+  const Divergence found = due_before().value_or(refuted);
   const Divergence first = front_.begun ? first_event_missing(found) : found;
   const bool by_truth = first.fault == Fault::missing_event || first.fault == Fault::overlap;
   return maneuver_missing_by(first.t + (by_truth ? 0 : s_.tolerance_up)).value_or(first);
+}
+
+// What should have come before the claim at its instant. In any order it may come behind it.
+std::optional<Divergence> FirstDivergence::due_before() {
+  auto due = order_.due_before();
+  if (!due || !s_.options.accepts_other_orders()) return due;
+  const auto is_it = [&](const Event& event) {
+    const auto* c = std::get_if<CollideEvent>(&event);
+    return c != nullptr && std::pair(c->i, c->j) == *due->true_contact;
+  };
+  if (claims_.has_unchecked(to_rational(front_.moment.hi) + s_.options.tolerance, is_it)) return {};
+  return due;
 }
 
 std::optional<Divergence> FirstDivergence::maneuver_missing_by(double t) {
@@ -114,9 +148,16 @@ std::optional<Divergence> FirstDivergence::maneuver_missing_by(double t) {
   const Rational last = std::min(to_rational(t), Rational(header.horizon - header.horizon_error));
   for (std::size_t k = s_.replay.next_maneuver(); k < s_.scene.maneuvers.size(); ++k) {
     if (s_.scene.maneuvers[k].t > last) break;
+    const Maneuver& due = s_.scene.maneuvers[k];
+    const auto is_it = [&](const Event& event) {
+      const auto* m = std::get_if<ManeuverEvent>(&event);
+      return m != nullptr && m->disk == due.disk &&
+             abs(Rational(exact_time(event) - due.t)) <= s_.options.tolerance;
+    };
     if (!s_.replay.maneuver_done(k) &&
-        !claims_.has_unchecked(s_.scene.maneuvers[k], s_.options.tolerance))
+        !claims_.has_unchecked(due.t + s_.options.tolerance, is_it)) {
       return refuter_.missing_maneuver(k);
+    }
   }
   return std::nullopt;
 }

@@ -11,17 +11,24 @@
 #include "certify/pair_lives.h"
 #include "certify/refuter.h"
 #include "certify/setting.h"
+#include "certify/turn_order.h"
 
 namespace voroproof::internal {
 
 class FirstDivergence {
  public:
   FirstDivergence(Setting& s, Claims& claims, const Front& front, const Refuter& refuter,
-                  EdgeLives& edges, PairLives& pairs)
-      : s_(s), claims_(claims), front_(front), refuter_(refuter), edges_(edges), pairs_(pairs) {}
+                  EdgeLives& edges, PairLives& pairs, const TurnOrder& order)
+      : s_(s),
+        claims_(claims),
+        front_(front),
+        refuter_(refuter),
+        edges_(edges),
+        pairs_(pairs),
+        order_(order) {}
 
-  // The first event or maneuver that the history lacks before what was found, or that.
-  Divergence before(const Divergence& found);
+  // The first event or maneuver that the history lacks before what was refuted, or that.
+  Divergence before(const Divergence& refuted);
   // The first maneuver scheduled by t that the history lacks. Reads on.
   std::optional<Divergence> maneuver_missing_by(double t);
   // Disks that move through each other, since a collision is missing, lead the edges into
@@ -39,6 +46,8 @@ class FirstDivergence {
   Divergence first_event_missing(const Divergence& found);
   double margin(const Earliest& first) const;
   void look_for_contacts(Earliest& first);
+  bool is_never_claimed(GenId i, GenId j, const NextContact& c);
+  std::optional<Divergence> due_before();
   void look_for_flips(Earliest& first);
 
   Setting& s_;
@@ -47,6 +56,7 @@ class FirstDivergence {
   const Refuter& refuter_;
   EdgeLives& edges_;
   PairLives& pairs_;
+  const TurnOrder& order_;
 };
 
 }  // namespace voroproof::internal

@@ -69,6 +69,8 @@ class Gap {
   // A polynomial in time whose roots are those of the gap.
   Polynomial<Rational> polynomial() const;
 
+  // A disk touches the container at `from` and moves along it, and out of it on its line.
+  bool slides() const { return wall_ && sgn(k_.c) == 0 && sgn(k_.b) == 0 && sgn(k_.a) > 0; }
   bool overlap_at(const Rational& t) const { return sgn(value(t)) < 0; }
   // Whether they overlap by no more than the depth at `from`.
   bool shallow_at_start(const Rational& depth) const;

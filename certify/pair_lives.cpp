@@ -158,6 +158,12 @@ void PairLives::check_contact(const CollideEvent& claim, int edge, const BallPai
   recorded_.check_contact(claim, since, at);
 }
 
+std::string PairLives::standing(const CollideEvent& claim) const {
+  const Rational t = exact_time(claim);
+  return s_.options.truth == Truth::exact ? exact_.standing(claim.i, claim.j, t)
+                                          : recorded_.standing(claim.i, claim.j, t);
+}
+
 // Two generators may be neighbours along several V-edges: the one that has been there for longest
 // stands for the pair. `besides`: one that counts no more. -1 where there is none.
 int PairLives::watching(int edge, int besides) const {
@@ -185,6 +191,9 @@ void PairLives::pass_recorded(GenId i, GenId j, double since, int edge, const Mo
     return;
   }
   const auto lines = recorded_.lines(i, j, since);
+  if (lines.gap.slides()) {
+    throw Undecided("a disk slides along the container: it has no motion in this model", i, j);
+  }
   const bool watched = why == PairEnd::turn || why == PairEnd::window;
   if (const auto missing = recorded_.contacts().pass(lines, end_of(lines.gap, m), watched)) {
     throw Refuted{refuter_.missing_contact(i, j, *missing)};

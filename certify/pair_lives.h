@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "certify/contact_proof.h"
@@ -77,6 +78,9 @@ class PairLives {
   // Recorded truth: the claimed collision, of a pair that has an open life, is one, or is refuted.
   // `edge`: of the pair, or -1; `at` encloses the two at the claimed time.
   void check_contact(const CollideEvent& claim, int edge, const BallPair& at);
+
+  // How the two of a claimed collision, which is none, stand to each other: see text_of().
+  std::string standing(const CollideEvent& claim) const;
 
   // Asks for the memory of a life.
   void prefetch(int edge) const { internal::prefetch(&since_[edge]); }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "certify/contact_proof.h"
+#include "certify/standing.h"
 #include "certify/witness.h"
 #include "certify/wording.h"
 
@@ -130,6 +131,13 @@ bool RecordedPairs::certainly_in_contact(const CollideEvent& claim, double from,
          certainly_shallow(i, j, claim.t);
 }
 
+std::string RecordedPairs::standing(GenId i, GenId j, const Rational& t) const {
+  const RecordedContacts::Motions both = motions(i, j, t);
+  return text_of(standing_of(Contact<Rational>(both.first, both.second), s_.law.reach(i, j),
+                             i == container_id),
+                 round_nearest(t));
+}
+
 void RecordedPairs::require_no_meeting(GenId i, GenId j, const Moment& m) const {
   const auto nearest = lines(i, j, 0).gap.graze(0);
   if (!nearest || !nearest->near || s_.chronology.compare(Moment::at(nearest->t), m) > 0) return;
@@ -172,12 +180,10 @@ void RecordedPairs::check_contact(const CollideEvent& claim, double from, const 
       throw Refuted{d};
     }
     case Contact::parting:
-      refuter_.refute(Fault::spurious_event, "generators " + text_of(i, j) + " do not approach",
-                      motion_witness(s_.motion, {i, j}, t));
     case Contact::none:
       break;
   }
-  refuter_.refute(Fault::spurious_event, "generators " + text_of(i, j) + " do not touch",
+  refuter_.refute(Fault::spurious_event, "generators " + text_of(i, j) + " " + standing(i, j, t),
                   motion_witness(s_.motion, {i, j}, t));
 }
 

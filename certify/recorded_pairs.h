@@ -31,6 +31,9 @@ class RecordedPairs {
   bool certainly_clear(GenId i, GenId j, double from, const Moment& m, bool apart) const;
   // The pair on its present lines, watched from the time on at which it is on these and adjacent.
   RecordedContacts::Lines lines(GenId i, GenId j, double adjacent_since) const;
+  // How two that are said to collide at the time t, and do not, stand to each other then: see
+  // text_of().
+  std::string standing(GenId i, GenId j, const Rational& t) const;
   // Two points do not meet on their present lines until m. Throws Undecided.
   void require_no_meeting(GenId i, GenId j, const Moment& m) const;
   // The pair, adjacent since `from` and enclosed by `at` at the claimed time, is in contact then,

@@ -143,6 +143,8 @@ std::vector<Leniency> leniencies(const Certificate& c) {
       {"left_out", c.left_out, "events within the tolerance of the horizon that are not claimed"},
       {"proved_anew", c.proved_anew, "pairs of which one lay inside the other for a moment"},
       {"computed_velocities", c.computed_velocities, "collisions without velocities"},
+      {"other_orders", c.other_orders,
+       "instants whose turns are not proved to be in the format's order"},
   };
 }
 
@@ -162,7 +164,9 @@ VerdictWords words_of(const CertifyOptions& options, const Rational& horizon,
                 (options.truth == Truth::exact ? "exact" : "recorded") +
                 " truth, up to t = " + exact_text(horizon) + ", times within " +
                 exact_text(options.tolerance) + ", velocities within " +
-                exact_text(options.law_tolerance) + (options.strict ? ", strict" : "");
+                exact_text(options.law_tolerance) +
+                (options.any_order ? ", touching collisions in any order" : "") +
+                (options.strict ? ", strict" : "");
   for (const Leniency& l : leniencies(c)) {
     if (l.count == 0) continue;
     words.reservations.push_back("leniency: " + std::to_string(l.count) + " " +
@@ -191,6 +195,7 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
   j["truth"] = options.truth == Truth::exact ? "exact" : "recorded";
   j["events"] = options.judges_flips() ? "all" : "collisions";
   if (!options.judges_flips()) j["flips_not_judged"] = c.flips_not_judged;
+  if (options.truth == Truth::exact) j["order"] = options.any_order ? "any" : "format";
   j["tolerance"] = options.tolerance.get_str();
   j["law_tolerance"] = options.law_tolerance.get_str();
   j["strict"] = options.strict;

@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "certify/standing.h"
 #include "certify/witness.h"
 #include "certify/wording.h"
 
 namespace voroproof::internal {
+
+std::string off(const ExactVec2& claimed, const ExactVec2& due, const Rational& allowed) {
+  return amount(length_bound(minus(claimed, due)).get_d()) + " off, where " +
+         amount(allowed.get_d()) + " is allowed";
+}
 
 BallVec2 Responses::claimed_center(const CollideEvent& claim, int side) {
   return claim.exact ? ball(*exact_center(claim, side)) : ball(*claim.p[side]);
@@ -46,9 +52,10 @@ void Responses::check_state(const CollideEvent& claim, int side, const RoundedSt
         s_.options.law_tolerance * speed + std::min(turned, Rational(speed / 1024));
     if (norm2(minus(v, true_v)) > square(allowed)) {
       refuter_.refute(Fault::wrong_response,
-                      "the velocity is (" + number_text(true_v[0].get_d()) + ", " +
-                          number_text(true_v[1].get_d()) +
-                          "); --tolerance and --law-tolerance set the bound");
+                      "the velocity of disk " + std::to_string(g) + " is (" +
+                          number_text(true_v[0].get_d()) + ", " + number_text(true_v[1].get_d()) +
+                          "), and the claimed one is " + off(v, true_v, allowed) +
+                          " (--tolerance, --law-tolerance)");
     }
   }
   if (claim.p[side] && !certainly_near(claim, side, ball(Vec2{truth.px, truth.py}))) {
@@ -68,16 +75,18 @@ bool Responses::certainly_equal(const CollideEvent& claim, int side, const Round
 void Responses::check_center(GenId g, const std::optional<ExactVec2>& p, const ExactVec2& after,
                              const ExactVec2& true_p) {
   if (!p) return;
-  if (norm2(minus(*p, true_p)) > square(allowed_distance(g, after, true_p))) {
-    refuter_.refute(Fault::wrong_response, "the centre is (" + number_text(true_p[0].get_d()) +
-                                               ", " + number_text(true_p[1].get_d()) + ")");
+  const Rational allowed = allowed_distance(g, after, true_p);
+  if (norm2(minus(*p, true_p)) > square(allowed)) {
+    refuter_.refute(Fault::wrong_response,
+                    "the centre of disk " + std::to_string(g) + " is (" +
+                        number_text(true_p[0].get_d()) + ", " + number_text(true_p[1].get_d()) +
+                        "), and the claimed one is " + off(*p, true_p, allowed) + " (--tolerance)");
   }
 }
 
 void Responses::refute(const CollideEvent& claim, const ExactPair& p) {
   refuter_.refute(Fault::wrong_response,
-                  s_.law.expectation(claim.i, claim.j, p, s_.replay.velocities(claim.i, claim.j)) +
-                      "; --law-tolerance sets the bound",
+                  s_.law.expectation(claim, p, s_.replay.velocities(claim.i, claim.j)),
                   motion_witness(s_.motion, {claim.i, claim.j}, exact_time(*claims_.current())));
 }
 

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "certify/refuter.h"
 #include "certify/setting.h"
 
 namespace voroproof::internal {
+
+// "0.5 off, where 1e-9 is allowed": what is claimed, of what is due.
+std::string off(const ExactVec2& claimed, const ExactVec2& due, const Rational& allowed);
 
 // All judgements throw Refuted.
 class Responses {

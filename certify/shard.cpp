@@ -32,6 +32,7 @@ void append(Certificate& total, Certificate&& next) {
   total.left_out += next.left_out;
   total.proved_anew += next.proved_anew;
   total.computed_velocities += next.computed_velocities;
+  total.other_orders += next.other_orders;
   total.highest_bits = std::max(total.highest_bits, next.highest_bits);
   total.tiers += next.tiers;
   for (std::string& remark : next.remarks) {

@@ -16,8 +16,7 @@ namespace voroproof::internal {
 namespace {
 
 using Pair = std::pair<GenId, GenId>;
-// Two generators, and a state of each.
-using States = std::array<int, 4>;
+using States = DuePairs::States;
 
 // So many pairs that are due at one instant keep the witness that they are.
 constexpr std::size_t kMostWitnesses = 256;
@@ -36,9 +35,14 @@ class InstantReplay {
  public:
   // `near`: all pairs that touch, perhaps with others; `due`: those that are known to be due.
   // `complete`: no other turns are claimed; else `untold` are the disks of maneuvers that are not.
-  InstantReplay(const Setting& s, const std::vector<Turn>& turns, const std::vector<Pair>& near,
-                const std::vector<DuePair>& due, bool complete, const std::vector<GenId>& untold)
-      : s_(s), turns_(turns), complete_(complete), untold_(untold), exact_(s.motion) {
+  InstantReplay(Setting& s, const Front& front, const std::vector<Turn>& turns,
+                const std::vector<Pair>& near, const std::vector<DuePair>& due, bool complete,
+                std::vector<GenId> untold)
+      : s_(s),
+        turns_(turns),
+        complete_(complete),
+        untold_(std::move(untold)),
+        pairs_(s, front, turns) {
     std::set<Pair> pairs(near.begin(), near.end());
     for (const Turn& t : turns) {
       for (const GenId g : {t.i, t.j}) {
@@ -74,11 +78,18 @@ class InstantReplay {
     return std::nullopt;
   }
 
+  // The first turn that is missing or in a wrong place before the last claim. Throws Undecided.
+  std::optional<Divergence> fault_before_last() {
+    last_ = &turns_.back();
+    return collide();
+  }
+
  private:
-  // Takes collisions, the smallest pair first, while any is due.
+  // Takes collisions, the smallest pair first, while any is due, and until the last is.
   std::optional<Divergence> collide() {
     while (!due_.empty()) {
       const Pair pair = *due_.begin();
+      if (last_ != nullptr && is_next(pair) && head(pair.second) == last_) break;
       if (is_next(pair)) {
         take(*head(pair.second));
       } else if (complete_ || !stand(pair)) {
@@ -120,13 +131,16 @@ class InstantReplay {
     const auto [i, j] = pair;
     const auto is_of_pair = [&](const Turn& t) { return Pair(t.i, t.j) == pair; };
     const auto known = known_due_.find(states(pair));
-    if (known != known_due_.end() && std::none_of(turns_.begin(), turns_.end(), is_of_pair)) {
-      return known->second->missing;
-    }
+    // Before a claim that is false it is missing, whether it is claimed at another place or not.
+    const bool missing = last_ != nullptr || std::none_of(turns_.begin(), turns_.end(), is_of_pair);
+    if (known != known_due_.end() && missing) return known->second->missing;
     const Turn* const next = head(j) != nullptr ? head(j) : head(i);
-    return misplaced(next != nullptr ? *next : turns_.back(),
-                     "generators " + voroproof::internal::text_of(i, j) +
-                         " touch and approach at the same instant and come first");
+    Divergence d = misplaced(next != nullptr ? *next : turns_.back(),
+                             "generators " + voroproof::internal::text_of(i, j) +
+                                 " touch and approach at the same instant and come first");
+    d.true_contact = pair;
+    if (last_ != nullptr) d.fault = Fault::missing_event;
+    return d;
   }
   Divergence misplaced(const Turn& t, std::string truth) const {
     Divergence d;
@@ -180,10 +194,7 @@ class InstantReplay {
   bool is_due(const Pair& pair) {
     const auto [i, j] = pair;
     if (is_next(pair) || known_due_.contains(states(pair))) return true;
-    if (were_claimed(i, j)) return false;
-    const Contact<Tower> k = contact(i, j);
-    return sign(k.c) == Sign::zero &&
-           sign(k.b) == (i == container_id ? Sign::positive : Sign::negative);
+    return !were_claimed(i, j) && pairs_.is_due(states(pair));
   }
   // Whether the two are in their present states at one time between claims, or before or after all.
   bool were_claimed(GenId i, GenId j) const {
@@ -199,28 +210,12 @@ class InstantReplay {
     const Turn* const next = head(g);
     return next == nullptr ? std::ssize(turns_) : next - turns_.data();
   }
-  Contact<Tower> contact(GenId i, GenId j) {
-    try {
-      const GenId turned = chains_.contains(i) ? i : j;
-      const Tower now = exact_.start(s_.motion.state_id(turned), turned);
-      const auto site = [&](GenId g) -> MovingSite<Tower> {
-        const ExactMotion::State& s = exact_.state(state(g), g);
-        const Tower dt = now - Tower(s.t_ref);
-        return {s.x + s.vx * dt, s.y + s.vy * dt, s.vx, s.vy, exact_.radius(g)};
-      };
-      return Contact<Tower>(site(i), site(j));
-    } catch (const BudgetExceeded& e) {
-      throw Undecided(
-          std::string("the order of the collisions of one instant is not decided: ") + e.what(), i,
-          j);
-    }
-  }
-
   const Setting& s_;
   const std::vector<Turn>& turns_;
   const bool complete_;
-  const std::vector<GenId>& untold_;
-  ExactMotion exact_;
+  const Turn* last_ = nullptr;  // is not taken
+  const std::vector<GenId> untold_;
+  DuePairs pairs_;
   std::map<GenId, Chain> chains_;  // of the disks that turn
   std::map<GenId, std::vector<GenId>> near_;
   std::map<States, const DuePair*> known_due_;
@@ -265,12 +260,82 @@ void TurnOrder::note_at_start(GenId i, GenId j) {
   }
 }
 
-void TurnOrder::require_order(bool complete) const {
-  if (turns_.empty() || (turns_.size() == 1 && due_.empty())) return;
-  const std::vector<GenId> untold = complete ? std::vector<GenId>() : untold_maneuvers();
-  if (auto fault = InstantReplay(s_, turns_, near_, due_, complete, untold).fault()) {
-    throw Refuted{*std::move(fault)};
+void TurnOrder::begin(GenId i, GenId j, std::int64_t line, Event claim) {
+  const auto velocity = [this](GenId g) {
+    const DdMotion m = s_.motion.double_doubles(g);
+    return std::array{m.vx, m.vy};
+  };
+  begun_ = Turn{i,
+                j,
+                s_.motion.state_id(i),
+                s_.motion.state_id(j),
+                {velocity(i), velocity(j)},
+                line,
+                std::move(claim)};
+}
+
+std::optional<Divergence> TurnOrder::due_before() const {
+  if (!begun_) return std::nullopt;
+  std::vector<Turn> turns = turns_;
+  turns.push_back(*begun_);
+  try {
+    auto due = InstantReplay(s_, front_, turns, near_, due_, false, {}).fault_before_last();
+    if (due) due->line = begun_->line;
+    return due;
+  } catch (const Undecided&) {
+    return std::nullopt;
   }
+}
+
+void TurnOrder::require_order(bool complete) {
+  if (turns_.size() > 1 || (turns_.size() == 1 && !due_.empty())) {
+    if (s_.options.accepts_other_orders()) {
+      try {
+        if (fault(complete)) ++s_.certificate.other_orders;
+      } catch (const Undecided&) {
+        ++s_.certificate.other_orders;
+      }
+    } else if (auto wrong = fault(complete)) {
+      if (complete && wrong->fault == Fault::wrong_order) throw Refuted{named(*std::move(wrong))};
+      throw Refuted{*std::move(wrong)};
+    }
+  }
+  turns_.clear();
+  near_.clear();
+  due_.clear();
+}
+
+// The first turn that is not in the format's order.
+std::optional<Divergence> TurnOrder::fault(bool complete) const {
+  std::vector<GenId> untold = complete ? std::vector<GenId>() : untold_maneuvers();
+  return InstantReplay(s_, front_, turns_, near_, due_, complete, std::move(untold)).fault();
+}
+
+// A wrong order by its right name: nothing but that, where no pair is left that still approaches.
+Divergence TurnOrder::named(Divergence wrong_order) const {
+  try {
+    if (auto left = left_due()) return *std::move(left);
+  } catch (const Undecided&) {
+    return wrong_order;
+  }
+  wrong_order.fault = Fault::other_order;
+  return wrong_order;
+}
+
+// A pair that touches and approaches after all turns of the present instant.
+std::optional<Divergence> TurnOrder::left_due() const {
+  std::vector<Pair> pairs = near_;
+  for (const Turn& t : turns_) {
+    if (t.i != t.j) pairs.emplace_back(t.i, t.j);
+  }
+  const Instant now = s_.chronology.present(front_.moment);
+  for (const auto& [i, j] : pairs) {
+    if (s_.replay.partners(i, j) || s_.contacts.certainly_apart(i, j, now)) continue;
+    if (s_.contacts.from(i, j, now, now.hi).kind == NextContact::Kind::now) {
+      return refuter_.missing_contact(i, j, now.lo, now.hi);
+    }
+  }
+  return std::nullopt;
 }
 
 // The disks that have a maneuver at the present instant which is not claimed.

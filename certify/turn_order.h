@@ -1,25 +1,20 @@
 // The order of what one instant changes (docs/formats.md, section 6): collisions, the smallest pair
 // first; maneuvers; collisions that these bring about; flips. Claims that commute may be exchanged.
+// Another order is accepted where that is asked for (CertifyOptions::any_order).
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "certify/certificate.h"
+#include "certify/due_pairs.h"
 #include "certify/front.h"
 #include "certify/refuter.h"
 #include "certify/setting.h"
 
 namespace voroproof::internal {
-
-// A collision (i < j) or maneuver (i = j), and the states of the motion that it ended.
-struct Turn {
-  GenId i, j;
-  int state_i, state_j;
-  std::int64_t line;
-  Event claim;
-};
 
 // Two generators that touch and approach in these states (Motion::state_id).
 struct DuePair {
@@ -39,14 +34,24 @@ class TurnOrder {
     near_.clear();
     due_.clear();
     flipped_.clear();
+    begun_.reset();
   }
   // The edge q has flipped at the present instant.
   void note_flip(const Quad& q) { flipped_.insert(flipped_.end(), {q.l, q.r, q.s, q.e}); }
   // No flip at this instant has been claimed of a generator that turns at it, now. Throws Refuted.
   void require_no_flip_yet(GenId i, GenId j) const;
 
-  // Exact truth: this has been proved to turn at the present instant, as it was claimed.
-  void note(const Turn& turn) { turns_.push_back(turn); }
+  // Exact truth: the claim of a line, a collision (i < j) or maneuver (i = j), is about to turn its
+  // disks at the present instant.
+  void begin(GenId i, GenId j, std::int64_t line, Event claim);
+  // They turn as it was claimed.
+  void end() {
+    turns_.push_back(*std::move(begun_));
+    begun_.reset();
+  }
+  // The claim that has begun, and not ended, is false: what should have come before it at the same
+  // instant, if that is known.
+  std::optional<Divergence> due_before() const;
   // Exact truth: the two touch and approach at the present instant, and one of them turns now
   // without colliding with the other.
   void note_due(GenId i, GenId j, Divergence missing);
@@ -55,12 +60,16 @@ class TurnOrder {
   // i and j turn at t = 0, where no pair has a life. Notes of all their other pairs what
   // note_near() and note_due() do.
   void note_at_start(GenId i, GenId j);
-  // What has turned at the present instant does so in the format's order, where claims that share
-  // no disk may be exchanged. `complete`: these are all claims of the instant, which is not known
-  // where a history stops. Throws Refuted and Undecided.
-  void require_order(bool complete) const;
+  // No more turns at the present instant. What has turned does so in the format's order, where
+  // claims that share no disk may be exchanged; or in any, where that was asked for: then this is
+  // counted. `complete`: these are all claims of the instant, which is not known where a history
+  // stops. Throws Refuted and Undecided.
+  void require_order(bool complete);
 
  private:
+  std::optional<Divergence> fault(bool complete) const;
+  Divergence named(Divergence wrong_order) const;
+  std::optional<Divergence> left_due() const;
   std::vector<GenId> untold_maneuvers() const;
 
   Setting& s_;
@@ -68,6 +77,7 @@ class TurnOrder {
   const Refuter& refuter_;
   // Of this instant, in the order of the claims.
   std::vector<Turn> turns_;
+  std::optional<Turn> begun_;
   std::vector<std::pair<GenId, GenId>> near_;
   std::vector<DuePair> due_;
   std::vector<GenId> flipped_;  // generators of the edges that have flipped

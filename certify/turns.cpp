@@ -10,9 +10,9 @@ void Turns::collide(const CollideEvent& claim) {
   const bool adjacent = front_.begun && s_.options.judges_flips();
   const int edge = adjacent ? s_.replay.adjacency(claim.i, claim.j) : -1;
   if (adjacent && edge < 0) {
-    refuter_.refute(Fault::wrong_pair,
-                    "generators " + text_of(claim.i, claim.j) +
-                        " are not adjacent in the diagram, so they do not touch");
+    refuter_.refute(Fault::wrong_pair, "generators " + text_of(claim.i, claim.j) +
+                                           " are not adjacent in the diagram: they " +
+                                           pairs_.standing(claim));
   }
   if (s_.options.truth == Truth::exact) {
     collide_exactly(claim);
@@ -29,8 +29,10 @@ Moment Turns::contact_of(const CollideEvent& claim) {
   const NextContact c = pairs_.exact().next_contact(i, j);
   const auto claimed = [this] { return exact_time(*claims_.current()); };
   if (c.kind == NextContact::Kind::none) {
-    refuter_.refute(Fault::spurious_event,
-                    "generators " + text_of(i, j) + " do not touch under their present motion",
+    const std::string why = s_.replay.partners(i, j)
+                                ? "have collided, and neither has turned since: they part"
+                                : pairs_.standing(claim);
+    refuter_.refute(Fault::spurious_event, "generators " + text_of(i, j) + " " + why,
                     motion_witness(s_.motion, {i, j}, claimed()));
   }
   if (i != container_id && s_.points.is_point(i) && s_.points.is_point(j)) {
@@ -60,6 +62,7 @@ void Turns::collide_exactly(const CollideEvent& claim) {
   Moment m = contact_of(claim);
   instants_.advance(m);
   order_.require_no_flip_yet(i, j);
+  order_.begin(i, j, claims_.line(), claim);
   if (!front_.begun) order_.note_at_start(i, j);
   around_.end(i, j, m);
   // The law between the claimed values first, while the state before is at hand.
@@ -71,7 +74,6 @@ void Turns::collide_exactly(const CollideEvent& claim) {
       if (!s_.law.obeyed(claim, p, s_.replay.velocities(i, j), 0)) responses_.refute(claim, p);
     }
   }
-  const Turn turn{i, j, s_.motion.state_id(i), s_.motion.state_id(j), claims_.line(), claim};
   front_.turning = {i, j};
   const Impact impact = s_.motion.collide(i, j, 0.5 * (m.lo + m.hi));
   m.kind = Moment::Kind::state;
@@ -90,7 +92,7 @@ void Turns::collide_exactly(const CollideEvent& claim) {
                 ExactVec2{to_rational(impact.second.vx), to_rational(impact.second.vy)}};
   }
   s_.replay.note_collision(claim, computed);
-  order_.note(turn);
+  order_.end();
   around_.begin(m);
   front_.turning.clear();
 }
@@ -166,16 +168,16 @@ void Turns::maneuver(const ManeuverEvent& claim) {
   instants_.advance(m);
   const GenId g = claim.disk;
   order_.require_no_flip_yet(g, g);
+  if (exact) order_.begin(g, g, claims_.line(), claim);
   if (!front_.begun && exact) order_.note_at_start(g, g);
   around_.end(container_id, g, m);
   front_.turning = {g};
   const ExactVec2 v{due.vx, due.vy};
   if (exact) {
-    const Turn turn{g, g, s_.motion.state_id(g), s_.motion.state_id(g), claims_.line(), claim};
     const RoundedState s = s_.motion.maneuver(g, due.t, v[0], v[1]);
     front_.moment = m;
     pairs_.exact().note_birth(g, m);
-    order_.note(turn);
+    order_.end();
     responses_.check_center(g, exact_center(claim), v, {to_rational(s.px), to_rational(s.py)});
     s_.replay.note_maneuver(*k, claim);
   } else {
@@ -201,9 +203,11 @@ void Turns::require_as_scheduled(const ManeuverEvent& claim, const Maneuver& due
   const ExactVec2 v{due.vx, due.vy};
   const auto claimed = exact_velocity(claim);
   if (claimed && norm2(minus(*claimed, v)) > square(s_.options.law_tolerance * length_bound(v))) {
-    refuter_.refute(Fault::wrong_response, "the scheduled velocity is (" +
-                                               number_text(v[0].get_d()) + ", " +
-                                               number_text(v[1].get_d()) + ")");
+    refuter_.refute(Fault::wrong_response,
+                    "the scheduled velocity is (" + number_text(v[0].get_d()) + ", " +
+                        number_text(v[1].get_d()) + "), and the claimed one is " +
+                        off(*claimed, v, s_.options.law_tolerance * length_bound(v)) +
+                        " (--law-tolerance)");
   }
 }
 

@@ -16,8 +16,8 @@ using cgal::Mover;
 
 EvidenceCheck contradicted(std::string why) { return {Evidence::contradicted, std::move(why)}; }
 
-// Times are sought so near to a root, in steps, before a flip is denied. The limits of a scene allow
-// times down to 2^-664.
+// Times are sought so near to a root, in steps, before a flip is denied. The limits of a scene
+// allow times down to 2^-664.
 constexpr std::array<int, 7> kBitsAround{32, 64, 128, 256, 512, 1024, 2048};
 
 // The one root in the interval, or why there is none.

@@ -75,6 +75,7 @@ void judge(Problem& p, Result& result) {
     if (p.options.strict) refute("the history has another horizon than its scene");
     result.horizon_note = "horizon " + h.horizon.str() + " of the scene's " + p.scene.horizon.str();
   }
+  result.is_first = false;  // each rule looks at all claims before the next does
   trace_paths(p, result.counts);
   if (!h.initial && p.disks() >= 2) undecided("the history has no initial diagram");
   if (h.initial && p.disks() < 2 && !h.initial->empty()) refute("wrong initial diagram");
@@ -83,6 +84,7 @@ void judge(Problem& p, Result& result) {
   const Found& first = *std::min_element(
       all.begin(), all.end(), [](const Found& x, const Found& y) { return x.rank() < y.rank(); });
   if (first.verdict != Verdict::certified) throw Stop{first.verdict, first.reason, first.line};
+  result.is_first = true;
   const Counts& c = result.counts;
   if (h.ended[0] != c.flips || h.ended[1] != c.collisions || h.ended[2] != c.maneuvers) {
     throw Stop{Verdict::refuted, "bad count", h.last_line};

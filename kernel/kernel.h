@@ -30,6 +30,7 @@ struct Result {
   Verdict verdict = Verdict::undecided;
   std::string reason;     // empty if certified
   std::int64_t line = 0;  // of the history, from 1; 0 where it is about no line
+  bool is_first = true;   // no earlier claim is false: not known of most refutations
   Counts counts;
   std::string horizon_note;  // where the history's horizon is not its scene's
 };

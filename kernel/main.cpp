@@ -56,6 +56,9 @@ int main(int argc, char** argv) {
             << " overlaps by rounding, " << c.horizon_events << " events at the horizon, "
             << c.unoriented << " quadruplets without orientation\n";
   if (!r.horizon_note.empty()) std::cout << "c " << r.horizon_note << "\n";
+  if (r.verdict == Verdict::refuted && !r.is_first) {
+    std::cout << "c the first fault that was found; an earlier one may exist\n";
+  }
   const std::string line = r.line > 0 ? "line " + std::to_string(r.line) + ": " : "";
   if (!r.reason.empty()) std::cout << "c " << line << r.reason << "\n";
   const char* words[] = {"CERTIFIED", "REFUTED", "UNDECIDED", "INVALID"};

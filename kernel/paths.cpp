@@ -77,10 +77,10 @@ class Tracer {
   }
 
   Vec turned(const Claim& c, const Maneuver& due) const {
-    Vec v = due.velocity;
+    const Vec& v = due.velocity;
     if (c.v[1]) check_velocity(*c.v[1], v, p_.law_tolerance * length_above(v));
     if (p_.exact()) return v;
-    return c.v[1].value_or(Vec{nearest_binary64(v[0]), nearest_binary64(v[1])});
+    return c.v[1].value_or(v);
   }
 
   Pair collide(const Claim& c, const Pair& at, const Pair& before) {

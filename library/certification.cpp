@@ -18,6 +18,10 @@ void require_meaningful(const CertifyOptions& options, const HistoryHeader& head
     throw std::invalid_argument("tolerance: more than the horizon of the history, " +
                                 number_text(round_nearest(header.horizon)) + ": any time would do");
   }
+  if (options.any_order && options.truth == Truth::recorded) {
+    throw std::invalid_argument(
+        "order: the recorded truth takes the order of one instant as the history has it");
+  }
   if (options.law_tolerance > 1) {
     throw std::invalid_argument("law-tolerance: more than 1: any velocity would do");
   }

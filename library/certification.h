@@ -11,7 +11,8 @@ namespace voroproof::internal {
 
 // What tolerances mean is stated in docs/formats.md, section 8. Greater ones than this accept any
 // time, or any velocity, and only cost: each claim is looked at beside all others that may be in
-// its place. Throws std::invalid_argument for them, naming the tolerance and the reason.
+// its place. Throws std::invalid_argument for them, and for an order of instants that is asked for
+// where none is judged, naming the option and the reason.
 void require_meaningful(const CertifyOptions& options, const HistoryHeader& header);
 
 // A diagram for histories that give none (CertifyOptions::propose_initial); the certifier proves it

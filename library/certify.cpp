@@ -38,6 +38,7 @@ CertifyOptions options_of(const voroproof::CertifyOptions& asked) {
   if (options.tolerance < 0) throw std::invalid_argument("tolerance: negative");
   if (options.law_tolerance < 0) throw std::invalid_argument("law-tolerance: negative");
   options.strict = asked.strict;
+  options.any_order = asked.any_order;
   options.threads = asked.threads;
   options.motion = motion_options(asked.max_bits);
   options.propose_initial = construct_initial;

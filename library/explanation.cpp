@@ -46,6 +46,9 @@ std::string meaning_of(const std::string& kind) {
   if (kind == "wrong quadruple") return "Another edge than the claimed one flips.";
   if (kind == "wrong time") return "The event happens, but not within the tolerance of its time.";
   if (kind == "wrong order") return "The events happen in another order.";
+  if (kind == "another order of touching collisions") {
+    return "Of pairs that touch at one instant another collides first (--order any accepts it).";
+  }
   if (kind == "wrong pair") return "Other generators than the claimed ones touch.";
   if (kind == "wrong response") return "The motion after the event is not the one claimed.";
   if (kind == "wrong initial diagram") return "The history begins with a wrong diagram.";

@@ -197,6 +197,7 @@ Certificate read_certificate(const JsonField& report) {
   c.computed_velocities = read_count(lenient["computed_velocities"]);
   c.other_horizon = read_horizons(lenient["other_horizon"]);
   if (report.has("flips_not_judged")) c.flips_not_judged = read_count(report["flips_not_judged"]);
+  c.other_orders = read_count(lenient["other_orders"]);
   c.highest_bits = static_cast<int>(
       std::min<std::int64_t>(read_count(report["highest_bits"]), std::numeric_limits<int>::max()));
   for (const JsonField& remark : report["remarks"].elements()) c.remarks.push_back(remark.text());

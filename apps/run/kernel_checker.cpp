@@ -23,7 +23,10 @@ const char* verdict_of(voroproof_kernel::Verdict verdict) {
 }
 
 std::string refusal(const CertifyOptions& options) {
-  return options.judges_flips() ? "" : "the kernel judges all events (--events all)";
+  if (!options.judges_flips()) return "the kernel judges all events (--events all)";
+  if (options.any_order)
+    return "the kernel knows no other order than the format's (--order format)";
+  return {};
 }
 
 int judge(const std::string& scene, const std::string& history, const CertifyOptions& options) {

@@ -30,8 +30,8 @@ namespace voroproof::internal {
 namespace {
 
 struct Request {
-  std::string scene, history, report, truth = "exact", events = "all", tolerance = "1e-6",
-                                      law_tolerance = "1e-9", part, index;
+  std::string scene, history, report, truth = "exact", events = "all", order = "format",
+                                      tolerance = "1e-6", law_tolerance = "1e-9", part, index;
   std::vector<std::string> shards;  // to be merged
   CertifyOptions options;
   std::uint64_t max_events = 0, checkpoint = 10;
@@ -223,6 +223,7 @@ ExitCode certify_files(Request& request) {
   CertifyOptions& options = request.options;
   options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
   options.events = request.events == "all" ? EventKinds::all : EventKinds::collisions;
+  options.any_order = request.order == "any";
   options.measures_times = !request.report.empty();
   const std::vector<SecondChecker> seconds =
       second_checkers(request.kernel, request.proved, options, request.part.empty());
@@ -317,13 +318,14 @@ void add_certify(Verb& program) {
   verb.choice("--events", {"all", "collisions"}, request->events,
               "What to judge: all events, or collisions and maneuvers alone, of a program that "
               "knows no flips. Flips and the initial diagram are passed over then.");
+  verb.choice("--order", {"format", "any"}, request->order,
+              "Exact truth: the order of what one instant turns, as docs/formats.md has it, or any "
+              "in which every collision is of two that touch and approach (not with --strict).");
   verb.text("--tolerance", request->tolerance, "TIME",
             "How far a claimed time may be from the exact one; at most the horizon, or 1e-6 where "
             "the horizon is less.");
-  verb.text(
-      "--law-tolerance", request->law_tolerance, "RATIO",
-      "How far claimed velocities may be from the law's, relative to the speeds that meet; at "
-      "most 1.");
+  verb.text("--law-tolerance", request->law_tolerance, "RATIO",
+            "How far claimed velocities may be off, relative to the speeds that meet; at most 1.");
   verb.flag("--strict", request->options.strict,
             "Refute claims that are out of order, however near they are, quadruplets without "
             "orientation, and a horizon other than the scene's.");
@@ -331,12 +333,10 @@ void add_certify(Verb& program) {
             "Accept quadruplets whose third generators are exchanged, as in .evtsq files.");
   verb.flag(
       "--kernel", request->kernel,
-      "Have the kernel (docs/kernel.md) judge the files, too. The history is certified only if "
-      "both certify it.");
+      "Have the kernel (docs/kernel.md) judge the files, too: both must certify the history.");
   verb.flag("--proved", request->proved,
             "Have the proved checker (the program voroproof-proved, docs/proved.md) judge the "
-            "files, too, under the recorded truth. The history is certified only if both certify "
-            "it.");
+            "files, too, under the recorded truth: both must certify the history.");
   verb.whole("--threads", request->options.threads, 1, 1024,
              "The number of threads for the recorded truth, and for the initial diagram of both "
              "truths. The certificate is the same.");
@@ -354,7 +354,7 @@ void add_certify(Verb& program) {
               "Join the certificates of all shards of a history to the verdict and the report of "
               "the whole.")
       .with_all_that_follow()
-      .excludes({"--truth", "--events", "--tolerance", "--law-tolerance", "--strict",
+      .excludes({"--truth", "--events", "--order", "--tolerance", "--law-tolerance", "--strict",
                  "--unoriented", "--kernel", "--proved", "--threads", "--part", "--index",
                  "--resume", "--checkpoint", "--max-bits", "--max-events"});
   verb.flag("--resume", request->resume,

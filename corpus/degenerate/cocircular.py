@@ -153,7 +153,7 @@ def always():
         "ends-by-collision", """A square of equal disks at rest is hit at t = 2 by a fifth, which sends a corner off along the diagonal. The collision ends
         a permanent cotangency; the flip that follows from it, if any, has the time of the collision.""",
         scene(12, 4, [*square, disk(6, 6, F(1, 2), F(-3, 2), F(-3, 2), )]), [0, 4],
-        ["k4", "permanent", "collision"], [dropped("collide", 0, "contact-missed", "spurious event")])
+        ["k4", "permanent", "collision"], [dropped("collide", 0, "contact-missed")])
     yield Case(
         "through-a-permanent-square", """A fifth equal disk flies through the middle of a resting square. Alone the square is
         permanently cotangent; while the visitor is inside there is no such quadruple in the

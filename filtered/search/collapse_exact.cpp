@@ -131,8 +131,9 @@ class EdgeRoots {
   }
   bool starts_at_instant() const { return instant_.has_value(); }
 
-  // Narrows root k, which has that order to the start, and finds the times beside it. The one before
-  // is after the root before, the start and the instant too; the one after is before the next root.
+  // Narrows root k, which has that order to the start, and finds the times beside it. The one
+  // before is after the root before, the start and the instant too; the one after is before the
+  // next root.
   void narrow(std::size_t k, std::strong_ordering order) {
     const Rational shortest = scale_ >> kBitsOfShortest;
     roots_[k].refine(shortest);

@@ -36,6 +36,9 @@ struct CertifyOptions {
   Number tolerance{1e-6};      // of times
   Number law_tolerance{1e-9};  // of velocities, relative to the speeds involved
   bool strict = false;         // swaps, unoriented edges and another horizon are refuted
+  // Truth::exact: collisions and maneuvers of one instant may come in any order in which every
+  // collision is of two that touch and approach then, and no such pair is left.
+  bool any_order = false;
   // For all events of the recorded truth, and for the initial diagram. The report is the same.
   int threads = 1;
   int max_bits = 32768;

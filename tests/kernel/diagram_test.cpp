@@ -114,6 +114,7 @@ TEST(KernelDiagram, CountsOfTheLastLine) {
     const Result r = check(scene, wrong, {});
     EXPECT_EQ(r.verdict, Verdict::refuted);
     EXPECT_EQ(r.reason, "bad count");
+    EXPECT_TRUE(r.is_first);
   }
 }
 
@@ -165,6 +166,7 @@ TEST(KernelDiagram, FlipsOfNoEdgeBeforeAPart) {
   const Result r = check(scene, history_of(scene, claims, "10000", initial), {});
   EXPECT_EQ(r.verdict, Verdict::refuted);
   EXPECT_EQ(r.reason, "wrong quadruple: the diagram has no such edge");
+  EXPECT_FALSE(r.is_first);
   EXPECT_EQ(r.line, 2);
 }
 

@@ -122,6 +122,10 @@ def test_refusals(scene, history):
         vp.certify(scene, history, tolerance=-1)
     with pytest.raises(ValueError, match="truth"):
         vp.certify(scene, history, truth="guessed")
+    with pytest.raises(ValueError, match="order"):
+        vp.certify(scene, history, order="mine")
+    with pytest.raises(ValueError, match="order"):
+        vp.certify(scene, history, truth="recorded", order="any")
     # Leniency is counted: a velocity that is off by a float32's rounding.
     events = history.events.copy()
     events["velocity"] = events["velocity"] * (1 + 1e-8)

@@ -44,6 +44,7 @@ class Certification {
     this.counts = Object.fromEntries(COUNT_NAMES.map((name) => [name, 0]));
     this.problem = null;
     this.horizonNote = "";
+    this.isFirst = true;  // no earlier claim is false: not known of most refutations
   }
 
   // Of the bytes of both files.
@@ -60,8 +61,8 @@ class Certification {
   }
 
   result(verdict, reason, { line = 0, file = "", fileLine = 0, field = "", witness = null }) {
-    const { counts, horizonNote, about } = this;
-    return { verdict, reason, line, file, fileLine, field, witness, counts, horizonNote, about };
+    const { counts, horizonNote, about, isFirst } = this;
+    return { verdict, reason, line, file, fileLine, field, witness, counts, horizonNote, about, isFirst };
   }
 
   // What the verdict is about, in the words of `certify`; empty before both files are read.
@@ -92,10 +93,12 @@ class Certification {
       if (problem.strict) refute("the history has another horizon than its scene");
       this.horizonNote = `horizon ${history.horizon} of the scene's ${scene.horizon}`;
     }
+    this.isFirst = false;  // each rule looks at all claims before the next does
     tracePaths(problem, this.counts, this.progress);
     if (!history.initial && problem.disks >= 2) undecided("the history has no initial diagram");
     if (history.initial && problem.disks < 2 && history.initial.length > 0) refute("wrong initial diagram");
     this.runTasks();
+    this.isFirst = true;
     const { flips, collisions, maneuvers } = this.counts;
     if ([flips, collisions, maneuvers].some((n, k) => n !== history.ended[k])) {
       throw new Stop("REFUTED", "bad count", { line: history.lastLine });
@@ -124,13 +127,14 @@ class Certification {
 }
 
 // As voroproof-kernel writes it; a fault in a file with the names of file and field.
-function linesOf({ verdict, reason, line, file, fileLine, field, counts: c, horizonNote }) {
+function linesOf({ verdict, reason, line, file, fileLine, field, counts: c, horizonNote, isFirst }) {
   const lines = [
     `c ${c.flips} flips, ${c.collisions} collisions, ${c.maneuvers} maneuvers; ${c.lives} lives of edges, `
       + `${c.pairLives} of pairs, ${c.freshProofs} fresh proofs`,
     `c ${c.swaps} swaps, ${c.grazes} grazes, ${c.roundingOverlaps} overlaps by rounding, `
       + `${c.horizonEvents} events at the horizon, ${c.unoriented} quadruplets without orientation`];
   if (horizonNote !== "") lines.push(`c ${horizonNote}`);
+  if (verdict === "REFUTED" && !isFirst) lines.push("c the first fault that was found; an earlier one may exist");
   const place = file !== "" ? `${file}:${fileLine}: ${field === "" ? "" : `${field}: `}` : line > 0 ? `line ${line}: ` : "";
   if (reason !== "") lines.push(`c ${place}${reason}`);
   return [...lines, `s ${verdict}`];

@@ -137,12 +137,12 @@ class CertifierPage {
 
   // ---- What came out
 
-  showOutcome({ verdict, reason, lines, about, counts, line, place, claim, seconds, drawing }) {
+  showOutcome({ verdict, reason, isFirst, lines, about, counts, line, place, claim, seconds, drawing }) {
     const kind = verdict.toLowerCase(), where = place?.file ? `${this.files[place.file].name}:${place.line}` : line > 0 ? `line ${line}` : "";
     element("outcome").hidden = false;
     element("verdict").textContent = kind;
     element("verdict").className = kind;
-    element("meaning").textContent = this.meaning(verdict, reason, about, where, place?.field);
+    element("meaning").textContent = this.meaning(verdict, reason, about, where, place?.field, isFirst);
     element("claim").textContent = claim ?? "";
     element("claim").hidden = !claim;
     element("lines").textContent = lines.join("\n");
@@ -158,10 +158,11 @@ class CertifierPage {
   }
 
   // The options are those of the work, which need not be those that the form has by now.
-  meaning(verdict, reason, about, where, field) {
+  meaning(verdict, reason, about, where, field, isFirst) {
     if (verdict === "CERTIFIED") return `Every claim is proved, and none is missing: ${about}.`;
     const place = [where, field].filter((word) => word).join(", ");
-    return `${place ? `${place}: ` : ""}${reason}.${about ? ` Judged: ${about}.` : ""}`;
+    const more = verdict === "REFUTED" && isFirst === false ? " An earlier fault may exist." : "";
+    return `${place ? `${place}: ` : ""}${reason}.${more}${about ? ` Judged: ${about}.` : ""}`;
   }
 
   fillCounts(counts) {

@@ -138,7 +138,7 @@ class PathTracer {
     const v = due.velocity;
     if (claim.v[1]) this.checkVelocity(claim.v[1], v, this.problem.lawTolerance.times(lengthAbove(v)));
     if (this.problem.isExact) return v;
-    return claim.v[1] ?? this.rounded(v);
+    return claim.v[1] ?? v;
   }
 
   collide(claim, at, before) {

@@ -29,7 +29,7 @@ self.onmessage = ({ data: { scene, history, options } }) => {
     self.postMessage({
       kind: "result", verdict: result.verdict, reason: result.reason, line: result.line,
       place: { file: result.file, line: result.fileLine, field: result.field },
-      counts: result.counts, lines: linesOf(result), about: result.about, seconds: (performance.now() - started) / 1000,
+      isFirst: result.isFirst, counts: result.counts, lines: linesOf(result), about: result.about, seconds: (performance.now() - started) / 1000,
       claim: lineOf(result.file === "scene" ? scene : history, result.fileLine || result.line),
       drawing: drawingOf(certification.problem, result.witness),
     });

@@ -7,10 +7,11 @@ Disks touch at one instant: at the start, at the horizon or between; in some wor
 the tolerance later. Some are scheduled for maneuvers then. Every order in which pairs that approach collide and
 maneuvers come leads to a consistent history (worlds.py). Of all these orders one is the format's (docs/formats.md,
 section 6). A history is right under the exact truth if the same happens in it to each disk, one after the other, as
-in that order. Any other verdict is a find, and any other order of `simulate`. So is a refutation of a history that
-stops between two turns and is right so far. Where turns that are not told would have decided, a history that is wrong
-so far may be left undecided. The exit code is 1 where there is a find, and --out keeps its files. The seeds decide
-everything.
+in that order. Under --order any it is right if each collision is of two that approach then, each maneuver comes
+once, and nobody approaches at the end: orders are spoiled for that. Any other verdict is a find, and any other order
+of `simulate`. So is a refutation of a history that stops between two turns and is right so far. Where turns that are
+not told would have decided, a history that is wrong so far may be left undecided. The exit code is 1 where there is
+a find, and --out keeps its files. The seeds decide everything.
 """
 import json
 import random
@@ -51,6 +52,7 @@ class Questions(questions.Questions):
         super().__init__(options, folder)
         certify = self.certify + ["--truth", "exact"]
         self.judges = {"certify": certify, "certify --events collisions": certify + ["--events", "collisions"]}
+        self.any_order = self.judges["certify --events collisions"] + ["--order", "any"]
         if self.kernel:
             self.judges["kernel"] = self.kernel + ["--truth", "exact"]
 
@@ -80,6 +82,11 @@ class Questions(questions.Questions):
                 is_open = judge == "kernel" and (isinstance(world, DiagonalRow) or world.late)
                 open_too = ["s UNDECIDED"] if is_open else []
                 self.ask(seed, text, judge, judges[judge], "right" if is_right else "wrong", expected + open_too)
+            for some in [turns, world.spoiled(turns, rng)]:
+                if world.is_quiet_after(some):
+                    text = history_text(own[0], world.lines(some, rng), world, True)
+                    state, verdict = ("right", "s CERTIFIED") if world.may_happen(some) else ("wrong", "s REFUTED")
+                    self.ask(seed, text, "certify --order any", self.any_order, state, [verdict])
             if isinstance(world, DiagonalRow) or world.late:
                 continue  # no double says that it stops at that time, or there are two
             so_far = rng.randint(0, len(turns))

@@ -198,6 +198,39 @@ class World:
                 pass
         return found
 
+    def may_happen(self, turns):
+        """Each collision is of two that approach then, each maneuver comes once, and nobody approaches at the end."""
+        if sorted(turn for turn in turns if isinstance(turn, int)) != sorted(self.maneuvers):
+            return False
+        states = self.velocities(turns)
+        return not self.due(states[-1]) and all(
+            isinstance(turn, int) or turn in self.due(velocity) for turn, velocity in zip(turns, states))
+
+    def spoiled(self, turns, rng):
+        """The turns, one of them left out, doubled or exchanged with that before it, or one collision more."""
+        turns, k = list(turns), rng.randrange(len(turns))
+        how = rng.randrange(4)
+        if how == 0:
+            del turns[k]
+        elif how == 1:
+            turns.insert(k, turns[k])
+        elif how == 2 and k > 0:
+            turns[k - 1], turns[k] = turns[k], turns[k - 1]
+        elif self.contacts:
+            turns.insert(k, rng.choice(self.contacts))
+        return turns
+
+    def is_quiet_after(self, turns):
+        """Nobody who is not about to collide at the instant does so up to the horizon."""
+        try:
+            after = self.velocities(turns)[-1]
+        except Impossible:
+            return False
+        pairs = [(i, j) for j in range(len(self.at)) for i in range(CONTAINER, j)]
+        near = [(i, j) for i, j in pairs if i == CONTAINER or (i in self.late) == (j in self.late)]
+        left = self.due(after)
+        return all(pair in left or self.is_clear(*pair, after, self.horizon - self.time(pair[1])) for pair in near)
+
     def by_disk(self, turns):
         """What happens to each disk, one after the other."""
         return [[turn for turn in turns if turn == g or isinstance(turn, tuple) and g in turn]
@@ -242,6 +275,9 @@ class DiagonalRow(World):
         for disk, place in zip(scene["disks"], self.start):
             disk["center"] = [float(p) for p in place]
         return scene
+
+    def is_quiet_after(self, turns):
+        return True
 
     def is_worth_asking(self):
         return len(self.right_order()) >= 2

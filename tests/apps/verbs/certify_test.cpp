@@ -185,6 +185,31 @@ TEST_F(CertifyCli, AHistoryIsJudgedUpToItsOwnHorizon) {
   EXPECT_EQ(verdict({scene, longer}), "s REFUTED");
 }
 
+// Three in a row that touch at once: the right pair collides first where the format has the left.
+TEST_F(CertifyCli, AnotherOrderOfTouchingCollisions) {
+  const std::string scene =
+      this->scene("2", disk("-3,0", "1", "1,0") + ',' + disk("0,0", "1", "0,0") + ',' +
+                           disk("3,0", "1", "-1,0"));
+  const std::string other = edited(history(scene), [](std::vector<std::string>& lines) {
+    ASSERT_EQ(lines.size(), 5U);
+    lines[1] = R"({"t":1,"collide":[1,2],"v":[[-1,0],[0,0]]})";
+    lines[2] = R"({"t":1,"collide":[0,1],"v":[[-1,0],[1,0]]})";
+    lines[3] = R"({"t":1,"collide":[1,2],"v":[[0,0],[1,0]]})";
+  });
+  EXPECT_EQ(verdict({scene, other, "--report", file("r.json")}), "s REFUTED");
+  EXPECT_EQ(json("r.json")["divergence"]["kind"], "another order of touching collisions");
+  EXPECT_EQ(json("r.json")["order"], "format");
+  EXPECT_NE(must({"explain", file("r.json")}).out.find("--order any"), std::string::npos);
+  EXPECT_EQ(verdict({scene, other, "--order", "any", "--report", file("r.json")}), "s CERTIFIED");
+  EXPECT_EQ(json("r.json")["order"], "any");
+  EXPECT_EQ(json("r.json")["leniency"]["other_orders"], 1);
+  EXPECT_EQ(verdict({scene, other, "--order", "any", "--strict"}), "s REFUTED");
+  EXPECT_EQ(verdict({scene, other, "--truth", "recorded"}), "s CERTIFIED");
+  refused({"certify", scene, other, "--truth", "recorded", "--order", "any"},
+          "--order: the recorded truth takes the order of one instant as the history has it");
+  refused({"certify", scene, other, "--order", "any", "--kernel"}, "--kernel: the kernel knows");
+}
+
 TEST_F(CertifyCli, NothingAfterTheHorizonIsAnEvent) {
   const std::string turn = R"({"t":2.0000005,"disk":0,"velocity":[0,1]})";
   const std::string scene = this->scene("2", disk("0,0", "1", "1,0"), turn);
