@@ -87,6 +87,12 @@ Collapse CollapseSearch::at_rest(const Quad& q, const Instant& now) {
     counts_.count(Predicate::flip_search, Tier::dd);
     return legal;
   }
+  const MakeBall make{motion_.goal_bits() + 32};
+  const Ball at = make.hull(to_rational(now.lo), to_rational(now.hi));
+  if (is_certain(sign(flip_value(motion_, q, at, false)))) {
+    counts_.count(Predicate::flip_search, Tier::ball);
+    return legal;
+  }
   try {
     ExactMotion exact(motion_);
     const auto s = exact_incircles(q, to_rational(now.hi), exact);

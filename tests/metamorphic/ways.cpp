@@ -155,9 +155,13 @@ Comparison compare_ways(const World& world) {
   if (!run.events.empty()) {
     const auto last = static_cast<int>(run.events.size()) - 1;
     const auto begun = static_cast<std::size_t>(random.integer(0, last));
-    difference = testing::difference(run, testing::resume(ours.scene, run, begun));
+    std::size_t kept = 0;
+    EngineOptions bounded;
+    bounded.motion.max_bits = budget().bits;
+    bounded.motion.max_radicals = budget().radicals;
+    difference = testing::difference(run, testing::resume(ours.scene, begun, bounded, kept));
     if (!difference.empty()) {
-      return {true, told("resumed: " + difference, ours, "", "after " + std::to_string(begun))};
+      return {true, told("resumed: " + difference, ours, "", "after " + std::to_string(kept))};
     }
   }
   ours.claim = claim_of(world, run);
