@@ -132,8 +132,7 @@ bool meets_wall(const RecordedRun& run) {
 }
 
 // The cluster moved far away, or disks at rest there.
-Scene others(const World& world, Relation relation, const Rational& far, Random& random) {
-  Scene scene = world.scene;
+Scene others(Scene scene, Relation relation, const Rational& far, Random& random) {
   if (relation == Relation::side_by_side) {
     Image image;
     image.xx = image.yy = 0;
@@ -245,7 +244,7 @@ Comparison compare_clusters(const World& world, Relation relation) {
   const double reach = extent(ours.scene, run) + world.scene.container_radius.get_d();
   const Rational far = 16 * to_rational(reach);
   if (4 * far > ours.scene.container_radius) return {};
-  const Scene second = others(world, relation, far, random);
+  const Scene second = others(ours.scene, relation, far, random);
   auto read = read_again(joined(ours.scene, second));
   if (!read || !read_again(second)) return {};
   const Case theirs{std::move(*read), {}, world.tolerance};
