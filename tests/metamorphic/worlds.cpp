@@ -1,6 +1,7 @@
 #include "tests/metamorphic/worlds.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "history/error.h"
 #include "tests/adversary/campaign.h"
@@ -30,8 +31,20 @@ std::optional<World> wrong_world(std::uint64_t seed, adversary::Family family) {
   return world;
 }
 
+// The scene with its maneuvers as scenes have them: in their order of time, and of a disk no more
+// than one at a time.
+Scene in_order(Scene scene) {
+  auto& all = scene.maneuvers;
+  const auto key = [](const Maneuver& m) { return std::pair(m.t, m.disk); };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const Maneuver& a, const Maneuver& b) { return key(a) < key(b); });
+  const auto same = [&](const Maneuver& a, const Maneuver& b) { return key(a) == key(b); };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return scene;
+}
+
 std::optional<World> rational_world(const SceneFamily& family, Random& random) {
-  const Scene scene = family.make(random);
+  const Scene scene = in_order(family.make(random));
   auto read = scene.disks.size() < 2 ? std::nullopt : read_again(scene);
   if (!read) return std::nullopt;
   World world;
