@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "certify/claims.h"
@@ -56,7 +57,8 @@ class Instants {
   TurnOrder& order_;
   std::int64_t tie_ = 0;        // what is tied so is simultaneous with the front
   std::vector<int> beginning_;  // edges whose lives begin
-  double revealed_ = 0;         // up to here a generator lay inside another at the last such moment
+  // Up to here a generator lay inside another at the last such moment, if there was one.
+  double revealed_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace voroproof::internal

@@ -87,6 +87,7 @@ Json json(const Divergence& d) {
 // As the shortest decimal of a binary64, where it is that number or that decimal; else "p/q".
 std::string exact_text(const Rational& q) {
   const double near = round_nearest(q);
+  if (!std::isfinite(near)) return q.get_str();
   const std::string decimal = number_text(near);
   return to_rational(near) == q || parse_rational(decimal) == q ? decimal : q.get_str();
 }
@@ -103,7 +104,7 @@ std::string scope_line(const CertifyOptions& options, const Certificate& c) {
 std::string coarse_times_line(const CertifyOptions& options, const Rational& horizon) {
   const double last = round_up(horizon);
   const double ulp = std::nextafter(last, std::numeric_limits<double>::infinity()) - last;
-  if (options.tolerance >= to_rational(ulp / 2)) return {};
+  if (!std::isfinite(ulp) || options.tolerance >= to_rational(ulp / 2)) return {};
   return "binary64 numbers near t = " + number_text(last) + " are " + number_text(ulp) +
          " apart, so that rounding alone takes a time out of the tolerance: --tolerance " +
          number_text(ulp) + " allows for it";

@@ -37,7 +37,7 @@ class GzipExpander final : public Expander {
         stream_.avail_in = static_cast<uInt>(source_(in_.data(), in_.size()));
         if (stream_.avail_in == 0) {
           if (between_) return 0;
-          throw InputError(path_, 0, "", "ends within its gzip compression");
+          throw DamagedInput(path_, 0, "", "ends within its gzip compression");
         }
       }
       if (between_) inflateReset(&stream_);
@@ -45,9 +45,9 @@ class GzipExpander final : public Expander {
       between_ = result == Z_STREAM_END;
       if (result == Z_MEM_ERROR) throw std::bad_alloc();
       if (result != Z_OK && result != Z_STREAM_END && result != Z_BUF_ERROR) {
-        throw InputError(path_, 0, "",
-                         std::string("damaged gzip compression") +
-                             (stream_.msg != nullptr ? std::string(": ") + stream_.msg : ""));
+        throw DamagedInput(path_, 0, "",
+                           std::string("damaged gzip compression") +
+                               (stream_.msg != nullptr ? std::string(": ") + stream_.msg : ""));
       }
     }
     return wanted - stream_.avail_out;
@@ -78,12 +78,12 @@ class ZstdExpander final : public Expander {
         buffer_ = {in_.data(), source_(in_.data(), in_.size()), 0};
         if (buffer_.size == 0) {
           if (between_) return 0;
-          throw InputError(path_, 0, "", "ends within its Zstandard compression");
+          throw DamagedInput(path_, 0, "", "ends within its Zstandard compression");
         }
       }
       const std::size_t result = ZSTD_decompressStream(stream_.get(), &out, &buffer_);
       if (ZSTD_isError(result)) {
-        throw InputError(
+        throw DamagedInput(
             path_, 0, "",
             std::string("damaged Zstandard compression: ") + ZSTD_getErrorName(result));
       }

@@ -27,6 +27,12 @@ class InputError : public std::runtime_error {
   std::string reason_;
 };
 
+// A compressed file whose content is damaged, or ends too early.
+class DamagedInput : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 // An output file that cannot be written. what() is "FILE: REASON".
 class OutputError : public std::runtime_error {
  public:

@@ -94,7 +94,7 @@ std::string LineSource::content_sha256() {
       begin_ = end_;
       digest_up_to(offset_);
     } while (fill());
-  } catch (const InputError&) {
+  } catch (const DamagedInput&) {
     return {};
   }
   return Sha256(*digest_).hex();

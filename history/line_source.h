@@ -48,7 +48,7 @@ class LineSource {
 
   // The SHA-256 of the whole content, of which the rest is read. Empty where the digest is not kept
   // and where a stream has not been read to its end, which may never come. Nothing is read
-  // afterwards. Empty, too, where the rest cannot be read.
+  // afterwards. Empty, too, where the rest is damaged.
   std::string content_sha256();
 
  private:

@@ -224,6 +224,7 @@ CertifyOptions read_options(const JsonField& report) {
   if (events != "all" && events != "collisions") report["events"].fail("no kind of events");
   options.truth = truth == "exact" ? Truth::exact : Truth::recorded;
   options.events = events == "all" ? EventKinds::all : EventKinds::collisions;
+  options.any_order = report.has("order") && report["order"].text() == "any";
   options.tolerance = read_exact(report["tolerance"]);
   options.law_tolerance = read_exact(report["law_tolerance"]);
   if (!report["strict"].json().is_boolean()) report["strict"].fail("neither true nor false");

@@ -208,7 +208,11 @@ std::vector<Void> FreeSpace::voids() {
 std::array<Enclosure, 2> FreeSpace::position(const OffsetPoint& point) const {
   const std::array<Ball, 2> at = clearance_.predicates().ball(
       [&](auto sites, auto root) { return position_of(sites, root, point); });
-  return {enclosure(at[0]), enclosure(at[1])};
+  const auto placed = [&](int axis) {
+    return enclosure(at[axis] +
+                     Ball(clearance_.motion().input().origin[axis], at[axis].precision()));
+  };
+  return {placed(0), placed(1)};
 }
 
 std::map<Quad, Diagram::HalfEdge> edges_by_name(const Diagram& diagram) {

@@ -15,9 +15,10 @@ using testing::Image;
 using testing::RecordedRun;
 using Happening = testing::Event;
 
-// Of maneuvers the one is at this time and of this disk.
+// Whether the event is the maneuver, as far as it is written.
 bool is_of(const Happening& e, const Maneuver& m) {
-  return e.kind == Happening::Kind::maneuver && e.i == m.disk && e.t == round_nearest(m.t);
+  return e.kind == Happening::Kind::maneuver && e.i == m.disk && e.t == round_nearest(m.t) &&
+         e.first.vx == round_nearest(m.vx) && e.first.vy == round_nearest(m.vy);
 }
 
 void without(RecordedRun& run, const std::vector<Maneuver>& maneuvers) {

@@ -98,7 +98,7 @@ def verdicts(args, folder, count, truth):
     subprocess.run([args.program, "certify", "--list", listing, "--json", table, "--truth", truth, "--events", "collisions",
                     "--tolerance", str(float(args.tolerance)), "--jobs", str(args.jobs), "--quiet"],
                    capture_output=True, check=False)
-    return [(row["verdict"], row.get("reason", "")) for row in json.loads(table.read_text())["rows"]]
+    return [(row["verdict"].removesuffix(" (collisions alone)"), row.get("reason", "")) for row in json.loads(table.read_text())["rows"]]
 
 
 class Campaign:
