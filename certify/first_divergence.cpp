@@ -77,10 +77,12 @@ bool FirstDivergence::is_never_claimed(GenId i, GenId j, const NextContact& c) {
   const Event* const refuted = claims_.current() ? &*claims_.current() : nullptr;
   return !claims_.has_unchecked(
       to_rational(c.hi) + s_.options.tolerance, [refuted, i, j](const Event& event) {
-        const auto [a, b] = turned_by(event);
+        const std::pair<GenId, GenId> pair = turned_by(event);
         if (&event == refuted)
-          return std::holds_alternative<CollideEvent>(event) && std::pair(a, b) == std::pair(i, j);
-        const auto turns = [a, b](GenId g) { return g != container_id && (g == a || g == b); };
+          return std::holds_alternative<CollideEvent>(event) && pair == std::pair(i, j);
+        const auto turns = [&pair](GenId g) {
+          return g != container_id && (g == pair.first || g == pair.second);
+        };
         return turns(i) || turns(j);
       });
 }
