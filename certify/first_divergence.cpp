@@ -77,11 +77,11 @@ bool FirstDivergence::is_never_claimed(GenId i, GenId j, const NextContact& c) {
   const Event* const refuted = claims_.current() ? &*claims_.current() : nullptr;
   return !claims_.has_unchecked(
       to_rational(c.hi) + s_.options.tolerance, [refuted, i, j](const Event& event) {
-        const std::pair<GenId, GenId> pair = turned_by(event);
+        const std::array<GenId, 2> pair = turned_by(event);
         if (&event == refuted)
-          return std::holds_alternative<CollideEvent>(event) && pair == std::pair(i, j);
+          return std::holds_alternative<CollideEvent>(event) && pair == std::array{i, j};
         const auto turns = [&pair](GenId g) {
-          return g != container_id && (g == pair.first || g == pair.second);
+          return g != container_id && (g == pair[0] || g == pair[1]);
         };
         return turns(i) || turns(j);
       });
