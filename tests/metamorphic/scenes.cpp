@@ -10,11 +10,6 @@
 #include "tests/support/scene_run.h"
 
 namespace voroproof::internal::metamorphic {
-namespace {
-
-using adversary::Random;
-using testing::disk;
-
 Rational power_of_two(int exponent) {
   Rational x = 1;
   if (exponent < 0) {
@@ -24,6 +19,11 @@ Rational power_of_two(int exponent) {
   }
   return x;
 }
+
+namespace {
+
+using adversary::Random;
+using testing::disk;
 
 // With so many bits after the point.
 Rational dyadic(Random& random, double low, double high, int bits = 12) {

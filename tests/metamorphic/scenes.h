@@ -9,6 +9,8 @@
 
 namespace voroproof::internal::metamorphic {
 
+Rational power_of_two(int exponent);
+
 struct SceneFamily {
   std::string_view name;
   bool generic;

@@ -90,18 +90,9 @@ std::optional<World> world_of(std::uint64_t seed, const std::string& wanted) {
 }
 
 testing::Image units_image(int length, int time) {
-  const auto power = [](int exponent) {
-    Rational x = 1;
-    if (exponent < 0) {
-      x >>= static_cast<mp_bitcnt_t>(-exponent);
-    } else {
-      x <<= static_cast<mp_bitcnt_t>(exponent);
-    }
-    return x;
-  };
   testing::Image image;
-  image.xx = image.yy = image.length = power(length);
-  image.time = power(time);
+  image.xx = image.yy = image.length = power_of_two(length);
+  image.time = power_of_two(time);
   return image;
 }
 
