@@ -166,6 +166,21 @@ void EdgeLives::begin(std::span<const int> edges, const Moment& m) {
   }
 }
 
+void EdgeLives::begin_later(std::span<const int> edges, const Moment& m) {
+  const double soon = std::nextafter(m.hi, infinity);
+  for (const int e : edges) {
+    const Quad q = s_.diagram.quad(2 * e);
+    const Collapse c = s_.collapses.from(q, s_.chronology.instant(m), soon);
+    if (c.kind == Collapse::Kind::now) {
+      throw Undecided("an edge flips when a generator is no longer inside another", q);
+    }
+    lives_[e] = {.from = std::max(c.lo, m.lo),
+                 .born = front_.instant,
+                 .due = c.kind == Collapse::Kind::root};
+    if (lives_[e].due) due_[e] = c;
+  }
+}
+
 void EdgeLives::end(std::span<const int> edges, const Moment& m, bool closed) {
   batch_.clear();
   for (const int e : edges) batch_.add(s_.diagram.quad(2 * e), lives_[e].from, m.hi);

@@ -88,10 +88,9 @@ class EdgeLives {
     edges.clear();
     pending_.swap(edges);
   }
-  // The edge is proved to be legal just after `from`, at the present instant or a little later.
-  void begin_proved(int edge, double from) {
-    lives_[edge] = {.from = from, .born = front_.instant};
-  }
+  // The lives begin at m, rational and later than the present instant, at which the diagram is
+  // proved. Throws Undecided.
+  void begin_later(std::span<const int> edges, const Moment& m);
 
   // The present instant is left: every edge illegal at it must have flipped.
   void require_none_illegal();

@@ -8,7 +8,8 @@ namespace voroproof::internal {
 
 namespace {
 
-constexpr int kBits = 512;  // of enclosures that are only shown
+constexpr int kBits = 512;        // of enclosures that are only shown
+constexpr int kStepsToRoot = 64;  // effort: halvings of the way to a root
 
 // The sign of u + sqrt(d), d > 0.
 int sign_plus_root(const Rational& u, const Rational& d) {
@@ -153,11 +154,18 @@ std::optional<Gap::Graze> Gap::graze(const Rational& distance) const {
 
 std::optional<Rational> Gap::revealed(const Rational& t, const Rational& margin) const {
   if (!hidden_at(t)) return t;
-  // The greatest t + margin / 2^k that will do is near enough.
-  if (hidden_at(Rational(t + margin))) return std::nullopt;
+  Rational clear = t + margin;
+  if (hidden_at(clear)) return std::nullopt;
+  // The least t + margin / 2^k that will do, and from there towards the root: what happens next may
+  // be as near to it.
   Rational step = margin;
   while (!hidden_at(Rational(t + step / 2)) && bit_size(step) < kBits) step /= 2;
-  return Rational(t + step);
+  clear = t + step;
+  for (int k = 0; k < kStepsToRoot; ++k) {
+    step /= 2;
+    if (const Rational nearer = clear - step; !hidden_at(nearer)) clear = nearer;
+  }
+  return clear;
 }
 
 }  // namespace voroproof::internal

@@ -32,7 +32,7 @@ void Instants::advance(const Moment& m) {
   if (order > 0) {
     leave();
     pairs_.reach(m, claims_.settled());
-    if (m.lo <= revealed_) {
+    if (revealed_ && s_.chronology.compare(m, *revealed_) <= 0) {
       throw Undecided("something happens while a generator may lie inside another");
     }
     front_.moment = m;
@@ -101,9 +101,10 @@ void Instants::prove_hidden_anew(std::vector<int>& edges) {
     revealed = std::max(revealed, *t);
   }
   if (hidden.empty()) return;
-  revealed_ = std::max(revealed_, round_up(revealed));
-  const Rational at = to_rational(revealed_);
-  if (initial_fault(s_.diagram, s_.motion, at, s_.certificate.tiers, s_.options.threads)) {
+  // Further pairs may be seen at the same instant.
+  if (revealed_) revealed = std::max(revealed, revealed_->exact());
+  revealed_ = Moment::at(revealed);
+  if (initial_fault(s_.diagram, s_.motion, revealed, s_.certificate.tiers, s_.options.threads)) {
     throw Undecided("the diagram is not proved after a generator lay inside another",
                     hidden.begin()->first, hidden.begin()->second);
   }
@@ -114,11 +115,11 @@ void Instants::prove_hidden_anew(std::vector<int>& edges) {
                        [&](const auto& pair) { return among(pair.first) && among(pair.second); });
   };
   const auto begun = std::stable_partition(edges.begin(), edges.end(), std::not_fn(concerned));
-  std::for_each(begun, edges.end(), [&](int e) { edges_.begin_proved(e, revealed_); });
+  edges_.begin_later({begun, edges.end()}, *revealed_);
   edges.erase(begun, edges.end());
   for (const auto& pair : hidden) {
     ++s_.certificate.proved_anew;
-    recorded.reveal(pair, at);
+    recorded.reveal(pair, revealed);
   }
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <vector>
 
 #include "certify/claims.h"
@@ -58,7 +58,7 @@ class Instants {
   std::int64_t tie_ = 0;        // what is tied so is simultaneous with the front
   std::vector<int> beginning_;  // edges whose lives begin
   // Up to here a generator lay inside another at the last such moment, if there was one.
-  double revealed_ = -std::numeric_limits<double>::infinity();
+  std::optional<Moment> revealed_;
 };
 
 }  // namespace voroproof::internal

@@ -30,18 +30,23 @@ void bound(MotionOptions& motion) {
 }
 
 Answer answer_of(const Certificate& c) {
-  switch (c.verdict) {
-    case Verdict::certified:
-      return {"certified"};
-    case Verdict::undecided:
-      return {"undecided", c.reason};
-    case Verdict::refuted:
-      break;
+  Answer answer;
+  answer.contacts_by_rounding = c.grazes + c.rounding_overlaps > 0;
+  if (c.verdict != Verdict::refuted) {
+    answer.verdict = c.verdict == Verdict::certified ? "certified" : "undecided";
+    answer.reason = c.reason;
+    return answer;
   }
   const Divergence& d = *c.divergence;
   const EvidenceCheck evidence = check_evidence(d);
   if (evidence.evidence == Evidence::contradicted) return {"failed", evidence.sentence};
-  return {"refuted", d.truth, d.line, d.fault, d.true_flip, d.true_contact};
+  answer.verdict = "refuted";
+  answer.reason = d.truth;
+  answer.line = d.line;
+  answer.fault = d.fault;
+  answer.flip = d.true_flip;
+  answer.contact = d.true_contact;
+  return answer;
 }
 
 }  // namespace

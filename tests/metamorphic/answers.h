@@ -29,6 +29,8 @@ struct Answer {
   std::optional<Fault> fault{};
   std::optional<Quad> flip{};
   std::optional<std::pair<GenId, GenId>> contact{};
+  // Whether a pair meets, or does not meet, but for roundings.
+  bool contacts_by_rounding = false;
 };
 std::string text(const Answer& answer);
 

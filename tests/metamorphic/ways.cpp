@@ -1,4 +1,5 @@
 // The same question by another way: other spelling, other precision, other programs.
+#include <algorithm>
 #include <cstdio>
 
 #include "history/error.h"
@@ -113,6 +114,26 @@ std::pair<std::string, EngineOptions> other_options(Random& random) {
   }
 }
 
+// Whether a flip is written with the time of a later turn of one of its disks: on the recorded
+// paths the two are at one instant, at which disks turn first (docs/claim.md).
+bool rounds_flip_to_turn(const RecordedRun& run) {
+  std::vector<GenId> flipped;  // generators of the flips with the present time
+  double t = -1;
+  for (const testing::Event& e : run.events) {
+    if (e.t > t) flipped.clear();
+    t = e.t;
+    const auto has_flipped = [&](GenId g) {
+      return g != container_id && std::find(flipped.begin(), flipped.end(), g) != flipped.end();
+    };
+    if (e.kind == testing::Event::Kind::flip) {
+      flipped.insert(flipped.end(), {e.edge.l, e.edge.r, e.edge.s, e.edge.e});
+    } else if (has_flipped(e.i) || has_flipped(e.j)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 Contradiction told(const std::string& what, const Case& ours, const std::string& a,
                    const std::string& b) {
   Case first = ours, second = ours;
@@ -187,6 +208,9 @@ Comparison compare_certified(const World& world) {
   ours.claim = testing::claimed_history(ours.scene, run);
   for (const Truth truth : both_truths) {
     const Answer a = certified(ours, truth);
+    if (a.fault == Fault::wrong_order && truth == Truth::recorded && rounds_flip_to_turn(run)) {
+      continue;
+    }
     if (a.verdict == "certified" || a.verdict == "endless") continue;
     return {true, told("the engine's own history, " + std::string(name_of(truth)), ours,
                        "certified", text(a))};
