@@ -81,8 +81,10 @@ inline void EdgeLives::begin_life(int edge, const Moment& m, const IsolatedRoot*
 void EdgeLives::find_beginning(int edge, const Moment& m, const IsolatedRoot* own) {
   Life& life = lives_[edge];
   const Quad q = s_.diagram.quad(2 * edge);
-  if (q.s == q.e || (own == nullptr && proved_not_cotangent(s_.motion, q, m.lo, m.hi))) return;
+  const auto not_cotangent = [&](const auto& at) { return proved_not_cotangent(s_.motion, q, at); };
+  if (q.s == q.e || (own == nullptr && not_cotangent(DoubleBall::hull(m.lo, m.hi)))) return;
   ++s_.certificate.beyond_filter;
+  if (own == nullptr && not_cotangent(s_.chronology.ball(m))) return;
   const double soon = std::nextafter(m.hi, infinity);
   const Collapse c = own != nullptr ? s_.collapses.after(q, m.hi, soon, m.root.get())
                                     : s_.collapses.from(q, s_.chronology.present(m), soon);
@@ -132,9 +134,7 @@ void EdgeLives::find_end(int edge, const Moment& m, bool closed, std::size_t k) 
   Life& life = lives_[edge];
   if (life.illegal) {
     if ((life.born == front_.instant && !closed) || left_out(front_.moment)) return;
-    Collapse c;
-    c.lo = c.hi = m.lo;
-    throw Refuted{refuter_.missing_flip(s_.diagram.quad(2 * edge), c)};
+    throw Refuted{refuter_.missing_flip(s_.diagram.quad(2 * edge), front_.moment)};
   }
   const Quad q = s_.diagram.quad(2 * edge);
   if (!life.due) {
@@ -281,13 +281,7 @@ void EdgeLives::require_none_illegal() {
   for (const int e : illegal_) {
     const Life& life = lives_[e];
     if (!life.illegal || life.born != front_.instant || left_out(front_.moment)) continue;
-    const Quad q = s_.diagram.quad(2 * e);
-    Collapse c;
-    c.lo = front_.moment.lo;
-    c.hi = front_.moment.hi;
-    Divergence d = refuter_.missing_flip(q, c);
-    d.witness = motion_witness(s_.motion, generators(q), to_rational(c.lo));
-    throw Refuted{d};
+    throw Refuted{refuter_.missing_flip(s_.diagram.quad(2 * e), front_.moment)};
   }
   illegal_.clear();
 }

@@ -335,10 +335,4 @@ bool proved_no_flip(const Motion& motion, const Quad& q, const Rational& lo, con
   return is_not(signs(lo), Sign::positive) || is_not(signs(hi), Sign::negative);
 }
 
-bool proved_not_cotangent(const Motion& motion, const Quad& q, double a, double b) {
-  const DoubleBall t = DoubleBall::hull(a, b);
-  return is_certain(sign(cotangency(motion.site(q.l, t), motion.site(q.r, t), motion.site(q.s, t),
-                                    motion.site(q.e, t))));
-}
-
 }  // namespace voroproof::internal

@@ -56,7 +56,12 @@ bool proved_no_flip(const Motion& motion, const Quad& q, const Rational& lo, con
 // negative.
 bool proved_illegal(const Motion& motion, const Quad& q, const Rational& t);
 
-// Whether the four generators of q are provably not cotangent at any time of [a, b].
-bool proved_not_cotangent(const Motion& motion, const Quad& q, double a, double b);
+// Whether the four generators of q are provably not cotangent at any time of t, which is a
+// DoubleBall or Ball.
+template <class T>
+bool proved_not_cotangent(const Motion& motion, const Quad& q, const T& t) {
+  return is_certain(sign(cotangency(motion.site(q.l, t), motion.site(q.r, t), motion.site(q.s, t),
+                                    motion.site(q.e, t))));
+}
 
 }  // namespace voroproof::internal

@@ -99,9 +99,11 @@ void ExactPairs::require_no_meeting(GenId i, GenId j, const Moment& m) {
 void ExactPairs::require_no_contact(GenId i, GenId j, const Moment& m, PairEnd why) {
   const NextContact c = s_.contacts.from(i, j, since(i, j), std::nextafter(m.hi, HUGE_VAL));
   if (c.kind == NextContact::Kind::none) return;
-  const int order = s_.chronology.compare(moment_of(i, j, c), m);
+  const Moment contact = moment_of(i, j, c);
+  const int order = s_.chronology.compare(contact, m);
   if (order > 0) return;
-  Refuted missing{refuter_.missing_contact(i, j, c.lo, c.hi)};
+  const auto [lo, hi] = s_.chronology.enclosure(contact);
+  Refuted missing{refuter_.missing_contact(i, j, lo, hi)};
   if (order < 0 || why != PairEnd::turn) throw missing;
   order_.note_due(i, j, std::move(missing.divergence));
 }

@@ -61,8 +61,13 @@ void FirstDivergence::look_for_contacts(Earliest& first) {
     const Instant begin = s_.options.truth == Truth::exact
                               ? pairs_.exact().since(i, j)
                               : s_.chronology.instant(Moment::at(since));
-    const NextContact c = s_.contacts.from(i, j, begin, limit());
+    NextContact c = s_.contacts.from(i, j, begin, limit());
     if (c.kind == NextContact::Kind::none) continue;
+    if (c.kind == NextContact::Kind::at) {
+      const auto [lo, hi] = s_.chronology.enclosure(Moment::of(i, j, c));
+      c.lo = lo;
+      c.hi = hi;
+    }
     const bool near = c.hi >= first.limit - margin(first) - s_.tolerance_up;
     if (near && (margin(first) == 0 || !is_never_claimed(i, j, c))) continue;
     first = {refuter_.missing_contact(i, j, c.lo, c.hi), c.lo};

@@ -231,4 +231,10 @@ Ball Chronology::ball(const Moment& m) const {
   return Ball(m.exact(), bits);
 }
 
+std::array<double, 2> Chronology::enclosure(const Moment& m) const {
+  double lo = 0, hi = 0;
+  ball(m).to_interval(lo, hi);
+  return {std::max(m.lo, lo), std::min(m.hi, hi)};
+}
+
 }  // namespace voroproof::internal

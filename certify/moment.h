@@ -1,6 +1,7 @@
 // Instants of a history, and their exact order.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -78,6 +79,7 @@ class Chronology {
 
   DdBall narrow(const Moment& m) const;  // as double-doubles tell
   Ball ball(const Moment& m) const;      // to as many bits as the motion is known to
+  std::array<double, 2> enclosure(const Moment& m) const;  // as balls tell
 
  private:
   static ExactTime exact_time(const Moment& m, ExactMotion& exact);

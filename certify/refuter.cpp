@@ -5,6 +5,13 @@
 
 namespace voroproof::internal {
 
+namespace {
+
+// An event at the time of a claim is on neither side of it, by either end.
+double middle(double lo, double hi) { return lo + 0.5 * (hi - lo); }
+
+}  // namespace
+
 Divergence Refuter::at_claim(Fault fault, std::string truth) const {
   Divergence d;
   d.fault = fault;
@@ -22,15 +29,22 @@ void Refuter::refute(Fault fault, const std::string& truth, Witness witness) con
 }
 
 Divergence Refuter::missing_flip(const Quad& q, const Collapse& root) const {
-  Divergence d;
-  d.fault = Fault::missing_event;
-  d.t = root.lo;
-  d.line = claims_.line_at(root.lo);
-  d.truth = "edge " + text_of(canonical(q)) + " flips " + between(root.lo, root.hi);
-  d.true_flip = canonical(q);
-  d.true_time = {root.lo, root.hi};
+  Divergence d = missing_flip(q, Moment::of(q, root));
   const auto [lo, hi] = interval_of(root);
   d.witness = collapse_witness(s_.motion, q, lo, hi);
+  return d;
+}
+
+Divergence Refuter::missing_flip(const Quad& q, const Moment& m) const {
+  Divergence d;
+  d.fault = Fault::missing_event;
+  d.t = m.lo;
+  const auto [lo, hi] = s_.chronology.enclosure(m);
+  d.line = claims_.line_at(middle(lo, hi));
+  d.truth = "edge " + text_of(canonical(q)) + " flips " + between(m.lo, m.hi);
+  d.true_flip = canonical(q);
+  d.true_time = {m.lo, m.hi};
+  d.witness = motion_witness(s_.motion, generators(q), to_rational(m.lo));
   return d;
 }
 
@@ -41,7 +55,7 @@ Divergence Refuter::missing_contact(GenId i, GenId j, double lo, double hi) cons
   Divergence d;
   d.fault = s_.options.truth == Truth::recorded ? Fault::overlap : Fault::missing_event;
   d.t = lo;
-  d.line = claims_.line_at(lo);
+  d.line = claims_.line_at(middle(lo, hi));
   d.truth = "generators " + text_of(i, j) + " touch and approach " + between(lo, hi);
   d.true_contact = {i, j};
   d.true_time = {lo, hi};

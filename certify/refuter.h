@@ -27,6 +27,7 @@ class Refuter {
 
   // An event that the history lacks. Of a contact: throws Undecided where two points meet.
   Divergence missing_flip(const Quad& q, const Collapse& root) const;
+  Divergence missing_flip(const Quad& q, const Moment& m) const;  // illegal just after m
   Divergence missing_contact(GenId i, GenId j, double lo, double hi) const;
   // Under the recorded truth, on the lines of then.
   Divergence missing_contact(GenId i, GenId j, const RecordedContacts::Missing& missing) const;

@@ -91,7 +91,7 @@ bool Ball::round_to_double(double& out) const {
   // Both ends, moved outward by 2^-64 of the radius at most, must round to one double.
   Float low, high;
   arb_get_interval_arf(low, high, value_, std::max<Precision>(bits_, 64) + 64);
-  out = arf_get_d(low, ARF_RND_NEAR);
+  out = arf_get_d(low, ARF_RND_NEAR) + 0.0;  // zero has no sign
   return out == arf_get_d(high, ARF_RND_NEAR);
 }
 

@@ -135,6 +135,9 @@ class Span {
   bool always_ = false;
 };
 
+// f and a tangency may have one root.
+constexpr int deepest_tangency = 512;
+
 // The rules of docs/kernel.md, section 6, on pieces from left to right.
 class Search {
  public:
@@ -145,7 +148,8 @@ class Search {
     Span span(four_, a, b);
     const Span::Apart apart = span.apart(notes_.touched);
     const bool left_out =
-        apart == Span::Apart::no || (apart == Span::Apart::unknown && depth >= 64);
+        apart == Span::Apart::no || (apart == Span::Apart::unknown && depth >= 64 &&
+                                     (depth >= deepest_tangency || !may_collapse(span, a)));
     fresh_ |= left_out || apart == Span::Apart::inside;
     if (left_out) return {};
     if (apart != Span::Apart::unknown) {
@@ -159,6 +163,14 @@ class Search {
   }
 
  private:
+  // However short the piece from a on is, the edge may collapse in it where f has a root, or at a.
+  bool may_collapse(Span& span, const Rat& a) const {
+    if (variations(span.polynomial()) != 0) return true;
+    std::set<int> unused;
+    return Span(four_, a, a).apart(unused) == Span::Apart::yes &&
+           Now(four_, a).legal(2, span.always()) <= 0;
+  }
+
   // The collapse in [k, k + 1] / 2^depth of the span, where the tangencies have their right signs.
   std::optional<Collapse> in_piece(const Span& span, const Vec& interval, Form f, const Int& k,
                                    unsigned depth) {

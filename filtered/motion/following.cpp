@@ -8,7 +8,7 @@ namespace voroproof::internal {
 MotionStates::Snapshot MotionStates::snapshot() {
   apply_rest();
   are_shared_ = true;
-  return {fixed_, balls_, size_, goal_bits_, slope_, v_scale_};
+  return {fixed_, balls_, size_, goal_bits_, slope_, reserve_, v_scale_};
 }
 
 void MotionStates::follow(const Snapshot& then) {
@@ -18,6 +18,7 @@ void MotionStates::follow(const Snapshot& then) {
   size_ = handed_ = applied_ = then.records;
   goal_bits_ = then.goal_bits;
   slope_ = then.slope;
+  reserve_ = then.reserve;
   v_scale_ = then.v_scale;
   failure_ = nullptr;
   set_laws();

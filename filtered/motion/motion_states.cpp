@@ -68,7 +68,7 @@ MotionStates::MotionStates(MotionInput input, const MotionOptions& options,
 MotionStates::~MotionStates() = default;
 
 int MotionStates::bits_at(double t) const {
-  const double ahead = std::max(0.0, horizon_ - t) * slope_;
+  const double ahead = std::max(0.0, horizon_ - t) * slope_ + reserve_;
   const double bits =
       std::min<double>(goal_bits_ + kHeadroom + ahead, static_cast<double>(max_bits_));
   // Whole limbs: the balls at hand keep their memory from one collision to the next.
@@ -224,15 +224,15 @@ void MotionStates::replay() {
   }
 }
 
-// Raises the supply of bits per time after a state at time t fell short of the goal, judging by
-// what has been lost so far.
+// Raises the supply of bits after a state at time t fell short of the goal: that per time, judging
+// by what has been lost so far, and where this gives little, near the horizon, that at all times.
 bool MotionStates::raise_for(double t) {
   const int before = bits_at(0);
-  // The supply is so many bits per unit of time: with the horizon 0 it cannot rise.
-  if (before >= max_bits_ || !(horizon_ > 0)) return false;
+  if (before >= max_bits_) return false;
   const double lost = before - goal_bits_;
   const double rate = t > 0 ? lost / t : 0;
-  slope_ = std::max({1.1 * rate, 1.4 * slope_, 32 / horizon_});
+  if (horizon_ > 0) slope_ = std::max({1.1 * rate, 1.4 * slope_, 32 / horizon_});
+  if ((horizon_ - t) * slope_ < kHeadroom) reserve_ = std::max(2 * reserve_, 64);
   return true;
 }
 
@@ -248,7 +248,7 @@ void MotionStates::apply_log() {
         replay();
       } else {
         throw Undecided("the state after the collision needs more than " +
-                        std::to_string(horizon_ > 0 ? max_bits_ : bits_at(0)) + " bits");
+                        std::to_string(max_bits_) + " bits");
       }
     }
   } catch (...) {

@@ -151,6 +151,7 @@ class MotionStates {
   int max_bits_;
   int goal_bits_;
   double slope_ = 0;  // further bits per unit of time before the horizon
+  int reserve_ = 0;   // further bits at all times
   double horizon_ = 0;
   std::int64_t x_scale_ = 0, v_scale_ = 0;  // exponents
   std::int64_t reach_scale_ = 0;            // of the least reach
@@ -177,6 +178,7 @@ struct MotionStates::Snapshot {
   std::size_t records = 0;
   int goal_bits = 0;
   double slope = 0;
+  int reserve = 0;
   std::int64_t v_scale = 0;
 };
 

@@ -158,6 +158,15 @@ TEST(Ball, OperationsContainTheirValues) {
   EXPECT_GT(divided, 10000);
 }
 
+TEST(Ball, ZeroHasNoSign) {
+  Ball zero(Rational(0), 100);
+  zero.widen(Magnitude::power_of_two(-1200));
+  double nearest = 1;
+  EXPECT_TRUE(zero.round_to_double(nearest));
+  EXPECT_EQ(nearest, 0);
+  EXPECT_FALSE(std::signbit(nearest));
+}
+
 // A predicate is not to be decided from a quotient or a root that need not exist.
 TEST(Ball, KnowsNothingOfWhatDoesNotExist) {
   Ball near_zero(Rational(1, 1000), 100);

@@ -94,6 +94,25 @@ Comparison compared(const std::string& difference, const Case& ours, const Recor
   return {true, own_verdicts(ours, run, theirs, their_run)};
 }
 
+// Whether a flip is written with the time of a later turn of one of its disks.
+bool rounds_flip_to_turn(const RecordedRun& run) {
+  std::vector<GenId> flipped;  // generators of the flips with the present time
+  double t = -1;
+  for (const testing::Event& e : run.events) {
+    if (e.t > t) flipped.clear();
+    t = e.t;
+    const auto has_flipped = [&](GenId g) {
+      return g != container_id && std::find(flipped.begin(), flipped.end(), g) != flipped.end();
+    };
+    if (e.kind == testing::Event::Kind::flip) {
+      flipped.insert(flipped.end(), {e.edge.l, e.edge.r, e.edge.s, e.edge.e});
+    } else if (has_flipped(e.i) || has_flipped(e.j)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // How far the centres come from the container's, along each axis.
 double extent(const Scene& scene, const RecordedRun& run) {
   double far = 0;
@@ -168,6 +187,10 @@ Scene joined(const Scene& a, const Scene& b) {
 
 }  // namespace
 
+bool refused_for_rounding(const Answer& own, Truth truth, const RecordedRun& run) {
+  return truth == Truth::recorded && own.fault == Fault::wrong_order && rounds_flip_to_turn(run);
+}
+
 std::optional<Contradiction> own_verdicts(const Case& our_case, const RecordedRun& our_run,
                                           const Case& their_case, const RecordedRun& their_run) {
   Case ours = our_case, theirs = their_case;
@@ -176,6 +199,9 @@ std::optional<Contradiction> own_verdicts(const Case& our_case, const RecordedRu
   for (const Truth truth : both_truths) {
     const Answer a = certified(ours, truth), b = certified(theirs, truth);
     if (a.verdict == b.verdict || a.verdict == "endless" || b.verdict == "endless") continue;
+    if (refused_for_rounding(a, truth, our_run) || refused_for_rounding(b, truth, their_run)) {
+      continue;
+    }
     ours.answer = text(a);
     theirs.answer = text(b);
     return Contradiction{"certify, " + std::string(name_of(truth)), ours, theirs};
@@ -259,7 +285,10 @@ Comparison compare_clusters(const World& world, Relation relation) {
     const RecordedRun alone = simulated(second);
     difference = testing::difference(motions(alone, 0, all - n), motions(their_run, n, all));
   }
-  return compared(difference, ours, run, theirs, their_run);
+  Comparison comparison = compared(difference, ours, run, theirs, their_run);
+  // Edges between the clusters may have ties of their own.
+  if (comparison.found && comparison.found->theirs.answer.starts_with("undecided")) return {};
+  return comparison;
 }
 
 }  // namespace voroproof::internal::metamorphic

@@ -27,7 +27,7 @@ enum class Relation {
   moment,            // the diagram at an instant, and what is asked of it
   other_ways,        // filters off, other precision, threads, a run that is resumed
   certified,         // the engine's history is certified
-  kernel,            // the kernel does not contradict
+  kernel,            // the kernel does not contradict, and certifies no more
   count
 };
 inline constexpr std::array<std::string_view, static_cast<int>(Relation::count)> relation_names{
@@ -66,6 +66,10 @@ Comparison compare_clusters(const World& world, Relation relation);
 Comparison compare_ways(const World& world);
 Comparison compare_certified(const World& world);
 Comparison compare_kernel(const World& world);
+
+// Whether the engine's own history is refused because rounding has put a flip and a turn of its
+// disk, one after the other, at one recorded time, at which disks turn first (docs/claim.md).
+bool refused_for_rounding(const Answer& own, Truth truth, const testing::RecordedRun& run);
 
 // Whether the engine's own histories of both scenes get one verdict under each truth.
 std::optional<Contradiction> own_verdicts(const Case& ours, const testing::RecordedRun& our_run,

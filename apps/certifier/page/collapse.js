@@ -5,7 +5,8 @@
 
 const SQUAREFREE_DEPTH = 30;
 const DEEPEST_PIECE = 2000;
-const DEEPEST_TANGENCY = 64;
+const DEEP_TANGENCY = 64;
+const DEEPEST_TANGENCY = 512;  // f and a tangency may have one root
 
 // What searches notice: proofs made anew after tangencies of the wrong sign, and whose these were.
 class Notes {
@@ -69,7 +70,9 @@ class CollapseSearch {
 
   first(a, b, depth = 0) {
     const span = this.edge.over(a, b), apartness = span.apartness(this.notes.touched);
-    const isLeftOut = apartness === "nowhere" || (apartness === "unclear" && depth >= DEEPEST_TANGENCY);
+    const isLeftOut = apartness === "nowhere" ||
+      (apartness === "unclear" && depth >= DEEP_TANGENCY &&
+        (depth >= DEEPEST_TANGENCY || !this.mayCollapse(span, a)));
     if (isLeftOut || apartness === "inside") this.owesProof = true;
     if (isLeftOut) return null;
     if (apartness === "unclear") {
@@ -78,6 +81,13 @@ class CollapseSearch {
     }
     const f = span.polynomial(), found = new Stretch(this.edge, span, a, b).first(f);
     return this.owesProof ? this.provedAnew(a, b, found) : found;
+  }
+
+  // However short the piece from a on is, the edge may collapse in it where f has a root, or at a.
+  mayCollapse(span, a) {
+    if (Form.variations(span.polynomial()) !== 0) return true;
+    return this.edge.over(a, a).apartness(new Set()) === "throughout" &&
+      this.edge.at(a).legal(null, span.always) <= 0;
   }
 
   // Both circles must exist and be empty somewhere before the collapse: soon, as the life may end long before b, which

@@ -210,6 +210,33 @@ TEST(Motion, LateStatesAreTheSame) {
   }
 }
 
+// A collision of tiny disks loses bits that the supply per time does not replace so late.
+TEST(Motion, ACollisionJustBeforeTheHorizon) {
+  Scene scene;
+  scene.container_radius = 32;
+  const auto number = [](const char* text) { return *parse_rational(text); };
+  const auto add = [&](const char* x, const char* y, double r, double vx, double vy) {
+    DiskInput d;
+    d.x = number(x);
+    d.y = number(y);
+    d.radius = to_rational(r);
+    d.vx = to_rational(vx);
+    d.vy = to_rational(vy);
+    d.mass = d.radius * d.radius;
+    scene.disks.push_back(d);
+  };
+  add("-131709752686286198280195/9133444159495441743872",
+      "-8153460880579621814225/285420129984232554496", 1.1709383462843448e-17, 0.125, 1.125);
+  add("-16463719085785774786335/1141680519936930217984",
+      "-32613843522318487230571/1141680519936930217984", 1.0408340855860843e-17, 0.5, -0.71875);
+  for (const double later : {1.0, 1.001, 2.0}) {
+    scene.horizon = to_rational(5.230558031948902e-19 * later);  // an ulp after the collision
+    const RecordedRun r = run(scene);
+    EXPECT_TRUE(r.complete()) << r.outcome.reason;
+    EXPECT_EQ(r.count(Event::Kind::collision), 1u);
+  }
+}
+
 // What is written does not depend on the precision that was used inside.
 TEST(Motion, OutputsDoNotDependOnThePrecision) {
   Random random(3);
