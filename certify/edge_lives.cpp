@@ -84,14 +84,13 @@ void EdgeLives::find_beginning(int edge, const Moment& m, const IsolatedRoot* ow
   const auto not_cotangent = [&](const auto& at) { return proved_not_cotangent(s_.motion, q, at); };
   if (q.s == q.e || (own == nullptr && not_cotangent(DoubleBall::hull(m.lo, m.hi)))) return;
   ++s_.certificate.beyond_filter;
-  if (own == nullptr && not_cotangent(s_.chronology.ball(m))) return;
   const double soon = std::nextafter(m.hi, infinity);
   const Collapse c = own != nullptr ? s_.collapses.after(q, m.hi, soon, m.root.get())
                                     : s_.collapses.from(q, s_.chronology.present(m), soon);
   switch (c.kind) {
     case Collapse::Kind::none:
       life.from = std::max(c.lo, m.lo);
-      life.tied = own == nullptr;
+      life.tied = own == nullptr && !not_cotangent(s_.chronology.ball(m));
       break;
     case Collapse::Kind::root:
       life.due = true;

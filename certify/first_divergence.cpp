@@ -120,8 +120,9 @@ void FirstDivergence::look_for_flips(Earliest& first) {
     } else if (!proved_free(s_.motion, q, life.from, first.limit)) {
       c = search(q, life.from);
     }
-    if (!c || c->hi >= first.limit - margin(first)) continue;
-    first = {refuter_.missing_flip(q, *c), c->lo};
+    if (!c) continue;
+    const auto [lo, hi] = s_.chronology.enclosure(Moment::of(q, *c));
+    if (hi < first.limit - margin(first)) first = {refuter_.missing_flip(q, *c), lo};
   }
   if (undecided) {
     s_.certificate.remarks.push_back(

@@ -23,9 +23,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Effort. None of these decides anything: they say when a tier has done enough, and only the cost
 // depends on them.
 //
-// So much of a window makes an answer of double-doubles; the rest waits for its turn, since an
-// event may come before it is hard again.
-constexpr double kPartWorthAnAnswerInDd = 0.01;
+// So much of a window makes an answer of double-doubles and balls; the rest waits for its turn,
+// since an event may come before it is hard again.
+constexpr double kPartWorthAnAnswer = 0.01;
 // Halvings of a window: in double-doubles until it is about as short as they can tell times apart;
 // in balls by their bits, and no more than the second.
 constexpr int kHalvingsInDd = 48, kHalvingsInBalls = 512;
@@ -138,28 +138,26 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
   const bool exact_first = motion_.options().filters && now != nullptr && has_rational_motion(q) &&
                            sign(flip_value(motion_, q, now->dd, false)) == Sign::unknown;
   Ladder<Collapse> ladder(counts_, Predicate::flip_search);
+  const auto answer_of = [&](const Attempt& attempt) -> std::optional<Collapse> {
+    if (attempt.decided) return attempt.answer;
+    // What is hard later in the window can wait: an event may come first.
+    const double from = now != nullptr ? now->hi : voroproof::internal::round_up(start);
+    const double reached = voroproof::internal::round_down(attempt.reached);
+    if (!(reached - from > kPartWorthAnAnswer * (end - from))) return std::nullopt;
+    return Collapse::none_until(reached);
+  };
   const Rung dd{Tier::dd, [&]() -> std::optional<Collapse> {
                   if (!motion_.options().filters) return std::nullopt;
-                  const Attempt attempt =
-                      search_in<DdBall>(motion_, q, start, finish, now, kHalvingsInDd, MakeDd{});
-                  if (attempt.decided) return attempt.answer;
-                  // What is hard later in the window can wait: an event may come first.
-                  const double from =
-                      now != nullptr ? now->hi : voroproof::internal::round_up(start);
-                  const double reached = voroproof::internal::round_down(attempt.reached);
-                  if (!(reached - from > kPartWorthAnAnswerInDd * (end - from))) {
-                    return std::nullopt;
-                  }
-                  return Collapse::none_until(reached);
+                  return answer_of(
+                      search_in<DdBall>(motion_, q, start, finish, now, kHalvingsInDd, MakeDd{}));
                 }};
   const Rung symmetry{Tier::symmetry, [&] { return by_symmetry(q, start, now, end); }};
-  const Rung balls{Tier::ball, [&]() -> std::optional<Collapse> {
-                     const int bits = motion_.goal_bits() + 32;
-                     const Attempt attempt =
-                         search_in<Ball>(motion_, q, start, finish, now,
-                                         std::min(bits / 2, kHalvingsInBalls), MakeBall{bits});
-                     return attempt.decided ? std::optional(attempt.answer) : std::nullopt;
-                   }};
+  const Rung balls{
+      Tier::ball, [&]() -> std::optional<Collapse> {
+        const int bits = motion_.goal_bits() + 32;
+        return answer_of(search_in<Ball>(motion_, q, start, finish, now,
+                                         std::min(bits / 2, kHalvingsInBalls), MakeBall{bits}));
+      }};
   std::string blurred;
   const Rung exact{Tier::exact, [&]() -> std::optional<Collapse> {
                      try {

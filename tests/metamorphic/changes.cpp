@@ -56,7 +56,7 @@ std::vector<Maneuver> still_maneuvers(const World& world, const RecordedRun& run
     const DiskInput& d = world.scene.disks[static_cast<std::size_t>(disk)];
     Maneuver m{t, disk, d.vx, d.vy};
     for (const Maneuver& before : world.scene.maneuvers) {
-      known = known && !(before.disk == disk && before.t == t);
+      known = known && !(before.disk == disk && round_nearest(before.t) == round_nearest(t));
       if (before.disk == disk && before.t < t) {
         m.vx = before.vx;
         m.vy = before.vy;

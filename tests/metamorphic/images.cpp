@@ -109,7 +109,7 @@ bool are_same(const Answer& ours, const Image& image, const Answer& theirs, bool
 // its origin (docs/claim.md).
 bool are_excused(Relation relation, const Answer& a, const Answer& b) {
   const auto counts = [](const Answer& x) {
-    return x.fault == Fault::wrong_response || x.contacts_by_rounding;
+    return x.fault == Fault::wrong_response || x.fault == Fault::overlap || x.contacts_by_rounding;
   };
   return relation == Relation::translated && (counts(a) || counts(b));
 }
