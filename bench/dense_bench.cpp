@@ -69,7 +69,6 @@ nlohmann::ordered_json bench(const SceneChoice& choice, int repeats) {
   std::uint64_t replays = 0;
   for (int k = 0; k < repeats; ++k) {
     EngineOptions options;
-    options.motion.late_states = false;
     Engine engine(motion_input(scene), {}, options);
     Collisions sink;
     runs.push_back(seconds_of([&] {

@@ -140,9 +140,8 @@ void print_tiers(const TierCounts& tiers) {
   }
 }
 
-void bench(const SceneChoice& choice, int repeats, bool late_states, const std::string& json_path) {
+void bench(const SceneChoice& choice, int repeats, const std::string& json_path) {
   EngineOptions options;
-  options.motion.late_states = late_states;
   const std::uint64_t scene_memory = peak_memory(choice, EngineKind::none);
   Series certified, plain;
   certified.memory = peak_memory(choice, EngineKind::certified);
@@ -165,10 +164,9 @@ void bench(const SceneChoice& choice, int repeats, bool late_states, const std::
   const RunResult plain_profile = simulate(scene, false, options);
 
   const Ratios ratios = ratios_of(certified, plain);
-  std::printf("n %d, seed %llu, horizon %g, density %g, radii %.10g to %.10g, %d repeats%s\n",
+  std::printf("n %d, seed %llu, horizon %g, density %g, radii %.10g to %.10g, %d repeats\n",
               choice.n, static_cast<unsigned long long>(choice.seed), choice.horizon,
-              choice.density, choice.rmin, choice.rmax, repeats,
-              late_states ? "" : ", no late states");
+              choice.density, choice.rmin, choice.rmax, repeats);
   print_table(certified, plain, ratios, scene_memory);
   print_profile(certified_profile, plain_profile);
   print_tiers(certified.last.stats.tiers);
@@ -183,7 +181,6 @@ void bench(const SceneChoice& choice, int repeats, bool late_states, const std::
           {"rmin", choice.rmin},
           {"rmax", choice.rmax}}},
         {"repeats", repeats},
-        {"late_states", late_states},
         {"certified", series_json(certified)},
         {"plain", series_json(plain)},
         {"ratio_of_medians", ratios.of_medians},
@@ -204,7 +201,6 @@ void bench(const SceneChoice& choice, int repeats, bool late_states, const std::
 int main(int argc, char** argv) {
   voroproof::internal::bench::SceneChoice choice;
   int repeats = 5;
-  bool early = false;
   std::string json;
   CLI::App app{"Whole runs, certified and in plain doubles, interleaved"};
   app.add_option("--n", choice.n, "number of disks")->check(CLI::PositiveNumber);
@@ -215,11 +211,10 @@ int main(int argc, char** argv) {
   app.add_option("--rmin", choice.rmin, "smallest radius")->check(CLI::PositiveNumber);
   app.add_option("--rmax", choice.rmax, "largest radius")->check(CLI::PositiveNumber);
   app.add_option("--repeats", repeats, "runs of each engine")->check(CLI::PositiveNumber);
-  app.add_flag("--no-late-states", early, "certified states in the engine's own thread");
   app.add_option("--json", json, "write the results to this file");
   CLI11_PARSE(app, argc, argv);
   try {
-    voroproof::internal::bench::bench(choice, repeats, !early, json);
+    voroproof::internal::bench::bench(choice, repeats, json);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return 1;

@@ -175,7 +175,6 @@ void bench(const SceneChoice& choice, const std::vector<int>& all_threads, int r
            const std::string& json_path) {
   const Scene scene = scene_of(choice);
   EngineOptions options;
-  options.motion.late_states = false;
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   std::printf("n %d, horizon %g, density %g: medians of %d\n", choice.n, choice.horizon,
               choice.density, repeats);

@@ -42,7 +42,6 @@ TurnedState turned_of(double t, const DdBall& x, const DdBall& y, const DdBall& 
 }  // namespace
 
 void keep_motion(Motion& motion, KeptRun& kept) {
-  motion.settle();
   const MotionStates::Snapshot full = motion.snapshot().full;
   kept.goal_bits = full.goal_bits;
   kept.bits_per_time = full.slope;

@@ -73,7 +73,6 @@ class EngineOver {
       is_between_ = true;
       while (step()) {
       }
-      motion_.settle();
       outcome.t = round_nearest(motion_.input().horizon);
     } catch (const GivenUp&) {
       if (!begun_) sink_->begin({});
@@ -88,7 +87,6 @@ class EngineOver {
       outcome.reason = u.what();
       if (u.flip) outcome.events.emplace_back(*u.flip);
       if (u.contact) outcome.events.emplace_back(*u.contact);
-      settle_quietly();
     }
     stats_.end = outcome.t;
     stats_.replays = motion_.replays();
@@ -140,15 +138,6 @@ class EngineOver {
       keep();
     } catch (const GivenUp&) {
     } catch (const Undecided&) {
-    }
-  }
-
-  // Completes the states for the statistics of a run that has stopped, possibly for want of bits.
-  void settle_quietly() {
-    try {
-      motion_.settle();
-    } catch (const Undecided&) {
-    } catch (const GivenUp&) {
     }
   }
 

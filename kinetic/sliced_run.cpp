@@ -29,12 +29,6 @@ constexpr double kPartOfFirst = 1.1, kMoreOfFirst = 0.2;
 // Less than this, per disk, is not worth a diagram from scratch and the memory of another slice.
 constexpr double kLeastWork = 0.1;
 
-// States beyond double-doubles do not wait: the leader has a thread of its own as it is.
-MotionOptions now(MotionOptions options) {
-  options.late_states = false;
-  return options;
-}
-
 }  // namespace
 
 std::uint64_t work_of_slice(int slice, double ahead, int disks, int threads) {
@@ -48,7 +42,7 @@ std::uint64_t work_of_slice(int slice, double ahead, int disks, int threads) {
 SlicedRun::SlicedRun(MotionInput input, std::vector<ManeuverInput> maneuvers,
                      const EngineOptions& options)
     : options_(options),
-      leader_(std::move(input), std::move(maneuvers), now(options.motion)),
+      leader_(std::move(input), std::move(maneuvers), options.motion),
       diagram_(leader_.motion().size()) {}
 
 SlicedRun::~SlicedRun() { end(); }

@@ -59,7 +59,6 @@ voroproof::Ending run(const Scene& scene, voroproof::EventSink& sink,
                       const voroproof::SimulateOptions& options) {
   if (options.threads < 1) throw std::invalid_argument("threads: less than 1");
   EngineOptions settings = engine_options(options.max_bits);
-  settings.motion.late_states = options.threads > 1;
   settings.threads = options.threads;
   settings.max_events = options.max_events;
   settings.monitor = options.monitor;

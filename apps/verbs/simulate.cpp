@@ -45,7 +45,6 @@ EngineOptions engine_options(const Request& request) {
   EngineOptions options;
   options.motion = request.motion;
   options.motion.filters = request.filters == "on";
-  options.motion.late_states = request.threads > 1;
   options.threads = request.threads;
   options.profile = !request.stats.empty();
   options.max_events = request.max_events;

@@ -15,7 +15,7 @@ void MotionStates::follow(const Snapshot& then) {
   are_shared_ = true;
   fixed_ = then.fixed;
   balls_ = then.balls;
-  size_ = handed_ = applied_ = then.records;
+  size_ = applied_ = then.records;
   goal_bits_ = then.goal_bits;
   slope_ = then.slope;
   reserve_ = then.reserve;
@@ -37,7 +37,6 @@ void Motion::follow(const MotionSnapshot& then) {
   doubles_ = then.doubles;
   seconds_ = then.seconds;
   states_->follow(then.full);
-  taken_over_ = then.full.records;
 }
 
 void Motion::take(GenId g, const TurnedState& s) {

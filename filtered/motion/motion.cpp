@@ -13,15 +13,6 @@ namespace voroproof::internal {
 
 namespace {
 
-// So many collisions are handed to the second thread at a time: few enough for a disk to collide
-// seldom more than a few times meanwhile, each of which costs some six bits.
-constexpr std::size_t kLateBatch = 32;
-// Double-doubles are good enough for a state, meanwhile, that they know to so many bits below the
-// scale of the scene.
-constexpr int kLateBits = 66;
-// Where they do not know so many bits more, they are made anew as soon as better states are there.
-constexpr int kSpareBits = 16;
-
 bool is_double(const DdBall& b) { return b.lo == 0 && b.rad == 0; }
 
 }  // namespace
@@ -38,24 +29,15 @@ Motion::Motion(MotionInput input, MotionOptions options, std::shared_ptr<MotionL
     set_radius(g, states_->radius_dd(g));
     refresh(g);
   }
-  const Rational& e = this->input().container_restitution;
-  disk_law_ = dd_of(Rational(1 + this->input().restitution));
-  wall_law_ = dd_of(this->input().whole_container_law ? e : Rational(1 + e));
   for (const int axis : {0, 1}) {
     origin_[axis] = dd_of(this->input().origin[axis]);
     moved_ = moved_ || sgn(this->input().origin[axis]) != 0;
   }
 }
 
-// Double-doubles may stay behind.
 const MotionStates& Motion::full_states() const {
   states_->apply_rest();
   return *states_;
-}
-
-void Motion::settle() {
-  states_->apply_rest();
-  take_over();
 }
 
 Ball Motion::radius_ball(GenId g, Ball::Precision bits) const {
@@ -70,28 +52,6 @@ Ball Motion::radius_ball(GenId g, Ball::Precision bits) const {
 void Motion::refresh(GenId g) {
   const MotionStates::State<DdBall> s = states_->double_doubles(g);
   set_state(g, s.x, s.y, s.vx, s.vy);
-}
-
-// Refreshes the states that collide_ahead() left and of which better ones are there by now.
-// Precondition: the second thread has been waited for.
-void Motion::take_over() {
-  const double x_error = std::ldexp(error_of_length(), -kSpareBits);
-  const double v_error = std::ldexp(error_of_speed(), -kSpareBits);
-  for (; taken_over_ < states_->progress().applied; ++taken_over_) {
-    const Record& r = states_->record(taken_over_);
-    for (const GenId g : {r.i, r.j}) {
-      if (state_[g + 1] != static_cast<int>(taken_over_) + 1) continue;
-      if (seconds(g).ex > x_error || seconds(g).ev > v_error) refresh(g);
-    }
-  }
-}
-
-// How far a state in double-doubles may be off after collide_ahead().
-double Motion::error_of_length() const {
-  return std::ldexp(1.0, static_cast<int>(states_->x_scale()) - kLateBits);
-}
-double Motion::error_of_speed() const {
-  return std::ldexp(1.0, static_cast<int>(states_->v_scale()) - kLateBits);
 }
 
 namespace {
@@ -196,7 +156,6 @@ Motion::Origin Motion::origin(GenId g, int id) const {
 }
 
 bool Motion::raise_precision() {
-  settle();
   if (!states_->raise_goal()) return false;
   for (GenId g = container_id; g < size(); ++g) refresh(g);
   return true;
@@ -220,24 +179,17 @@ Impact Motion::collide(GenId i, GenId j, double t_near) {
                     i, j);
   }
   const Record r{i, j, state_[i + 1], state_[j + 1], doubles(i).t, doubles(j).t, t_near, -1};
-  std::optional<Impact> impact = collide_ahead(r);
-  if (!impact) impact = collide_now(r);
-  double lo = 0, hi = 0;
-  enclose(impact->time_dd, lo, hi);
-  impact->time = DoubleBall::hull(lo, hi);
-  return *impact;
-}
-
-// Collides by the states beyond double-doubles, once all of these are there.
-Impact Motion::collide_now(const Record& r) {
   append(r);
-  settle();
-  if (r.i != container_id) refresh(r.i);
-  refresh(r.j);
+  states_->apply_rest();
+  if (i != container_id) refresh(i);
+  refresh(j);
   const auto round_all = [&] {
     Impact out{};
     out.time_dd = states_->last_time();
-    out.t = round_coordinate(out.time_dd, r.j, 4);
+    double lo = 0, hi = 0;
+    enclose(out.time_dd, lo, hi);
+    out.time = DoubleBall::hull(lo, hi);
+    out.t = round_coordinate(out.time_dd, j, 4);
     const DdBall delay = states_->last_delay();
     const auto state = [&](GenId g) {
       const DdMotion m = double_doubles(g);
@@ -245,8 +197,8 @@ Impact Motion::collide_now(const Record& r) {
                           round_coordinate(m.y + m.vy * delay, g, 1), round_coordinate(m.vx, g, 2),
                           round_coordinate(m.vy, g, 3)};
     };
-    if (r.i != container_id) out.first = state(r.i);
-    out.second = state(r.j);
+    if (i != container_id) out.first = state(i);
+    out.second = state(j);
     return out;
   };
   for (;;) {
@@ -263,61 +215,7 @@ Impact Motion::collide_now(const Record& r) {
   }
 }
 
-// Collides by double-doubles; returns nothing where these do not tell enough. How many collisions
-// the other states stay behind does not depend on how fast the threads are, so all that follows is
-// the same each time.
-std::optional<Impact> Motion::collide_ahead(const Record& r) {
-  // Where bits run out a run stops at the collision that needs them, not some collisions later.
-  if (!options_.late_states || !options_.filters || !states_->has_spare_bits()) return std::nullopt;
-  const bool wall = r.i == container_id;
-  const MovingSite<DdBall> i = moving_site(r.i, DdBall(r.t_ref));
-  const MovingSite<DdBall> j = moving_site(r.j, DdBall(r.t_ref));
-  const Contact<DdBall> contact(i, j);
-  const DdBall root = sqrt(contact.b * contact.b - contact.a * contact.c);
-  const DdBall delay = !wall              ? contact.c / (root - contact.b)
-                       : contact.b.hi > 0 ? -contact.c / (contact.b + root)
-                                          : (root - contact.b) / contact.a;
-  const CollisionResponse<DdBall> response(i, j, contact, delay);
-  MovingSite<DdBall> after[2];
-  if (!wall) {
-    const DdBall mi = dd_of(input().disks[r.i].mass), mj = dd_of(input().disks[r.j].mass);
-    const DdBall share = disk_law_ / (mi + mj);
-    after[0] = response.pushed(i, share * mj);
-    after[1] = response.pushed(j, -(share * mi));
-  } else {
-    after[1] = input().whole_container_law ? response.reflected(j, wall_law_)
-                                           : response.pushed(j, -wall_law_);
-  }
-
-  Impact out{};
-  out.time_dd = DdBall(r.t_ref) + delay;
-  out.t = out.time_dd.hi;
-  bool enough = rounds_to_leading(out.time_dd);
-  const double x_error = error_of_length(), v_error = error_of_speed();
-  for (int side = wall ? 1 : 0; side < 2; ++side) {
-    const MovingSite<DdBall>& m = after[side];
-    const DdBall x = in_scene(m.x + m.vx * delay, 0), y = in_scene(m.y + m.vy * delay, 1);
-    for (const DdBall* b : {&x, &y}) enough = enough && b->rad <= x_error && rounds_to_leading(*b);
-    for (const DdBall* b : {&m.vx, &m.vy}) {
-      enough = enough && b->rad <= v_error && rounds_to_leading(*b);
-    }
-    (side == 0 ? out.first : out.second) = {x.hi, y.hi, m.vx.hi, m.vy.hi};
-  }
-  if (!enough) return std::nullopt;
-
-  append(r);
-  if (!wall) set_state(r.i, after[0].x, after[0].y, after[0].vx, after[0].vy);
-  set_state(r.j, after[1].x, after[1].y, after[1].vx, after[1].vy);
-  if (states_->rest() >= kLateBatch) {
-    states_->wait();
-    take_over();
-    states_->apply_rest_late();
-  }
-  return out;
-}
-
 RoundedState Motion::maneuver(GenId g, const Rational& t, const Rational& vx, const Rational& vy) {
-  settle();
   const double t_ref = round_nearest(t);
   const int maneuver = states_->append({t, vx, vy});
   RoundedState out{0, 0, round_nearest(vx), round_nearest(vy)};
@@ -344,7 +242,7 @@ RoundedState Motion::maneuver(GenId g, const Rational& t, const Rational& vx, co
     }
   }
   append({g, g, state_[g + 1], state_[g + 1], doubles(g).t, doubles(g).t, t_ref, maneuver});
-  settle();
+  states_->apply_rest();
   refresh(g);
   return out;
 }

@@ -163,15 +163,13 @@ class Motion {
   // The changes of motion so far, in order of time.
   const MotionStates::Record& record(int k) const { return states_->record(k); }
   const MotionStates::Maneuver& maneuver(int index) const { return states_->maneuver(index); }
-  // Waits for states that are still to come. May throw what collide() does.
-  void settle();
   // Asks for more bits in all states. False when the budget (max_bits) is exhausted.
   bool raise_precision();
   // The present goal: every state is known to at least this many bits below the
   // scale of the scene.
   int goal_bits() const { return states_->goal_bits(); }
-  int highest_bits() const { return states_->progress().highest_bits; }
-  std::uint64_t replays() const { return states_->progress().replays; }
+  int highest_bits() const { return states_->highest_bits(); }
+  std::uint64_t replays() const { return states_->replays(); }
 
   // Whether the present motion of g is rational for certain: no collision is in its past.
   bool is_rational(GenId g) const;
@@ -208,29 +206,21 @@ class Motion {
   const MotionStates& full_states() const;
   Ball radius_ball(GenId g, Ball::Precision bits) const;
   void refresh(GenId g);
-  void take_over();
-  double error_of_length() const;
-  double error_of_speed() const;
   void set_state(GenId g, const DdBall& x, const DdBall& y, const DdBall& vx, const DdBall& vy);
   void set_radius(GenId g, const DdBall& r);
   void take(GenId g, const TurnedState& s);
   void append(const Record& r);
-  std::optional<Impact> collide_ahead(const Record& r);
-  Impact collide_now(const Record& r);
   // A coordinate of a centre as the scene has it.
   DdBall in_scene(const DdBall& x, int axis) const { return moved_ ? x + origin_[axis] : x; }
   double round_coordinate(const DdBall& rough, GenId g, int which);
 
   MotionOptions options_;
   std::unique_ptr<MotionStates> states_;
-  std::size_t taken_over_ = 0;  // records that take_over() has seen
   CollisionRelations relations_;
   std::vector<int> state_;  // per generator
   std::vector<DoubleMotion> doubles_;
   std::vector<SecondMotion> seconds_;
   bool radii_are_doubles_ = true;
-  // Factors of the laws of collision.
-  DdBall disk_law_, wall_law_;
   std::array<DdBall, 2> origin_;  // of the input
   bool moved_ = false;            // the origin is not that of the scene
 };

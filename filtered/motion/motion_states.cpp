@@ -109,7 +109,6 @@ MotionStates::Restart& MotionStates::restart_of(GenId g) {
 
 void MotionStates::restart(GenId g, double t, const Rational& x, const Rational& y,
                            const Rational& vx, const Rational& vy) {
-  wait();
   DiskInput& d = input_.disks[g];
   d.x = Rational(x - input_.origin[0]);
   d.y = Rational(y - input_.origin[1]);
@@ -121,7 +120,6 @@ void MotionStates::restart(GenId g, double t, const Rational& x, const Rational&
 }
 
 void MotionStates::restart(GenId g, double t, const GivenMotion& given) {
-  wait();
   restart_of(g) = {t, &given};
   balls_[g + 1].reset();
 }
@@ -236,10 +234,10 @@ bool MotionStates::raise_for(double t) {
   return true;
 }
 
-void MotionStates::apply_log() {
+void MotionStates::apply_rest() {
   if (failure_) std::rethrow_exception(failure_);
   try {
-    while (applied_ < handed_) {
+    while (applied_ < size_) {
       const Record& r = log_->record(applied_);
       apply(r);
       if (is_accurate_enough(r)) {
@@ -255,28 +253,6 @@ void MotionStates::apply_log() {
     failure_ = std::current_exception();
     throw;
   }
-}
-
-void MotionStates::apply_rest() {
-  wait();
-  handed_ = size_;
-  apply_log();
-}
-
-void MotionStates::apply_rest_late() {
-  wait();
-  handed_ = size_;
-  before_job_ = {applied_, bits_at(0), replays_};
-  if (!worker_) worker_ = std::make_unique<Worker>();
-  worker_->start([this] { apply_log(); });
-}
-
-void MotionStates::wait() {
-  if (is_working()) worker_->wait();
-}
-
-MotionStates::Progress MotionStates::progress() const {
-  return is_working() ? before_job_ : Progress{applied_, bits_at(0), replays_};
 }
 
 bool MotionStates::raise_goal() {

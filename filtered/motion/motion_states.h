@@ -18,7 +18,6 @@
 #include "filtered/motion/fixed_collision.h"
 #include "filtered/motion/motion_log.h"
 #include "filtered/motion/options.h"
-#include "filtered/motion/worker.h"
 #include "filtered/numbers/dd_ball.h"
 
 namespace voroproof::internal {
@@ -81,26 +80,13 @@ class MotionStates {
   // Applies all records. Raises the supply of bits where the states after a collision are not
   // accurate enough. Throws Undecided where that would exceed the budget.
   void apply_rest();
-  // Does what apply_rest() does, in a thread of its own. Precondition: the rest are collisions.
-  void apply_rest_late();
-  // Waits for that thread, and throws what apply_rest() would have thrown.
-  void wait();
-  // How many records are neither applied nor handed to that thread.
-  std::size_t rest() const { return size_ - handed_; }
   // Applies all records anew, for states known to twice as many bits. False when the budget is
   // exhausted.
   bool raise_goal();
 
-  // How far things are; while the other thread works, how far they were when it began. Until it is
-  // waited for, states may not be asked for, nor bits_at().
-  struct Progress {
-    std::size_t applied = 0;    // records
-    int highest_bits = 0;       // those at time 0
-    std::uint64_t replays = 0;  // how often all records have been applied anew
-  };
-  Progress progress() const;
-  // Whether the supply of bits is far from the budget.
-  bool has_spare_bits() const { return 4 * std::int64_t{progress().highest_bits} <= max_bits_; }
+  int highest_bits() const { return bits_at(0); }
+  // How often all records have been applied anew.
+  std::uint64_t replays() const { return replays_; }
 
   // The present goal: every state is known to at least this many bits below the scale of the
   // scene.
@@ -133,8 +119,6 @@ class MotionStates {
   void apply_maneuver(const Record& r);
   void respond(const Record& r);
   bool is_accurate_enough(const Record& r) const;
-  bool is_working() const { return worker_ && worker_->is_working(); }
-  void apply_log();
   void replay();
   bool raise_for(double t);
 
@@ -158,10 +142,8 @@ class MotionStates {
   std::uint64_t replays_ = 0;
   std::shared_ptr<MotionLog> log_;
   std::size_t size_ = 0;        // of the log, as far as these states go
-  std::size_t handed_ = 0;      // records that are applied or handed over
   std::size_t applied_ = 0;     // records
   std::exception_ptr failure_;  // of a state that could not be computed: none can be since
-  Progress before_job_;
   // The states of generators whose last change was a collision; null of all others.
   std::vector<std::shared_ptr<FixedState>> fixed_;
   // States in balls: those after a maneuver, others from when they are asked for.
@@ -169,7 +151,6 @@ class MotionStates {
   bool are_shared_ = false;  // the states, with snapshots
   CollisionFactors laws_;
   FixedCollision collision_;
-  std::unique_ptr<Worker> worker_;  // the last member: its job uses the others
 };
 
 struct MotionStates::Snapshot {

@@ -14,9 +14,6 @@ namespace voroproof::internal {
 
 struct MotionOptions {
   bool filters = true;  // false: no decision is taken in doubles or double-doubles
-  // Collisions are computed in double-doubles at first; what goes beyond these follows some
-  // collisions later, from a second thread.
-  bool late_states = false;
   int start_bits = 192;
   int max_bits = 32768;
   std::size_t max_radicals = 4;

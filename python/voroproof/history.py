@@ -305,6 +305,6 @@ def simulate(scene: Scene, *, progress: Optional[Progress] = None, threads: int 
     once at the end; where it returns False the history ends there, and its `ending` says so. Ctrl-C
     raises KeyboardInterrupt. `max_bits` bounds the numbers from which decisions are taken, `max_events`
     the events (0: no bound): a history that would need more stops, and is right up to there.
-    With `threads=2` deep states are computed in a thread of their own: the same history.
+    Every number of `threads` gives the same history; from a few hundred disks on more are faster.
     """
     return History._of(_core.simulate(scene._core, progress, threads, max_bits, max_events), scene)

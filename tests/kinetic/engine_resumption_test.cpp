@@ -60,16 +60,14 @@ TEST(EngineResumption, TiesAndMirrorSymmetry) {
   }
 }
 
-TEST(EngineResumption, LawsManeuversAndLateStates) {
+TEST(EngineResumption, LawsAndManeuvers) {
   Random random(6);
   for (int k = 0; k < 6; ++k) {
     Scene scene = random_scene({.n = 15, .rmin = 3, .rmax = 12, .maneuvers = 3 * k}, random);
     if (k % 3 == 1) scene.restitution = Rational(4, 5);
     if (k % 3 == 2) scene.law = ContainerLaw::whole;
     if (k % 3 == 2) scene.container_restitution = Rational(9, 10);
-    EngineOptions options;
-    options.motion.late_states = k % 2 == 1;
-    EXPECT_TRUE(is_same_from_everywhere(scene, 8, options));
+    EXPECT_TRUE(is_same_from_everywhere(scene, 8));
   }
 }
 

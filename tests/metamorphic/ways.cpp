@@ -94,18 +94,14 @@ std::string spelled(const Scene& s, Random& random) {
 // The engine's options for one of its other ways.
 std::pair<std::string, EngineOptions> other_options(Random& random) {
   EngineOptions options;
-  switch (random.integer(0, 3)) {
+  switch (random.integer(0, 2)) {
     case 0:
       options.motion.filters = false;
       return {"without filters", options};
     case 1:
       options.motion.start_bits = random.chance(0.5) ? 64 : 1024;
       return {std::to_string(options.motion.start_bits) + " bits to begin with", options};
-    case 2:
-      options.motion.late_states = true;
-      return {"late states", options};
     default:
-      options.motion.late_states = true;
       options.threads = 2;
       options.least_sliced = 1;
       options.slice_hooks.work = [](int) { return std::uint64_t{16}; };
