@@ -50,14 +50,19 @@ py::dict dict_of(const Report& r) {
                   "leniency"_a = leniency, "remarks"_a = r.remarks, "json"_a = r.json);
 }
 
-CertifyOptions options_of(const std::string& truth, const Number& tolerance,
-                          const Number& law_tolerance, const std::string& order, bool strict,
-                          int threads, int max_bits, Attention& attention) {
+CertifyOptions options_of(const std::string& truth, const std::string& events,
+                          const Number& tolerance, const Number& law_tolerance,
+                          const std::string& order, bool strict, int threads, int max_bits,
+                          Attention& attention) {
   CertifyOptions options;
   if (truth != "exact" && truth != "recorded") {
     throw std::invalid_argument("truth: neither \"exact\" nor \"recorded\"");
   }
   options.truth = truth == "exact" ? Truth::exact : Truth::recorded;
+  if (events != "all" && events != "collisions") {
+    throw std::invalid_argument("events: neither \"all\" nor \"collisions\"");
+  }
+  options.events = events == "all" ? EventKinds::all : EventKinds::collisions;
   if (order != "format" && order != "any") {
     throw std::invalid_argument("order: neither \"format\" nor \"any\"");
   }
@@ -72,12 +77,12 @@ CertifyOptions options_of(const std::string& truth, const Number& tolerance,
 }
 
 template <class Judge>
-py::dict judged(py::object progress, const std::string& truth, const Number& tolerance,
-                const Number& law_tolerance, const std::string& order, bool strict, int threads,
-                int max_bits, Judge judge) {
+py::dict judged(py::object progress, const std::string& truth, const std::string& events,
+                const Number& tolerance, const Number& law_tolerance, const std::string& order,
+                bool strict, int threads, int max_bits, Judge judge) {
   Attention attention(std::move(progress));
-  const CertifyOptions options =
-      options_of(truth, tolerance, law_tolerance, order, strict, threads, max_bits, attention);
+  const CertifyOptions options = options_of(truth, events, tolerance, law_tolerance, order, strict,
+                                            threads, max_bits, attention);
   const Report report = attention.spend([&] { return judge(options); });
   attention.report(report.prefix_t, report.prefix_events);
   return dict_of(report);
@@ -89,26 +94,29 @@ void bind_certify(py::module_& module) {
   module.def(
       "certify",
       [](const Scene& scene, const EventTable& history, py::object progress,
-         const std::string& truth, const Number& tolerance, const Number& law_tolerance,
-         const std::string& order, bool strict, int threads, int max_bits) {
-        return judged(std::move(progress), truth, tolerance, law_tolerance, order, strict, threads,
-                      max_bits, [&](const CertifyOptions& options) {
+         const std::string& truth, const std::string& events, const Number& tolerance,
+         const Number& law_tolerance, const std::string& order, bool strict, int threads,
+         int max_bits) {
+        return judged(std::move(progress), truth, events, tolerance, law_tolerance, order, strict,
+                      threads, max_bits, [&](const CertifyOptions& options) {
                         return certify(scene, history.history(), options);
                       });
       },
-      "scene"_a, "history"_a, "progress"_a, "truth"_a, "tolerance"_a, "law_tolerance"_a, "order"_a,
-      "strict"_a, "threads"_a, "max_bits"_a);
+      "scene"_a, "history"_a, "progress"_a, "truth"_a, "events"_a, "tolerance"_a, "law_tolerance"_a,
+      "order"_a, "strict"_a, "threads"_a, "max_bits"_a);
   module.def(
       "certify_files",
       [](const std::string& scene, const std::string& history, py::object progress,
-         const std::string& truth, const Number& tolerance, const Number& law_tolerance,
-         const std::string& order, bool strict, int threads, int max_bits) {
-        return judged(
-            std::move(progress), truth, tolerance, law_tolerance, order, strict, threads, max_bits,
-            [&](const CertifyOptions& options) { return certify_files(scene, history, options); });
+         const std::string& truth, const std::string& events, const Number& tolerance,
+         const Number& law_tolerance, const std::string& order, bool strict, int threads,
+         int max_bits) {
+        return judged(std::move(progress), truth, events, tolerance, law_tolerance, order, strict,
+                      threads, max_bits, [&](const CertifyOptions& options) {
+                        return certify_files(scene, history, options);
+                      });
       },
-      "scene"_a, "history"_a, "progress"_a, "truth"_a, "tolerance"_a, "law_tolerance"_a, "order"_a,
-      "strict"_a, "threads"_a, "max_bits"_a);
+      "scene"_a, "history"_a, "progress"_a, "truth"_a, "events"_a, "tolerance"_a, "law_tolerance"_a,
+      "order"_a, "strict"_a, "threads"_a, "max_bits"_a);
   module.def("explain", [](const std::string& json) {
     Report report;
     report.json = json;

@@ -141,13 +141,14 @@ def _report(fields: Dict[str, Any]) -> Report:
     return Report(**fields)
 
 
-def certify(scene: Scene, history: History, *, truth: str = "exact", tolerance: Number = 1e-6,
-            law_tolerance: Number = 1e-9, order: str = "format", strict: bool = False, threads: int = 1,
+def certify(scene: Scene, history: History, *, truth: str = "exact", events: str = "all",
+            tolerance: Number = 1e-6, law_tolerance: Number = 1e-9, order: str = "format", strict: bool = False, threads: int = 1,
             max_bits: int = 32768, progress: Optional[Progress] = None) -> Report:
     """Proves the history of the scene, refutes it with evidence, or says what it cannot decide.
 
     `truth` is "exact", the true motion of the scene, or "recorded", the motion that the history's
-    own collision times and velocities define. `tolerance` is one of times, `law_tolerance` one of
+    own collision times and velocities define. With the events "collisions" flips and the initial
+    diagram are passed over, and the verdict says so. `tolerance` is one of times, `law_tolerance` one of
     velocities, relative to the speeds involved. With the order "any" collisions and maneuvers of one
     instant may come in any order in which every collision is of two that touch and approach then,
     and no such pair is left (exact truth). With `strict` swaps, other orders, unoriented edges
@@ -157,12 +158,12 @@ def certify(scene: Scene, history: History, *, truth: str = "exact", tolerance: 
     Raises InputError where the history is none or not of this scene, Interrupted where `progress`
     returns False, and ValueError for tolerances without meaning.
     """
-    return _report(_core.certify(scene._core, history._core, progress, truth, tolerance,
+    return _report(_core.certify(scene._core, history._core, progress, truth, events, tolerance,
                                  law_tolerance, order, strict, threads, max_bits))
 
 
-def certify_files(scene: Path, history: Path, *, truth: str = "exact", tolerance: Number = 1e-6,
-                  law_tolerance: Number = 1e-9, order: str = "format", strict: bool = False,
+def certify_files(scene: Path, history: Path, *, truth: str = "exact", events: str = "all",
+                  tolerance: Number = 1e-6, law_tolerance: Number = 1e-9, order: str = "format", strict: bool = False,
                   threads: int = 1,
                   max_bits: int = 32768, progress: Optional[Progress] = None) -> Report:
     """Certifies files in any format that the program reads; see `certify`."""
