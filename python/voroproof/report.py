@@ -167,5 +167,5 @@ def certify_files(scene: Path, history: Path, *, truth: str = "exact", events: s
                   threads: int = 1,
                   max_bits: int = 32768, progress: Optional[Progress] = None) -> Report:
     """Certifies files in any format that the program reads; see `certify`."""
-    return _report(_core.certify_files(os.fspath(scene), os.fspath(history), progress, truth,
+    return _report(_core.certify_files(os.fspath(scene), os.fspath(history), progress, truth, events,
                                        tolerance, law_tolerance, order, strict, threads, max_bits))
