@@ -143,7 +143,8 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
     // What is hard later in the window can wait: an event may come first.
     const double from = now != nullptr ? now->hi : voroproof::internal::round_up(start);
     const double reached = voroproof::internal::round_down(attempt.reached);
-    if (!(reached - from > kPartWorthAnAnswer * (end - from))) return std::nullopt;
+    const double worth = kPartWorthAnAnswer * std::max(0.0, end - from);
+    if (!(reached - from > worth)) return std::nullopt;
     return Collapse::none_until(reached);
   };
   const Rung dd{Tier::dd, [&]() -> std::optional<Collapse> {
