@@ -4,13 +4,13 @@
 //   format, version           "voroproof-kept-run", 1
 //   producer, scene_sha256, horizon
 //                             as in the history's header
-//   bytes, sha256             size and hash of the (expanded) beginning of the history that it belongs to
+//   bytes, sha256             size and hash of the beginning of the history, expanded
 //   t                         a time after the events of that beginning and before all others
 //   last                      the time of the last of them
 //   events                    numbers: flips by the paper's kinds, collisions of disks and with the
 //                             container, maneuvers; settling_flips, which are no events
-//   divisions                 numbers of turns after which another instant begins that rounds to the
-//                             same time
+//   divisions                 numbers of turns after which another instant begins that rounds to
+//                             the same time
 //   precision                 of the states: goal, per_time, bits, v_scale (docs/design/engine.md)
 // The second line:
 //   diagram                   at t, as `initial` in a history
