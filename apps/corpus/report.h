@@ -49,7 +49,7 @@ std::string report_for_terminal(const CorpusRunInfo& info,
                                 const std::vector<ProgramResult>& results);
 std::string report_for_terminal(const CorpusRunInfo& info, const std::vector<OwnResult>& results);
 
-// What the JSON file holds, and its text; corpus/README.md lists its fields.
+// What the JSON file holds, and its text; schemas/corpus-report.schema.json lists its fields.
 nlohmann::ordered_json report_data(const CorpusRunInfo& info,
                                    const std::vector<ProgramResult>& results);
 nlohmann::ordered_json report_data(const CorpusRunInfo& info,

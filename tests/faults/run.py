@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Seeds faults into the program, one at a time, and says which test finds each.
 
-usage: tests/faults/run.py [--only NAME] [--jobs N] [--out DIR] [--resume]
+usage: tests/faults/run.py [--only NAME] [--jobs N] [--out DIR] [--resume] [--record]
        tests/faults/run.py --check
 
 The faults are those of faults.json beside this file (CONTRIBUTING.md, "Seeded faults"). They are made in
@@ -12,8 +12,10 @@ code is 0 if every fault is found but those that say why none can be ("survives"
 
 --only NAME  only this fault; may be given more than once
 --resume     leaves alone what has a result already, and believes how long the tests took
---check      only checks that each fault can be made in the tree as it is, and is in the document;
-             also those that the proved checker is tried with (tests/proofs/faults.py)
+--record     writes into faults.json which test found each fault that was tried ("found_by")
+--check      only checks that each fault can be made in the tree as it is, also those that the proved
+             checker is tried with (tests/proofs/faults.py), and that docs/seeded-faults.md has the score
+             and the survivors of faults.json
 """
 
 import argparse
@@ -75,16 +77,19 @@ def faulty(fault, tree):
 
 
 def check(faults):
-    """Messages about faults that cannot be made, or that the document does not have."""
+    """Messages about faults that cannot be made, and about what the document says otherwise than faults.json."""
     wrong = []
     document = DOCUMENT.read_text() if DOCUMENT.exists() else ""
+    for name, rows in (("score", score(faults, recorded)), ("survivors", survivors(faults))):
+        if "\n".join(["", *rows, ""]) + "\n" not in document:
+            wrong.append(f"{DOCUMENT.name}: the table of {name} is not that of {FAULTS.name}:\n" + "\n".join(rows))
     for fault in faults:
         try:
             if room(fault) not in ORDER:
                 raise ValueError(f"{fault['name']}: no tests are known for {fault['file']}")
             faulty(fault, TREE)
-            if f"| {fault['name']} |" not in document:
-                raise ValueError(f"{fault['name']}: {DOCUMENT.name} does not have it")
+            if "found_by" in fault and "survives" in fault:
+                raise ValueError(f"{fault['name']}: it is found, and says why it survives")
         except ValueError as e:
             wrong.append(str(e))
     for fault in json.loads(OF_PROOFS.read_text()):
@@ -178,6 +183,43 @@ def measure(build, rooms, limits):
         limits[name] = 60 + 5 * (time.monotonic() - start)
 
 
+def recorded(fault):
+    """What faults.json says of the fault: found, or survived."""
+    return "found" if "found_by" in fault else "survived"
+
+
+def score(faults, result):
+    """The lines of a table: for each room how many faults there are and how many are found."""
+    rows = ["| room | faults | found | survive, explained | survive |", "|---|---|---|---|---|"]
+    for name in [*ORDER, "all"]:
+        mine = [f for f in faults if name in (room(f), "all")]
+        if not mine:
+            continue
+        found = sum(result(f) == "found" for f in mine)
+        survived = [f for f in mine if result(f) == "survived"]
+        explained = sum("survives" in f for f in survived)
+        rows.append(f"| {name} | {len(mine)} | {found} | {explained} | {len(survived) - explained} |")
+    return rows
+
+
+def survivors(faults):
+    """The lines of a table: the faults that no test finds, and why."""
+    rows = ["| fault | file | why no test finds it |", "|---|---|---|"]
+    return rows + [f"| {f['name']} | `{f['file']}` | {f.get('survives', 'open')} |"
+                   for f in faults if recorded(f) == "survived"]
+
+
+def record_results(faults, results):
+    """Writes into faults.json what was found."""
+    for fault in faults:
+        got = results.get(fault["name"], {})
+        if got.get("result") == "found":
+            fault["found_by"] = got["by"]
+        elif got.get("result") == "survived":
+            fault.pop("found_by", None)
+    FAULTS.write_text(json.dumps(faults, indent=1, ensure_ascii=False) + "\n")
+
+
 def table(faults, results):
     rows = ["| fault | file | what it means | found by |", "|---|---|---|---|"]
     for fault in faults:
@@ -186,16 +228,7 @@ def table(faults, results):
               "survives: " + fault["survives"] if got["result"] == "survived" and "survives" in fault
               else got["result"])
         rows.append(f"| {fault['name']} | `{fault['file']}` | {fault['means']} | {by} |")
-    rows += ["", "| room | faults | found | survive, explained | survive |", "|---|---|---|---|---|"]
-    for name in [*ORDER, "all"]:
-        mine = [f for f in faults if name in (room(f), "all")]
-        if not mine:
-            continue
-        kind = lambda f: results.get(f["name"], {}).get("result")
-        found = sum(kind(f) == "found" for f in mine)
-        survived = [f for f in mine if kind(f) == "survived"]
-        explained = sum("survives" in f for f in survived)
-        rows.append(f"| {name} | {len(mine)} | {found} | {explained} | {len(survived) - explained} |")
+    rows += ["", *score(faults, lambda f: results.get(f["name"], {}).get("result"))]
     return "\n".join(rows) + "\n"
 
 
@@ -205,6 +238,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=1, metavar="N")
     parser.add_argument("--out", type=pathlib.Path, default=TREE / "build-faults", metavar="DIR")
     parser.add_argument("--resume", action="store_true")
+    parser.add_argument("--record", action="store_true")
     parser.add_argument("--check", action="store_true")
     asked = parser.parse_args()
     faults = load()
@@ -239,6 +273,8 @@ def main():
         print(f"{fault['name']}: {got['result']} {got.get('by', '')} ({time.monotonic() - start:.0f} s)",
               flush=True)
     (out / "build" / "faults.md").write_text(table(faults, results))
+    if asked.record:
+        record_results(faults, results)
     bad = [f["name"] for f in faults if f["name"] in results
            and results[f["name"]]["result"] != "found"
            and not (results[f["name"]]["result"] == "survived" and "survives" in f)]
