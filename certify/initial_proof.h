@@ -1,6 +1,6 @@
 // The proof that a set of edges is the Voronoi diagram of the disks at one instant.
 //
-// docs/certificate.md (section "The initial diagram") proves that the following is enough:
+// docs/certificate.md (section 4, Lemma 6.10) proves that the following is enough:
 //   0. no two neighbours have a tangency of the wrong sign, or none;
 //   1. the incidences are those of a triangulation of the sphere by all generators;
 //   2. the tangent circle of every vertex exists;

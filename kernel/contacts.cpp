@@ -198,7 +198,7 @@ class Contacts {
   }
 
   // Two points that meet have no law, and change places at a disk by no flip. Before that both are
-  // neighbours of that disk, or of each other and so of a third (certificate.md, Lemma 3.31).
+  // neighbours of that disk, or of each other and so of a third (certificate.md, Lemma 6.8).
   void require_no_meeting(Two two, const Rat& t) const {
     const auto require = [&](int i, int j) {
       if (i == j || p_.radius(j) != 0) return;

@@ -1,6 +1,6 @@
 // Points that meet at a disk. Two points that graze one disk from two sides and meet there are
 // never neighbours, so that no search for the contact of two neighbours tells of them. There is no
-// diagram at that instant, and none is known after it. (The certifier's rule is 3.30 of
+// diagram at that instant, and none is known after it. (The certifier's rule is 3.18 of
 // docs/certificate.md.)
 #pragma once
 

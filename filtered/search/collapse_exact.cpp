@@ -113,7 +113,7 @@ namespace {
 // The roots of an edge's flip polynomial after the start of a search, and rational times beside
 // each: so near that neither the polynomial nor a tangency of the four changes its sign between the
 // root and the time. So the in-circle functions have the signs there that they have just beside the
-// root (docs/certificate.md, Lemma 5.19).
+// root (docs/certificate.md, Lemma 6.17).
 class EdgeRoots {
  public:
   // `scale`: the edge's time scale.

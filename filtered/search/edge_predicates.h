@@ -64,7 +64,7 @@ enum class Judgement { collapses, stays, unknown };
 
 // Reads the verdict off the signs just after the root. Circles that certainly do not exist make an
 // edge that is no longer there; whether they do need not be known: the circles of an edge of the
-// diagram exist for as long as it is one (docs/certificate.md, section 3).
+// diagram exist for as long as it is one (docs/certificate.md, section 6).
 template <class T, class SitesAfter>
 Judgement judge(const Quad& q, const std::array<Site<T>, 4>& at_hull, SitesAfter&& sites_after,
                 Sign f_after) {

@@ -1,6 +1,6 @@
 // Cells of points, that is of disks of radius 0. While a point touches another generator its cell
 // has no area, and there is no diagram. For a single instant that does not matter: its edges have
-// no length then (docs/certificate.md, Lemma 3.7). It does for longer, and where a point is between
+// no length then (docs/certificate.md, Lemma 6.6). It does for longer, and where a point is between
 // two.
 #pragma once
 

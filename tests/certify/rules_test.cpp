@@ -81,7 +81,7 @@ void judge_at_the_horizon(double later, bool is_event, std::int64_t Certificate:
   }
 }
 
-// Rule 3.23: a flip within the tolerance after the horizon is no event. Under the recorded truth it
+// Rule 3.14: a flip within the tolerance after the horizon is no event. Under the recorded truth it
 // may be claimed, which is counted.
 TEST(Rules, FlipsAfterTheHorizon) { judge_at_the_horizon(-1e-7, false, &Certificate::at_horizon); }
 
@@ -91,7 +91,7 @@ TEST(Rules, FlipsBeforeTheHorizonLeftOut) {
   judge_at_the_horizon(1e-7, true, &Certificate::left_out);
 }
 
-// Rule 3.32: two edges far from each other flip one shortly after the other, both within the
+// Rule 3.15: two edges far from each other flip one shortly after the other, both within the
 // tolerance of the horizon. From a flip that is left out on the claimed diagram is another than the
 // true one, so that a later flip is not proved.
 TEST(Rules, NoFlipAfterOneThatIsLeftOut) {
@@ -121,7 +121,7 @@ TEST(Rules, NoFlipAfterOneThatIsLeftOut) {
   }
 }
 
-// Rule 3.16: a disk is hit from both sides, one after the other, within the tolerance. Whoever
+// Rule 3.4: a disk is hit from both sides, one after the other, within the tolerance. Whoever
 // reads the lines in another order takes another velocity for its last one.
 TEST(Rules, TurnsOfOneDiskAreNotExchanged) {
   const Scene scene = scene_of(
@@ -142,7 +142,7 @@ TEST(Rules, TurnsOfOneDiskAreNotExchanged) {
   EXPECT_EQ(c.divergence->fault, Fault::wrong_order);
 }
 
-// Rule 2.11: those that collide are neighbours. The outer two of three in a row are not.
+// Rule 2.8: those that collide are neighbours. The outer two of three in a row are not.
 TEST(Rules, WhoIsNoNeighbourDoesNotCollide) {
   const Scene scene =
       scene_of(20, 1, {disk(-8, 0, 3, 1, 0, 1), disk(0, 0, 3, 0, 0, 1), disk(8, 0, 3, -1, 0, 1)});
@@ -158,7 +158,7 @@ TEST(Rules, WhoIsNoNeighbourDoesNotCollide) {
   }
 }
 
-// Rule 2.5: lives begin when all has turned that turns at an instant. A point hits a disk without
+// Rule 2.2: lives begin when all has turned that turns at an instant. A point hits a disk without
 // restitution and would rest on it, but for a maneuver at that instant, by which it leaves.
 TEST(Rules, NothingIsJudgedBetweenTwoTurnsOfAnInstant) {
   Scene scene = scene_of(30, 4, {disk(5, 0, 0, -1, 0, 1), disk(0, 0, 3, 0, 0, 1)});
@@ -174,7 +174,7 @@ TEST(Rules, NothingIsJudgedBetweenTwoTurnsOfAnInstant) {
   }
 }
 
-// Rule 5.13: a turn at the very instant of a collapse, which the life before does not prove to be
+// Rule 5.9: a turn at the very instant of a collapse, which the life before does not prove to be
 // none. After it the edge has to flip.
 TEST(Rules, AnEdgeThatCollapsesAtATurnFlips) {
   Scene scene = scene_of(10, Rational(5, 4),
@@ -196,7 +196,7 @@ TEST(Rules, AnEdgeThatCollapsesAtATurnFlips) {
   }
 }
 
-// Rule 3.11: a point enters a disk, is claimed to have hit it while it is inside, and leaves it on
+// Rule 3.16: a point enters a disk, is claimed to have hit it while it is inside, and leaves it on
 // the side from which it came. Meanwhile a maneuver drives a third disk there. The point has
 // another neighbour then, by no flip: with the third disk where it was the diagram is right, but it
 // is not there any more.
@@ -228,7 +228,7 @@ Scene narrow_pass(double nearest, double y, const Rational& smaller, const DiskI
                   {disk(-1, 0, 1 - smaller, 0, 0), disk(nearest - 1, y, 1 - smaller, 0, 1), small});
 }
 
-// Rule 5.16: the two have overlapped before the second edge comes. What is known of the pair since
+// Rule 5.13: the two have overlapped before the second edge comes. What is known of the pair since
 // then does not tell.
 TEST(Rules, TheOldestEdgeOfAPairStandsForIt) {
   const auto scene = [](const Rational& smaller) {
@@ -244,7 +244,7 @@ TEST(Rules, TheOldestEdgeOfAPairStandsForIt) {
   expect_refuted(large, right);
 }
 
-// Rule 5.16: an overlap by a rounding is one, along how many edges the two may be neighbours.
+// Rule 5.13: an overlap by a rounding is one, along how many edges the two may be neighbours.
 TEST(Rules, AnOverlapIsCountedOnce) {
   Scene scene = narrow_pass(2 - 0x1p-48, -0.125, 0, disk(0.01, -0.75, 0.05, 0, 0));
   scene.horizon = Rational(1, 4);
