@@ -24,7 +24,7 @@ struct IsolatedRoot {
 
 // An edge that flips, and those of the two triangles beside it, each once.
 struct EdgeRing {
-  Quad q;  // of the edge before the flip
+  Quad q;  // the edge before the flip
   std::array<int, 4> edges{-1, -1, -1, -1};
   std::array<GenId, 4> outer{};  // the generators beyond them
   int count = 0;
@@ -109,7 +109,7 @@ class EdgeLives {
   void prefetch(int edge) const { internal::prefetch(&lives_[edge]); }
 
  private:
-  // What brackets about the time t are measured by.
+  // The time scale of the brackets about the time t.
   double reference_time(double t) const;
   void begin_life(int edge, const Moment& m, const IsolatedRoot* own, bool rootless);
   void find_beginning(int edge, const Moment& m, const IsolatedRoot* own);

@@ -13,8 +13,8 @@ namespace voroproof::internal {
 
 namespace {
 
-// So many collisions are handed to the second thread at a time: few enough for a disk to collide
-// seldom more than a few times meanwhile, each of which costs some six bits.
+// The number of collisions that are handed to the second thread at a time: few enough for a disk to
+// collide seldom more than a few times meanwhile, each of which costs some six bits.
 constexpr std::size_t kLateBatch = 32;
 // Double-doubles are good enough for a state, meanwhile, that they know to so many bits below the
 // scale of the scene.

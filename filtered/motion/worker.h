@@ -30,7 +30,7 @@ class Worker {
   void work();
   void do_job(std::unique_lock<std::mutex>& lock);
 
-  bool working_ = false;  // of the calling thread: a job was started and not waited for
+  bool working_ = false;  // set by the calling thread: a job was started and not waited for
   std::mutex mutex_;
   std::condition_variable changed_;
   std::function<void()> job_;  // null when it is done
