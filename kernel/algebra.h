@@ -56,7 +56,7 @@ std::string about(const Rat& x);
 struct Form : std::vector<Int> {
   using std::vector<Int>::vector;
 };
-Form operator+(Form p, const Form& q);  // both have one degree
+Form operator+(Form p, const Form& q);  // both have the same degree
 Form operator-(Form p, const Form& q);
 Form operator*(const Form& p, const Form& q);
 // The forms over the two halves of the interval.

@@ -48,7 +48,7 @@ class Schedule {
         horizon_up_(round_up(horizon)),
         queue_(1) {}
 
-  // The run ends at this time, and not at that which was given first. To be called before start().
+  // Replaces the horizon given to the constructor. Call before start().
   void end_at(const Rational& horizon) {
     horizon_ = horizon;
     horizon_up_ = round_up(horizon);

@@ -10,7 +10,7 @@
 namespace voroproof::internal {
 
 // The common input of all queries at an instant. The moment must be that of the scene at t, and
-// outlive the call. Throw Undecided where a decision needs more than the budget.
+// outlive the call. The queries throw Undecided where a decision needs more than the budget.
 struct InstantQuery {
   const Scene& scene;
   const Rational& t;
