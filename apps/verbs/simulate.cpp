@@ -280,7 +280,7 @@ ExitCode simulate(const Request& request) {
     return !interruption.requested() && !(check && check->over());
   };
   if (keeper) {
-    // Winds up while the state is kept after an interruption.
+    // After an interruption the state is being kept. The writing of it is waited for.
     keeper->serve(options, *sink, [&] {
       if (interruption.requested()) interruption.wind_up();
     });
