@@ -28,8 +28,8 @@ void CellsAround::collect(GenId i, GenId j) {
       } while (h != first);
     }
   };
-  // What is needed of them soon is asked for on the way: the lives, the pairs, and the generators
-  // on the other sides.
+  // Prefetches what will be needed of them soon: the lives, the pairs, and the generators on the
+  // other sides.
   each([&](Diagram::HalfEdge h) {
     add(spokes_, h / 2);
     const Diagram::HalfEdge rim = s_.diagram.next(h);

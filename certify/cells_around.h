@@ -34,7 +34,7 @@ class CellsAround {
   EdgeLives& edges_;
   PairLives& pairs_;
   std::vector<GenId> turning_;     // flips are not judged: the disks that turn
-  std::vector<int> spokes_, all_;  // of the last collection; all: with the rims
+  std::vector<int> spokes_, all_;  // result of the last collection; all: with the rims
   std::vector<char> collected_;    // by edge, within collect(): whether it is among them
 };
 

@@ -1,4 +1,4 @@
-// What a certification ends with: a verdict, and what it rests on.
+// The result of a certification: a verdict, and what it rests on.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ enum class Verdict { certified, refuted, undecided };
 // The ways in which a history can be false.
 enum class Fault {
   missing_event,    // something happens that is not claimed
-  spurious_event,   // what is claimed does not happen
+  spurious_event,   // a claimed event does not happen
   wrong_quadruple,  // another edge flips here
   wrong_time,       // it happens at another time
   wrong_order,      // it happens after what is claimed later, or before what is claimed earlier
@@ -54,7 +54,7 @@ struct EvidenceMotion {
   EvidenceNumber x, y, vx, vy, radius;
 };
 
-// What anybody can check by hand or with a computer algebra system.
+// Evidence that anybody can check by hand or with a computer algebra system.
 struct Witness {
   std::vector<EvidenceMotion> generators;  // in the order of the quadruplet, triple or pair
   // A polynomial in t (powers 0, 1, ...) whose only root in [lo, hi] is the time of the event:
@@ -72,8 +72,8 @@ struct Witness {
 
 struct Divergence {
   Fault fault;
-  std::int64_t line = 0;       // of the history: the claim, or the line before which one is missing
-  double t = 0;                // of the claim, or of the truth where no claim is at fault
+  std::int64_t line = 0;       // in the history: the claim, or the line before which one is missing
+  double t = 0;                // time of the claim, or of the truth where no claim is at fault
   std::optional<Event> claim;  // as read
   std::string truth;           // one sentence
   std::optional<Quad> true_flip;
@@ -84,18 +84,18 @@ struct Divergence {
 
 struct Certificate {
   Verdict verdict = Verdict::undecided;
-  std::optional<Divergence> divergence;  // of a refutation
-  std::string reason;                    // of an undecided one
+  std::optional<Divergence> divergence;  // for a refutation
+  std::string reason;                    // why it is undecided
   std::int64_t reason_line = 0;
   // The certified prefix: the first so many events are right, and nothing is missing before t.
   std::int64_t prefix_events = 0;
   double prefix_t = 0;
-  // What was proved.
+  // Counts of what was proved.
   std::int64_t flips = 0, collisions = 0, maneuvers = 0;
   std::int64_t edge_lives = 0, pair_lives = 0;  // intervals proved free of collapse, of contact
-  std::int64_t beyond_filter = 0;               // of these and of the flips, decided past doubles
+  std::int64_t beyond_filter = 0;               // decided past doubles, among these and the flips
   std::int64_t simultaneous = 0;                // events proved simultaneous with the one before
-  // What was accepted by leniency (docs/claim.md).
+  // Counts of leniencies used (docs/claim.md).
   std::int64_t swaps = 0;     // claims out of order within the tolerance, whose events commute
   std::int64_t resolved = 0;  // quadruplets without orientation that were resolved
   std::int64_t grazes = 0;    // collisions of two that come near, and touch but for roundings

@@ -35,8 +35,8 @@ enum class EventKinds {
 struct CertifyOptions {
   Truth truth = Truth::exact;
   EventKinds events = EventKinds::all;
-  Rational tolerance{1, 1000000};         // of times
-  Rational law_tolerance{1, 1000000000};  // of velocities, relative to the speeds involved
+  Rational tolerance{1, 1000000};         // for times
+  Rational law_tolerance{1, 1000000000};  // for velocities, relative to the speeds involved
   bool strict = false;  // swaps, unoriented quadruplets and another horizon are refuted
   // Exact truth: collisions and maneuvers of one instant may come in any order in which every
   // collision is of two that touch and approach then, and none such is left (docs/claim.md).

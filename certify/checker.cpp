@@ -154,7 +154,7 @@ void Checker::process() {
 void Checker::start() {
   front_.moment = Moment::at(Rational(0));
   refill();
-  // What happens to the motion at t = 0 comes before the diagram at 0+.
+  // Events of the motion at t = 0 come before the diagram at 0+.
   while (claim_order_.take_next_at_start()) {
     process();
     refill();
@@ -254,7 +254,7 @@ void Checker::finish() {
   const HistorySource& history = claims_.history();
   claims_.stand_at(claims_.read_to());
   const auto* stop = std::get_if<HistoryStop>(&history.ending());
-  // What the file cannot say for certain is not held against it.
+  // The end is the earliest that the file allows: its roundings are not held against the history.
   Rational end = s_.header.horizon - s_.header.horizon_error;
   if (stop != nullptr) end = stop->exact_t ? *stop->exact_t : to_rational(stop->t);
   if (stop == nullptr || end > to_rational(front_.moment.lo)) {

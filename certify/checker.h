@@ -68,7 +68,7 @@ class Checker {
   void prefix_until(double t);
 
   Setting s_;
-  std::optional<double> begin_;  // of a part that is not the first
+  std::optional<double> begin_;  // where a part begins that is not the first
   Front front_;
   Claims claims_;
   Refuter refuter_;

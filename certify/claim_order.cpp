@@ -93,7 +93,8 @@ std::size_t ClaimOrder::earliest() {
     if (claim.placed || (tied && claim.tie.number == earlier.tie.number)) continue;
     const std::optional<Moment>& m = moment_of(claim);
     if (!m || m->lo > first->hi) continue;
-    // No more bits for it: it need not be known, as that of an edge that is to flip in any case.
+    // Do not raise the precision to decide this order. An undecided order is harmless here: the
+    // claim then keeps its place in the file.
     const std::optional<int> order = s_.chronology.known_order(*m, *first);
     if (!order) {
       claim.placed = true;

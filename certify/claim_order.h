@@ -58,8 +58,8 @@ class ClaimOrder {
   EdgeLives& edges_;
   PairLives& pairs_;
   Instants& instants_;
-  std::int64_t ties_ = 0;                // so many have been numbered
-  std::int64_t taken_ = 0;               // so many claims
+  std::int64_t ties_ = 0;                // ties numbered so far
+  std::int64_t taken_ = 0;               // claims taken so far
   std::vector<std::int64_t> concerned_;  // for each disk: taken_ when it was in a claim last
 };
 

@@ -16,8 +16,8 @@
 
 namespace voroproof::internal {
 
-// What claims have in common that were proved simultaneous: a number, 0 for none. Each claim has
-// with it its moment as it was isolated then, by the motion after so many changes.
+// The tie that claims have in common which were proved simultaneous: a number, 0 for none. Each
+// claim has its moment as it was isolated then, after so many changes of the motion.
 struct Tie {
   std::int64_t number = 0;
   double lo = 0, hi = 0;
@@ -39,7 +39,7 @@ class Claims {
 
     Event event;
     std::int64_t line;
-    HalfEdge place;  // what it is about, as far as somebody knows, or -1
+    HalfEdge place;  // half-edge or disks that it is about, as far as known, or -1
     Tie tie{};
     bool placed = false;  // no order with another is known: it stays where the file has it
     // Others were taken without a look at it: more were near these than are looked at together.
@@ -79,7 +79,7 @@ class Claims {
   std::vector<Claim>& near() { return near_; }
   // Whether no other of them is so near the first that it may come before it.
   bool first_is_alone() const { return near_.size() == 1; }
-  // What is known of the claim that will be read after so many others.
+  // The known place of the claim that will be read after `far` others.
   Replay::Place place_ahead(std::size_t far) const {
     const std::size_t k = times_.size() + far;
     if (k < places_.size()) return places_[k];
@@ -132,9 +132,9 @@ class Claims {
   bool last_is_at(double t) const { return !times_.empty() && times_.back() == t; }
 
  private:
-  // So many claims are read before those that are taken, where their places are to be found.
+  // The number of claims that are read ahead of those taken, where their places are to be found.
   static constexpr std::size_t kAhead = 12;
-  // So many where the places are known: a claim that has just been written is not read at once.
+  // The number where the places are known: a claim that has just been written is not read at once.
   static constexpr std::size_t kAheadPlaced = 1;
 
   bool wants_more();
@@ -153,9 +153,9 @@ class Claims {
   bool ended_ = false;                 // no more to read
   bool full_ = false;                  // when a claim was taken last as many were near as can be,
   double taken_ = 0;                   // the first of them at this time
-  std::vector<double> times_;          // of the claims read
+  std::vector<double> times_;          // times of the claims read
   std::vector<std::int64_t> lines_;    // theirs
-  std::vector<Replay::Place> places_;  // of the claims, read or not
+  std::vector<Replay::Place> places_;  // places of the claims, read or not
   std::int64_t read_to_;
   std::optional<Event> current_;
   std::int64_t line_ = 1;

@@ -118,7 +118,8 @@ bool CollisionLaw::obeyed_in_some_direction(const CollideEvent& claim, const Exa
     if (scene_.law == ContainerLaw::normal) {
       return is_reflection(minus(after, before[1]), before[1], 1 + e, error);
     }
-    // What was reflected before it was scaled, with what the tolerance was then.
+    // Undoes the scaling: the vector before it must be a reflection, with the tolerance it had
+    // then.
     for (Rational& x : after) x /= e;
     return is_reflection(minus(after, before[1]), before[1], 2, error / e);
   }

@@ -38,7 +38,7 @@ class CollisionLaw {
     if (!near_masses_.empty()) internal::prefetch(&near_masses_[g]);
   }
 
-  // What obeyed() would have accepted in place of the claim, in words.
+  // Says in words what obeyed() would have accepted in place of the claim.
   std::string expectation(const CollideEvent& claim, const ExactPair& p, const ExactPair& v) const;
 
  private:
@@ -46,11 +46,11 @@ class CollisionLaw {
                                 const Rational& speed) const;
   ExactVec2 normal(GenId i, const ExactPair& p) const;
 
-  // What the law takes from the scene for two that collide, in rationals or in enclosures.
+  // The constants of the law for two that collide, in rationals or in enclosures.
   template <class T>
   struct Constants {
     T x, y, restitution, container_restitution;
-    T mass_i, mass_j;  // of disks
+    T mass_i, mass_j;  // masses, for disks
   };
   template <class T>
   std::array<std::array<T, 2>, 2> evaluate(GenId i, const std::array<std::array<T, 2>, 2>& p,

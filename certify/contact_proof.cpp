@@ -17,7 +17,7 @@ namespace {
 template <class T>
 struct Gap {
   Form<T, 2> form;
-  T limit;  // of the error of a coefficient; the middle one errs by twice as much
+  T limit;  // error of a coefficient; the middle one errs by twice as much
 
   // M: as in WindowPlaces.
   template <class M>

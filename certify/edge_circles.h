@@ -24,7 +24,7 @@ class EdgeCircles {
 
   bool with_container_[2];      // whether the circle touches the container
   bool other_is_container_[2];  // whether the fourth site is
-  // What the signs are read off (exact/predicates.h), the start in lane 0 and the end in lane 1.
+  // The terms of the signs (exact/predicates.h), the start in lane 0 and the end in lane 1.
   BallLanes g_, c_, along_, across_, difference_;
 };
 

@@ -77,7 +77,7 @@ inline void EdgeLives::begin_life(int edge, const Moment& m, const IsolatedRoot*
   if (!isolated && !rootless) find_beginning(edge, m, own);
 }
 
-// What the edge is at m where that is not known.
+// Finds the state of the edge at m, where it is not known.
 void EdgeLives::find_beginning(int edge, const Moment& m, const IsolatedRoot* own) {
   Life& life = lives_[edge];
   const Quad q = s_.diagram.quad(2 * edge);
@@ -115,8 +115,9 @@ inline void EdgeLives::end_life(int edge, const Moment& m, bool closed, std::siz
   if (life.tied) require_legal(edge, m);
 }
 
-// What a search says of a tie is held against the signs at the end of the life, where no tie is
-// left: that of the exact tier would be believed for as long as the edge has no root again.
+// Checks a search's answer to a tie against the signs at the end of the life, where no tie is left.
+// Without this check a wrong answer of the exact tier would be believed for as long as the edge has
+// no root again.
 void EdgeLives::require_legal(int edge, const Moment& m) const {
   const Life& life = lives_[edge];
   if (life.due || !(life.from < m.lo)) return;  // it collapses, or it ends where it began

@@ -24,7 +24,7 @@ struct IsolatedRoot {
 
 // An edge that flips, and those of the two triangles beside it, each once.
 struct EdgeRing {
-  Quad q;  // of the edge before the flip
+  Quad q;  // the edge before the flip
   std::array<int, 4> edges{-1, -1, -1, -1};
   std::array<GenId, 4> outer{};  // the generators beyond them
   int count = 0;
@@ -78,9 +78,9 @@ class EdgeLives {
   // `own`: m is a root of the edge's own polynomial, isolated so.
   void begin_after_flip(int edge, const EdgeRing& ring, const Moment& m, const IsolatedRoot* own);
 
-  // Puts off the lives of these edges until all has turned that turns at the present instant. What
-  // an edge would do between two of these turns does not matter, and may be a tie beyond proof
-  // where all of them together are none.
+  // Delays the start of these lives until every turn of the present instant has been processed.
+  // Between two simultaneous turns no time passes, so the intermediate motion is not part of the
+  // truth. Testing it could even produce ties that the final motion does not have.
   void postpone(std::span<const int> edges, const Moment& m);
   bool any_pending() const { return !pending_.empty(); }
   // Exchanges the pending edges, which are to begin now, for the vector, which is cleared.
@@ -109,7 +109,7 @@ class EdgeLives {
   void prefetch(int edge) const { internal::prefetch(&lives_[edge]); }
 
  private:
-  // What brackets about the time t are measured by.
+  // The time scale of the brackets about the time t.
   double reference_time(double t) const;
   void begin_life(int edge, const Moment& m, const IsolatedRoot* own, bool rootless);
   void find_beginning(int edge, const Moment& m, const IsolatedRoot* own);

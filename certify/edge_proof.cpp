@@ -62,7 +62,7 @@ struct Piece {
   double a, b;  // the part
   int degree;
   std::array<double, 9> c;
-  double err;  // of each coefficient
+  double err;  // error of each coefficient
 };
 
 // The times of a piece are rounded: each cut within one adds at most 16u of the greatest.

@@ -21,7 +21,7 @@ class Fingerprint {
     static_assert(std::endian::native == std::endian::little, "the bytes are added as they are");
     add_bytes(&x, sizeof x);
   }
-  void add(std::uint64_t) = delete;  // what else would be taken for a double or an integer
+  void add(std::uint64_t) = delete;  // no other type is taken for a double or an integer
   void add(int x) { add(std::int64_t{x}); }
   void add(bool x) { add(std::int64_t{x}); }
   void add(double x) { add(std::bit_cast<std::int64_t>(x)); }
@@ -30,9 +30,9 @@ class Fingerprint {
   void add(const Rational& q);
   void add(const ExactVec2& v);
   void add(const Quad& q);
-  void add(const HistoryHeader& header);  // what is judged of it
+  void add(const HistoryHeader& header);  // the judged part of it
 
-  // Of all so far, as 64 lower-case hexadecimal digits. Once, and last.
+  // The hash of all so far, as 64 lower-case hexadecimal digits. Call it once, and last.
   std::string hex();
 
  private:
@@ -52,7 +52,7 @@ class Fingerprint {
   Sha256 sha_;
 };
 
-// Of all that is judged of a scene, and of a history before its first line.
+// Begins a fingerprint with all that is judged of a scene, and of a history before its first line.
 std::string fingerprint_of(const Scene& scene, const HistoryHeader& header);
 
 }  // namespace voroproof::internal

@@ -47,8 +47,8 @@ double FirstDivergence::margin(const Earliest& first) const {
 }
 
 void FirstDivergence::look_for_contacts(Earliest& first) {
-  // What does not happen may be the consequence of what happens as little later as times may be
-  // off.
+  // A spurious event may be the consequence of an event that happens later by no more than times
+  // may be off.
   const auto limit = [&] {
     const bool spurious = first.divergence.fault == Fault::spurious_event;
     return std::min(first.limit + (spurious ? s_.tolerance_up : 0), s_.search_end);
@@ -130,7 +130,7 @@ void FirstDivergence::look_for_flips(Earliest& first) {
   }
 }
 
-// What was refuted may be the consequence of something missed before, an event or a maneuver.
+// Finds an event or a maneuver that is missing before: what was refuted may be its consequence.
 // Claims within the tolerance of a maneuver may be meant on either side of it.
 Divergence FirstDivergence::before(const Divergence& refuted) {
   const Divergence found = due_before().value_or(refuted);
@@ -139,7 +139,8 @@ Divergence FirstDivergence::before(const Divergence& refuted) {
   return maneuver_missing_by(first.t + (by_truth ? 0 : s_.tolerance_up)).value_or(first);
 }
 
-// What should have come before the claim at its instant. In any order it may come behind it.
+// A collision that should have come before the claim at its instant. Where any order is accepted it
+// may still come behind the claim.
 std::optional<Divergence> FirstDivergence::due_before() {
   auto due = order_.due_before();
   if (!due || !s_.options.accepts_other_orders()) return due;

@@ -1,5 +1,5 @@
-// What was refuted may be the consequence of something missed before: the first divergence of a
-// history that is known to be false.
+// The first divergence of a history that is known to be false. The refuted claim may be the
+// consequence of something missed before.
 #pragma once
 
 #include <initializer_list>

@@ -10,7 +10,7 @@
 namespace voroproof::internal {
 
 struct Front {
-  Moment moment;       // of the last event proved
+  Moment moment;       // moment of the last event proved
   int instant = 0;     // numbers the instants at which events were proved
   bool begun = false;  // the diagram at 0+ is proved, and lives have begun
 

@@ -8,7 +8,7 @@ namespace voroproof::internal {
 
 namespace {
 
-constexpr int kBits = 512;        // of enclosures that are only shown
+constexpr int kBits = 512;        // for enclosures that are only shown
 constexpr int kStepsToRoot = 64;  // effort: halvings of the way to a root
 
 // The sign of u + sqrt(d), d > 0.
@@ -114,7 +114,7 @@ std::vector<Gap::Overlap> Gap::overlaps(const Rational& end, const Rational& dep
     return out;
   }
   if (lower.compare(end) >= 0 || upper.compare(from_) <= 0) return out;
-  // What begins at `from` exactly is entered there, and not at an earlier time.
+  // An overlap that begins at `from` exactly is entered there, and not at an earlier time.
   const bool at_start = lower.compare(from_) < 0, to_end = upper.compare(end) >= 0;
   add(at_start ? first : lower, to_end ? last : upper, at_start, to_end);
   return out;
@@ -147,7 +147,7 @@ std::optional<GapTime> Gap::entry() const {
 std::optional<Gap::Graze> Gap::graze(const Rational& distance) const {
   if (wall_ || sgn(k_.a) == 0 || sgn(k_.b) > 0) return std::nullopt;
   const Rational s = -k_.b / k_.a;
-  const Rational least = k_.c + k_.b * s;  // of |d|^2 - reach^2
+  const Rational least = k_.c + k_.b * s;  // minimum of |d|^2 - reach^2
   if (sgn(least) < 0) return std::nullopt;
   return Graze{from_ + s, least <= distance * (2 * reach_ + distance)};
 }

@@ -51,7 +51,7 @@ class InitialProof {
         threads_(threads),
         predicates_(motion, t, counts) {}
 
-  // What doubles prove is proved by all threads; the rest is left to this one.
+  // All threads prove what doubles can prove. This thread proves the rest.
   std::optional<InitialFault> fault() {
     const int edges = diagram_.edges();
     for (const int e : unproved(edges, [this](int k) { return prove_tangency(2 * k); })) {

@@ -19,7 +19,7 @@
 namespace voroproof::internal {
 
 struct InitialFault {
-  std::string truth;         // what is wrong, in words
+  std::string truth;         // states the fault in words
   std::optional<Quad> edge;  // the edge or, below, the vertex or the cell it is about
   std::optional<Triple> vertex;
   std::optional<GenId> conflict;  // the generator inside the vertex's circle

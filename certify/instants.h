@@ -33,7 +33,7 @@ class Instants {
   void advance(const Moment& m);
   // The present instant is left. Throws Refuted where an edge should have flipped at it.
   void leave();
-  // What turns at the present instant has turned: the lives that wait for this begin.
+  // Begins the lives that wait for the end of the instant's turns.
   void begin_pending_lives();
 
   // Whether the event of the claim being checked, which happens at m, is claimed in time.
@@ -55,7 +55,7 @@ class Instants {
   EdgeLives& edges_;
   PairLives& pairs_;
   TurnOrder& order_;
-  std::int64_t tie_ = 0;        // what is tied so is simultaneous with the front
+  std::int64_t tie_ = 0;        // tie of the claims that are simultaneous with the front
   std::vector<int> beginning_;  // edges whose lives begin
   // Up to here a generator lay inside another at the last such moment, if there was one.
   std::optional<Moment> revealed_;

@@ -30,7 +30,7 @@ struct Moment {
 
   static Moment at(double t);
   static Moment at(const Rational& t);
-  Rational exact() const;  // of a rational one
+  Rational exact() const;  // requires a rational moment
   // When q collapses: `c` is a root.
   static Moment of(const Quad& q, const Collapse& c);
   // When i and j touch: `c` is not `none`.

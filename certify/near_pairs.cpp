@@ -11,7 +11,7 @@ namespace voroproof::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kMostCells = 1024;  // of a row of the grid
+constexpr int kMostCells = 1024;  // per row of the grid
 
 // Bounds of a ball: one rounding to nearest, and one double further.
 double below(const DoubleBall& b) { return next_below(b.mid - b.rad); }
@@ -49,7 +49,7 @@ NearPairs::Box NearPairs::box(GenId g, double from, double to) const {
     const DoubleBall* const centre[2] = {&at.x, &at.y};
     for (const int axis : {0, 1}) {
       const double lo = below(*centre[axis] - r), hi = above(*centre[axis] + r);
-      // What doubles do not hold may be anywhere.
+      // Coordinates beyond the doubles may be anywhere.
       b.lo[axis] = std::isfinite(lo) ? std::min(b.lo[axis], lo) : -kInfinity;
       b.hi[axis] = std::isfinite(hi) ? std::max(b.hi[axis], hi) : kInfinity;
     }

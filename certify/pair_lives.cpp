@@ -11,7 +11,7 @@ namespace voroproof::internal {
 
 namespace {
 
-// Of windows that end on the way to one moment. Only disks that would cross the container some
+// The limit of windows on the way to one moment. Only disks that would cross the container some
 // thousand times before their next event need more.
 constexpr std::size_t most_windows = 1 << 16;
 

@@ -14,7 +14,7 @@ namespace {
 // The smallest parts are so many times smaller than most.
 constexpr int kSmall = 8;
 
-// So many claims are read before the one before them is taken.
+// The number of claims that are read before the one before them is taken.
 constexpr std::size_t kAhead = 3;
 
 }  // namespace
@@ -88,7 +88,7 @@ class PartReader::Section : public HistorySource {
   std::size_t taken_ = 0;
   ReadAhead* rest_;
   std::int64_t line_ = 1;
-  std::int64_t next_line_ = 0;  // of the claim after the part
+  std::int64_t next_line_ = 0;  // line of the first claim after the part
 };
 
 PartReader::PartReader(const Scene& scene, const MotionInput& input, HistorySource& history,

@@ -19,7 +19,7 @@ namespace voroproof::internal {
 struct Part {
   std::size_t number;  // from 0
   std::unique_ptr<HistorySource> claims;
-  std::vector<Replay::Place> places;  // of the claims, as reading took them
+  std::vector<Replay::Place> places;  // places of the claims, as reading took them
   Replay replay;                      // before them
   std::optional<double> begin;        // none for the first part
   std::optional<PartEnd> end;         // none for the last
@@ -104,8 +104,8 @@ class PartReader {
   double gap_;        // between the claims on both sides of an end, so that no two swap across it
   std::size_t size_;  // claims of a part, at least
   double horizon_;    // nearly
-  Replay replay_;     // of the claims taken
-  ReadAhead ahead_;   // of the history, read and not yet taken
+  Replay replay_;     // state after the claims taken
+  ReadAhead ahead_;   // claims of the history, read and not yet taken
   // The present part.
   std::size_t number_ = 0;
   ClaimList claims_;
@@ -114,9 +114,9 @@ class PartReader {
   Replay before_;
   std::optional<double> begin_;
   std::size_t in_parts_ = 0;  // claims, of all parts before it
-  // Of all claims taken.
+  // The counts of all claims taken.
   HistoryCounts taken_;
-  std::int64_t line_ = 1, offset_ = 0;  // of the last
+  std::int64_t line_ = 1, offset_ = 0;  // place of the last claim taken
   bool marks_;
   std::string header_sha256_;
   // Whether the claims so far make sense. The others are left to the last part, to say why not.

@@ -37,7 +37,7 @@ class PartwiseCertifier {
     skip();
     begin_ = place();
     prove_all();
-    // Of a shard without a part nothing is wrong.
+    // A shard without a part has no faults.
     if (task_ != nullptr && finished_ == first_) total_.verdict = Verdict::certified;
     return {begin_, over_ ? std::nullopt : place(), std::move(total_)};
   }
@@ -82,7 +82,7 @@ class PartwiseCertifier {
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena arena(options_.threads);
     arena.execute([&] {
-      // So many are in memory at once.
+      // The number of parts that are in memory at once.
       const std::size_t parts = 2 * threads - 1;
       tbb::parallel_pipeline(
           parts, tbb::make_filter<void, Token>(tbb::filter_mode::serial_in_order,
@@ -178,8 +178,8 @@ class PartwiseCertifier {
   const MotionInput& input_;
   const CertifyOptions& options_;
   const ShardTask* task_;
-  std::optional<Cut> begin_;  // of the shard
-  Certificate total_;         // of the parts that are finished
+  std::optional<Cut> begin_;  // where the shard begins
+  Certificate total_;         // result of the parts that are finished
   PartReader reader_;
   std::exception_ptr unreadable_;
   // The first part that is not proved right: later ones do not matter.
@@ -188,8 +188,8 @@ class PartwiseCertifier {
   bool over_ = false;  // a part was not proved right, and is the last in total_
   std::exception_ptr error_;
   std::size_t first_ = 0;     // the number of the first part to be proved
-  std::size_t finished_ = 0;  // of the first part that is not in total_
-  std::mutex mutex_;          // of total_ and finished_, which report() reads
+  std::size_t finished_ = 0;  // the first part that is not in total_
+  std::mutex mutex_;          // guards total_ and finished_, which report() reads
 };
 
 }  // namespace

@@ -16,8 +16,9 @@ namespace voroproof::internal {
 class ReadAhead {
  public:
   struct Claim {
-    // What the history gives next is put in its place at once: copies of what has just been written
-    // in smaller pieces have to wait.
+    // Constructs the next event of the history in its place. A copy would be slow: it would read,
+    // in larger pieces, what has just been written in smaller ones, and the processor would wait
+    // for these writes.
     explicit Claim(HistorySource& history)
         : given(history.next()), line(history.line()), offset(history.offset()) {}
 
@@ -56,7 +57,7 @@ class ReadAhead {
   }
 
  private:
-  // Of the k-th claim, k <= size_.
+  // The place of the k-th claim, k <= size_.
   std::size_t place_of(std::size_t k) const {
     const std::size_t place = begin_ + k;
     return place < ring_.size() ? place : place - ring_.size();

@@ -23,7 +23,7 @@ void RecordedContacts::reveal(const Pair& pair, const Rational& t) {
   forget_if_done(it);
 }
 
-// What is carried is done with where the overlap is over and answered, and no proof is owed.
+// Drops a carried overlap that is over and answered, where no proof is owed.
 void RecordedContacts::forget_if_done(Pairs::iterator it) {
   const Carried& c = it->second;
   if (c.over && c.answered && !c.hidden) carried_.erase(it);
@@ -45,7 +45,8 @@ std::optional<RecordedContacts::Missing> RecordedContacts::pass(const Lines& lin
         it = carried_
                  .emplace(lines.pair, Carried{o.begin, lines.motions, false, true, false, {}, {}})
                  .first;
-        // What their own collision has left of an overlap, too little to have been carried over.
+        // The rest of an overlap behind the pair's own collision is answered by it: before the
+        // collision it was too little to be carried over.
         if (o.at_start && lines.collided) it->second.answered = lines.from;
       }
       Carried& c = it->second;
@@ -63,7 +64,7 @@ std::optional<RecordedContacts::Missing> RecordedContacts::pass(const Lines& lin
   if (it == carried_.end()) return std::nullopt;
   if (!watched) return give_up(it);
   const Carried& c = it->second;
-  // What is not answered by now will not be.
+  // An overlap that is not answered by now will not be.
   if (!c.answered && c.entry.compare(end - tolerance_) < 0) {
     if (!c.shallow && !at_horizon(c.entry)) return missing(c);
     if (c.shallow && c.over) return give_up(it);
@@ -119,7 +120,7 @@ RecordedContacts::Answer RecordedContacts::answer(const Lines& lines, const Rati
              graze && graze->near && abs(Rational(graze->t - t)) <= tolerance_) {
     contact = Contact::graze;
   }
-  // What the two have passed through before is not answered by a claim of the next entry.
+  // A claim of the next entry does not answer an overlap that the two have passed through before.
   const bool passed = it != carried_.end() && it->second.over && !it->second.answered &&
                       !it->second.shallow && !(answered && answered->compare(t) <= 0);
   if (passed) return {Contact::elsewhere, missing(it->second)};

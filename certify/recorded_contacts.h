@@ -40,7 +40,7 @@ class RecordedContacts {
     Gap gap;
     Rational from;
     Rational reach;
-    Rational rounding;  // what roundings may have moved the two, a length
+    Rational rounding;  // length by which roundings may have moved the two
     bool collided;      // the last thing that happened to them was their own collision, at `from`
     Motions motions;
   };

@@ -1,5 +1,5 @@
-// What the claims of a history amount to when they are taken at their word: the diagram, and what
-// has happened to the disks. Under the recorded truth that is all of the motion.
+// The state that a history's claims lead to when they are taken at their word: the diagram, and
+// what has happened to the disks. Under the recorded truth that is all of the motion.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ class Replay : public GivenMotion {
  public:
   using HalfEdge = Diagram::HalfEdge;
 
-  // What a claim is about: the half-edge that flips; or the disks that turn, by the first of them
-  // and some half-edge that starts at the last.
+  // The place of a claim in the diagram: the half-edge that flips; or the disks that turn, by the
+  // first of them and some half-edge that starts at the last.
   struct Place {
     static constexpr GenId kNone = container_id - 1;
     HalfEdge half = -1;   // -1: there is none
@@ -116,7 +116,7 @@ class Replay : public GivenMotion {
   // Becomes what that text says. Throws InputError where it is none of this scene, or has not the
   // hash that the cut names.
   void read(const IndexedCut& at);
-  // What the claim is about, as far as the present diagram tells.
+  // The place of the claim, as far as the present diagram tells.
   Place place_of(const Event& event) const;
   // Asks for the memory where take() will begin: of a flip, to look for the edge.
   void prefetch(const Event& event) const;
@@ -145,14 +145,14 @@ class Replay : public GivenMotion {
   const CertifyOptions* options_;
   Diagram diagram_;
   std::vector<Velocity> velocities_;
-  std::vector<Path> paths_;  // of the recorded truth
+  std::vector<Path> paths_;  // under the recorded truth
   int changes_ = 0;
   struct Turns {
     int last = 0;  // which of all changes of motion it was; 0 for none
     int count = 0;
     bool at_container = false;  // the last of them
   };
-  std::vector<Turns> turns_;  // of each generator, the container first
+  std::vector<Turns> turns_;  // by generator, the container first
   std::size_t next_maneuver_ = 0;
   std::set<std::size_t> done_maneuvers_;  // done, though past next_maneuver_
 };

@@ -92,7 +92,7 @@ std::string exact_text(const Rational& q) {
   return to_rational(near) == q || parse_rational(decimal) == q ? decimal : q.get_str();
 }
 
-// What a verdict is not about, where only collisions were judged; else empty.
+// Says what a verdict is not about, where only collisions were judged; else empty.
 std::string scope_line(const CertifyOptions& options, const Certificate& c) {
   if (options.judges_flips()) return {};
   return "flips were not judged (" + std::to_string(c.flips_not_judged) +

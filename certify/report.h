@@ -11,17 +11,17 @@
 
 namespace voroproof::internal {
 
-// What a report says of the run besides the certificate.
+// The facts of a report about the run, besides the certificate.
 struct CertificationRun {
   std::string producer, scene_file, history_file;
-  // Of the contents. That of the history is empty where not all of it is known: of a shard behind
-  // which the history goes on, and of a stream that was not read to its end.
+  // Hashes of the contents. The history's is empty where not all of it is known: for a shard behind
+  // which the history goes on, and for a stream that was not read to its end.
   std::string scene_sha256, history_sha256;
   std::string history_producer;
   int disks = 0;
   Rational horizon;
-  std::string evidence{};  // of a refutation: whether its witness was checked, and by what
-  // What each second checker said that was asked, by the name of its field.
+  std::string evidence{};  // on a refutation: whether its witness was checked, and by what
+  // The words of each second checker that was asked, by the name of its field.
   std::vector<std::pair<std::string, std::string>> second{};
 };
 
@@ -31,8 +31,8 @@ std::string_view verdict_line(Verdict verdict);
 // Why, in one line, for a person; empty for a certified history.
 std::string reason_line(const Certificate& certificate);
 
-// What was accepted by leniency (docs/claim.md, section 5): the name of its count in the report,
-// and in words for a person. Counts of zero are listed, too.
+// A kind of claim that was accepted by leniency (docs/claim.md, section 5): the name of its count
+// in the report, and in words for a person. Counts of zero are listed, too.
 struct Leniency {
   std::string_view name;
   std::int64_t count;
@@ -43,12 +43,12 @@ std::vector<Leniency> leniencies(const Certificate& certificate);
 // "horizon 5 of the scene's 1000", where the history has another; else empty.
 std::string horizon_line(const Certificate& certificate);
 
-// What a certificate says, wherever it is said: by the program, in reports and tables, in movies,
-// in the library and in Python.
+// The words for a certificate, wherever they are used: by the program, in reports and tables, in
+// movies, in the library and in Python.
 struct VerdictWords {
   std::string verdict;  // "CERTIFIED" and so on, or "CERTIFIED (collisions alone)"
   std::string about;    // which events, which truth, up to when, within which tolerances
-  // What the verdict is not about, and what was accepted that is not exact; each a line.
+  // Matters outside the verdict, and accepted claims that are not exact; each a line.
   std::vector<std::string> reservations;
 };
 VerdictWords words_of(const CertifyOptions& options, const Rational& horizon,

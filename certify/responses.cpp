@@ -18,8 +18,8 @@ BallVec2 Responses::claimed_center(const CollideEvent& claim, int side) {
   return claim.exact ? ball(*exact_center(claim, side)) : ball(*claim.p[side]);
 }
 
-// What is allowed of a claimed centre: what the disk covers in the tolerance, with its speeds just
-// before and after, and what writing it as binary64 changes.
+// The allowed distance of a claimed centre: the way of the disk within the tolerance, with its
+// speeds just before and after, plus the rounding to binary64.
 Rational Responses::allowed_distance(GenId g, const ExactVec2& after, const ExactVec2& at) const {
   const Rational speeds = length_bound(s_.replay.velocity(g).value()) + length_bound(after);
   return s_.options.tolerance * speeds + 4 * length_bound(at) / (Rational(1) << 53);

@@ -31,7 +31,7 @@ template <class P>
 // computed: one bound for all of them.
 struct Extent {
   Lanes square{};  // dx^2 + dy^2 + dr^2 of two generators at an end of the window, at most
-  Lanes error{};   // of a coordinate and a radius, at most
+  Lanes error{};   // most error of a coordinate and a radius
 
   // A pair of generators with this tangency at most, and radii that differ by dr.
   void include(const Lanes& tangency, const Lanes& dr) {
@@ -215,7 +215,7 @@ void RootlessBatch::judge(const Window& w, std::size_t first, std::size_t count)
 // where there is at most one.
 void RootlessBatch::count_roots(const Form<Lanes, 8>& f, const Lanes& total, std::size_t lane,
                                 std::size_t k) {
-  unsigned above = 0, below = 0;  // what is not a number may be both
+  unsigned above = 0, below = 0;  // a NaN may be both
   for (int i = 0; i < 9; ++i) {
     const double limit = total[lane] * scale[i];
     above |= (f.c[i][lane] < -limit ? 0U : 1U) << i;

@@ -1,4 +1,4 @@
-// What all parts of the checker work with: the scene, what was asked for, the motion, the diagram,
+// The common state of the checker's parts: the scene, what was asked for, the motion, the diagram,
 // the tools that decide, and the certificate that is being made.
 #pragma once
 
@@ -49,7 +49,7 @@ struct Setting {
   double tolerance_up;
   DoubleBall near_tolerance;
   Motion& motion;
-  Replay replay;  // of the claims proved so far
+  Replay replay;  // after the claims proved so far
   Diagram& diagram;
   Certificate certificate;
   CollapseSearch collapses;

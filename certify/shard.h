@@ -19,10 +19,10 @@ struct Cut {
   double t = 0;               // at which it begins
   HistoryCounts claims;       // before it
   std::int64_t line = 1;      // the last before it
-  std::int64_t offset = 0;    // of the end of that line, as HistorySource has it
-  std::string header_sha256;  // of the scene and the history's header
-  std::string bytes_sha256;   // of the history's content up to the offset
-  std::string state_sha256;   // of the diagram and the recorded motion that these claims lead to
+  std::int64_t offset = 0;    // end of that line, as HistorySource has it
+  std::string header_sha256;  // hash of the scene and the history's header
+  std::string bytes_sha256;   // hash of the history's content up to the offset
+  std::string state_sha256;   // hash of the diagram and the recorded motion after these claims
   bool operator==(const Cut&) const = default;
 };
 
@@ -35,8 +35,8 @@ struct IndexedCut {
   std::int64_t line = 0;
 };
 
-// What is known of a shard: that the history is as the certificate says between the two cuts, if it
-// is right before the first. Where the history is over there is no cut, and a shard that begins
+// The proved knowledge of a shard: between the two cuts the history is as the certificate says, if
+// it is right before the first. Where the history is over there is no cut, and a shard that begins
 // there has no part.
 struct Shard {
   std::optional<Cut> begin, end;
@@ -45,8 +45,8 @@ struct Shard {
 
 // Which parts are to be certified.
 struct ShardTask {
-  // Of `of` shards the one with this number, from 1. The horizon is divided into so many equal
-  // slices of time, and a part is of the shard in whose slice it begins.
+  // The shard with this number, from 1, among `of` shards. The horizon is divided into so many
+  // equal slices of time, and a part is of the shard in whose slice it begins.
   int number = 1, of = 1;
   // The parts of the shard before this one are certified already.
   std::optional<Cut> from{};

@@ -12,11 +12,11 @@
 namespace voroproof::internal {
 
 struct Standing {
-  Sign apart;    // of their gap; unknown: it is nearly zero
-  Sign parting;  // of its derivative
+  Sign apart;    // sign of their gap; unknown: it is nearly zero
+  Sign parting;  // sign of its derivative
   bool at_rest;  // relative to each other, for certain
   double gap;    // its size, about
-  double speed;  // of its change, about
+  double speed;  // speed at which it changes, about
   double least;  // the gap where they are nearest, about, if they approach and pass each other
   bool passes;   // they do
 };

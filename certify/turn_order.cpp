@@ -18,7 +18,7 @@ namespace {
 using Pair = std::pair<GenId, GenId>;
 using States = DuePairs::States;
 
-// So many pairs that are due at one instant keep the witness that they are.
+// The number of pairs due at one instant that keep the witness of it.
 constexpr std::size_t kMostWitnesses = 256;
 
 bool is_maneuver(const Turn& t) { return t.i == t.j; }
@@ -216,7 +216,7 @@ class InstantReplay {
   const Turn* last_ = nullptr;  // is not taken
   const std::vector<GenId> untold_;
   DuePairs pairs_;
-  std::map<GenId, Chain> chains_;  // of the disks that turn
+  std::map<GenId, Chain> chains_;  // by disk that turns
   std::map<GenId, std::vector<GenId>> near_;
   std::map<States, const DuePair*> known_due_;
   std::set<GenId> standing_;
@@ -238,7 +238,7 @@ void TurnOrder::require_no_flip_yet(GenId i, GenId j) const {
 }
 
 void TurnOrder::note_due(GenId i, GenId j, Divergence missing) {
-  // Of a lattice that touches everywhere at once they would fill the memory.
+  // A lattice that touches everywhere at once would fill the memory with witnesses.
   if (due_.size() >= kMostWitnesses) missing.witness = {};
   due_.push_back({i, j, s_.motion.state_id(i), s_.motion.state_id(j), std::move(missing)});
 }

@@ -75,7 +75,7 @@ class TurnOrder {
   Setting& s_;
   const Front& front_;
   const Refuter& refuter_;
-  // Of this instant, in the order of the claims.
+  // The turns of this instant, in the order of the claims.
   std::vector<Turn> turns_;
   std::optional<Turn> begun_;
   std::vector<std::pair<GenId, GenId>> near_;

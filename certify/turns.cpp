@@ -101,7 +101,7 @@ void Turns::collide_as_recorded(const CollideEvent& claim, int edge) {
   const GenId i = claim.i, j = claim.j;
   const BallPair at = s_.replay.near_positions(claim);
   const Moment m = claim.exact ? Moment::at(exact_time(*claims_.current())) : Moment::at(claim.t);
-  // What began at the instant before is settled first.
+  // Settle the events of the instant before first.
   instants_.advance(m);
   pairs_.check_contact(claim, edge, at);
   order_.require_no_flip_yet(i, j);
@@ -141,7 +141,8 @@ std::optional<ExactPair> Turns::recorded_response(const CollideEvent& claim, con
   try {
     computed = s_.replay.computed_velocities(claim, exactly());
   } catch (const Undecided&) {
-    // What is far from its path even if the disk stops is wrong without asking for velocities.
+    // A centre that is too far from the disk's path even if the disk stops is wrong. This check
+    // needs no velocities.
     check_centers();
     throw;
   }

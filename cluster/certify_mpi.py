@@ -64,7 +64,7 @@ class Shard:
 
 
 class Certifier:
-    """What one rank does with the number of a shard."""
+    """One rank's work on the numbers of shards that it is given."""
 
     def __init__(self, asked, options, shards):
         self.asked, self.options, self.shards = asked, options, shards
@@ -101,7 +101,7 @@ class Dealer:
         return self.next - 1
 
     def take(self, number, code):
-        """What has become of a shard."""
+        """Notes the outcome of a shard."""
         if code not in VERDICTS:
             self.failed.append((number, code))
         elif code != 0:

@@ -66,7 +66,7 @@ def main():
                 shutil.rmtree(root / name, ignore_errors=True)
 
         def make(case):
-            """What was left out, and what failed."""
+            """Makes the case; says what was left out, and what failed."""
             start = time.monotonic()
             try:
                 return build(case, hurried if case.awaits else patient, root), []

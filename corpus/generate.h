@@ -76,7 +76,7 @@ Scene generate_grid(const GridOptions& options);
 struct SwarmOptions {
   int n = 20;
   std::uint64_t seed = 1;
-  double spacing = 4;  // of the lattice, and at least of the circle; > 2 radius
+  double spacing = 4;  // in the lattice, and at least on the circle; > 2 radius
   double radius = 1;   // > 0
   double horizon = 100;
 };

@@ -24,7 +24,7 @@ using Places = std::vector<Point2>;
 struct Move {
   std::string_view name;
   int xx, xy, yx, yy, divisor;  // the linear map
-  int dx, dy;                   // of the centre, in spacings
+  int dx, dy;                   // shift of the centre, in spacings
 };
 
 constexpr std::array<Move, 8> moves{{{"east", 1, 0, 0, 1, 1, 4, 0},

@@ -1,5 +1,5 @@
-// What the generators share: numbers that are the same on every platform, the square lattice, and
-// scenes put together from binary64 numbers.
+// The common parts of the generators: numbers that are the same on every platform, the square
+// lattice, and scenes put together from binary64 numbers.
 #pragma once
 
 #include <mpfr.h>
@@ -18,8 +18,8 @@ struct Vec {
   double x = 0, y = 0;
 };
 
-// What comparisons of places add to touching distances. It is far above their
-// rounding errors (a few units of 1e-16), so disks that pass are disjoint exactly.
+// The margin that comparisons of places add to touching distances. It is far above their rounding
+// errors (a few units of 1e-16), so disks that pass are disjoint exactly.
 inline constexpr double gap_margin = 1e-9;
 
 inline constexpr double two_pi = 6.283185307179586;

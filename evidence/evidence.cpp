@@ -103,7 +103,7 @@ bool names_match(const Divergence& d, const std::vector<Mover>& m) {
   return d.true_contact && m.size() == 2 && *d.true_contact == std::pair(m[0].id, m[1].id);
 }
 
-// What the witness's polynomial is found to be, or why it is false.
+// The polynomial rebuilt from the witness, or why the witness is false.
 struct Rebuilt {
   cgal::Polynomial f;
   std::string fault;

@@ -56,7 +56,7 @@ class AlgebraicNumber {
                                                     const Rational& hi);
 
  private:
-  // What a number needs of its polynomial, shared by copies and conjugates.
+  // The facts about a number's polynomial, shared by copies and conjugates.
   struct Equation {
     explicit Equation(const Polynomial<T>& f) : polynomial(f), sign_at(f) {}
     Polynomial<T> polynomial;
@@ -71,7 +71,7 @@ class AlgebraicNumber {
 
   RootInterval interval_;
   std::shared_ptr<const Equation> equation_;  // may be null for a point
-  Sign at_lo_ = Sign::zero;                   // of the polynomial at interval_.lo
+  Sign at_lo_ = Sign::zero;                   // sign of the polynomial at interval_.lo
 };
 
 // The distinct real roots of f in [lo, hi], in increasing order. Errors as for

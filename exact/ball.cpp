@@ -154,8 +154,8 @@ void Ball::to_double_double(double& hi, double& lo, double& err) const {
   const bool rounded = arf_sub(rest, middle, rest, 107, ARF_RND_NEAR) != 0;
   lo = arf_get_d(rest, ARF_RND_NEAR);
   err = radius;
-  // What is left after lo is at most half an ulp of lo (and the rounding of rest,
-  // 2^-54 of that again).
+  // The rest behind lo is at most half an ulp of lo (and the rounding of rest, 2^-54 of that
+  // again).
   if (rounded || arf_cmp_d(rest, lo) != 0) err = (err + std::fabs(lo) * 0x1p-52 + DBL_MIN) * kUp;
 }
 

@@ -1,4 +1,4 @@
-// What a contact does to two motions, for numbers of any kind.
+// The effect of a contact on two motions, for numbers of any kind.
 #pragma once
 
 #include "exact/predicates.h"

@@ -186,7 +186,8 @@ double FixedArithmetic::multiply(mp_limb_t* r, const FixedBall& a, const FixedBa
   return radius;
 }
 
-// What of such a product the format has room for, rounded down: less than one in the last place.
+// The part of such a product that the format has room for, rounded down: the error is less than one
+// in the last place.
 const mp_limb_t* FixedArithmetic::middle(const mp_limb_t* r, double& radius) const {
   if (r[fraction_ - 1] != 0 || mpn_zero_p(r, fraction_) == 0) radius += last_place_;
   const mp_limb_t* from = r + fraction_;

@@ -36,7 +36,7 @@ void FixedArithmetic::set(FixedBall& out, double x, std::int64_t unit) {
     return;
   }
   const mp_size_t k = (top - 1) / 64;
-  const auto used = static_cast<unsigned>(top - 64 * k);  // of m in limb k, the rest in the next
+  const auto used = static_cast<unsigned>(top - 64 * k);  // bits of m in limb k, the others below
   const mp_limb_t rest = used == 64 ? 0 : m << used;
   to[k] = m >> (64 - used);
   if (k > 0) {

@@ -25,7 +25,7 @@ struct Isometry {
   Vector operator()(const Vector& p) const;
 };
 
-// What an isometry is to carry onto what.
+// A pair of vectors or points: the isometry is to carry `from` onto `to`.
 struct Image {
   Vector from, to;
 };

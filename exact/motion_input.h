@@ -1,5 +1,4 @@
-// What moves, and under which laws: all of a scene that the motion of its disks depends on, but the
-// maneuvers.
+// The moving disks and their laws: all of a scene that the motion depends on, but the maneuvers.
 #pragma once
 
 #include <array>

@@ -146,9 +146,8 @@ T cocircularity(const Site<T>& s0, const Site<T>& s1, const Site<T>& s2, const S
          cocircularity_term(tangency(s3, s0), x1, y1, x2, y2);
 }
 
-// What a triple (base, j, k) contributes to every predicate about its tangent
-// circle. Precondition: the base is a disk; `with_container` says whether j or k is
-// the container.
+// The terms of a triple (base, j, k) in every predicate about its tangent circle. Precondition: the
+// base is a disk; `with_container` says whether j or k is the container.
 template <class T>
 struct TangentTriple {
   Site<T> base;

@@ -1,4 +1,4 @@
-// What all error bounds in doubles rest on: IEEE 754 binary64, rounded to nearest after every
+// The basis of all error bounds in doubles: IEEE 754 binary64, rounded to nearest after every
 // operation.
 //
 // The compiler must neither contract a product and a sum to one operation nor reorder: that is

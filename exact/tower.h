@@ -91,7 +91,7 @@ class Tower {
   static std::optional<Rational> structural_ratio(const Tower& x, const Tower& y);
 
   const Node& node() const;
-  const Radical* top() const;  // of the highest rank; null for a plain rational
+  const Radical* top() const;  // the radical of the highest rank; null for a plain rational
   // This element as a + b sqrt(radical), for a radical of rank at least that of top().
   const Tower& constant_part(const Radical* radical) const;
   const Tower& radical_part(const Radical* radical) const;
@@ -115,8 +115,8 @@ class BudgetExceeded : public std::runtime_error {
  public:
   BudgetExceeded(std::size_t bits, unsigned long degree);
 
-  const std::size_t bits;      // of the coefficient that was asked for
-  const unsigned long degree;  // of the field over the rationals, if its radicals are independent
+  const std::size_t bits;      // size of the coefficient that was asked for
+  const unsigned long degree;  // the field's over the rationals, if its radicals are independent
 };
 
 struct Radical {

@@ -35,8 +35,8 @@ class ByteSource {
   std::size_t read_stored(char* data, std::size_t size);
 
   std::string path_;
-  int descriptor_ = -1;               // of a file
-  std::shared_ptr<StreamCopy> copy_;  // of anything else
+  int descriptor_ = -1;               // where it is a file
+  std::shared_ptr<StreamCopy> copy_;  // where it is anything else
   off_t place_ = 0;                   // in the copy
   std::string beginning_;             // read already, to see how it is compressed
   std::unique_ptr<Expander> expander_;

@@ -13,7 +13,7 @@ namespace voroproof::internal {
 
 namespace {
 
-// What expat calls; an error is kept until it has returned.
+// The callbacks of expat; an error is kept until expat has returned.
 class LogReader {
  public:
   LogReader(const std::string& file, const Rational& radius)

@@ -13,7 +13,7 @@ namespace voroproof::internal {
 struct Claim {
   Scene scene;
   std::unique_ptr<HistorySource> history;
-  // What was taken from elsewhere than the scene file, and what neither file tells.
+  // Remarks on what was taken from elsewhere than the scene file, and on what neither file tells.
   std::vector<std::string> remarks;
 };
 

@@ -88,7 +88,7 @@ class ZstdExpander final : public Expander {
             std::string("damaged Zstandard compression: ") + ZSTD_getErrorName(result));
       }
       between_ = result == 0;
-      more_ = out.pos == out.size && !between_;  // what it has expanded may have more than room for
+      more_ = out.pos == out.size && !between_;  // there may be more output than room
     }
     return out.pos;
   }

@@ -28,7 +28,7 @@ inline constexpr std::size_t longest_magic = 4;
 // Whether what begins so is compressed.
 bool is_compressed(std::string_view beginning);
 
-// What expands a file that begins so; nothing where it is not compressed.
+// The expander for a file that begins so; nothing where it is not compressed.
 std::unique_ptr<Expander> expander_of(std::string_view beginning, const std::string& path,
                                       Expander::Source source);
 

@@ -18,7 +18,7 @@ using ExactVec2 = std::array<Rational, 2>;
 // that the line gives are here, also those written as JSON numbers.
 struct ExactValues {
   Rational t;
-  std::array<std::optional<ExactVec2>, 2> v, p;  // of a maneuver: [0]
+  std::array<std::optional<ExactVec2>, 2> v, p;  // for a maneuver: [0]
 };
 
 // The doubles of an event are the nearest to what its line denotes; `exact` is null where that

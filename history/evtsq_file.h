@@ -21,11 +21,11 @@ struct EvtsqHeader {
   bool has_centers = true;      // version 1.1
   Rational horizon;             // rounded to two decimals
   Rational restitution = 1;     // likewise
-  std::int64_t lines = 0;       // of events, as claimed
+  std::int64_t lines = 0;       // count of events, as claimed
   std::int64_t first_line = 0;  // the line of the first event
 };
 
-inline const Rational kEvtsqRounding{1, 200};  // of the horizon and the restitution
+inline const Rational kEvtsqRounding{1, 200};  // for the horizon and the restitution
 
 // Whether the file begins as an event sequence does, with a header that names its version.
 bool is_evtsq_file(const std::string& path);
@@ -36,7 +36,7 @@ EvtsqHeader read_evtsq_header(const std::string& path);
 std::vector<Maneuver> read_evtsq_maneuvers(const std::string& path,
                                            const std::vector<std::int64_t>& ids);
 
-// What an event sequence calls the disks 0, 1, ...: ascending. Nothing where the disks are not
+// The ids in an event sequence of the disks 0, 1, ...: ascending. Nothing where the disks are not
 // known: then each id that comes up names a disk of its own, the next one.
 using EvtsqIds = std::optional<std::vector<std::int64_t>>;
 
@@ -53,7 +53,7 @@ struct EvtsqFormat {
 
 // Where the events come from, for the header and for messages.
 struct EvtsqSource {
-  std::string name;     // of the disk file
+  std::string name;     // name of the disk file
   std::string history;  // the file that `history` reads
   Rational restitution;
   Vec2 container_center{};

@@ -23,7 +23,7 @@ struct HistoryHeader {
   Rational horizon;
   std::string producer;                      // "name version"
   std::optional<std::vector<Quad>> initial;  // the diagram at 0+: canonical, sorted
-  Rational horizon_error{};  // what the format's rounding may have done to the horizon
+  Rational horizon_error{};  // bound of the horizon's error by the format's rounding
   Extensions extensions{};
   bool oriented = true;  // false where the format cannot tell [l,r,s,e] from [l,r,e,s]
 };
@@ -66,7 +66,7 @@ class HistoryWriter {
   // Writes this initial diagram in place of the header's.
   void header(const HistoryHeader& header, const std::vector<Quad>& initial);
   void flip(double t, const Quad& quad, const Extensions& extensions = {});
-  // Of these the doubles; `exact` is not looked at.
+  // These write the doubles of the event; `exact` is not looked at.
   void collide(const CollideEvent& event, const Extensions& extensions = {});
   void maneuver(const ManeuverEvent& event, const Extensions& extensions = {});
   void write(const Event& event, const Extensions& extensions = {});
@@ -144,8 +144,8 @@ struct HistoryPlace {
   std::int64_t offset = 0;         // in bytes of the content
   std::int64_t line = 0;           // the last before it
   double t = 0;                    // no line before the place is of a later time
-  HistoryCounts counts;            // of the events before it
-  std::optional<Sha256> digest{};  // of the content before it, where it is to be kept
+  HistoryCounts counts;            // counts of the events before it
+  std::optional<Sha256> digest{};  // hash of the content before it, where it is to be kept
 };
 
 // Reads a history line by line in bounded memory and checks everything that can be checked without
@@ -197,7 +197,7 @@ class HistoryReader {
  private:
   void read_header(std::string_view text, const std::string& wanted_sha256);
   std::optional<Event> next_line();
-  // Of a line that is not in the usual form; nothing of the last line.
+  // Reads a line that is not in the usual form; returns nothing for the last line.
   std::optional<Event> read_strictly(std::string_view text);
   void check_time(const Number& t, const char* field);
 

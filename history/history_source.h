@@ -28,7 +28,7 @@ class HistorySource {
   virtual const std::variant<HistoryEnd, HistoryStop>& ending() const = 0;
   virtual const HistoryCounts& counts() const = 0;
   virtual bool counts_match() const = 0;
-  // What the file cannot tell.
+  // Facts that the file cannot tell.
   virtual std::vector<std::string> remarks() const = 0;
   // The line on which the file says of a root of this edge in [lo, hi] that it is no flip; nothing
   // in formats that do not mention such roots.

@@ -136,7 +136,7 @@ class JsonReader {
   // Requires that nothing but white space is left.
   void finish();
 
-  std::int64_t line() const { return line_; }  // of the last token read
+  std::int64_t line() const { return line_; }  // line of the last token read
   std::string field() const;                   // e.g. "disks[3].velocity[0]"
 
   // Throws the InputError that blames the value just read or about to be read.

@@ -11,8 +11,8 @@ namespace voroproof::internal {
 
 namespace {
 
-// So many bytes at most are read at once: what is read is in the processor's cache when it is
-// parsed, and leaves there what others work on.
+// The most bytes that are read at once. They are in the processor's cache when they are parsed, and
+// do not push out what other threads work on.
 constexpr std::size_t kStep = 1 << 17;
 
 }  // namespace

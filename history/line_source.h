@@ -58,10 +58,10 @@ class LineSource {
   std::string path_;
   ByteSource source_;
   std::vector<char> buffer_;
-  std::size_t begin_ = 0, end_ = 0;  // what is read and not yet given
+  std::size_t begin_ = 0, end_ = 0;  // bytes read and not yet given
   std::int64_t number_ = 0, offset_ = 0;
   bool ended_ = false;            // nothing more can be read
-  std::optional<Sha256> digest_;  // of the first `digested_` bytes
+  std::optional<Sha256> digest_;  // hash of the first `digested_` bytes
   std::int64_t digested_ = 0;
   std::int64_t settled_ = all_given;
 };

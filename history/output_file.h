@@ -1,4 +1,4 @@
-// What a run writes: to a file, which appears whole or not at all, or into a stream.
+// The output of a run: to a file, which appears whole or not at all, or into a stream.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ class OutputFile {
   }
   void advance(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.get()); }
 
-  // What was written so far outlives the process, but for what a compressor still holds.
+  // Makes the text so far outlive the process, but for what a compressor still holds.
   void flush();
 
   // Whether the bytes go into a stream.

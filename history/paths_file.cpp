@@ -57,7 +57,7 @@ class TableReader {
   }
 
  private:
-  // What whoever made the table says of it: repeated wherever something is said of the paths.
+  // Takes a remark of the table's author. It is repeated wherever something is said of the paths.
   void take_remark(std::string_view text, std::vector<std::string>& remarks) const {
     if (remarks.size() == max_remarks) fail("remark", "too many");
     remarks.push_back(printable(trimmed(text), kLongestRemark));

@@ -46,9 +46,9 @@ struct GivenPaths {
   std::vector<GivenPath> paths;  // in the order of their first lines
   std::vector<GivenContact> contacts;
   std::optional<GivenContainer> container;
-  std::vector<std::string> remarks;    // what the file cannot say, and what was assumed
+  std::vector<std::string> remarks;    // facts that the file cannot tell, and assumptions
   std::vector<std::string> missing{};  // who and what may come near and is not in the paths
-  // What the paths are, in words.
+  // The meaning of the paths, in words.
   std::string meaning = "the piecewise linear paths between the waypoints of the file";
 };
 

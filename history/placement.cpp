@@ -57,7 +57,7 @@ Key key_of_sum(double a, double b) {
   return {hi, lo, nullptr};
 }
 
-// Of two with the same hi: -1, 0, 1.
+// Compares two with the same hi: -1, 0, 1.
 int compare_rests(const Key& a, const Key& b) {
   if (a.lo != b.lo) return a.lo < b.lo ? -1 : 1;
   if (a.exact && b.exact) return cmp(*a.exact, *b.exact);

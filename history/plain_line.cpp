@@ -104,7 +104,7 @@ class PlainLine {
     skip_spaces();
     const char* const begin = next_;
     const char* digit = begin != end_ && *begin == '-' ? begin + 1 : begin;
-    // What a number of JSON must not be, and std::from_chars takes.
+    // std::from_chars takes these forms, but JSON has no such number.
     if (digit == end_ || !is_digit(*digit)) return false;
     if (*digit == '0' && digit + 1 != end_ && is_digit(digit[1])) return false;
     while (digit != end_ && is_digit(*digit)) ++digit;
@@ -162,7 +162,7 @@ class PlainLine {
     return is('[') && number(out[0]) && is(',') && number(out[1]) && is(']');
   }
 
-  // Of a collision: null for the container, and only for it.
+  // Reads the two vectors of a collision: null for the container, and only for it.
   bool pair_of_vectors(GenId i, std::array<std::optional<Vec2>, 2>& v) {
     return is('[') && (i == container_id ? null() : vector(v[0])) && is(',') && vector(v[1]) &&
            is(']');

@@ -14,7 +14,7 @@ struct Vehicle {
   Point2 start, goal;
 };
 
-// What is asked for: all vehicles leave at 0 and arrive together. vehicles[k] has the id k.
+// The task of a plan: all vehicles leave at 0 and arrive together. vehicles[k] has the id k.
 struct PlanTask {
   Point2 container_center;
   Rational container_radius;

@@ -115,7 +115,7 @@ class PlanReader {
   const std::string& file_;
   JsonReader json_;
   PlanTask task_;
-  std::vector<std::int64_t> lines_;  // of the vehicles' opening braces
+  std::vector<std::int64_t> lines_;  // lines of the vehicles' opening braces
 };
 
 }  // namespace

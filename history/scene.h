@@ -26,7 +26,7 @@ struct Maneuver {
   Rational vx, vy;
 };
 
-// What container_restitution scales at the wall: the normal part of the velocity, or all of it.
+// The part of the velocity that container_restitution scales at the wall: the normal part, or all.
 enum class ContainerLaw { normal, whole };
 
 struct Scene {
@@ -39,17 +39,17 @@ struct Scene {
   std::vector<Maneuver> maneuvers;  // sorted by t
   std::string name, comment;
   Extensions extensions;
-  std::map<std::size_t, Extensions> disk_extensions, maneuver_extensions;  // of those that have any
+  std::map<std::size_t, Extensions> disk_extensions, maneuver_extensions;  // those that have any
   std::optional<std::variant<std::string, Integer>> seed;
-  std::string sha256;  // of the bytes that were read; empty for a scene that was not read
+  std::string sha256;  // hash of the bytes that were read; empty for a scene that was not read
 };
 
 // Limits on what is read; see docs/formats.md.
 inline constexpr std::size_t max_scene_bytes = std::size_t{1} << 30;
 inline constexpr int max_disks = 2'000'000;
 inline constexpr int max_maneuvers = 2'000'000;
-inline constexpr double max_scene_value = 1e100;   // of a magnitude
-inline constexpr double min_scene_value = 1e-100;  // of a magnitude that is not zero
+inline constexpr double max_scene_value = 1e100;   // greatest magnitude
+inline constexpr double min_scene_value = 1e-100;  // least magnitude that is not zero
 
 // Reads and checks a scene completely: form, values, and that the disks lie inside the container
 // without overlap. Takes O(n log n) comparisons, whatever the positions and radii.

@@ -6,7 +6,7 @@
 
 namespace voroproof::internal {
 
-// What moves in the scene: the same exact values. Engine, certifier and queries all begin with it.
+// The motion of the scene, with the same exact values. Engine, certifier and queries begin with it.
 MotionInput motion_input(const Scene& scene);
 
 }  // namespace voroproof::internal

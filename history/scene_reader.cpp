@@ -231,8 +231,8 @@ class SceneReader {
   const std::string& file_;
   JsonReader json_;
   Scene scene_;
-  std::vector<std::int64_t> disk_lines_;      // of the opening brace
-  std::vector<std::int64_t> maneuver_lines_;  // of the field "disk"
+  std::vector<std::int64_t> disk_lines_;      // lines of the opening braces
+  std::vector<std::int64_t> maneuver_lines_;  // lines of the fields "disk"
 };
 
 }  // namespace

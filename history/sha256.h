@@ -21,12 +21,12 @@ class Sha256 {
   ~Sha256();
 
   void add(std::string_view bytes);
-  // Of all bytes so far, as 64 lower-case hexadecimal digits. Once, and nothing is added
-  // afterwards.
+  // The hash of all bytes so far, as 64 lower-case hexadecimal digits. Call it once, and add
+  // nothing afterwards.
   std::string hex();
 
-  // What the bytes so far have come to, from which resumed() goes on: hexadecimal digits of the
-  // eight words of FIPS 180-4, and of the bytes behind the last whole block of 64.
+  // The state after the bytes so far, from which resumed() goes on: hexadecimal digits of the eight
+  // words of FIPS 180-4, and of the bytes behind the last whole block of 64.
   std::string state() const;
 
  private:
@@ -39,7 +39,7 @@ std::string sha256_hex(std::string_view bytes);
 
 // The same of the content of a file of any size (ByteSource). Throws InputError.
 std::string sha256_of_file(const std::string& path);
-// Of so many bytes at its beginning; of all where there are fewer.
+// The hash of the first `bytes` bytes; of all where there are fewer.
 std::string sha256_of_beginning(const std::string& path, std::int64_t bytes);
 
 }  // namespace voroproof::internal

@@ -31,7 +31,7 @@ int file_without_name() {
   return named;
 }
 
-// What tells a stream from others, whichever name it is opened by.
+// Tells a stream from others, whichever name it is opened by.
 std::string identity(const std::string& path, int descriptor) {
   if (const auto named = named_descriptor(path)) return "descriptor " + std::to_string(*named);
   struct stat status {};

@@ -1,4 +1,4 @@
-// What has come through a pipe, kept so that it can be read again.
+// The bytes that came through a pipe, kept so that they can be read again.
 #pragma once
 
 #include <sys/types.h>
@@ -35,7 +35,7 @@ class StreamCopy {
   std::string path_;
   int stream_, kept_;
   std::mutex mutex_;
-  off_t length_ = 0;  // of what is kept
+  off_t length_ = 0;  // length of the kept bytes
   bool ended_ = false;
 };
 

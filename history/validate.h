@@ -6,7 +6,7 @@
 
 namespace voroproof::internal {
 
-// What a JSON file says that it is, in its field "format", and on which line.
+// The format that a JSON file names in its field "format", and on which line.
 struct FileFormat {
   std::string name;
   std::int64_t line;

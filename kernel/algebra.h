@@ -56,7 +56,7 @@ std::string about(const Rat& x);
 struct Form : std::vector<Int> {
   using std::vector<Int>::vector;
 };
-Form operator+(Form p, const Form& q);  // of one degree
+Form operator+(Form p, const Form& q);  // both have the same degree
 Form operator-(Form p, const Form& q);
 Form operator*(const Form& p, const Form& q);
 // The forms over the two halves of the interval.
@@ -64,7 +64,7 @@ std::array<Form, 2> halves(const Form& p);
 bool is_zero(const Form& p);
 // Sign changes of the coefficients: at most so many roots in (a, b), and as many modulo 2.
 int variations(const Form& p);
-// What has the same roots in (a, b), each once. p is not zero.
+// A form with the same roots in (a, b), each of them once. p is not zero.
 Form squarefree(const Form& p);
 // The roots in (a, b) that both have. Neither is zero.
 Form common(Form p, Form q);

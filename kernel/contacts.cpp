@@ -73,7 +73,7 @@ class Contacts {
   Rat reach(Two two) const { return p_.reach(two.first, two.second); }
   Gap gap(Two two) const { return {walk_.leg(two.first), walk_.leg(two.second)}; }
 
-  // What the rounding of the numbers of the lines so far can have moved two by.
+  // Bounds how far roundings of the numbers on the lines so far can have moved the two.
   Rat delta(Two two) const {
     const Rat extent = abs(p_.scene.center[0]) + abs(p_.scene.center[1]) + p_.scene.radius;
     const std::int64_t n = turns_[two.second] + (two.first == container ? 0 : turns_[two.first]);
@@ -106,7 +106,7 @@ class Contacts {
     walk_.apply(c);
     if (p_.exact()) order_[c.t].end(c, walk_);
   }
-  // Of instants before t there are no other claims.
+  // Judges the order at the instants before t, all of whose claims have been read.
   void require_order_until(const Rat& t) {
     while (!order_.empty() && order_.begin()->first < t) require_order_of_first();
   }
@@ -261,7 +261,7 @@ class Contacts {
   Walk walk_;
   std::vector<std::int64_t> turns_;  // claims so far that moved a disk
   std::vector<std::int64_t> by_;     // the collision that turned it last, or -1
-  std::map<Rat, Turns> order_;       // of instants that other claims may be of
+  std::map<Rat, Turns> order_;       // instants that other claims may belong to
   std::map<Two, Overlap> open_;
   std::map<Two, Rat> followed_;  // to where the lines of some that are no neighbours were
   bool at_end_ = false;

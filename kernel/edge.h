@@ -33,7 +33,7 @@ struct Site {
   T x, y, r;
   Site operator-(const Site& o) const { return {x - o.x, y - o.y, r - o.r}; }
 };
-// Of the difference of two.
+// The tangency from the difference of two sites.
 template <class T>
 T tangency(const Site<T>& d) {
   return d.x * d.x + d.y * d.y - d.r * d.r;
@@ -92,7 +92,8 @@ struct Collapse {
   Rat after;
 };
 
-// What a search noticed: proofs made anew after tangencies of the wrong sign, and whose these were.
+// Notes of a search: proofs made anew after tangencies of the wrong sign, and the pairs of these
+// tangencies.
 struct Notes {
   std::int64_t fresh_proofs = 0;
   std::set<int> touched;

@@ -57,7 +57,7 @@ class StrictReader : public nlohmann::detail::json_sax_dom_parser<Json> {
     keys_.pop_back();
     return true;
   }
-  std::vector<std::set<std::string>> keys_;  // of each object or list that is open
+  std::vector<std::set<std::string>> keys_;  // keys of each object or list that is open
   bool is_seed_ = false;                     // whether the key read last is that of a seed
 };
 

@@ -37,10 +37,10 @@ std::string name(const Quad& q);
 struct Claim {
   enum class Kind { flip, collision, maneuver } kind;
   std::int64_t line;
-  Rat t;      // of a collision or maneuver under the exact truth: its exact time
+  Rat t;      // exact time of a collision or maneuver under the exact truth
   Rat filed;  // as the file has it
-  Quad quad;  // of a flip
-  int id[2];  // of a collision, the smaller first; id[1] of a maneuver
+  Quad quad;  // for a flip
+  int id[2];  // for a collision, the smaller first; for a maneuver id[1]
   int first;  // the disks that turn are id[first] ... id[1]; 2 where none does
   std::optional<Vec> v[2], p[2];
 };

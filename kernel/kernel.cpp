@@ -11,7 +11,7 @@
 namespace voroproof_kernel {
 namespace {
 
-// What one task found: in memory that processes share.
+// The result of one task, in memory that processes share.
 struct Found {
   Verdict verdict = Verdict::undecided;
   std::int64_t line = 0;

@@ -12,14 +12,14 @@ enum class Verdict { certified, refuted, undecided, invalid };
 
 struct Options {
   Truth truth = Truth::recorded;
-  std::string tolerance = "1e-6";      // of claimed times
-  std::string law_tolerance = "1e-9";  // of claimed velocities, relative to the speeds that meet
+  std::string tolerance = "1e-6";      // for claimed times
+  std::string law_tolerance = "1e-9";  // for claimed velocities, relative to the speeds that meet
   bool strict = false;                 // refute claims out of order and foreign horizons
   bool unoriented = false;             // a quadruplet [l,r,s,e] may stand for [l,r,e,s]
   int jobs = 1;                        // processes
 };
 
-// What was claimed and proved, and which leniencies were used.
+// Counts of what was claimed and proved, and of the leniencies used.
 struct Counts {
   std::int64_t flips = 0, collisions = 0, maneuvers = 0;
   std::int64_t lives = 0, pair_lives = 0, fresh_proofs = 0;
@@ -29,7 +29,7 @@ struct Counts {
 struct Result {
   Verdict verdict = Verdict::undecided;
   std::string reason;     // empty if certified
-  std::int64_t line = 0;  // of the history, from 1; 0 where it is about no line
+  std::int64_t line = 0;  // line of the history, from 1; 0 where it is about no line
   bool is_first = true;   // no earlier claim is false: not known of most refutations
   Counts counts;
   std::string horizon_note;  // where the history's horizon is not its scene's

@@ -149,7 +149,7 @@ class Lives {
     }
     ++counts_.lives;
     auto found = collapse(k, end->hi);
-    // What comes after the horizon counts only where the edge is on the verge there.
+    // An event after the horizon counts only where the edge is on the verge of it at the horizon.
     if (!found && last && walk_.four(k).incircle(end->hi, true) <= 0) {
       found = collapse(k, end->hi + p_.tolerance);
     }

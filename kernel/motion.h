@@ -1,4 +1,4 @@
-// What is judged: the files, the options, and the paths of the disks that the claims define.
+// The problem to judge: the files, the options, and the paths of the disks that the claims define.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ struct Problem {
   History history;
   Options options;
   Rat tolerance, law_tolerance;
-  std::vector<std::vector<Leg>> legs;  // of generator g at [g + 1], one for each turn
+  std::vector<std::vector<Leg>> legs;  // paths, of generator g at [g + 1], one leg for each turn
 
   bool exact() const { return options.truth == Truth::exact; }
   int disks() const { return static_cast<int>(scene.disks.size()); }
@@ -29,7 +29,7 @@ struct Gap {
   Rat value(const Rat& t) const { return (a * (t - start) + 2 * b) * (t - start) + c; }
   Rat slope(const Rat& t) const { return a * (t - start) + b; }  // half the derivative
   bool has_roots() const { return a > 0 && b * b > a * c; }
-  // Of two points: whether they meet up to t.
+  // For two points: whether they meet up to t.
   bool meet(const Rat& t) const {
     const Rat nearest = a > 0 ? Rat(start - b / a) : start;
     return nearest >= start && nearest <= t && value(nearest) == 0;

@@ -191,7 +191,7 @@ class Tracer {
   Problem& p_;
   Counts& counts_;
   std::vector<bool> done_;  // maneuvers that have been claimed
-  std::vector<Vec> told_;   // of each disk: its velocity as the file has it
+  std::vector<Vec> told_;   // by disk: its velocity as the file has it
 };
 
 }  // namespace

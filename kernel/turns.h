@@ -46,15 +46,15 @@ class Turns {
     bool is_maneuver() const { return two.first == two.second; }
   };
   struct Chain {
-    std::vector<std::size_t> turns;  // of a disk, by their numbers
+    std::vector<std::size_t> turns;  // numbers of a disk's turns
     std::vector<const Leg*> legs;    // before the first of them, and after each
   };
   class Replay;
 
   std::vector<Turn> turns_;
-  std::map<int, Chain> chains_;            // of the disks that turn
-  std::map<int, const Leg*> standing_;     // of generators beside them, the leg then
-  std::map<int, std::set<Two>> touching_;  // of each disk, the pairs
+  std::map<int, Chain> chains_;            // by disk that turns
+  std::map<int, const Leg*> standing_;     // by generator beside them: its leg at the instant
+  std::map<int, std::set<Two>> touching_;  // by disk: its pairs
 };
 
 }  // namespace voroproof_kernel

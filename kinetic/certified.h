@@ -14,8 +14,9 @@
 
 namespace voroproof::internal {
 
-// What the engine (kinetic/processing.h) asks of numbers. Another class with these members makes
-// another engine of it: bench/plain_doubles.h is one, to measure against.
+// The engine's arithmetic: all that the engine (kinetic/processing.h) asks of numbers. Another
+// class with these members makes another engine of it: bench/plain_doubles.h is one, to measure
+// against.
 class Certified {
  public:
   Certified(Motion& motion, EngineStats& stats)
@@ -74,8 +75,8 @@ class Certified {
     present_.before_change();
     return motion_.maneuver(disk, t, vx, vy);
   }
-  // What the leader did (kinetic/led_turns.h): a collision, which tells the `time` of the instant
-  // unless that is null, or a maneuver.
+  // Repeats a turn of the leader (kinetic/led_turns.h): a collision, which tells the `time` of the
+  // instant unless that is null, or a maneuver.
   void follow(const LedTurn& turn, const DdBall* time) {
     present_.before_change();
     motion_.follow(turn.i, turn.first, turn.j, turn.second, turn.v_scale);

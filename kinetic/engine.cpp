@@ -82,7 +82,7 @@ class Engine::Implementation {
         return monitor(std::max(t, told.t), std::max(events, told.events));
       };
     }
-    // What was told before is not kept again.
+    // A state within the part told before is not kept again.
     if (const auto keep = options_.keep) {
       options_.keep = [keep, told](KeptRun&& kept) {
         if (kept.events >= told.events) keep(std::move(kept));

@@ -31,7 +31,7 @@ namespace voroproof::internal {
 
 struct KeptRun;  // kinetic/kept_run.h
 
-// What tests of runs in slices may ask for; each may be null.
+// The hooks of tests of runs in slices; each may be null.
 struct SliceHooks {
   // The least work of a slice (Leader::lead), in place of what suits.
   std::function<std::uint64_t(int slice)> work;
@@ -66,7 +66,7 @@ struct Outcome {
   enum class Kind { complete, stopped, interrupted };
   Kind kind = Kind::complete;
   double t = 0;        // the history is right before this time
-  std::string reason;  // of a stop
+  std::string reason;  // why it stopped
   // The events in question, with their generators.
   std::vector<std::variant<Quad, std::pair<GenId, GenId>>> events;
 };
@@ -84,7 +84,7 @@ constexpr const char* name_of(Outcome::Kind kind) {
   return "interrupted";
 }
 
-// What is told of a run that was begun cannot be of a run of this engine.
+// Thrown where the told beginning cannot belong to a run of this engine.
 class OtherRun : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

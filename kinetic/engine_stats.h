@@ -1,4 +1,4 @@
-// What an engine counts while it runs.
+// The counts that an engine keeps while it runs.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct EngineStats {
   std::uint64_t settling_flips = 0;  // at t = 0, not events
   std::uint64_t replays = 0;
   int highest_bits = 0, goal_bits = 0;
-  std::uint64_t slices = 0;  // of time, on several threads; 0 if one has made all of the history
+  std::uint64_t slices = 0;  // on several threads; 0 if one thread has made all of the history
   double end = 0;            // time reached
   // The paper's four steps (section 7.3), in seconds; only where asked for.
   double flip_seconds = 0, collision_seconds = 0, queue_seconds = 0, move_seconds = 0;

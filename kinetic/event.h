@@ -20,18 +20,18 @@ struct Event {
   enum class Kind {
     flip,
     contact,
-    maneuver,  // of one or more disks
+    maneuver,  // one or more disks turn
     horizon,
   };
   Event(Kind of_kind, int queue_item) : kind(of_kind), item(queue_item) {}
   Kind kind;
-  int item;              // of the schedule's queue
-  Quad quad{};           // of a flip
-  GenId i = 0, j = 0;    // of a contact, i < j
-  IsolatingInterval at;  // of a flip or contact
+  int item;              // in the schedule's queue
+  Quad quad{};           // for a flip
+  GenId i = 0, j = 0;    // for a contact, i < j
+  IsolatingInterval at;  // for a flip or contact
   // The root of a flip that neighbouring doubles do not isolate, else null.
   std::shared_ptr<const RootInterval> fine;
-  const Rational* exactly = nullptr;  // of a maneuver or the horizon; valid during the instant
+  const Rational* exactly = nullptr;  // for a maneuver or the horizon; valid during the instant
 
   bool is_flip() const { return kind == Kind::flip; }
   bool is_contact() const { return kind == Kind::contact; }

@@ -16,7 +16,7 @@ class EventTimes {
              EngineStats& stats)
       : motion_(motion), collapses_(collapses), contacts_(contacts), stats_(stats) {}
 
-  // What the search has found, and no more, where that may do: of a contact.
+  // The time as the search has found it, where that is narrow enough: for a contact.
   TimedEvent rough(const Event& event) const;
   // The time as narrow as double-doubles say; more bits are taken where these leave much open.
   TimedEvent tight(const Event& event) const;

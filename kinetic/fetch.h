@@ -56,7 +56,7 @@ class Fetch {
     __builtin_prefetch(&motion_.doubles(diagram_.org(diagram_.previous(h ^ 1))));
   }
 
-  // What searches for all edges around the cell of `first`'s origin need.
+  // Fetches the memory for searches of all edges around the cell of `first`'s origin.
   [[gnu::always_inline]] void around_cell(HalfEdge first) const {
     HalfEdge h = first;
     do {

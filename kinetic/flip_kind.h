@@ -42,7 +42,7 @@ class Degrees {
   }
 
  private:
-  std::vector<int> degree_;  // of generator g at g + 1
+  std::vector<int> degree_;  // number of generator g's edges, at g + 1
 };
 
 }  // namespace voroproof::internal

@@ -99,7 +99,7 @@ class Flipping {
   Fetch fetch_;
   Degrees degrees_;
   bool begun_ = false;
-  std::vector<std::uint64_t> stamp_;  // of edges: the last change of motions they were searched for
+  std::vector<std::uint64_t> stamp_;  // by edge: the last change of motions they were searched for
   std::uint64_t stamp_now_ = 0;
 };
 

@@ -85,7 +85,7 @@ bool Follower::step() {
   // The leader has counted the tie of its turns with the horizon; a border is no event.
   if (at_horizon_ && ties_.size() > 1 && (turns || !is_last_)) --stats_.ties;
   if (turns) {
-    // What the leader has proved to be simultaneous, and the schedule does not know of.
+    // Add the contacts that the leader has proved simultaneous. The schedule does not know them.
     turns_->each_contact(next_, [&](const LedTurns::Contact& c) {
       if (c.i == turn_.i && c.j == turn_.j && turn_.is_contact()) return;
       Event contact(Event::Kind::contact, 0);

@@ -47,7 +47,7 @@ class Follower {
   }
 
   Diagram& diagram() { return diagram_; }
-  // Of flips, collisions and maneuvers told, and of what it took to find the flips.
+  // Statistics: events reported, and the cost of finding the flips.
   const EngineStats& stats() const { return stats_; }
 
  private:
@@ -67,7 +67,7 @@ class Follower {
   Flipping<Certified> flipping_;
   Fetch fetch_;
   const LedTurns* turns_ = nullptr;
-  std::size_t next_ = 0;     // of the instants of turns_
+  std::size_t next_ = 0;     // index of the next instant in turns_
   Event turn_;               // the announced one
   bool is_last_ = false;     // the slice ends at the run's horizon
   bool at_horizon_ = false;  // the last instant of the slice is reached

@@ -44,7 +44,7 @@ class InelasticCollapse {
   void after_collision(GenId i, GenId j, const Instant& now, double quiet_until);
 
   struct Past {
-    std::vector<double> times;  // of the last collisions
+    std::vector<double> times;  // times of the last collisions
     int at_wall = 0;            // collisions with the wall alone since the last other one
   };
   // Per disk; empty where no collapse is possible. What it knows of the run, for one that goes on.

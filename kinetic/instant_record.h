@@ -33,7 +33,7 @@ class InstantRecord {
   // The time of the last instant that was told.
   double told_time() const { return told_t_; }
 
-  // So many events were told before this object was there, the last of them at time t.
+  // Goes on after events that were told before this object was there, the last of them at time t.
   void go_on_after(std::uint64_t events, double t) {
     told_ = events;
     t_ = told_t_ = t;

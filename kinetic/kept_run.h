@@ -1,4 +1,4 @@
-// What a run has come to, for another process to go on with.
+// The state of a run from which another process can go on with it.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ struct KeptRun {
   int goal_bits = 0;
   double bits_per_time = 0;
   std::int64_t v_scale = 0;
-  Ball::Precision bits = 64;  // of the balls
+  Ball::Precision bits = 64;  // precision of the balls
   std::vector<KeptDisk> disks;
   std::vector<InelasticCollapse::Past> collapses;  // per disk, or none
 };
@@ -73,12 +73,12 @@ class ReturnOfMotion final : public EventSink {
   Motion& motion_;
   const KeptRun& kept_;
   std::function<std::vector<ManeuverInput>()> next_maneuvers_;
-  std::vector<ManeuverInput> together_;  // of an instant, not told yet
+  std::vector<ManeuverInput> together_;  // maneuvers of one instant, not told yet
   std::vector<const KeptDisk*> disks_;   // by their numbers; null once its last turn is told
   MotionStates::Snapshot full_;
-  double t_ = 0;                   // of the present instant
+  double t_ = 0;                   // time of the present instant
   int begin_ = 0;                  // its first record
-  std::size_t next_division_ = 0;  // of kept_.divisions
+  std::size_t next_division_ = 0;  // index into kept_.divisions
 };
 
 }  // namespace voroproof::internal

@@ -47,7 +47,7 @@ double Leader::work_ahead() const {
   return static_cast<double>(work_) * (horizon_up_ / arithmetic_.now().hi - 1);
 }
 
-// What happens at t = 0 is of the first instant.
+// Events at t = 0 belong to the first instant.
 void Leader::start() {
   arithmetic_.is_at(0);
   for (GenId g = 0; g < motion_.size(); ++g) cells_.place(g, 0);

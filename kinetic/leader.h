@@ -49,9 +49,9 @@ class Leader {
   const std::vector<InelasticCollapse::Past>& collapses() const { return collapse_watch_.pasts(); }
 
  private:
-  // What is to come: a contact of i < j in [lo, hi] while both are in the states of these ids, or,
-  // with j = kLeaves, the time at which i leaves its square, while stays_[i] is state_j. Of any two
-  // disks whose squares share a corner the next contact is here.
+  // An item of the queue: a contact of i < j in [lo, hi] while both are in the states of these ids,
+  // or, with j = kLeaves, the time at which i leaves its square, while stays_[i] is state_j. The
+  // queue has the next contact of any two disks whose squares share a corner.
   struct Entry {
     double key, lo, hi;
     GenId i, j;
@@ -88,7 +88,7 @@ class Leader {
   InelasticCollapse collapse_watch_;
   NearCells cells_;
   WaitingQueue<Entry> queue_;
-  std::vector<int> stays_;  // of each disk: how often the time was found at which it leaves
+  std::vector<int> stays_;  // by disk: how often the time was found at which it leaves
   bool started_ = false;
   std::uint64_t work_ = 0;  // changes so far of a motion or of a square
   // The present instant.

@@ -31,9 +31,9 @@ class LedTurns {
   };
   struct Instant {
     double t = 0;   // rounded to nearest
-    DdBall time{};  // of a collision that tells its own time: see Certified::follow()
+    DdBall time{};  // for a collision that tells its own time: see Certified::follow()
     bool tells_time = false;
-    const Rational* exactly = nullptr;    // of one that maneuvers, or t = 0, begin
+    const Rational* exactly = nullptr;    // for maneuvers, t = 0 and the begin
     std::size_t contacts = 0, turns = 0;  // where its own end
   };
 

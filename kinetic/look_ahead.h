@@ -54,7 +54,7 @@ class LookAhead {
 
   double window_ = 0, horizon_ = 0;
   std::uint64_t edges_ = 0;
-  Begin before_, latest_;  // of the last stretches
+  Begin before_, latest_;  // begins of the last stretches
 };
 
 }  // namespace voroproof::internal

@@ -60,11 +60,11 @@ class NearCells {
   const Motion& motion_;
   bool possible_ = false;
   double x0_ = 0, y0_ = 0;   // the corner of the lattice
-  double width_ = 1;         // of a square
+  double width_ = 1;         // width of a square
   int side_ = 1;             // squares in a row
-  std::vector<GenId> head_;  // of each square: a disk in it, or -1
-  std::vector<Link> links_;  // of each disk: the others in its square
-  std::vector<int> cell_;    // of each disk, or -1
+  std::vector<GenId> head_;  // by square: a disk in it, or -1
+  std::vector<Link> links_;  // by disk: the others in its square
+  std::vector<int> cell_;    // by disk, or -1
   std::vector<std::uint8_t> wall_;
 };
 

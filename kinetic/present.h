@@ -42,7 +42,7 @@ class Present {
 
   Motion& motion_;
   Instant now_;
-  // What the exact time is made of, where a flip or a contact began the instant.
+  // The origin of the exact time, where a flip or a contact began the instant.
   struct {
     Quad q;
     IsolatingInterval at;

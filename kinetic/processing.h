@@ -149,7 +149,7 @@ class EngineOver {
     flipping_.start();
     schedule_.start(first_window(motion_), motion_.size());
     for (int e = 0; e < schedule_.slots(); ++e) schedule_.search_contact(e);
-    // What happens to the motion at t = 0 comes before the diagram at 0+.
+    // Events of the motion at t = 0 come before the diagram at 0+.
     schedule_.make_first_maneuvers_due();
     process_motion_events();
     stats_.settling_flips = arithmetic_.settle(diagram_);
@@ -378,7 +378,7 @@ class EngineOver {
   bool begun_ = false;       // the sink has the first diagram
   bool is_between_ = false;  // all of the last instant is told, and nothing of the next is done
   bool wants_to_keep_ = false;
-  Rational resumed_at_;           // of a run that was taken up
+  Rational resumed_at_;           // time at which the run was taken up
   std::vector<int> divisions_;    // see KeptRun
   std::vector<GenId> changed_;    // disks with new velocities at the present instant
   std::vector<TimedEvent> ties_;  // the events of the present instant

@@ -127,7 +127,7 @@ class EventQueue {
   std::vector<double> key_;
   std::vector<int> place_;  // in the heap
   std::vector<Entry> heap_;
-  MovingBound bound_;  // of the heap's keys
+  MovingBound bound_;  // bound on the heap's keys
 };
 
 }  // namespace voroproof::internal

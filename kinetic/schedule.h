@@ -1,4 +1,4 @@
-// What is to come: of every V-edge its next flip and the next contact of its pair, the next
+// The future events: for every V-edge its next flip and the next contact of its pair, the next
 // maneuver, the horizon; and what is due at the present instant.
 #pragma once
 
@@ -48,7 +48,7 @@ class Schedule {
         horizon_up_(round_up(horizon)),
         queue_(1) {}
 
-  // The run ends at this time, and not at that which was given first. To be called before start().
+  // Replaces the horizon given to the constructor. Call before start().
   void end_at(const Rational& horizon) {
     horizon_ = horizon;
     horizon_up_ = round_up(horizon);
@@ -217,7 +217,7 @@ class Schedule {
     found_[flip_item(edge)] &= static_cast<std::uint8_t>(~is_due);
   }
 
-  // What the search for the flip of this edge has isolated, which is now dealt with.
+  // The result of the search for this edge's flip, which is now dealt with.
   struct Root {
     bool isolated;  // if not, the flip was found due
     double hi;
@@ -237,7 +237,7 @@ class Schedule {
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // What a search found out about an item: bits of found_. Without is_event its key is only a
+  // The result of the search for an item: bits of found_. Without is_event the item's key is only a
   // bound.
   static constexpr std::uint8_t is_event = 1;  // at a time that isolating_ isolates
   static constexpr std::uint8_t is_due = 2;    // a flip of the present instant: see due_flips_
@@ -364,9 +364,9 @@ class Schedule {
   EventQueue queue_;
   const Event* turn_ = nullptr;  // see announce()
   int slots_ = 0;
-  std::vector<std::uint8_t> found_;           // of each item
-  std::vector<IsolatingInterval> isolating_;  // of those that are flips or contacts found
-  std::unordered_map<int, std::shared_ptr<const RootInterval>> fine_;  // of edges
+  std::vector<std::uint8_t> found_;           // by item
+  std::vector<IsolatingInterval> isolating_;  // for flips and contacts that were found
+  std::unordered_map<int, std::shared_ptr<const RootInterval>> fine_;  // by edge
   double quiet_until_ = 0;
   LookAhead look_ahead_;
   double frontier_ = 0;

@@ -36,7 +36,7 @@ class Chunk final : public EventSink {
     ++turns_;
   }
 
-  EngineStats stats;  // of its slice up to its end
+  EngineStats stats;  // counts for this slice up to its end
 
   void reserve(std::size_t items) { items_.reserve(items); }
   void end_instant() {
@@ -74,7 +74,7 @@ class Chunk final : public EventSink {
   enum class Kind : std::uint8_t { flip, collision, maneuver };
   struct Item {
     double t;
-    Quad quad;  // of other events its l and r are their disks
+    Quad quad;  // for other events, l and r are their disks
     Kind kind;
     bool ends_instant = false;
   };
@@ -83,7 +83,8 @@ class Chunk final : public EventSink {
   int turns_ = 0;
 };
 
-// What a thread of a run in slices does next, and with which of the slices that are not told yet.
+// The next work of a thread in a run in slices, with the number of the slice among those not told
+// yet.
 struct SliceWork {
   enum class Kind { none, lead, follow };
   Kind kind = Kind::none;

@@ -23,8 +23,8 @@ constexpr double kWork = 4;
 constexpr double kWorkOfFirst = 1.5, kWorkOfLast = 1.5;
 // A slice takes no more than this of a thread's part of what is to come.
 constexpr double kPart = 1.65;
-// Of a short run the first takes no more than this of such a part, and so much more per disk: its
-// thread begins before the others, which lead into later slices first.
+// In a short run the first slice is at most kPartOfFirst of a thread's share plus kMoreOfFirst per
+// disk. Its thread may do the more because it starts earlier: the others lead into later slices.
 constexpr double kPartOfFirst = 1.1, kMoreOfFirst = 0.2;
 // Less than this, per disk, is not worth a diagram from scratch and the memory of another slice.
 constexpr double kLeastWork = 0.1;

@@ -33,7 +33,7 @@ class SlicedRun {
   // How far the history was told.
   struct Told {
     bool begun = false;
-    double t = 0;  // of the last instant
+    double t = 0;  // time of the last instant
     std::uint64_t events = 0;
   };
   // Tells the history in whole instants. An outcome only where the horizon is reached or the
@@ -42,7 +42,7 @@ class SlicedRun {
   std::optional<Outcome> run(EventSink& sink);
 
   const Told& told() const { return told_; }
-  // Of a run with an outcome.
+  // For a run with an outcome.
   const EngineStats& stats() const { return stats_; }
   // The diagram at the end of a complete one.
   const Diagram& diagram() const { return diagram_; }
@@ -68,11 +68,11 @@ class SlicedRun {
   Leader leader_;
   Told told_;
   EngineStats stats_;
-  EngineStats present_;  // of the slice that is being told
+  EngineStats present_;  // statistics of the slice that is being told
   Diagram diagram_;
   std::vector<Quad> last_;      // the diagram at the end of what is told
   int turns_ = 0;               // told
-  std::vector<int> divisions_;  // of what is told: see KeptRun
+  std::vector<int> divisions_;  // divisions of the told part: see KeptRun
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -158,8 +158,8 @@ class Construction {
     return h;
   }
 
-  // Of the half-edges of the triangle of h the one that starts at the disk nearest to the centre of
-  // i, about.
+  // The half-edge of the triangle of h that starts at the disk nearest to the centre of i, in
+  // doubles.
   HalfEdge of_nearest(GenId i, HalfEdge h) const {
     const Site<DoubleBall>& p = predicates_.rough(i);
     HalfEdge nearest = -1;
@@ -329,7 +329,7 @@ class Construction {
 
   InstantPredicates predicates_;
   Diagram diagram_;
-  std::vector<LinkEdge> link_;  // of the growing cell, those that are not examined
+  std::vector<LinkEdge> link_;  // link edges of the growing cell that are not examined
 };
 
 std::vector<GenId> insertion_order(const Motion& motion, double t) {

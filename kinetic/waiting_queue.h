@@ -63,9 +63,9 @@ class WaitingQueue {
     waiting_.pop_back();
   }
 
-  MovingBound bound_;  // of the heap's keys
+  MovingBound bound_;  // bound on the heap's keys
   std::vector<Entry> heap_;
-  std::vector<double> keys_;  // of those that wait
+  std::vector<double> keys_;  // keys of those that wait
   std::vector<Entry> waiting_;
   std::vector<std::size_t> before_;  // the memory of refill()
   std::size_t kept_ = 0;             // waited after stale ones were last looked for

@@ -1,4 +1,4 @@
-// What the verbs that certify histories share.
+// The common parts of the verbs that certify histories.
 #pragma once
 
 #include <string>
@@ -9,26 +9,26 @@
 
 namespace voroproof::internal {
 
-// What tolerances mean is stated in docs/formats.md, section 8. Greater ones than this accept any
-// time, or any velocity, and only cost: each claim is looked at beside all others that may be in
-// its place. Throws std::invalid_argument for them, and for an order of instants that is asked for
-// where none is judged, naming the option and the reason.
+// Requires tolerances that mean something (docs/formats.md, section 8). A greater tolerance would
+// accept any time, or any velocity, and would only cost: each claim is looked at beside all others
+// that may be in its place. Throws std::invalid_argument for such a tolerance, and for an order of
+// instants that is asked for where none is judged, naming the option and the reason.
 void require_meaningful(const CertifyOptions& options, const HistoryHeader& header);
 
 // A diagram for histories that give none (CertifyOptions::propose_initial); the certifier proves it
 // or refutes it.
 std::vector<Quad> construct_initial(Motion& motion);
 
-// What a third party says to the witness of a refutation (evidence/evidence.h); empty without one.
-// Throws std::logic_error, with the files to report, where it says that the witness is false: then
-// the certifier is not to be believed, and nothing may be printed.
+// The words of a third party about the witness of a refutation (evidence/evidence.h); empty without
+// one. Throws std::logic_error, with the files to report, where it says that the witness is false:
+// then the certifier is not to be believed, and nothing may be printed.
 std::string checked_evidence(const Certificate& certificate, const std::string& scene_path,
                              const std::string& history_path);
 
 // Whether there is a regular file of that name whose content has another hash than this one.
 bool has_other_bytes(const std::string& path, const std::string& sha256);
 
-// What the report says of the two files and of the evidence; `producer` is this program.
+// The report's facts about the two files and the evidence; `producer` is this program.
 CertificationRun certification_run(const std::string& producer, const std::string& scene_path,
                                    const std::string& history_path, const Claim& claim,
                                    const std::string& evidence);

@@ -22,8 +22,8 @@ struct DrawnGenerator {
 // The first thing that is false in a history.
 struct FirstFault {
   std::string kind;       // "missing event" and so on
-  std::int64_t line = 0;  // of the history: the claim, or the line before which one is missing
-  double t = 0;           // of the claim, or of the truth where no claim is at fault
+  std::int64_t line = 0;  // in the history: the claim, or the line before which one is missing
+  double t = 0;           // time of the claim, or of the truth where no claim is at fault
   std::string truth;      // one sentence
 };
 
@@ -31,12 +31,12 @@ struct Explanation {
   std::string words;  // lines
   std::vector<DrawnGenerator> generators;
   double generators_t = 0;  // the time at which they are drawn
-  // What the report is about, and what it found.
+  // The subject of the report, and its findings.
   std::string producer, scene_sha256, history_sha256;
   VerdictWords verdict;
   bool judges_flips = true;
   std::string reason;
-  std::int64_t prefix_events = 0;  // so many events are proved, and nothing is missing
+  std::int64_t prefix_events = 0;  // number of proved events; nothing is missing
   double prefix_t = 0;             // before this time
   std::optional<FirstFault> fault;
 };

@@ -53,7 +53,7 @@ class MemoryHistory final : public HistorySource {
   const HistoryCounts& counts() const override { return counts_; }
   bool counts_match() const override { return true; }
   std::vector<std::string> remarks() const override { return {}; }
-  // Of the file that write_history() would write.
+  // The hash of the file that write_history() would write.
   std::string content_sha256() override;
   std::optional<std::int64_t> shadow_line(const Quad&, double, double) const override {
     return std::nullopt;

@@ -222,7 +222,7 @@ std::optional<IndexEntry> find_entry(const IndexFile& index, const Scene& scene,
     refuse(1, "is for the tolerance " + number_text(known.tolerance) +
                   (known.unoriented ? " with" : " without") + " --unoriented");
   }
-  // Of all entries but one the beginning alone is looked at.
+  // Only the begin of each entry but one is looked at.
   std::string text;
   std::int64_t line = 0, entries = 0;
   std::optional<Cut> last;

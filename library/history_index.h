@@ -22,7 +22,7 @@ namespace voroproof::internal {
 std::int64_t write_index(const std::string& path, const std::string& producer, Claim& claim,
                          const std::string& history_path, const CertifyOptions& options);
 
-// What an index says of one cut.
+// The content of an index about one cut.
 struct IndexEntry {
   IndexedCut at;
   // Whether every claim before the cut that turns a disk has its `v`.

@@ -26,7 +26,7 @@ using PlacedGenerators = std::vector<PlacedGenerator>;
 std::array<Ball, 3> circle_of(const Triple& generators,
                               const std::function<Site<Ball>(GenId)>& site);
 
-// What shows that an edge is illegal: its fourth generator lies that deep inside the circle of one
+// The evidence that an edge is illegal: its fourth generator lies `depth` inside the circle of one
 // of its vertices.
 struct IllegalEdge {
   Quad edge;

@@ -1,4 +1,4 @@
-// What the writer and the reader of an index share.
+// The common parts of the writer and the reader of an index.
 #pragma once
 
 #include <cstdint>

@@ -24,7 +24,8 @@ Places::Rounded as_rounded(const std::vector<double>& x) {
   return {{x[0], x[1]}, x.size() > 3 ? Vec2{x[3], x[4]} : Vec2{}, x[2]};
 }
 
-// What all enclosures round to; nothing where one straddles the boundary between two binary64.
+// The doubles that all enclosures round to; nothing where one straddles the boundary between two
+// binary64.
 std::optional<std::vector<double>> rounded(const std::vector<Ball>& enclosures) {
   std::vector<double> all(enclosures.size());
   for (std::size_t k = 0; k < all.size(); ++k) {

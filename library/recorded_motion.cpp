@@ -69,7 +69,7 @@ struct RecordedMotion::Implementation {
   int disks;
   internal::Rational end;                                // up to which it tells
   bool complete;                                         // end included
-  std::vector<std::vector<internal::PlainPiece>> plain;  // of the disks, like paths.pieces()
+  std::vector<std::vector<internal::PlainPiece>> plain;  // by disk, like paths.pieces()
   std::vector<bool> plain_times;  // whether all of the disk's pieces start at binary64
 
   Implementation(const internal::Scene& scene, const History& history)

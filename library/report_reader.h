@@ -10,7 +10,7 @@ namespace voroproof::internal {
 // of its own work (Certificate::tiers): that is left empty.
 Certificate read_certificate(const JsonField& report);
 CertificationRun read_run(const JsonField& report);
-// What a report says of the options; the others are as they are by default.
+// The options that a report states; the others are as they are by default.
 CertifyOptions read_options(const JsonField& report);
 
 // A whole number that counts something: none of as many as there may be reports sums up to more

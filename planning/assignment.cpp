@@ -11,7 +11,7 @@
 namespace voroproof::internal {
 namespace {
 
-using Costs = std::vector<std::int64_t>;  // of rows times columns
+using Costs = std::vector<std::int64_t>;  // rows times columns
 
 // The columns of a cheapest assignment: a flow of one unit from each row to each column.
 std::vector<int> cheapest(int n, const Costs& costs) {

@@ -28,7 +28,7 @@ class BallPlan {
     }
   }
 
-  // What the gap is certainly not below: on each piece the offset runs from a to b, and for any
+  // A certain lower bound of the gap. On each piece the offset runs from a to b, and for any
   // direction n it is at least min(n.a, n.b) / |n| long. The bound is sharp for n towards the
   // nearest offset, of which n needs to be no more than a guess.
   double least_gap(int i, int j) const {

@@ -17,7 +17,7 @@ namespace voroproof::internal {
 struct Approach {
   int i, j;            // i < j
   Rational t;          // the first such time
-  Rational distance2;  // of the centres
+  Rational distance2;  // squared, between the centres
   Rational reach;      // the sum of the radii
 };
 

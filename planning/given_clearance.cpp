@@ -20,7 +20,7 @@ Point2 place_on(const Waypoint& a, const Waypoint& b, const Rational& t) {
 
 // A part of a spell, within the common piece of two legs.
 struct Part {
-  Rational begin, end;    // of the piece
+  Rational begin, end;    // times of the piece
   bool at_begin, at_end;  // whether the gap is less than the distance there
   NearSpell spell;
 };

@@ -43,8 +43,8 @@ class GivenClearance {
   struct Leg {
     int path;
     std::size_t first;              // waypoint; it ends at the next, or here where there is none
-    double from, to;                // of time, outwards
-    double x_lo, x_hi, y_lo, y_hi;  // of the centre, outwards
+    double from, to;                // times, rounded outwards
+    double x_lo, x_hi, y_lo, y_hi;  // bounds of the centre, outwards
   };
   struct Common;
   template <class Visit>

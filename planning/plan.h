@@ -48,7 +48,7 @@ void drop_idle_knots(Timetable& timetable);
 
 struct Plan {
   PlanTask task;
-  std::vector<Timetable> timetables;  // of each vehicle
+  std::vector<Timetable> timetables;  // one for each vehicle
 };
 
 Rational time_of(const PlanTask& task, const Rational& step);

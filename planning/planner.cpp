@@ -156,7 +156,7 @@ class Planner {
 
   Plan plan_;
   Conjunctions conjunctions_;
-  std::map<Pair, double> steps_;  // of the predicted conjunctions
+  std::map<Pair, double> steps_;  // by predicted conjunction
   std::set<std::pair<double, Pair>> by_step_;
   std::vector<Avoidance> avoided_;
 };
@@ -178,7 +178,7 @@ PlanResult make_plan(PlanTask task, const std::function<bool(std::size_t)>& moni
   result.plan = std::move(planner.plan());
   result.avoided = std::move(planner.avoided());
   result.nearest = minimum_gap(result.plan);
-  // What the search saw in doubles counts for nothing here.
+  // The exact clearance decides: the search in doubles may have been wrong.
   if (result.found() && result.nearest && !keeps_clear(*result.nearest, result.plan.task.clearance))
     result.unsolved = result.nearest;
   return result;

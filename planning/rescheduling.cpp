@@ -86,7 +86,7 @@ class Search {
     }
   }
 
-  // What being at this level costs one who is early or late rather than even.
+  // The cost of this level for a timetable that is to be early or late rather than even.
   int delay(int level) const {
     return haste_ == Haste::even ? 0 : haste_ == Haste::early ? levels - level : level;
   }
@@ -104,7 +104,7 @@ class Search {
     };
     const auto found = std::find_if(pieces_.begin(), pieces_.end(), blocks);
     if (found == pieces_.end()) return false;
-    // What blocks one step blocks others near it.
+    // The piece that blocks one step is tried first for the next: it often blocks steps nearby.
     std::rotate(pieces_.begin(), found, found + 1);
     return true;
   }

@@ -14,7 +14,7 @@
 
 namespace voroproof::internal {
 
-// What a new timetable is to be near to: besides an even speed, going early or late.
+// The preference of a new timetable: an even speed, or going early or late.
 enum class Haste { even, early, late };
 inline constexpr std::array<Haste, 3> all_hastes{Haste::even, Haste::early, Haste::late};
 

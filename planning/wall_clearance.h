@@ -18,7 +18,7 @@ namespace voroproof::internal {
 struct WallApproach {
   int disk;
   Rational t;          // the first such time
-  Rational distance2;  // of the centre from the container's
+  Rational distance2;  // squared, of the centre from the container's
   Rational room;       // the container's radius less the disk's
 };
 

@@ -57,8 +57,8 @@ void ChangingComponents::cut(const Node& a, const Node& b) {
   touched_.insert({old, part});
 }
 
-// What can be reached from one of the two if the other cannot: of the two sides the one that is
-// walked through first, by turns. Nothing if they are connected.
+// The nodes that can be reached from one of the two if the other cannot be. Both sides are walked
+// through by turns, and the one that is finished first is returned. Nothing if they are connected.
 std::vector<ChangingComponents::Node> ChangingComponents::side_cut_off(const Node& a,
                                                                        const Node& b) const {
   struct Front {

@@ -19,12 +19,12 @@ namespace voroproof::internal {
 // A point of the diagram where the clearance is of interest.
 struct ClearanceNode {
   enum class Kind {
-    vertex,  // of the generators [i,j,k], canonical
+    vertex,  // for the generators [i,j,k], canonical
     gate,    // in the middle between disk i and generator j
     far,     // on the edge between disk i and the container, far from the disk
   };
   Kind kind = Kind::vertex;
-  Triple generators{};  // of a gate {i, j, j}, of a far point {i, -1, -1}
+  Triple generators{};  // for a gate {i, j, j}, for a far point {i, -1, -1}
   auto operator<=>(const ClearanceNode&) const = default;
 };
 

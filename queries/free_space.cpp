@@ -171,7 +171,7 @@ std::vector<Void> FreeSpace::voids() {
       groups.join(vertices.at(node.generators), of_piece(k));
     }
   }
-  std::map<std::size_t, std::size_t> index;  // of a group's void
+  std::map<std::size_t, std::size_t> index;  // by a group's void
   std::vector<Void> voids;
   const auto void_of = [&](std::size_t member) -> Void& {
     const auto [at, fresh] = index.emplace(groups.find(member), voids.size());

@@ -1,4 +1,4 @@
-// What is near: disks to a point, generators to each other. All order is exact.
+// Nearness: of disks to a point, of generators to each other. All order is exact.
 #pragma once
 
 #include <utility>
@@ -14,7 +14,7 @@ Enclosure gap(const Clearance& clearance, GenId i, GenId j);
 
 struct NearDisk {
   GenId disk;
-  Enclosure distance;  // of the point from the disk's boundary, negative inside
+  Enclosure distance;  // distance of the point from the disk's boundary, negative inside
   bool tied;           // at the very same distance as the one before
 };
 

@@ -1,4 +1,4 @@
-// What holds over a window of time: neighbours, least gaps. See paths.h for the motion meant.
+// Facts over a window of time: neighbours, least gaps. See paths.h for the motion meant.
 #pragma once
 
 #include <optional>

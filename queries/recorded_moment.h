@@ -1,4 +1,4 @@
-// What a history says about one instant: the diagram, and where the disks are.
+// The state that a history gives for one instant: the diagram, and where the disks are.
 #pragma once
 
 #include <functional>

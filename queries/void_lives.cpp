@@ -17,7 +17,7 @@ namespace {
 
 using HalfEdge = Diagram::HalfEdge;
 
-// What an edge has of the graph: nodes, and which two of them are joined along it; sorted.
+// The edge's part of the graph: nodes, and which two of them are joined along it; sorted.
 struct EdgeGraph {
   std::vector<ClearanceNode> nodes;
   std::vector<std::pair<ClearanceNode, ClearanceNode>> links;
@@ -139,7 +139,7 @@ class EdgeWalk {
   std::vector<Rational> since_;  // the start of each edge's present life
 };
 
-// What the first list has and the second has not; both are sorted.
+// The items of the first list that the second has not; both are sorted.
 template <class T>
 std::vector<T> without(const std::vector<T>& all, const std::vector<T>& others) {
   std::vector<T> left;
@@ -274,7 +274,7 @@ class Lives {
   }
 
   std::vector<EdgeGraph> graphs_;
-  std::map<std::size_t, EdgeGraph> changes_;  // of edges
+  std::map<std::size_t, EdgeGraph> changes_;  // by edge
   std::vector<std::array<Triple, 4>> meetings_;
   ChangingComponents voids_;
   std::vector<Life> lives_;

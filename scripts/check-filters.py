@@ -189,7 +189,7 @@ def forms():
             yield f"coefficient {k} of a square of degree {n}", formula.script(square(formula, n, k), most * math.comb(2 * n, k))
 
 
-# What a form's later use costs, in u of the size: a level of halving, a level of evaluation, the division by binomials.
+# Cost of a form's later use, in u of the size: a level of halving, a level of evaluation, the division by binomials.
 HALVING, EVALUATION, UNSCALED = 1, 4, 3
 
 
@@ -257,7 +257,7 @@ def payments():
 
 
 def text_of(file, pattern):
-    """What the pattern's groups are, where it occurs: in one place."""
+    """The pattern's groups at the one place where it occurs."""
     found = list(re.finditer(pattern, (TREE / file).read_text()))
     if len(found) != 1:
         raise SystemExit(f"check-filters: {file}: {len(found)} places like {pattern}, not one")

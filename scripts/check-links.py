@@ -77,7 +77,7 @@ def documents_in_contents():
 
 
 def check_contents():
-    """What Sphinx would say of a document that no table of contents has, without Sphinx."""
+    """The complaints that Sphinx would make of documents in no table of contents, without Sphinx."""
     listed = documents_in_contents()
     return [f"{name}: in no table of contents of docs/site/index.md" for name in sorted(markdown_files())
             if not name.startswith("docs/site/") and name not in listed]
@@ -109,7 +109,7 @@ def check_markdown():
 
 
 class Page(html.parser.HTMLParser):
-    """What a page links to, what it loads, and its anchors."""
+    """Collects a page's links, what it loads, and its anchors."""
 
     def __init__(self, path):
         super().__init__()

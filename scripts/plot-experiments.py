@@ -24,7 +24,7 @@ matplotlib.rcParams["svg.hashsalt"] = "voroproof"
 STEPS = [("step1_flip_times", "1 flip times", "red"), ("step2_collision_times", "2 collision times", "blue"),
          ("step3_queue", "3 queue", "green"), ("step4_move", "4 moving disks", "goldenrod")]
 SERIES = [("flips", "flips", "red"), ("collisions", "collisions", "blue"), ("events", "all", "black")]
-# What the horizontal axis is, and the paper's figure.
+# The horizontal axis, and the paper's figure.
 AXES = {"reference": ("n", "number of disks", 18), "speed": ("speed", "initial speed", 19),
         "size": ("rmax", "greatest radius", 20), "density": ("density", "density", 21),
         "restitution": ("restitution", "restitution", 22)}
@@ -86,7 +86,7 @@ def plot_steps(axes, x, groups):
 
 
 def plot_distribution(axes, x, groups, field, title):
-    """Of the disks of a scene; of several seeds the means of what tells of each."""
+    """Plots a distribution over the disks of a scene; several seeds give the means of their statistics."""
     def mean(of):
         return over_seeds(groups, lambda m: of(m[field]))[0]
 

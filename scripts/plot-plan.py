@@ -49,7 +49,7 @@ def ellipse_around(p, q, margin):
 
 
 def limits(report):
-    """What all panels show: the starts, the goals and what is between, with room for ellipses."""
+    """The limits of all panels: the starts, the goals and what is between, with room for ellipses."""
     room = 3 * max(float(Fraction(v["radius"])) for v in report["vehicles"])
     ends = [end for v in report["vehicles"] for end in (numbers(v["start"]), numbers(v["goal"]))]
     return [(float(min(values)) - room, float(max(values)) + room) for values in zip(*ends)]

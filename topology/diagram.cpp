@@ -14,7 +14,7 @@ namespace {
 template <class Item>
 struct Sorted {
   std::vector<Item> items;
-  std::vector<std::size_t> begins;  // of each generator, the container first; then the end
+  std::vector<std::size_t> begins;  // by generator, the container first; then the end
 };
 
 // `count` items, item(k) of the generator generator(k), sorted: an item of a smaller generator is
@@ -55,7 +55,7 @@ void Diagram::link(HalfEdge a, HalfEdge b, HalfEdge c) {
 }
 
 void Diagram::start(GenId a, GenId b) {
-  halves_.reserve(6 * static_cast<std::size_t>(disks_) - 6);  // of the diagram of all disks
+  halves_.reserve(6 * static_cast<std::size_t>(disks_) - 6);  // for the diagram of all disks
   const HalfEdge ca = new_edge(container_id, a);
   const HalfEdge ab = new_edge(a, b);
   const HalfEdge bc = new_edge(b, container_id);
@@ -197,7 +197,7 @@ namespace {
 // generator, the three stand side by side.
 struct Corner {
   std::uint64_t others;  // the other two generators of the vertex, in its order
-  int place;             // of the least one in the half-edge's own triple
+  int place;             // place of the least one in the half-edge's own triple
   Diagram::HalfEdge half;
   auto operator<=>(const Corner&) const = default;
 };

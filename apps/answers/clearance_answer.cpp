@@ -63,7 +63,7 @@ class Teller {
   const std::vector<GivenPath>& paths_;
 };
 
-// What is judged, from when to when, and what is not.
+// Tells what is judged, for which times, and what is not judged.
 void add_basis(const GivenPaths& given, Json& json, std::string& lines) {
   Json& remarks = json["remarks"] = Json::array({"judged are " + given.meaning});
   for (const std::string& r : given.remarks) remarks.push_back(r);

@@ -1,4 +1,4 @@
-// What is said of the clearance of given paths: JSON for programs (docs/formats.md, section 18),
+// The answer about the clearance of given paths: JSON for programs (docs/formats.md, section 18),
 // lines for people.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What a plan is and what is certain of it, as JSON (docs/formats.md).
+// The report of a plan and of its certain clearance, as JSON (docs/formats.md).
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace voroproof::internal {
 struct PlanRun {
   std::string producer;
   std::string assignment;    // "given" or "optimal"
-  std::string scene_sha256;  // of the scene file; empty where none was written
+  std::string scene_sha256;  // hash of the scene file; empty where none was written
 };
 
 std::string plan_report_text(const PlanRun& run, const PlanResult& result);

@@ -9,8 +9,8 @@
 
 namespace voroproof::internal {
 
-// What all of them take. The moment must be that of the scene at t, and outlive the call. Throw
-// Undecided where a decision needs more than the budget.
+// The common input of all queries at an instant. The moment must be that of the scene at t, and
+// outlive the call. The queries throw Undecided where a decision needs more than the budget.
 struct InstantQuery {
   const Scene& scene;
   const Rational& t;

@@ -12,7 +12,7 @@
 
 namespace voroproof::internal {
 
-// What all of them take; the cursor is moved.
+// The common input of all queries over time. A query moves the cursor.
 struct TimeQuery {
   const Scene& scene;
   HistoryCursor& history;

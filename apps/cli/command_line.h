@@ -1,4 +1,4 @@
-// What the verbs of the command line share: exit codes, the errors of usage, and arguments that
+// The common parts of the command line's verbs: exit codes, the errors of usage, and arguments that
 // are exact numbers.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What ends a run early: signals, and the limits that its user sets.
+// Early ends of a run: signals, and the limits that its user sets.
 #pragma once
 
 #include "exact/patience.h"

@@ -29,7 +29,7 @@ std::string wrapped(const std::string& text, std::size_t most) {
   return result + line;
 }
 
-// What the help shows behind an option's names.
+// The text that the help shows behind an option's names.
 std::string shown_type(const Option& option) {
   std::string text;
   const auto add = [&text](const std::string& part) { text += ' ' + part; };
@@ -211,7 +211,7 @@ std::vector<std::string> option_names(const Verb& verb) {
   return names;
 }
 
-// What is said of a word that a verb does not know.
+// The message about a word that a verb does not know.
 std::string unknown(const Verb& verb, const std::string& word) {
   if (word.starts_with('-')) {
     const std::string name = word.substr(0, word.find('='));

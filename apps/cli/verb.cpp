@@ -12,7 +12,7 @@
 namespace voroproof::internal {
 namespace {
 
-// What stands for standard input and output.
+// The name that stands for standard input and output.
 constexpr const char* stream_name = "-";
 
 // "-o,--output" as its parts.

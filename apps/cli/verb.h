@@ -1,6 +1,6 @@
-// What the command line understands, as data: verbs with their arguments and options. How a command
-// line is read is the parser's matter (apps/cli/parser.h); help, manual pages and completions are
-// made from what stands here.
+// The command line as data: verbs with their arguments and options. How a command line is read is
+// the parser's matter (apps/cli/parser.h); help, manual pages and completions are made from what
+// stands here.
 #pragma once
 
 #include <charconv>
@@ -19,11 +19,11 @@ namespace voroproof::internal {
 // An option, or an argument, which has a name without dashes and is told by its place.
 struct Option {
   std::vector<std::string> names = {};  // "-o", "--output"; the last one is used in messages
-  std::string type = {};                // what stands for a value in the help; empty: a flag
+  std::string type = {};                // the value's name in the help; empty: a flag
   std::string help = {};                // sentences
   std::string initial = {};  // the value where none is given, as it is shown; empty: none
   std::vector<std::string> choices = {};  // the only values there are; empty: any that `take` takes
-  int values = 1;                         // of one use
+  int values = 1;                         // number of values in one use
   bool is_required = false, repeats = false;
   std::vector<std::string> old_names = {};  // still understood, and shown nowhere
   std::vector<std::string> excluded = {};   // options that cannot be given as well
@@ -121,7 +121,7 @@ class Verb {
   Verb& note(const std::string& text);
   // A command line, which the help ends with.
   Verb& example(const std::string& command);
-  // What the verb does.
+  // Sets the action of the verb.
   void does(std::function<ExitCode()> action) { action_ = std::move(action); }
 
   const std::string& name() const { return name_; }

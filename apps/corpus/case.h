@@ -14,8 +14,8 @@ namespace voroproof::internal {
 // implementations writes.
 struct WrongHistory {
   std::string file;   // below the case's folder
-  std::string name;   // of the class
-  std::string kind;   // of the fault that the certifier must report (certify/certificate.h)
+  std::string name;   // name of the class
+  std::string kind;   // kind of the fault that the certifier must report (certify/certificate.h)
   std::string truth;  // the truth that it is held against: "exact" or "recorded"
 };
 
@@ -23,7 +23,7 @@ struct CorpusCase {
   std::filesystem::path folder;
   std::string name, family;
   std::vector<std::string> tags;
-  std::string story;                 // what is degenerate here and why implementations fail
+  std::string story;                 // says what is degenerate here and why implementations fail
   bool decided = true;               // else the exact history stops, made to be undecided
   std::vector<Rational> instants;    // at which a diagram is expected
   std::vector<std::string> sources;  // the independent ways in which the history was established

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t max_picture_bytes = std::size_t{1} << 24;
 
-// What the page says of a case beyond the report.
+// Adds the facts about a case that the report does not have.
 void add_case(Json& result, const CorpusCase& c) {
   result["story"] = c.story;
   result["sources"] = c.sources;

@@ -1,4 +1,4 @@
-// What a run over the corpus found, as a page that needs nothing but itself.
+// The result of a run over the corpus, as a page that needs nothing but itself.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What a run over the corpus found, as a table for the terminal and as JSON.
+// The result of a run over the corpus, as a table for the terminal and as JSON.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@ namespace voroproof::internal {
 
 // How the run was made.
 struct CorpusRunInfo {
-  std::string producer;  // of the verdicts: this program
+  std::string producer;  // the program that gave the verdicts: this one
   std::string command;   // empty where the corpus was held against itself
   std::vector<Truth> truths;
   ProcessLimits limits;
@@ -24,8 +24,8 @@ struct FamilyTally {
   int cases = 0, passed = 0;
   int exact = 0, recorded = 0;  // certified against this truth
   std::array<int, static_cast<std::size_t>(CaseOutcome::count)> outcomes{};
-  std::map<std::string, int> kinds;  // of the faults of refuted ones
-  double seconds = 0;                // of the program
+  std::map<std::string, int> kinds;  // counts of faults among the refuted cases
+  double seconds = 0;                // time that the program took
 };
 
 // One for each family, in order, and a last one named "all".
@@ -49,7 +49,7 @@ std::string report_for_terminal(const CorpusRunInfo& info,
                                 const std::vector<ProgramResult>& results);
 std::string report_for_terminal(const CorpusRunInfo& info, const std::vector<OwnResult>& results);
 
-// What the JSON file holds, and its text; schemas/corpus-report.schema.json lists its fields.
+// The content of the JSON file, and its text; schemas/corpus-report.schema.json lists its fields.
 nlohmann::ordered_json report_data(const CorpusRunInfo& info,
                                    const std::vector<ProgramResult>& results);
 nlohmann::ordered_json report_data(const CorpusRunInfo& info,

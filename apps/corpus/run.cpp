@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_message = 300;
-constexpr std::size_t longest_tail = std::size_t{1} << 14;  // of stderr that is looked at
+constexpr std::size_t longest_tail = std::size_t{1} << 14;  // bytes of stderr that are looked at
 
 std::string last_line(const std::string& path) {
   std::ifstream in(path, std::ios::binary | std::ios::ate);
@@ -66,7 +66,7 @@ CaseOutcome outcome_of(CaseJudgement::Verdict verdict) {
   return CaseOutcome::invalid;
 }
 
-// What the judgements and the program's own end amount to.
+// Draws the outcome from the judgements and from the program's own end.
 void conclude(ProgramResult& result) {
   const CaseJudgement* decisive = result.decisive();
   if (result.end.kind == ProcessEnd::Kind::timed_out) {

@@ -16,23 +16,23 @@ namespace voroproof::internal {
 struct CorpusRunOptions {
   std::string command;  // with {scene} and {history}; see against_program
   std::vector<Truth> truths{Truth::exact, Truth::recorded};
-  ProcessLimits limits;  // of each run of the program, and of each certification
+  ProcessLimits limits;  // for each run of the program, and for each certification
   std::size_t jobs = 1;  // side by side
   // See run_jobs.
   std::function<bool(std::size_t finished)> progress;
 };
 
-// What became of a case.
+// The outcome of a case.
 enum class CaseOutcome { certified, refuted, undecided, invalid, crashed, timed_out, count };
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(CaseOutcome::count)>
     outcome_names{"certified", "refuted", "undecided", "invalid", "crashed", "timed out"};
 
-// What an external program made of a case.
+// The result of an external program on a case.
 struct ProgramResult {
   const CorpusCase* of = nullptr;
   CaseOutcome outcome = CaseOutcome::crashed;
   std::string reason;   // one line; empty where certified
-  ProcessEnd end;       // of the program
+  ProcessEnd end;       // how the program ended
   std::string message;  // its last line on stderr
   // Where it wrote a history that was judged.
   std::optional<CaseJudgement> exact, recorded;

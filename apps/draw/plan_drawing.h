@@ -1,4 +1,4 @@
-// What of a plan is drawn, from a plan as it was made or from a report of one.
+// The content of a plan's drawing, from a plan as it was made or from a report of one.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace voroproof::internal {
 
-// What is drawn of a plan, in doubles, for the eye.
+// The content of a plan's drawing, in doubles, for the eye.
 struct PlanDrawing {
   struct Knot {
     double t;

@@ -118,7 +118,7 @@ class PlanPainter {
     const DigitPen pen(cairo_);
     const std::string digits = std::to_string(i);
     const double radius = vehicle.radius * scale_;
-    const double width = 0.7 * static_cast<double>(digits.size());  // of digits of height 1
+    const double width = 0.7 * static_cast<double>(digits.size());  // width at height 1
     const double inside = std::min(16.0, 1.6 * radius / std::hypot(width, 1.0));
     if (inside >= 8) {
       pen.write(digits, pixel(start), inside);

@@ -302,7 +302,7 @@ class Painter {
   cairo_t* cairo_;
   const DiagramFile& diagram_;
   std::optional<double> probe_;
-  double half_;     // of the picture's size
+  double half_;     // half the picture's size
   double margin_;   // around the container, in pixels: room for arrows that point outwards
   double scale_;    // pixels per unit of length
   double spacing_;  // typical distance of neighbouring disks, in pixels

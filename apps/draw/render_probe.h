@@ -28,11 +28,11 @@ class FreeSpacePicture {
   std::size_t voids() const { return voids_; }
 
  private:
-  // What lies between a free piece of an edge and the centres of its generators.
+  // The region between a free piece of an edge and the centres of its generators.
   struct Region {
     std::vector<Vec2> piece;
     GenId l, r;
-    std::size_t number;  // of its void
+    std::size_t number;  // number of its void
   };
 
   void add_edge(GenId l, GenId r, const std::vector<Vec2>& points, std::size_t start,

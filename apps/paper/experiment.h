@@ -13,7 +13,7 @@
 
 namespace voroproof::internal {
 
-// What is told of a set of numbers; zeros where the set is empty.
+// Summary of a set of numbers; zeros where the set is empty.
 struct Distribution {
   std::size_t count = 0;
   double mean = 0, deviation = 0;  // the standard deviation
@@ -28,7 +28,7 @@ struct ExperimentRun {
   int disks = 0;
   Outcome outcome;
   EngineStats stats;
-  double seconds = 0;  // of the engine, without what is counted besides
+  double seconds = 0;  // time of the engine, without the counting besides
   // The predictions, counted by the rule of predictions.h.
   std::uint64_t predicted_flips = 0, predicted_flips_before_contact = 0, predicted_roots = 0,
                 predicted_collisions = 0;

@@ -130,7 +130,7 @@ Experiment read_experiment(const std::string& path) {
     experiment.set = json.at("set");
     experiment.scale = json.at("scale");
     for (const Json& member : json.at("members")) {
-      csv_line(experiment.set, member);  // what others ask for is there
+      csv_line(experiment.set, member);  // checks that the fields others ask for are there
       experiment.members.push_back(member);
     }
   } catch (const nlohmann::json::exception&) {

@@ -12,7 +12,7 @@ namespace voroproof::internal {
 
 struct ExperimentMember {
   int k;
-  ReferenceOptions options;  // of the scene
+  ReferenceOptions options;  // options of the scene
   ExperimentRun run;
 };
 

@@ -13,7 +13,7 @@
 namespace voroproof::internal {
 
 struct PaperCheckOptions {
-  double step = 0.1;        // of the regular instants
+  double step = 0.1;        // between the regular instants
   double tolerance = 1e-6;  // how far a disk may reach into a circle
   MotionOptions motion{};   // for the first diagram, where the history has none
   // Called now and then; false stops with what has been found so far.
@@ -32,7 +32,7 @@ struct PaperCheckResult {
   std::int64_t regular = 0, midway = 0;  // instants
   std::int64_t circles = 0;
   std::optional<Intrusion> first;  // beyond the tolerance
-  double deepest = 0;              // of all, within the tolerance or not
+  double deepest = 0;              // over all, within the tolerance or not
   bool passed() const { return !first; }
 };
 

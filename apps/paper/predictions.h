@@ -52,8 +52,8 @@ class PredictionCounter {
   ContactSearch contacts_;
   NamedDiagram diagram_;
   double now_ = 0;
-  // What has changed since the last instant: half-edges of changed edges and of new adjacencies,
-  // and disks that have collided.
+  // Changes since the last instant: half-edges of changed edges and of new adjacencies, and disks
+  // that have collided.
   std::set<Diagram::HalfEdge> changed_, adjacent_;
   std::set<GenId> moved_;
   std::uint64_t flips_ = 0, flips_before_contact_ = 0, roots_ = 0, collisions_ = 0;

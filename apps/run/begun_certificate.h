@@ -1,4 +1,4 @@
-// What a run of `certify` has proved so far, kept beside its report for a later run.
+// The proof so far of a run of `certify`, kept beside its report for a later run.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ class BegunCertificate {
   // Throws UsageError where something else than what a run leaves has its name.
   void require_replaceable() const { file_.require_replaceable("--report"); }
 
-  // What an earlier run of the same has left; nothing if it has left nothing. `wanted`: what it has
-  // to be of. Throws InputError where it is of something else.
+  // Returns the shard that an earlier run of the same kind has left, or nothing. `wanted` says
+  // which run it has to be. Throws InputError where the file belongs to another run.
   std::optional<Shard> find(const ShardFile& wanted) const;
 
   void keep(const ShardFile& so_far) { file_.keep(shard_text(so_far)); }

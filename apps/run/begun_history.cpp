@@ -94,8 +94,8 @@ bool begins_with(const std::string& path, const OutputFile::Written& part) {
 
 std::string partial_of(const std::string& history) { return history + ".partial"; }
 
-// Of the files of killed processes the one that goes farther than the others gets a name that
-// stays. So does one that can be taken up, if no other can.
+// Gives a lasting name to the file of a killed process that goes farther than the others. A file
+// that can be taken up gets one, too, if no other can.
 void name_abandoned(const std::string& history, const std::optional<KeptFile>& kept) {
   const std::string partial = partial_of(history);
   const bool may_go_on =

@@ -17,11 +17,11 @@ namespace voroproof::internal {
 // believed.
 class BegunHistory {
  public:
-  // What can be taken up of the run of the scene, the horizon and the producer that `wanted` names:
-  // a complete HISTORY, or a file with the beginning that was kept; nothing if there is none. Of
-  // the files for the time being the one that goes farthest, or can be taken up, gets the name
-  // HISTORY.partial, so that the next writer of HISTORY does not remove it. Throws InputError where
-  // HISTORY itself is there and is of something else: it is not to be replaced.
+  // Finds what can be taken up of the run of the scene, the horizon and the producer that `wanted`
+  // names: a complete HISTORY, or a file with the beginning that was kept; nothing if there is
+  // none. The temporary file that goes farthest, or can be taken up, gets the name HISTORY.partial,
+  // so that the next writer of HISTORY does not remove it. Throws InputError where HISTORY itself
+  // is there and belongs to something else: it is not to be replaced.
   static std::optional<BegunHistory> find(const std::string& history, const HistoryHeader& wanted,
                                           int disks);
 
@@ -37,11 +37,11 @@ class BegunHistory {
   const std::string& path() const { return path_; }
   // Whether it is HISTORY, and nothing is left to do.
   bool complete() const { return !kept_; }
-  // What was kept of one that is not complete.
+  // The kept part of a history that is not complete.
   const KeptFile& kept() const { return kept_.value(); }
 
-  // What Engine::resume() asks for. Throws InputError, with the line, where the sink throws
-  // OtherRun.
+  // Tells the history as Engine::resume() asks for it. Throws InputError, with the line, where the
+  // sink throws OtherRun.
   void tell(EventSink& sink) const;
 
  private:

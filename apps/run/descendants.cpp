@@ -16,7 +16,7 @@ namespace {
 
 constexpr int exit_cannot_run = 127;  // as shells have it
 
-// What a killed child leaves behind becomes a child in turn, until there is none.
+// Kills until no child is left. Children of a killed child become children of this process in turn.
 void kill_all(pid_t leader) {
   const std::string self = std::to_string(getpid());
   const std::string list = "/proc/" + self + "/task/" + self + "/children";

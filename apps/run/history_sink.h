@@ -37,7 +37,7 @@ class HistorySink : public EventSink {
   }
 
   bool has_begun() const { return begun_; }
-  double last_time() const { return last_time_; }  // of the last event; 0 without any
+  double last_time() const { return last_time_; }  // time of the last event; 0 without any
 
   // In place of begin(): the writer has the header and the events up to time t.
   virtual void go_on_after(double t) {
@@ -102,14 +102,14 @@ class BackgroundHistorySink final : public HistorySink {
   void hand_on();
   void write_batches();
 
-  Batch batch_;  // of the engine's thread
+  Batch batch_;  // used by the engine's thread
   std::mutex mutex_;
   std::condition_variable changed_;
   // Guarded by mutex_.
   std::deque<Batch> queue_;
   bool closed_ = false;       // nothing more will come
-  bool dropped_ = false;      // what has come is not wanted any more
-  std::exception_ptr error_;  // of the writing thread
+  bool dropped_ = false;      // the queued events are not wanted any more
+  std::exception_ptr error_;  // thrown in the writing thread
 
   std::thread thread_;  // last: it uses the others
 };

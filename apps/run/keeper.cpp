@@ -11,7 +11,7 @@ namespace voroproof::internal {
 
 namespace {
 
-// Of the time of a run no more than one part in so many goes into keeping it.
+// Keeping a run takes no more than one part in kPart of its time.
 constexpr int kPart = 20;
 
 }  // namespace

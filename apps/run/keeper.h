@@ -1,4 +1,4 @@
-// What a run of `simulate` does for a later one to take it up.
+// The means by which a run of `simulate` can be taken up by a later one.
 #pragma once
 
 #include <atomic>

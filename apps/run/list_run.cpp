@@ -90,7 +90,7 @@ ExitCode code_of(const ProcessEnd& end) {
   return known ? static_cast<ExitCode>(end.code) : ExitCode::internal;
 }
 
-// What the run wrote to standard error, its lines without the program's name.
+// The lines that the run wrote to standard error, without the program's name.
 std::string message_in(const std::string& path) {
   constexpr std::string_view name = "voroproof: ";
   std::istringstream lines(file_bytes(path, longest_reason, true));

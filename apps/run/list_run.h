@@ -13,11 +13,11 @@ struct ListRequest {
   std::string list;       // the file with the list
   std::string json, csv;  // tables to write; empty: none
   std::size_t jobs = 1;   // runs side by side
-  // What each run has besides its two files, as on the command line.
+  // The options of every run besides its two files, as on the command line.
   std::vector<std::string> options;
 };
 
-// What differs by verb.
+// The differences between the verbs that run lists.
 struct ListedVerb {
   std::string name;
   // The words of a run, the verb first, which writes its results, as JSON, to `result`.

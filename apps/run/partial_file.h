@@ -1,4 +1,4 @@
-// What a run has reached, kept beside its result for a later run to take up.
+// The state that a run has reached, kept beside its result for a later run to take up.
 #pragma once
 
 #include <string>

@@ -19,14 +19,14 @@ namespace voroproof::internal {
 
 struct ProcessLimits {
   double seconds = 60;      // by the clock
-  std::uint64_t bytes = 0;  // of memory (private and writable) for each process; 0: no limit
+  std::uint64_t bytes = 0;  // memory (private and writable) for each process; 0: no limit
 };
 
 // How a process ended.
 struct ProcessEnd {
   enum class Kind { exited, signalled, timed_out };
   Kind kind = Kind::exited;
-  int code = 0;        // of the exit, or the number of the signal
+  int code = 0;        // exit code, or the number of the signal
   double seconds = 0;  // that it took
 
   bool success() const { return kind == Kind::exited && code == 0; }

@@ -24,9 +24,9 @@ struct RunRow {
   ListedRun run;
   std::optional<ExitCode> code;              // nothing: the run has not ended
   std::string words;                         // the verdict, where a report says more than the code
-  std::vector<std::string> says;             // what the verdict is about, and each reservation
-  std::string reason;                        // of a code other than ok
-  std::string scene_sha256, history_sha256;  // of the contents; empty where they could not be read
+  std::vector<std::string> says;             // the subject of the verdict, and each reservation
+  std::string reason;                        // reason of a code other than ok
+  std::string scene_sha256, history_sha256;  // hashes of the files; empty where unreadable
   std::vector<std::string> options;          // that the run had
   // How far the run came, where it says so.
   std::optional<std::int64_t> events;

@@ -32,7 +32,7 @@ constexpr double for_ever = 1e9;  // seconds
 
 struct Opinion {
   std::string verdict;    // CERTIFIED, REFUTED, UNDECIDED or INVALID
-  std::int64_t line = 0;  // of the history, where the reason names one
+  std::int64_t line = 0;  // line of the history, where the reason names one
   std::string reason;
 
   bool certifies() const { return verdict == "CERTIFIED"; }
@@ -62,7 +62,7 @@ std::vector<std::string> lines_in(std::FILE* in) {
   return lines;
 }
 
-// What the lines of a checker say; nothing where the last one is no verdict.
+// Reads the opinion from a checker's lines; nothing where the last one is no verdict.
 std::optional<Opinion> opinion(const std::vector<std::string>& lines) {
   Opinion said;
   for (const char* verdict : {"CERTIFIED", "REFUTED", "UNDECIDED", "INVALID"}) {

@@ -15,7 +15,7 @@ namespace voroproof::internal {
 struct SecondChecker {
   std::string_view option;  // by which it is asked for
   std::string_view name;    // in sentences
-  std::string_view field;   // of the report, for what it said
+  std::string_view field;   // the report's field for what it said
   // Why it cannot judge: because of an option, or because it is not installed. Empty where it can.
   std::string (*refusal)(const CertifyOptions& options);
   // In a process of its own, whose output is read: judges the bytes of a scene and of a history,
@@ -36,7 +36,7 @@ SecondChecker proved_checker();
 std::vector<SecondChecker> second_checkers(bool kernel, bool proved, const CertifyOptions& options,
                                            bool whole);
 
-// What second checkers said, each with its own.
+// The words of the second checkers, each with its own.
 using SecondWords = std::vector<std::pair<SecondChecker, std::string>>;
 
 // Has the checker judge the same files under the same options, and makes the certificate that of

@@ -46,7 +46,7 @@ class SelfCheck {
 
   const Scene& scene_;
   CertifyOptions options_;
-  Batch batch_;  // of the engine's thread
+  Batch batch_;  // used by the engine's thread
   std::unique_ptr<Live> live_;
   std::optional<Certificate> certificate_;
   std::exception_ptr error_;

@@ -1,4 +1,4 @@
-// What a run cost, as JSON.
+// The cost of a run, as JSON.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace voroproof::internal {
 
-// What the statistics are about.
+// The run that the statistics are about.
 struct RunDescription {
   std::string producer;
   std::string scene_sha256;
@@ -16,7 +16,7 @@ struct RunDescription {
   Rational horizon;
   int start_bits = 0, max_bits = 0, threads = 1;
   bool filters = true;
-  double total_seconds = 0;  // of the run, with the initial diagram and all output
+  double total_seconds = 0;  // time of the run, with the initial diagram and all output
 };
 
 // The events by kind, predicted and come true; how often each predicate was decided in which tier;

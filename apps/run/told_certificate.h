@@ -1,4 +1,4 @@
-// What `certify` says of a certificate.
+// The output of `certify` about a certificate.
 #pragma once
 
 #include <ostream>

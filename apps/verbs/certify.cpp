@@ -157,7 +157,7 @@ bool certify_claim(const Request& request, Claim& claim, const CertifyOptions& o
                    const CooperativeInterruption& interruption,
                    std::optional<BegunCertificate>& begun, ShardFile& file) {
   Certificate& certificate = file.shard.certificate;
-  // What is known whatever ends the run.
+  // These facts are known whatever ends the run.
   certificate.other_horizon = other_horizon(claim.scene, claim.history->header());
   certificate.remarks = claim.remarks;
   try {

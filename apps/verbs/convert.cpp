@@ -32,7 +32,7 @@ struct Request {
   bool stay = false;
 };
 
-// What is to be written: said by an option, or else by the output's name.
+// The format to write: an option names it, or else the output's name does.
 std::string format_to_write(const Request& request) {
   if (!request.format.empty()) return request.format;
   constexpr std::pair<std::string_view, const char*> endings[] = {

@@ -223,7 +223,7 @@ class Runs {
   std::vector<std::optional<Json>> results_;
   SharedProgress progress_;
   std::optional<PartialFile> partial_;
-  std::mutex mutex_;  // of results_ and of what is told
+  std::mutex mutex_;  // guards results_ and what is told
 };
 
 ExitCode experiment(const Request& request) {

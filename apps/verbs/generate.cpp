@@ -169,7 +169,7 @@ void add_swarm(Verb& generate_verb) {
   verb.example("voroproof generate swarm --n 40 -o a.scene.json");
 }
 
-// What stands between the commas.
+// Splits the text at its commas.
 std::vector<std::string> parts(const std::string& text) {
   std::vector<std::string> result(1);
   for (const char c : text) {

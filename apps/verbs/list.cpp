@@ -31,7 +31,7 @@ ExitCode run_listed(const Verb& verb, ListRequest request, const ListedVerb& lis
   CooperativeInterruption interruption;
   const RunTable table = run_list(request, listed, [&] {
     if (!interruption.requested()) return true;
-    interruption.wind_up();  // what the runs have reached is being written
+    interruption.wind_up();  // the writing of the results so far is waited for
     return false;
   });
   interruption.wind_up();

@@ -7,7 +7,7 @@
 namespace voroproof::internal {
 namespace {
 
-// What the report of a run says of how far the history is proved, and of which bytes.
+// Takes from a run's report how far the history is proved, and the hashes of the bytes it is about.
 void read_report(const std::string& path, RunRow& row) {
   const nlohmann::json report = nlohmann::json::parse(file_bytes(path, std::size_t{1} << 28));
   row.events = report.at("certified_prefix").at("events").get<std::int64_t>();

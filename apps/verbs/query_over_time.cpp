@@ -43,7 +43,7 @@ void check_generators(const Scene& scene, const std::string& option,
   }
 }
 
-// What opens and closes does so between two times.
+// Requires a window with a length: openings and closings happen between two times.
 void require_length(const Window& window) {
   if (window.from == window.to) throw UsageError("--horizon: not after --from");
 }

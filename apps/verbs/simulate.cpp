@@ -99,8 +99,8 @@ ExitCode report(const Outcome& outcome) {
   return ExitCode::interrupted;
 }
 
-// What the certifier says of the engine's history: a complete one must be certified, one that
-// stopped must be right as far as it goes.
+// Requires the certifier's agreement with the engine's history: a complete one must be certified,
+// one that stopped must be right as far as it goes.
 void require_checked(const Certificate& certificate, bool complete) {
   const Verdict good = complete ? Verdict::certified : Verdict::undecided;
   if (certificate.verdict != good) {
@@ -182,7 +182,7 @@ void finish(HistoryWriter& writer, std::optional<SelfCheck>& check, const Outcom
   }
 }
 
-// What an earlier run has left, if that is asked for.
+// Finds what an earlier run has left, if that is asked for.
 std::optional<BegunHistory> find_begun(const Request& request, const HistoryHeader& header,
                                        int disks) {
   if (!request.resume) return std::nullopt;
@@ -279,7 +279,7 @@ ExitCode simulate(const Request& request) {
     return !interruption.requested() && !(check && check->over());
   };
   if (keeper) {
-    // What is kept when the run is interrupted is being written.
+    // After an interruption the state is being kept. The writing of it is waited for.
     keeper->serve(options, *sink, [&] {
       if (interruption.requested()) interruption.wind_up();
     });
@@ -315,7 +315,7 @@ ExitCode simulate(const Request& request) {
   return report(outcome);
 }
 
-// What the statistics of a run say of its events.
+// Takes the counts of events from the statistics of a run.
 void read_stats(const std::string& path, RunRow& row) {
   const nlohmann::json stats = nlohmann::json::parse(file_bytes(path, std::size_t{1} << 24));
   const nlohmann::json& events = stats.at("events");

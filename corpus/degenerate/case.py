@@ -1,4 +1,4 @@
-"""What a case is, and the list of all."""
+"""Cases, and the list of all."""
 import re
 import textwrap
 from dataclasses import dataclass, field
@@ -26,7 +26,7 @@ class Case:
     # Midpoints at which the brute force has nothing to say, because a point touches something.
     unseen: int = 0
 
-    # What the program must learn before it can make this case; until then the case is left out.
+    # The feature that the program needs before it can make this case; until then the case is left out.
     awaits: str = None
 
     def __post_init__(self):

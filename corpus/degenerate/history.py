@@ -19,7 +19,7 @@ def canonical(q):
 
 
 def flipped(q):
-    """What the edge [l,r,s,e] becomes: [s,e,r,l]."""
+    """The name of the edge [l,r,s,e] after its flip: [s,e,r,l]."""
     return canonical([q[2], q[3], q[1], q[0]])
 
 

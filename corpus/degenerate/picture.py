@@ -2,7 +2,7 @@
 import re
 from fractions import Fraction
 
-# What is drawn that is thinner than these decimals of a pixel is not seen.
+# Number of decimals of a pixel that are kept: finer differences are not seen.
 DECIMALS = 1
 DEFAULTS = re.compile(r" *(fill-rule:nonzero|(fill|stroke)-opacity:1|stroke-miterlimit:10|stroke:none);")
 CAPS = "stroke-linecap:round;stroke-linejoin:round;"

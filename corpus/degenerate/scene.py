@@ -114,6 +114,6 @@ def scene(radius, horizon, disks, **options):
 
 @dataclass
 class Generated:
-    """What `voroproof generate` writes for these words. Scenes that only the program can tell have wrong
+    """The output of `voroproof generate` for these words. Scenes that only the program can tell have wrong
     variants by edits alone."""
     words: tuple

@@ -1,4 +1,4 @@
-"""What faulty implementations write. Each class is a way to be wrong that was seen in engines, as an edit
+"""The output of faulty implementations. Each class is a way to be wrong that was seen in engines, as an edit
 of the exact history or as the exact history of what such an engine takes the scene for."""
 from copy import deepcopy
 from dataclasses import dataclass
@@ -42,7 +42,7 @@ class Wrong:
     kind: str  # the fault that `certify` must name
     make: object  # (History, Simulator) -> History
     truth: str = "exact"
-    awaits: str = None  # what `certify` must learn before it can refute this; left out until then
+    awaits: str = None  # the feature that `certify` needs before it can refute this; left out until then
 
     def __post_init__(self):
         if self.name not in CLASSES:

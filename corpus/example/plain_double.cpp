@@ -28,7 +28,7 @@ using Json = nlohmann::ordered_json;
 constexpr double same_time = 1e-9;      // events closer than this are simultaneous
 constexpr double same_distance = 1e-7;  // circles closer than this touch, relative to the container
 constexpr double equal_radii = 1e-9;
-constexpr double tie_breaker = 1e-12;  // of radii, relative to the container
+constexpr double tie_breaker = 1e-12;  // for radii, relative to the container
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr int most_events_at_once = 10000;
 
@@ -405,7 +405,7 @@ class Simulation {
 
   void predict(int h) {
     const Edge q = edge(h);
-    const bool once = q.l < q.r;  // of the two half-edges of an edge
+    const bool once = q.l < q.r;  // takes one of the two half-edges of an edge
     flips_[h] = once ? flip_time(q) : never;
     contacts_[h] = once && q.l >= 0 ? contact_time(q.l, q.r) : never;
   }
@@ -503,7 +503,7 @@ class Simulation {
   std::vector<Disk> disks_;  // the container first
   Json maneuvers_;
   std::vector<Vertex> vertices_;
-  std::vector<double> flips_, contacts_, walls_;  // of half-edges, half-edges, disks
+  std::vector<double> flips_, contacts_, walls_;  // by half-edge, half-edge, disk
   std::array<std::size_t, 3> done_{};             // events, by kind
 };
 

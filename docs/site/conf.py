@@ -44,7 +44,7 @@ html_theme_options = {
     "dark_css_variables": {"color-brand-primary": "#7fb4ea", "color-brand-content": "#7fb4ea"},
 }
 
-# What stands for a comment of a document in the site, where pages are made that the repository lacks.
+# The text that replaces a comment of a document in the site, where pages are made that the repository lacks.
 PLAYER = """
 <div class="player">
 <iframe src="../player.html" title="The player, with a history of 30 disks" loading="lazy"></iframe>

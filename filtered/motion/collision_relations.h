@@ -1,5 +1,5 @@
-// What is proved of collisions at one instant. A collision is named by its id: that of the state
-// after it (Motion::state_id).
+// Relations that are proved of collisions at one instant. A collision is named by its id: that of
+// the state after it (Motion::state_id).
 #pragma once
 
 #include <algorithm>

@@ -36,8 +36,8 @@ struct alignas(64) DoubleMotion {
   double ex = 0, ev = 0;
 };
 
-// What is left of the true values by those doubles, to make double-doubles of them:
-// the true centre is within ex of (x, y) + (this x, y) and so on.
+// The differences of the true values from those doubles, to make double-doubles of them: the true
+// centre is within ex of (x, y) + (this x, y) and so on.
 struct alignas(64) SecondMotion {
   double x = 0, y = 0, vx = 0, vy = 0, r = 0;
   double ex = 0, ev = 0, er = 0;
@@ -134,7 +134,7 @@ class Motion {
   // Gives disk g a new velocity at an exact time; returns its rounded state.
   RoundedState maneuver(GenId g, const Rational& t, const Rational& vx, const Rational& vy);
 
-  // What another motion needs to follow this one.
+  // The log and the snapshot that another motion needs to follow this one.
   const std::shared_ptr<MotionLog>& log() const { return states_->log(); }
   MotionSnapshot snapshot();
   TurnedState turned(GenId g) const;
@@ -194,7 +194,7 @@ class Motion {
     const Record& r = states_->record(id - 1);
     return {r.i, r.j};
   }
-  // What is proved of the collisions so far.
+  // The proved relations of the collisions so far.
   const CollisionRelations& relations() const { return relations_; }
   CollisionRelations& relations() { return relations_; }
   // When the initial state of a disk holds: 0 unless it was restarted.
@@ -221,7 +221,7 @@ class Motion {
   std::vector<DoubleMotion> doubles_;
   std::vector<SecondMotion> seconds_;
   bool radii_are_doubles_ = true;
-  std::array<DdBall, 2> origin_;  // of the input
+  std::array<DdBall, 2> origin_;  // origin of the input
   bool moved_ = false;            // the origin is not that of the scene
 };
 

@@ -1,4 +1,4 @@
-// What has changed the motion of disks so far: the log from which every state can be computed.
+// The changes to the motion of disks so far: the log from which every state can be computed.
 #pragma once
 
 #include <cstddef>

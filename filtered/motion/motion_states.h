@@ -138,12 +138,12 @@ class MotionStates {
   int reserve_ = 0;   // further bits at all times
   double horizon_ = 0;
   std::int64_t x_scale_ = 0, v_scale_ = 0;  // exponents
-  std::int64_t reach_scale_ = 0;            // of the least reach
+  std::int64_t reach_scale_ = 0;            // exponent of the least reach
   std::uint64_t replays_ = 0;
   std::shared_ptr<MotionLog> log_;
-  std::size_t size_ = 0;        // of the log, as far as these states go
+  std::size_t size_ = 0;        // length of the log, as far as these states go
   std::size_t applied_ = 0;     // records
-  std::exception_ptr failure_;  // of a state that could not be computed: none can be since
+  std::exception_ptr failure_;  // from a state that could not be computed: none can be since
   // The states of generators whose last change was a collision; null of all others.
   std::vector<std::shared_ptr<FixedState>> fixed_;
   // States in balls: those after a maneuver, others from when they are asked for.

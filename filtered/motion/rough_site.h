@@ -12,7 +12,7 @@ namespace voroproof::internal {
 template <class T>
 struct RoughSite {
   Site<T> at;
-  T error;  // of both coordinates and of the radius, each
+  T error;  // error of both coordinates and of the radius, each
 };
 
 // The site of the motion, a DoubleMotion or MotionLanes, within h of the time c. Positions are

@@ -1,5 +1,5 @@
-// What leaves a motion: times, velocities and centres rounded to nearest, centres as the scene has
-// them.
+// The rounded numbers that leave a motion: times, velocities and centres rounded to nearest,
+// centres in the scene's coordinates.
 #include "filtered/motion/exact_motion.h"
 #include "filtered/motion/motion.h"
 

@@ -14,8 +14,8 @@ namespace voroproof::internal {
 template <class T>
 struct WindowPlaces {
   T x0, y0, x1, y1;  // at a and at b
-  T speed;           // of a coordinate, at most
-  T error;           // of each coordinate and of the radius, at most
+  T speed;           // most of a coordinate's speed
+  T error;           // most error of each coordinate and of the radius
 
   // M: DoubleMotion, or MotionLanes.
   template <class M>

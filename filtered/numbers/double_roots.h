@@ -15,7 +15,7 @@ namespace voroproof::internal {
 struct DoubleRoot {
   double lo, hi;    // times; the only root of the piece lies between
   double piece_hi;  // end of the piece, as a time
-  Sign after;       // of the polynomial beyond the root
+  Sign after;       // sign of the polynomial beyond the root
 };
 
 // The times of a piece's parameters; rounding moves them by less than `slack`.

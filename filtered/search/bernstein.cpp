@@ -82,10 +82,10 @@ Form<double, 4> lane(const Form<Lanes, 4>& f, int k) {
   return {{f.c[0][k], f.c[1][k], f.c[2][k], f.c[3][k], f.c[4][k]}};
 }
 
-// What is made of a form later is paid for by its bound: at most 24 subdivisions, which round once
-// on each level of the scheme, and one evaluation, which rounds three times there; the weight 1 - x
-// errs by u on each level as well, the value by as much again. That is 29 u of the size for each
-// degree; the binomials, which are divided by before, cost 2 u.
+// Pays in the bound for the later use of a form: at most 24 subdivisions, which round once on each
+// level of the scheme, and one evaluation, which rounds three times there; the weight 1 - x errs by
+// u on each level as well, the value by as much again. That is 29 u of the size for each degree;
+// the binomials, which are divided by before, cost 2 u.
 template <int degree, class T>
 [[gnu::always_inline]] inline T with_later_use(const Bound<T>& b) {
   return (b.err + unit_roundoff * (30.0 * degree * b.size)) * bound_up + 1e-290;
@@ -204,7 +204,7 @@ namespace {
 // than f, whose roots are close to each other then.
 struct Likeness {
   bool equal = false;
-  double spread = 0;  // of those not equal, a bound on the differences; 0 where they are not small
+  double spread = 0;  // bound on the differences of unequal radii; 0 where they are not small
 };
 
 template <bool nearly>

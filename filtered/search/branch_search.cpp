@@ -111,7 +111,7 @@ std::optional<Collapse> isolate(const Branch& branch, const Interval& zero) {
 
 enum class Finding { free, collapse, unknown };
 
-// What the start of q's edge shows of [a, b]; a collapse in `found`.
+// Judges [a, b] by the start of q's edge; a collapse goes into `found`.
 Finding look(const Motion& motion, const Quad& q, double a, double b,
              const std::array<Site<DoubleBall>, 4>& at, Collapse& found) {
   const TangentTriple<DoubleBall> triple = EdgeTriples<DoubleBall>::of(q, at).start;

@@ -24,10 +24,10 @@ DiskState independent(const Motion& motion, DiskState p, int id) {
 int first_of(const Cradle& c, GenId g) { return c.ids[g == c.far_end ? 1 : 0]; }
 int last_of(const Cradle& c, GenId g) { return c.ids[g == c.far_end ? 1 : 2]; }
 
-// What changed the velocity of a disk along one direction at one instant: a collision, or a cradle
-// of which it is an end.
+// A change of a disk's velocity along one direction at one instant: a collision, or a cradle of
+// which the disk is an end.
 struct Blow {
-  int id;  // of the last collision
+  int id;  // id of the last collision
   // Who the outcome depends on: the partner; in a cradle the middle and the other end.
   std::vector<DiskState> partners;
 };
@@ -47,13 +47,13 @@ Blow blow_of(const Motion& motion, const DiskState& s) {
   return out;
 }
 
-// What a state came of: a maneuver, or the blows of one instant whose directions are at right
+// The origin of a state: a maneuver, or the blows of one instant whose directions are at right
 // angles. Neither of two such changes the velocities along the other's direction, so that what both
 // do to the disk is the sum of what each would do alone.
 struct Past {
   DiskState before;
   const MotionStates::Maneuver* maneuver = nullptr;
-  std::vector<Blow> blows;  // of two the second's normal, seen from the disk, is to the left
+  std::vector<Blow> blows;  // if two, the second's normal, seen from the disk, is to the left
 };
 
 // The past with as many blows as there are, going back, before a maneuver or a collision that is
@@ -96,14 +96,14 @@ Past past_of(const Motion& motion, const DiskState& s) {
   return {{s.g, o.before}, nullptr, {{s.id, {{o.partner, o.partner_before}}}}};
 }
 
-// What a walk through the pasts of both in step finds.
+// The equations that a walk through both pasts in step finds.
 struct Equations {
   std::vector<Image> points, vectors;
   // Whether they hold for one kind of isometries only.
   bool of_one_kind = false;
 };
 
-// What an isometry that reflects, or one that does not, has to solve. nullopt: the pasts differ.
+// The equations for an isometry that reflects, or for one that does not. nullopt: the pasts differ.
 std::optional<Equations> equations(const Motion& motion, std::span<const DiskState> from,
                                    std::span<const DiskState> to, bool reflects) {
   using Pair = std::array<int, 4>;

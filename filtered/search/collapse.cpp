@@ -62,11 +62,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// So much of a window makes an answer of a search in doubles; the rest waits for its turn. It
-// decides nothing: only the cost depends on it.
+// The part of a window that is enough for an answer of a search in doubles; the rest waits for its
+// turn. Only the cost depends on this number, and no decision.
 constexpr double kPartWorthAnAnswer = 0.05;
 
-// What becomes of the edge at a root of its form; a collapse in `found`.
+// Judges the edge at a root of its form; a collapse goes into `found`.
 Judgement judge_root(const Motion& motion, const Quad& q, const BernsteinForm& form,
                      const DoubleRoot& root, Collapse& found) {
   found = {Collapse::Kind::root, root.lo, root.hi, nullptr};

@@ -5,8 +5,8 @@
 // functions, of e in the circle (l,s,r) and of s in the circle (r,e,l), turn from
 // positive to negative there and both circles exist: the paper's Move-&-Check and its
 // test for shadow flips (sections 4.3 and 5) become signs at a rational time next to
-// an isolated root. Four tiers: doubles with an error bound, double-doubles, balls,
-// exact algebra.
+// an isolated root. Five tiers: doubles with an error bound, double-doubles, balls,
+// symmetry, exact algebra. Symmetry comes before balls where a collision is in a past.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ struct Instant {
   DdBall dd;
   // The instant as an algebraic number over the field of an ExactMotion.
   std::function<ExactTime(ExactMotion&)> exact;
-  // What is known to happen then; may be empty.
+  // The proved facts of that instant; may be empty.
   std::function<Coincidence()> known;
 };
 
@@ -125,7 +125,7 @@ class CollapseSearch {
   Collapse beyond(const Quad& q, const RootInterval& root, double end);
   bool at_relative_rest(const Quad& q) const;
   Collapse at_rest(const Quad& q, const Instant& now);
-  // What becomes of q while its four generators stay cotangent, perhaps only with the circle of the
+  // Answers for q while its four generators stay cotangent, perhaps only with the circle of the
   // other kind: both in-circle signs `s` tell, at a time t of the interval. nullopt: not decided.
   std::optional<Collapse> while_cotangent(const Quad& q, const std::array<Sign, 2>& s,
                                           const Ball& t) const;

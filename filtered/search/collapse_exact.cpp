@@ -251,7 +251,7 @@ ExactTime CollapseSearch::exact_root(const Quad& q, const Rational& lo, const Ra
   const Polynomial<Tower> phi = flip_polynomial(q, exact);
   const Sign at_lo = sign(phi.evaluate(Tower(lo))), at_hi = sign(phi.evaluate(Tower(hi)));
   if (at_lo != Sign::zero && at_lo == -at_hi) return ExactTime(phi, RootInterval{lo, hi});
-  return real_roots(phi, lo, hi).at(0);  // of even order
+  return real_roots(phi, lo, hi).at(0);  // the root is of even order
 }
 
 }  // namespace voroproof::internal

@@ -140,7 +140,7 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
   Ladder<Collapse> ladder(counts_, Predicate::flip_search);
   const auto answer_of = [&](const Attempt& attempt) -> std::optional<Collapse> {
     if (attempt.decided) return attempt.answer;
-    // What is hard later in the window can wait: an event may come first.
+    // A part of the window that is hard and later can wait: an event may come first.
     const double from = now != nullptr ? now->hi : voroproof::internal::round_up(start);
     const double reached = voroproof::internal::round_down(attempt.reached);
     const double worth = kPartWorthAnAnswer * std::max(0.0, end - from);
@@ -181,10 +181,10 @@ Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instan
 
 namespace {
 
-// What becomes of an edge whose four generators touch one circle at an instant of the hull, in the
-// rest of the hull: the slopes of its in-circle functions tell, if both circles exist and are the
-// one that is touched. (The flip polynomial itself may have a double root, where two circles that
-// touch three of them touch the fourth.)
+// Judges an edge whose four generators touch one circle at an instant of the hull, for the rest of
+// the hull: the slopes of its in-circle functions tell, if both circles exist and are the one that
+// is touched. (The flip polynomial itself may have a double root, where two circles that touch
+// three of them touch the fourth.)
 Judgement departs(const Motion& motion, const Quad& q, const Ball& hull, bool every_circle) {
   const std::array<Site<Ball>, 4> at = sites(motion, q, hull);
   const EdgeTriples<Ball> circles = EdgeTriples<Ball>::of(q, at);

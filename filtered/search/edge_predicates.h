@@ -59,7 +59,7 @@ Sign contact_order(const Quad& q, const std::array<Site<T>, 4>& at) {
   return sign(T((e[0] - r[0]) * (l[1] - r[1]) - (e[1] - r[1]) * (l[0] - r[0])));
 }
 
-// What becomes of the edge at an isolated root: seen from a time just after it.
+// The fate of the edge at an isolated root, seen from a time just after it.
 enum class Judgement { collapses, stays, unknown };
 
 // Reads the verdict off the signs just after the root. Circles that certainly do not exist make an

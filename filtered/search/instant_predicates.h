@@ -96,8 +96,8 @@ class InstantPredicates {
     return std::fabs(round_nearest(Rational(q - to_rational(nearest)))) * (1 + 0x1p-50);
   }
 
-  // What a predicate asks: the sites, and constants that are not the motion's. In doubles they are
-  // at hand; else they are computed when asked for.
+  // The input of a predicate: the sites, and constants that are not the motion's. In doubles they
+  // are at hand; else they are computed when asked for.
   class DoubleSites {
    public:
     explicit DoubleSites(const InstantPredicates& p) : p_(&p) {}

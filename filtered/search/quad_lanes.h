@@ -22,7 +22,7 @@ struct PairsWithBase {
   static Lanes first(const Lanes& x) { return x; }
   static Lanes second(const Lanes& x) { return __builtin_shufflevector(x, x, 3, 3, 3, 3); }
 };
-// What is of l, r and s, moved to the lane before, in cyclic order, and to the one before that.
+// The values of l, r and s, moved to the lane before, in cyclic order, and to the one before that.
 inline Lanes next(const Lanes& x) { return __builtin_shufflevector(x, x, 1, 2, 0, 3); }
 inline Lanes last(const Lanes& x) { return __builtin_shufflevector(x, x, 2, 0, 1, 3); }
 

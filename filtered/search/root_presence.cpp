@@ -46,7 +46,7 @@ bool has_root_in_balls(const Motion& motion, const Quad& q, double start, double
 // The most pieces that are looked at.
 constexpr int kMaxLooks = 200;
 
-// What doubles show: that there is a root, or up to where there is none.
+// The result in doubles: that there is a root, or up to where there is none.
 struct Shown {
   bool has_root;
   double reached;

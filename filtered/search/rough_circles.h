@@ -107,7 +107,7 @@ class RoughCircles {
   }
 
  private:
-  using Sites = RoughSite<Lanes>;  // of l, r, s and e
+  using Sites = RoughSite<Lanes>;  // on the lanes: l, r, s and e
 
   static Sites sites(const Motion& motion, const Quad& q, double lo, double hi) {
     const double c = 0.5 * (lo + hi);
@@ -117,9 +117,9 @@ class RoughCircles {
                       c, h);
   }
 
-  // What the two circles are made of, that of the start on the first lane and that of the end on
-  // the second; the other two lanes say nothing. The triples are (l,s,r) and (r,e,l), turned so
-  // that a disk is first, as tangent_triple() does.
+  // The parts of the two circles: those of the start on the first lane, those of the end on the
+  // second; the other two lanes say nothing. The triples are (l,s,r) and (r,e,l), turned so that a
+  // disk is first, as tangent_triple() does.
   struct Roles {
     Site<Lanes> base, j, k, opposite;
 

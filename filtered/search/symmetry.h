@@ -23,8 +23,8 @@
 
 namespace voroproof::internal {
 
-// What is known to happen at one instant. States are those in force just before it, or since
-// an earlier event of the same instant.
+// The proved facts about one instant. States are those in force just before it, or since an earlier
+// event of the same instant.
 struct Coincidence {
   // Quadruplets that are cotangent at the instant with one of their V-edges shrunk to a
   // point, in the cyclic order of their contact points (l, s, r, e).

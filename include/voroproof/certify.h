@@ -33,8 +33,8 @@ enum class EventKinds {
 struct CertifyOptions {
   Truth truth = Truth::exact;
   EventKinds events = EventKinds::all;
-  Number tolerance{1e-6};      // of times
-  Number law_tolerance{1e-9};  // of velocities, relative to the speeds involved
+  Number tolerance{1e-6};      // for times
+  Number law_tolerance{1e-9};  // for velocities, relative to the speeds involved
   bool strict = false;         // swaps, unoriented edges and another horizon are refuted
   // Truth::exact: collisions and maneuvers of one instant may come in any order in which every
   // collision is of two that touch and approach then, and no such pair is left.
@@ -60,12 +60,12 @@ struct WitnessMotion {
   Bounds x, y, vx, vy, signed_radius;
 };
 
-// What anybody can check by hand or with a computer algebra system. Which fields there are depends
-// on the fault (docs/certificate.md, section 9).
+// Evidence that anybody can check by hand or with a computer algebra system. Which fields there are
+// depends on the fault (docs/certificate.md, section 9).
 struct Witness {
   std::vector<WitnessMotion> generators;
-  // What vanishes at the event, and its coefficients (of 1, t, t^2, ...). It has exactly one root
-  // in `root`: the exact time of the event.
+  // The function that vanishes at the event, and its coefficients (of 1, t, t^2, ...). It has
+  // exactly one root in `root`: the exact time of the event.
   std::string polynomial_is;
   std::vector<Bounds> polynomial;
   std::optional<std::array<Number, 2>> root;
@@ -78,9 +78,9 @@ struct Witness {
 // Where a refuted history is wrong.
 struct Divergence {
   std::string fault;         // "missing event", "wrong time", ... (docs/certificate.md)
-  std::int64_t line = 0;     // of the file; of a History, event k is on line k + 2
-  double t = 0;              // of the claim, or of the truth where no claim is at fault
-  std::string truth;         // what is true instead, one sentence
+  std::int64_t line = 0;     // line of the file; in a History, event k is on line k + 2
+  double t = 0;              // time of the claim, or of the truth where no claim is at fault
+  std::string truth;         // states the truth in one sentence
   std::optional<Edge> edge;  // that flips in truth
   std::optional<std::array<int, 2>> pair;  // that touches in truth
   Witness witness;
@@ -94,14 +94,14 @@ struct Leniency {
 
 struct Report {
   Verdict verdict = Verdict::undecided;
-  // What the report says, in the words of the program: "CERTIFIED" or "CERTIFIED (collisions
-  // alone)" and so on; about which events and which truth, up to when, within which tolerances; and
-  // each reservation, a line.
+  // The report in the words of the program: "CERTIFIED" or "CERTIFIED (collisions alone)" and so
+  // on; about which events and which truth, up to when, within which tolerances; and each
+  // reservation, a line.
   std::string words, about;
   std::vector<std::string> reservations;
   std::string reason;  // in one line, why it is not certified
   std::optional<Divergence> divergence;
-  std::string evidence;  // of a refutation: how its witness was checked, by CGAL
+  std::string evidence;  // for a refutation: how its witness was checked, by CGAL
   // The first so many events are right, and nothing is missing before t.
   std::int64_t prefix_events = 0;
   double prefix_t = 0;

@@ -20,7 +20,7 @@ class VOROPROOF_API Error : public std::runtime_error {
 // A scene, a history or a plan that is not what it claims to be, or a file that cannot be read.
 class VOROPROOF_API InputError : public Error {
  public:
-  // what() is "FILE:LINE: FIELD: REASON" without the parts that are empty or zero.
+  // The text of what() is "FILE:LINE: FIELD: REASON" without the parts that are empty or zero.
   InputError(const std::string& what, std::string file, std::int64_t line, std::string field,
              std::string reason);
   ~InputError() override;

@@ -1,4 +1,4 @@
-// What the library exports; everything else of it is hidden.
+// The mark of all that the library exports. Everything else of it is hidden.
 #pragma once
 
 #if defined(_WIN32)

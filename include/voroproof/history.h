@@ -61,7 +61,7 @@ struct Ending {
   bool complete = true;
   double t = 0;             // the horizon, rounded, of a complete one
   std::string reason;       // why it stopped
-  Extensions extensions{};  // of the last line
+  Extensions extensions{};  // fields of the last line
 };
 
 struct History {
@@ -74,7 +74,7 @@ struct History {
   // Events of a file that states numbers exactly (as text) which are no binary64: here they are
   // rounded. certify_files() judges the file itself.
   std::int64_t rounded = 0;
-  Extensions extensions{};                             // of the header
+  Extensions extensions{};                             // fields of the header
   std::map<std::size_t, Extensions> event_extensions;  // by index, of the events that have any
 };
 

@@ -13,7 +13,7 @@ namespace voroproof {
 
 struct MovieOptions {
   std::optional<int> follow;       // the disk that is followed to begin with
-  const Report* report = nullptr;  // of a certification of this history: what it found is shown
+  const Report* report = nullptr;  // report on this history: what it found is shown
 };
 
 // The page that `voroproof movie` writes: HTML that needs no other file and no network. The history

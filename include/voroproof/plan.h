@@ -17,7 +17,7 @@ struct Vehicle {
   Number start_x, start_y, goal_x, goal_y;
 };
 
-// What is asked for: all leave at 0 and arrive together. vehicles[k] has the id k.
+// The task of a plan: all leave at 0 and arrive together. vehicles[k] has the id k.
 struct PlanTask {
   Number container_x, container_y;
   Number container_radius = 1;

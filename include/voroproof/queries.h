@@ -15,7 +15,7 @@ namespace voroproof {
 
 struct NearDisk {
   int disk = 0;
-  Enclosure distance;  // of the point from the disk's boundary, negative inside
+  Enclosure distance;  // distance of the point from the disk's boundary, negative inside
   bool tied = false;   // at the very same distance as the one before
 };
 

@@ -28,7 +28,7 @@ struct Maneuver {
   Number vx, vy;
 };
 
-// What the container's restitution scales at the wall: the normal part of the velocity, or all.
+// The part of the velocity that the container's restitution scales at the wall: normal, or all.
 enum class ContainerLaw { normal, whole };
 
 // A scene as its file states it (docs/formats.md). Disks are named by their index, the container
@@ -68,7 +68,7 @@ VOROPROOF_API Scene parse_scene(std::string_view bytes, const std::string& name 
 VOROPROOF_API std::string scene_text(const Scene& scene);
 VOROPROOF_API void write_scene(const std::string& path, const Scene& scene);
 
-// What histories of the scene name: 64 hexadecimal digits.
+// The hash by which histories name the scene: 64 hexadecimal digits.
 VOROPROOF_API std::string scene_sha256(const Scene& scene);
 
 }  // namespace voroproof

@@ -13,7 +13,7 @@ namespace voroproof {
 
 struct SimulateOptions {
   int threads = 1;               // that compute, with 500 disks or more; the same history
-  int max_bits = 32768;          // of the numbers from which decisions are taken
+  int max_bits = 32768;          // limit for the numbers from which decisions are taken
   std::uint64_t max_events = 0;  // a history of more stops; 0: no limit
   // Called now and then, also within a long decision, with the time reached and the number of
   // events; false stops the run.

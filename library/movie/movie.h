@@ -12,7 +12,7 @@
 namespace voroproof::internal {
 
 struct MovieOptions {
-  std::string producer;         // of the page: name and version
+  std::string producer;         // maker of the page: name and version
   std::optional<GenId> follow;  // the disk that is followed to begin with
 };
 

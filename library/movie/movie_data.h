@@ -1,4 +1,4 @@
-// What a history tells a page that plays it, as flat arrays.
+// The data of a history for a page that plays it, as flat arrays.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,7 @@ struct MovieData {
   double end = 0;                      // up to which it tells
   bool cut = false;                    // whether the history goes on
   std::optional<HistoryStop> stop;     // where it ends with that
-  std::vector<std::string> remarks;    // what the files do not tell, and what is odd in them
+  std::vector<std::string> remarks;    // facts that the files do not tell, and oddities in them
   // The first event on the line asked for or a later one, their number where there is none; nothing
   // where that line is before the begin.
   std::optional<std::size_t> event_at_line = 0;

@@ -11,7 +11,7 @@
 
 namespace voroproof::python {
 
-// Of shape (n, 2).
+// An array of shape (n, 2).
 inline pybind11::array_t<double> array_of(const std::vector<Vector>& vectors) {
   pybind11::array_t<double> out(
       {static_cast<pybind11::ssize_t>(vectors.size()), pybind11::ssize_t{2}});
@@ -23,7 +23,7 @@ inline pybind11::array_t<double> array_of(const std::vector<Vector>& vectors) {
   return out;
 }
 
-// Of shape (n, 4).
+// An array of shape (n, 4).
 inline pybind11::array_t<std::int32_t> array_of(const std::vector<Edge>& edges) {
   pybind11::array_t<std::int32_t> out(
       {static_cast<pybind11::ssize_t>(edges.size()), pybind11::ssize_t{4}});

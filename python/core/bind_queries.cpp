@@ -78,7 +78,7 @@ std::vector<Number> exact_times(const py::iterable& times) {
   return all;
 }
 
-// Of shape (times, disks, 2).
+// An array of shape (times, disks, 2).
 py::array_t<double> sample(const RecordedMotion& motion, const py::iterable& times) {
   const std::vector<Number> all = exact_times(times);
   const auto places = Attention::without_lock([&] {

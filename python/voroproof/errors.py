@@ -1,4 +1,4 @@
-"""What the module raises, besides ValueError for arguments without meaning."""
+"""The module's exceptions, besides ValueError for arguments without meaning."""
 
 
 class Error(Exception):

@@ -162,7 +162,7 @@ class History:
         counts = np.bincount(self.events["kind"], minlength=len(KINDS))
         return {kind: int(count) for kind, count in zip(KINDS, counts)}
 
-    # What the recorded paths tell.
+    # Answers from the recorded paths.
 
     @property
     def _motion(self) -> _core.RecordedMotion:

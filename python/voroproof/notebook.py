@@ -1,4 +1,4 @@
-"""What notebooks show of a history and of a scene."""
+"""Views of a history and of a scene in notebooks."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from .scene import Number, Scene
 
 
 class Vehicle(NamedTuple):
-    """What is to fly: radius, where it starts, where it shall arrive."""
+    """A vehicle: radius, where it starts, where it shall arrive."""
 
     radius: Number
     start: Tuple[Number, Number]

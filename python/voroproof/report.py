@@ -35,7 +35,7 @@ class WitnessMotion:
 
 @dataclass(frozen=True)
 class Witness:
-    """What anybody can check by hand or with a computer algebra system, in Fractions.
+    """Evidence that anybody can check by hand or with a computer algebra system, in Fractions.
 
     `polynomial`: the coefficients, of 1, t, t^2, ..., of what `polynomial_is` names; it has exactly
     one root in `root`, which is the exact time of the event. Or: at `t` the two overlap, or the circle
@@ -80,7 +80,7 @@ class Leniency:
 
 @dataclass(frozen=True, repr=False)
 class Report:
-    """What the certifier found. docs/claim.md states what each verdict says.
+    """The certifier's findings. docs/claim.md states what each verdict says.
 
     `verdict` is "certified", "refuted" or "undecided"; `words` the same as the program has it, with
     "(collisions alone)" behind it where only these were judged; `about` which events, which truth, up to

@@ -135,7 +135,7 @@ class Scene:
 
     @property
     def sha256(self) -> str:
-        """What histories of the scene name: 64 hexadecimal digits."""
+        """The hash by which histories name the scene: 64 hexadecimal digits."""
         return self._core.sha256()
 
     @property
@@ -149,7 +149,7 @@ class Scene:
 
     @property
     def radii(self) -> np.ndarray:
-        """Of the disks, rounded; shape (n,)."""
+        """The disks' radii, rounded; shape (n,)."""
         return np.array(self._core.radii(), dtype=float)
 
     @property

@@ -1,4 +1,4 @@
-"""What the adversaries of one instant have in common: worlds asked about one by one, verdicts counted, finds kept."""
+"""The common parts of the adversaries of one instant: worlds asked about one by one, verdicts counted, finds kept."""
 import argparse
 import collections
 import subprocess
@@ -25,7 +25,7 @@ class Questions:
         self.kernel = [options.kernel, self.scene, self.history] if options.kernel else None
 
     def ask(self, seed, text, name, command, state, expected):
-        """What the command, of this name, says of the history, which is in that state: one of the expected."""
+        """Asks the command, of this name, about the history, which is in that state; expects one of these answers."""
         self.history.write_text(text)
         verdict = last_line(command)
         self.counts[f"{name}, {state}: {verdict}"] += 1

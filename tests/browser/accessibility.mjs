@@ -1,4 +1,4 @@
-// What the pages promise to all who use them (WCAG 2.1, level AA), asked of a page as it is shown: names and roles,
+// The pages' promises to all who use them (WCAG 2.1, level AA), asked of a page as it is shown: names and roles,
 // contrast of texts, sizes of targets, no scrolling to the side.
 
 // Runs in the page; returns what is wrong.
@@ -65,7 +65,8 @@ function faults() {
   return found;
 }
 
-// Of the page that the browser shows, in light and dark, wide and narrow; `prepare` is called for each after loading.
+// Faults of the page that the browser shows, in light and dark, wide and narrow; `prepare` is called for each after
+// loading.
 export async function accessibilityFaults(browser, page, prepare = async () => {}) {
   const all = [];
   for (const scheme of ["light", "dark"]) {

@@ -36,7 +36,7 @@ def blocks_of(text):
 
 
 def command_of(block, folder):
-    """What runs the block; None for a program in C++, which is written for the commands behind it."""
+    """The command that runs the block; None for a program in C++, which is written for the commands behind it."""
     if block.mark.startswith("sh"):
         return ["bash", "-euc", block.body]
     if block.mark.startswith("python"):

@@ -68,7 +68,7 @@ NOT_RUN = {
 }
 
 
-# What a block has that takes the Python module.
+# The mark of a block that takes the Python module.
 PYTHON = "python3 -m voroproof"
 
 

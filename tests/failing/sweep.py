@@ -125,7 +125,7 @@ class Runs:
             return done.returncode, done.stderr.decode(errors="replace"), files, done.stdout, calls
 
     def fault(self, command, kind, undisturbed, outcome):
-        """What is wrong with the outcome of a run; empty where nothing is."""
+        """The fault of a run's outcome; empty where there is none."""
         code, err, files, out, _ = outcome
         if kind == "memory" and code in CAIRO_CRASHES and any(p in command for p in PICTURES):
             return ""

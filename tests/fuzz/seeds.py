@@ -73,7 +73,7 @@ def wrong_and_right():
 
 
 def pairs():
-    """What certify takes, in one text each."""
+    """The pairs that certify takes, in one text each."""
     found = wrong_and_right()
     for history in sorted((CORPUS / "cases").glob("*/*/exact.history.jsonl")):
         found.append((history.with_name("scene.scene.json"), history))
@@ -87,7 +87,7 @@ def pairs():
 
 
 class Made:
-    """What the program writes, in a folder of its own: no file names another's place."""
+    """The program's output, in a folder of its own: no file names another's place."""
 
     def __init__(self, program, folder):
         self.program, self.folder = Path(program).resolve(), Path(folder)
@@ -136,12 +136,12 @@ class Made:
                              "--report", allowed=allowed) for k in (1, 2, 3)]
 
     def indexes(self):
-        """Of the history of shards(), and one without an entry."""
+        """An index of the history of shards(), and one without an entry."""
         yield self.file("s.index", "index", SHARDS, "s.history.jsonl", "--quiet", "-o")
         yield self.file("a.index", "index", "a.scene.json", "a.history.jsonl", "--quiet", "-o")
 
     def begun_reports(self):
-        """What a run that a limit ended leaves beside its report."""
+        """The report so far that a run leaves when a limit ends it."""
         self.run("certify", SHARDS, "s.history.jsonl", "--truth", "recorded", "--checkpoint", "0", "--quiet", "--max-events",
                  "550", "--report", "b.json", allowed=(3,))
         yield (self.folder / "b.json.partial").read_bytes()

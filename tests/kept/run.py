@@ -16,7 +16,7 @@ import tempfile
 from pathlib import Path
 
 KEPT = Path(__file__).with_name("kept.json")
-# Of a report: what the certificate says, without names of files and of the program.
+# The certificate's fields in a report, without names of files and of the program.
 FIELDS = ["verdict", "truth", "disks", "horizon", "certified_prefix", "proved", "swaps", "leniency",
           "resolved_quadruplets", "remarks"]
 

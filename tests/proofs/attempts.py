@@ -91,7 +91,7 @@ def certified(name, **edits):
     attempt("CERTIFIED", name, **edits)
 
 
-# What is right, so that the attempts below fail for their own reason only.
+# Right files are certified, so that the attempts below fail for their own reason only.
 certified("the files as they are")
 certified("an exact string for a number", history=put(HIT, "t", "5"))
 certified("a hexadecimal float", history=put(HIT, "t", "0x1.4p2"))

@@ -12,7 +12,7 @@ def history():
 
 
 def distances(diagram, points):
-    """Of each point from the boundary of each disk and, last, of the container."""
+    """Distance of each point from the boundary of each disk and, last, of the container."""
     apart = points[:, None, :] - diagram.positions[None, :, :]
     x, y, radius = diagram.container
     to_disks = np.hypot(apart[..., 0], apart[..., 1]) - diagram.radii

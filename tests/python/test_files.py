@@ -1,4 +1,4 @@
-"""What is written appears whole under its name, and touches nothing else."""
+"""Written files appear whole under their names, and touch nothing else."""
 
 import os
 import stat

@@ -1,4 +1,4 @@
-"""What importers make of the files of other programs: exact numbers, and every loss told."""
+"""Importers turn the files of other programs into exact numbers, and tell every loss."""
 
 import gzip
 import math
@@ -129,7 +129,7 @@ def test_the_standard_atmosphere():
         assert float(p) == pytest.approx(pressure, rel=3e-6) and float(kelvins) == temperature
     assert float(airspeed.of_calibrated(Decimal(100), Decimal(0))) == pytest.approx(100, rel=1e-7)
     assert float(airspeed.of_mach(Decimal("0.8"), Decimal(11000))) == pytest.approx(236.06, abs=0.01)
-    # What pilots know: 272 knots at 35,000 feet are Mach 0.8, and 461 knots of true airspeed.
+    # Values known to pilots: 272 knots at 35,000 feet are Mach 0.8, and 461 knots of true airspeed.
     true = airspeed.of_calibrated(272 * airspeed.KNOT, Decimal(10668))
     assert float(true / airspeed.KNOT) == pytest.approx(461, abs=1)
     assert float(true / airspeed.of_mach(Decimal(1), Decimal(10668))) == pytest.approx(0.8, abs=2e-3)

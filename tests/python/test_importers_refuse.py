@@ -1,4 +1,4 @@
-"""What importers refuse: one line that names file, line, field and reason; exit code 2; nothing written."""
+"""Importers refuse with one line that names file, line, field and reason; exit code 2; nothing written."""
 
 import os
 import random
@@ -167,7 +167,7 @@ def test_databases(tmp_path):
     assert "no such table" in refusal("jupedsim", tmp_path / "empty.sqlite").reason
     (tmp_path / "no.sqlite").write_text(DUMP * 10)
     assert "not a database" in refusal("jupedsim", tmp_path / "no.sqlite").reason
-    # What SQLite says of this schema is no UTF-8 itself.
+    # SQLite's message about this schema is itself no UTF-8.
     write_jupedsim(tmp_path / "damaged.sqlite")
     whole = (tmp_path / "damaged.sqlite").read_bytes()
     (tmp_path / "damaged.sqlite").write_bytes(whole.replace(b"CREATE TABLE geometry", b"CREATE \xe6ABLE geometry"))

@@ -1,4 +1,4 @@
-"""What notebooks show: the player in a frame, a scene as a picture, text where it would be too large."""
+"""Notebooks show the player in a frame, a scene as a picture, text where it would be too large."""
 
 import html
 import json

@@ -31,7 +31,7 @@ def test_runs(name, tmp_path, monkeypatch):
     # The notebook's own way to draw.
     monkeypatch.delenv("MPLBACKEND", raising=False)
     notebook = nbformat.read(FOLDER / f"{name}.ipynb", as_version=4)
-    # What is committed holds no outputs: they are made anew.
+    # The committed notebooks hold no outputs: they are made anew.
     assert not any(cell.get("outputs") for cell in notebook.cells)
     nbclient.NotebookClient(notebook, timeout=250, kernel_name="python3",
                             resources={"metadata": {"path": str(tmp_path)}}).execute()

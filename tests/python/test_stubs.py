@@ -31,7 +31,7 @@ def test_the_stub_is_complete():
     assert declared == own(dir(_core))
     for name, told in classes.items():
         has = members(getattr(_core, name))
-        # What cannot be made in Python has an __init__ of pybind11's that raises.
+        # A class that cannot be made in Python has an __init__ of pybind11's that raises.
         assert told == has or told == has - {"__init__"}, name
 
 

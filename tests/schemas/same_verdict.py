@@ -59,7 +59,7 @@ FILES = {
                      {"id": 1, "radius": 1, "start": [0, -10], "goal": ["1/3", 10]}]}],
 }
 
-# Of each: what `validate` says, and nothing of this kind can a schema say.
+# The messages of `validate` of each kind, which no schema can say.
 UNSAYABLE = {
     "an order of values": ["earlier than", "the smaller first", "listed by id"],
     "a bound that is another value": ["beyond the horizon", "not the horizon", "no such disk"],
@@ -76,7 +76,7 @@ UNSAYABLE = {
 
 VALUES = [None, "abc", "-1/3", "-0", "1/0", "0x1.8p-3", "1e200", "1e401", -1, 2.0, 0.5, 1e101, 1e-101, [], {}, 10**400]
 
-# What no change of one place makes: the file, the line, the place there and its new value.
+# Faults that no change of one place makes: the file, the line, the place there and its new value.
 OTHERS = [
     ("history.jsonl", 0, ("initial",), [[-1, 0, 1, 1], [0, -1, 1, 1]]),
     ("history.jsonl", 5, ("end", "flips"), 2),
@@ -86,7 +86,7 @@ OTHERS = [
     ("scene.json", 0, ("maneuvers",), [{"t": 1, "disk": 0, "velocity": [0, 1]}] * 2),
 ]
 
-# Of a message what comes before the reason: file, line and field.
+# The part of a message before the reason: file, line and field.
 REASON = re.compile(r"^.*?\.jsonl?(:\d+)?: ([^ :]*: )?")
 
 

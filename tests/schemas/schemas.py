@@ -7,7 +7,7 @@ import pathlib
 import jsonschema
 
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "schemas"
-# What a schema of a format is called. A history and an index have one for each kind of line.
+# The names of the schemas. A history and an index have one for each kind of line.
 NAMES = sorted(path.name.removesuffix(".schema.json") for path in FOLDER.glob("*.schema.json")
                if not path.name.startswith("common."))
 # The formats of lines: the schema, and the kind of those between the first and the last.
@@ -50,7 +50,7 @@ class Schema:
         self.validator = jsonschema.Draft202012Validator(part, resolver=resolver)
 
     def fault(self, document):
-        """What is wrong with the document; None for nothing."""
+        """The fault of the document; None for none."""
         error = jsonschema.exceptions.best_match(self.validator.iter_errors(document))
         return None if error is None else f"{error.json_path}: {error.message[:200]}"
 
@@ -69,7 +69,7 @@ class Files:
         return self.schemas[key]
 
     def fault(self, text):
-        """What is wrong with a file of any of the formats; None for nothing."""
+        """The fault of a file of any of the formats; None for none."""
         try:
             first = json.loads(text.splitlines()[0])
         except (ValueError, IndexError):

@@ -43,7 +43,7 @@ def run(folder, program, *arguments):
 
 
 def write_indexes(folder, go):
-    """Of paths in binary64, and of one in fractions."""
+    """Writes an index of paths in binary64, and one of paths in fractions."""
     go("generate reference --n 12 --seed 3 --horizon 1500 -o i.scene.json")
     scene = json.loads((folder / "i.scene.json").read_text())
     scene["disks"][0]["center"] = [str(x) for x in scene["disks"][0]["center"]]

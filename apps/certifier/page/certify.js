@@ -4,7 +4,7 @@
 const COUNT_NAMES = ["flips", "collisions", "maneuvers", "lives", "pairLives", "freshProofs", "swaps", "grazes",
   "roundingOverlaps", "horizonEvents", "unoriented"];
 
-// What is judged. `legs` of generator g, at g + 1, are found by tracePaths.
+// The problem to judge: the scene and the options. `legs` of generator g, at g + 1, are found by tracePaths.
 class Problem {
   constructor(options) {
     this.isExact = options.truth === "exact";
@@ -47,7 +47,7 @@ class Certification {
     this.isFirst = true;  // no earlier claim is false: not known of most refutations
   }
 
-  // Of the bytes of both files.
+  // Judges the bytes of both files.
   run(sceneBytes, historyBytes) {
     try {
       this.problem = new Problem(this.options);
@@ -65,7 +65,7 @@ class Certification {
     return { verdict, reason, line, file, fileLine, field, witness, counts, horizonNote, about, isFirst };
   }
 
-  // What the verdict is about, in the words of `certify`; empty before both files are read.
+  // States what the verdict is about, in the words of `certify`. Empty before both files are read.
   get about() {
     const { problem, options } = this;
     if (!problem?.history) return "";

@@ -8,7 +8,7 @@ const DEEPEST_PIECE = 2000;
 const DEEP_TANGENCY = 64;
 const DEEPEST_TANGENCY = 512;  // f and a tangency may have one root
 
-// What searches notice: proofs made anew after tangencies of the wrong sign, and whose these were.
+// Notes of the searches: proofs made anew after tangencies of the wrong sign, and the pairs of these tangencies.
 class Notes {
   constructor() {
     this.freshProofs = 0;

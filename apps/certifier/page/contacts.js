@@ -25,7 +25,7 @@ class ContactCheck {
     this.line = 0;
     this.slack = problem.isExact ? ZERO : problem.tolerance;  // exact times have none
     this.grain = center[0].abs().plus(center[1].abs()).plus(radius).times(TWO_ULPS);
-    this.turns = new Array(problem.disks).fill(0);  // of each disk: claims so far that turned it
+    this.turns = new Array(problem.disks).fill(0);  // by disk: claims so far that turned it
     this.by = new Array(problem.disks).fill(-1);    // the collision that turned it last, or -1
     this.open = new Map();      // overlaps in progress: { from, extreme, answer, two }
     this.followed = new Map();  // to where the lines of some that are no neighbours were
@@ -76,7 +76,7 @@ class ContactCheck {
     return this.order[k];
   }
 
-  // Of instants before t there are no other claims; of none where t is null.
+  // Judges the order at the instants before t, all of whose claims have been read; where t is null, at all instants.
   requireOrderUntil(t) {
     while (this.order.length > 0 && (t === null || this.order[0].t.less(t))) {
       const { fault } = this.order.shift();
@@ -105,7 +105,7 @@ class ContactCheck {
     return new Gap(this.walk.leg(two[0]), this.walk.leg(two[1]));
   }
 
-  // What rounding the numbers of the lines so far can have moved the two by.
+  // Bounds how far roundings of the numbers on the lines so far can have moved the two.
   delta(two) {
     const n = this.turns[two[1]] + (two[0] === CONTAINER ? 0 : this.turns[two[0]]);
     return this.grain.times(Fraction.whole(Math.max(1, n)));

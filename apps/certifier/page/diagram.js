@@ -6,7 +6,7 @@ class Diagram {
   constructor(edges, n) {
     this.edges = edges.map((quad) => [...quad]);
     this.size = n + 1;
-    this.sides = new Map();  // of [a,b,c]: the edge between a and b at this vertex
+    this.sides = new Map();  // by triple [a,b,c]: the edge between a and b at this vertex
     this.spokes = Array.from({ length: n + 1 }, () => []);  // the edges of generator g, at g + 1
     this.build();
   }

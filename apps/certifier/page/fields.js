@@ -1,5 +1,5 @@
 "use strict";
-// What fields of files may be (docs/formats.md). Each reader throws Stop (INVALID) that names the field.
+// Checks of values in files (docs/formats.md). Each reader throws Stop (INVALID) that names the field.
 
 const CONTAINER = -1;
 const SMALLEST_OF_SCENE = nearestBinary64(power(10, -100));

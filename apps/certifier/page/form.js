@@ -138,7 +138,7 @@ const Form = {
     return p;
   },
 
-  // What has the same roots in (a, b), each once. p is not zero.
+  // Returns a form with the same roots in (a, b), each of them once. p is not zero.
   squarefree(p) {
     const derivativeOf = (q) => q.slice(1).map((c, k) => BigInt(k + 1) * c), trimmed = Form.trimmed(p);
     if (Form.areSeenCoprime(trimmed, derivativeOf(trimmed))) return trimmed;

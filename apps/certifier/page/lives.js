@@ -192,7 +192,7 @@ class LifeCheck {
     }
     ++this.counts.lives;
     let found = this.collapse(k, end.hi);
-    // What comes after the horizon counts only where the edge is on the verge there.
+    // An event after the horizon counts only where the edge is on the verge of it at the horizon.
     if (!found && isLast && walk.edge(k).at(end.hi).incircle(true) <= 0) {
       found = this.collapse(k, end.hi.plus(problem.tolerance));
     }

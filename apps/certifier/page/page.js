@@ -48,7 +48,7 @@ class CertifierPage {
     });
   }
 
-  // Of one role, or where that is null each of the role that it says.
+  // Takes files for one role. Where the role is null, each file's content says its role.
   async take(files, role) {
     for (const file of files) {
       try {

@@ -38,7 +38,7 @@ class Gap {
     return this.start.minus(this.b.over(this.a));
   }
 
-  // Of two points: when they meet, where that is not after t; else null.
+  // For two points: the time at which they meet, where that is not after t; else null.
   meeting(t) {
     const time = this.a.sign > 0 ? this.nearest : this.start;
     return time.less(this.start) || t.less(time) || this.value(time).sign !== 0 ? null : time;
@@ -53,7 +53,7 @@ class PathTracer {
     this.counts = counts;
     this.law = new Law(problem);
     this.done = scene.maneuvers.map(() => false);
-    this.schedule = scene.disks.map(() => []);  // of each disk: its maneuvers that are not claimed, the first last
+    this.schedule = scene.disks.map(() => []);  // by disk: its maneuvers that are not claimed, the first last
     for (let k = scene.maneuvers.length - 1; k >= 0; --k) this.schedule[scene.maneuvers[k].disk].push(k);
     this.told = scene.disks.map((disk) => disk.velocity);  // as the file has it
     problem.legs = [[new Leg(ZERO, scene.center, [ZERO, ZERO], problem.radius(CONTAINER), -1)]];

@@ -24,7 +24,7 @@ function sha256Constants() {
   };
 }
 
-// Of the bytes, as 64 hexadecimal digits.
+// Returns the hash of the bytes as 64 hexadecimal digits.
 function sha256(bytes) {
   const { state, constants } = sha256Constants();
   const padded = new Uint8Array(Math.ceil((bytes.length + 9) / 64) * 64);

@@ -8,9 +8,9 @@ class Turns {
   constructor(t) {
     this.t = t;
     this.all = [];             // { two, line }; `two` is twice the disk of a maneuver
-    this.chains = new Map();   // of each disk that turns: its turns, and its legs before the first and after each
-    this.standing = new Map(); // of other generators: the leg then
-    this.touching = new Map(); // of each generator: pairs by their names
+    this.chains = new Map();   // by disk that turns: its turns, and its legs before the first and after each
+    this.standing = new Map(); // by other generator: its leg at the instant
+    this.touching = new Map(); // by generator: pairs by their names
   }
 
   static name([i, j]) {
@@ -49,7 +49,7 @@ class Turns {
     this.all.push(turn);
   }
 
-  // What is wrong with their order, or null.
+  // Tells what is wrong with the order of the turns, or null.
   get fault() {
     const taken = new Map(), due = new Map();
     const count = (g) => taken.get(g) ?? 0;

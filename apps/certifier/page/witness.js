@@ -1,5 +1,5 @@
 "use strict";
-// What a drawing of the fault shows, in doubles: no verdict uses it.
+// The drawing of a fault, in doubles. No verdict uses it.
 
 // The leg of generator g at t: the last that has begun.
 function legAt(problem, g, t) {

@@ -1,5 +1,5 @@
 "use strict";
-// What is drawn in which colour.
+// The colours of the drawing.
 
 // A number of a colour for each site, different for disks that are neighbours in the diagram as
 // far as eight colours do.
@@ -34,8 +34,7 @@ class Colours {
       [228, 231, 226], [243, 205, 140], [230, 150, 98], [205, 94, 84], [160, 60, 80]];
   }
 
-  // What the colours of a mode mean: a list of colours and the words at its ends; null where they
-  // mean nothing.
+  // The meaning of a mode's colours: a list of colours and the words at its ends; null where they mean nothing.
   legend(mode) {
     if (mode === "speed") return { colours: this.scale, ends: ["at rest", short(2 * this.speed * this.unit)] };
     if (mode === "neighbours") return { colours: this.degrees, ends: ["2", "10 or more"] };

@@ -20,7 +20,7 @@ class EdgeCurves {
     this.motion = motion;
     this.points = new Float64Array(1 << 12);
     this.used = 0;
-    this.start = new Uint32Array(1);  // of each edge in `points`: x, y, then triples of points
+    this.start = new Uint32Array(1);  // by edge, its begin in `points`: x, y, then triples of points
     this.state = new Uint8Array(0);
     this.irregular = 0;  // edges that are not regular
   }

@@ -1,7 +1,6 @@
 "use strict";
-// What the page was made of. Generators are numbered as sites here: 0 is the container, disk i is
-// site i + 1. Lengths are in units of the container's radius, from its centre: canvases compute in
-// binary32 and the formulas take sixth powers.
+// The data of the page. Generators are numbered as sites here: 0 is the container, disk i is site i + 1. Lengths are in
+// units of the container's radius, from its centre: canvases compute in binary32 and the formulas take sixth powers.
 
 const FLIP = 0, COLLISION = 1, MANEUVER = 2;
 

@@ -47,7 +47,7 @@ class DiskPlot {
     return unit * (other === 0 ? -radius[0] - radius[site] - distance : distance - radius[site] - radius[other]);
   }
 
-  // Of the disk, at the time t, in the colours of the theme.
+  // Draws the plot of the disk, at the time t, in the colours of the theme.
   paint(disk, t, theme) {
     if (this.disk !== disk) this.compute(disk);
     const { canvas, context, samples } = this, pixels = window.devicePixelRatio || 1;

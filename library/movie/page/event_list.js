@@ -128,7 +128,7 @@ class EventList {
     row.children[2].textContent = data.nameOf(event);
   }
 
-  // What the report says of the event.
+  // The report's statement on the event.
   standing(event) {
     const report = this.data.facts.report;
     if (this.replay.fault && event + 1 >= this.replay.broken) return "refuted";

@@ -1,5 +1,5 @@
 "use strict";
-// What the page saves: the picture as PNG, and a film of the next seconds as WebM, as browsers record a canvas.
+// Saves from the page: the picture as PNG, and a film of the next seconds as WebM, as browsers record a canvas.
 
 const FILM_SECONDS = 10;
 const FILM_RATE = 30;  // pictures a second

@@ -38,7 +38,7 @@ class Overlays {
     this.context = this.painter.context;
     this.unit = this.painter.unit;
     this.theme = this.painter.theme;
-    this.reach = Math.min(14, Math.max(4, 0.3 * this.painter.spacing));  // of rings, in pixels
+    this.reach = Math.min(14, Math.max(4, 0.3 * this.painter.spacing));  // reach of rings, in pixels
     if (state.follow !== null) this.paintPath(state.follow + 1, state);
     this.paintFlashes(state);
     if (state.selected !== null) this.paintSelected(state.selected);
@@ -58,7 +58,7 @@ class Overlays {
     this.painter.circle(x, y, radius);
   }
 
-  // What the last moments brought, fading; moments are of the viewer's time.
+  // Draws the events of the last moments, fading; moments are of the viewer's time.
   paintFlashes(state) {
     if (state.isStill) return;
     const { data } = this.painter;

@@ -166,7 +166,7 @@ class Painter {
     context.stroke();
   }
 
-  // What a disk is drawn with: points are dots.
+  // The radius that a disk is drawn with: points are dots.
   drawnRadius(site) {
     return Math.max(this.motion.radius[site], 1.6 * this.unit);
   }

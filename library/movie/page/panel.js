@@ -1,5 +1,5 @@
 "use strict";
-// What is said in words: the scene, the verdict, the event that is looked at, the followed disk.
+// The texts of the page: the scene, the verdict, the event that is looked at, the followed disk.
 
 class Panel {
   constructor(data, replay, motion) {
@@ -71,7 +71,7 @@ class Panel {
     this.updateFollowed(state);
   }
 
-  // What the colours of the cells mean.
+  // Writes what the colours of the cells mean.
   writeLegend(legend) {
     const box = element("legend");
     box.hidden = legend === null;

@@ -12,8 +12,8 @@ class Replay {
     this.fault = null;
     if (data.facts.noDiagram === undefined) this.begin();
     else this.broken = 0;
-    this.halfOf = new Int32Array(data.events);  // of each flip, once it has been played
-    this.played = 0;    // so many events have been played once
+    this.halfOf = new Int32Array(data.events);  // by flip, once it has been played
+    this.played = 0;    // number of events that have been played once
     this.resolved = 0;  // flips whose edge was found with its third generators exchanged
     if (this.diagram) this.colouring = colouring(this.diagram);
     // Through the whole history once: to know where it breaks.

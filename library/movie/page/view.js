@@ -4,7 +4,7 @@
 class View {
   constructor(canvas) {
     this.canvas = canvas;
-    this.width = this.height = 1;  // of the canvas, in CSS pixels
+    this.width = this.height = 1;  // size of the canvas, in CSS pixels
     this.pixels = 1;               // device pixels in one
     this.reset();
   }

@@ -115,7 +115,7 @@ def main() -> int:
         return run(sys.argv[1:])
     except (InputError, OutputError) as error:
         return complain(BAD_INPUT, error)
-    except OSError as error:  # of the file of rows that grows meanwhile
+    except OSError as error:  # from the file of rows that grows meanwhile
         return complain(BAD_INPUT, f"temporary file: {error.strerror or error}")
     except MemoryError:
         return complain(MEMORY, "out of memory")

@@ -44,7 +44,7 @@ class _Message(NamedTuple):
 
 
 def seconds(text: str) -> "tuple[Fraction, bool]":
-    """Of a date with time from 1970 on, and True; of a plain number the number, and False. Raises ValueError."""
+    """Seconds since 1970 and True for a date with time; a plain number itself and False. Raises ValueError."""
     if match := _ISO.fullmatch(text):
         year, month, day, *clock = match.groups()
     elif match := _DAY_FIRST.fullmatch(text):

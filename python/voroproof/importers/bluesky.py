@@ -16,7 +16,7 @@ from .scenario import Command, argument
 from .table import Place, Table
 
 NAME = "bluesky"
-TIME_PLACES = 6  # of seconds: the times at waypoints are rounded to these
+TIME_PLACES = 6  # in seconds: the times at waypoints are rounded to these
 # Commands of an aircraft that leave its way over ground as it is, or as if it were (heights).
 HARMLESS = {"ALT", "VS", "ORIG", "TYPE", "COLOR", "COLOUR", "LABEL", "PAN", "POS", "SSD", "TRAIL", "TRAILS", "ECHO"}
 # Commands of the simulator, its screen and its logs, which create and move nobody. Any other may.
@@ -134,7 +134,7 @@ class _Reader:
         self.left_out: List[str] = []
         self.not_followed: Counter = Counter()
         self.mach_below = Fraction(2)
-        self.points: Dict[str, Tuple[Fraction, Fraction]] = {}  # of DEFWPT
+        self.points: Dict[str, Tuple[Fraction, Fraction]] = {}  # defined by DEFWPT
 
     def read(self) -> Table:
         read = scenario.read(self.lines)

@@ -1,4 +1,4 @@
-"""What is wrong with a file, said in one line, as the program says it."""
+"""Faults of files, said in one line, as the program says them."""
 
 import contextlib
 from typing import Iterator, NoReturn

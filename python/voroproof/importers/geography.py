@@ -12,7 +12,7 @@ DIGITS = decimal.Context(prec=60)
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459")
 EARTH_RADIUS = Decimal("6371008.8")  # metres, the mean one
 LARGEST_LATITUDE = 89  # degrees; nearer to a pole there is no such plane
-PLACES = 6  # of metres a degree, and of other factors that are rounded
+PLACES = 6  # in metres a degree, and in other factors that are rounded
 
 
 def as_decimal(value: Fraction) -> Decimal:
@@ -52,12 +52,12 @@ class Projection:
             self.east = numbers.rounded(north * sine_and_cosine(latitude)[1], PLACES)
 
     def place(self, latitude: Fraction, longitude: Fraction) -> Place:
-        """Of a position in degrees; longitudes are counted the short way around the Earth."""
+        """The place of a position in degrees; longitudes are counted the short way around the Earth."""
         around = (longitude - self.longitude + 180) % 360 - 180
         return self.east * around, self.north * (latitude - self.latitude)
 
     def remarks(self, latitudes: Iterable[Fraction]) -> List[str]:
-        """What the plane is, and how far off lengths in it are at these latitudes."""
+        """Remarks on the plane, and on how far off lengths in it are at these latitudes."""
         here = float(sine_and_cosine(self.latitude)[1])
         worst = max((abs(here / float(sine_and_cosine(value)[1]) - 1) for value in {*latitudes}), default=0.0)
         return [

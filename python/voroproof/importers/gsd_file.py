@@ -21,7 +21,7 @@ def _open(path: str) -> Any:
     except ImportError:
         fail(path, 0, "", "a GSD file is read by the module gsd, which is not there (Debian: python3-gsd)")
     with refusing(path, "no GSD file of HOOMD-blue"), warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of names that newer versions of gsd have changed
+        warnings.simplefilter("ignore")  # about names that newer versions of gsd have changed
         return gsd.hoomd.open(path, "rb")
 
 
@@ -29,7 +29,7 @@ class _Reader:
     def __init__(self, path: str, radius: Optional[Fraction], timestep: Optional[Fraction],
                  periodic: Optional[str], flatten: bool):
         self.path = path
-        self.size = 0  # of the file, in bytes
+        self.size = 0  # size of the file, in bytes
         self.radius = radius
         self.timestep = timestep
         self.treatment = periodic

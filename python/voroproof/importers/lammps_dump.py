@@ -13,7 +13,7 @@ from .table import Table
 
 NAME = "lammps-dump"
 
-# Of each axis: the columns that are looked for, in this order, and whether they are unwrapped or scaled.
+# For each axis: the columns that are looked for, in this order, and whether they are unwrapped or scaled.
 _COLUMNS = (("{}u", True, False), ("{}su", True, True), ("{}", False, False), ("{}s", False, True))
 
 

@@ -6,7 +6,7 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Union
 
-# What the tables of paths may hold (docs/formats.md, section 11).
+# Limits of the tables of paths (docs/formats.md, section 11).
 LEAST, MOST = Fraction(1, 10**100), Fraction(10**100)
 LONGEST = 400  # characters
 

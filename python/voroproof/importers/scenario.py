@@ -9,7 +9,7 @@ from typing import List, NamedTuple, Optional
 from . import airspeed, geography, numbers
 from .lines import Lines
 
-SPEED_PLACES = 3  # of metres a second: speeds are rounded to these
+SPEED_PLACES = 3  # in metres a second: speeds are rounded to these
 FASTEST = 10_000  # knots, or Mach numbers; nothing in an atmosphere is faster
 MOST_COMMANDS = 5_000_000  # they are put in order in memory
 
@@ -32,7 +32,7 @@ def read(lines: Lines) -> Scenario:
     """Raises InputError."""
     commands: List[Command] = []
     ignored, before = 0, ""
-    for line in itertools.chain(lines, [""]):  # what goes on where the file ends ends there
+    for line in itertools.chain(lines, [""]):  # the empty line ends a command that the last line leaves open
         text = before + line.split("#", 1)[0].strip()
         if text.endswith("\\"):
             before = text[:-1].strip() + " "

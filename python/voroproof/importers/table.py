@@ -10,7 +10,7 @@ from ..files import whole_file
 from . import numbers
 from .faults import Refused, printable
 
-MOST_WAYPOINTS = 20_000_000  # what `clearance` and `convert` read
+MOST_WAYPOINTS = 20_000_000  # the most that `clearance` and `convert` read
 Place = Tuple[Fraction, Fraction]
 
 
@@ -96,7 +96,7 @@ class Table:
         return [f"missing: {reason}" for reason in self.missing]
 
     def _remarks(self) -> List[str]:
-        """What is in the table, and then the remarks of the reader."""
+        """The table's own remarks, and then those of the reader."""
         said = [f"{len(self._disks)} disks, {self._waypoints} waypoints"
                 + (f", t from {_short(self._span[0])} to {_short(self._span[1])}" if self._span else "")]
         if self._longest[1]:

@@ -220,7 +220,7 @@ def rewrite(rng, fault, scene, claims):
 
 
 def plain(rng, out):
-    """What is right in other words: without centres, without velocities, with times that are no doubles."""
+    """A right history in other words: without centres, without velocities, with times that are no doubles."""
     bare = rng.choice(["p", "v of maneuvers", "v", "times"])
     for k, c in enumerate(out):
         if bare == "p" or (bare == "v of maneuvers" and c.i == c.j):

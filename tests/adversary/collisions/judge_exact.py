@@ -14,7 +14,7 @@ TIE = D(10) ** -60
 
 
 class Unclear(Exception):
-    """What this judge cannot say."""
+    """A question that this judge cannot answer."""
 
 
 class Wrong(Exception):

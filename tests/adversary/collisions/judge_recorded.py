@@ -23,7 +23,7 @@ def length(v):
 
 
 class Unclear(Exception):
-    """What the claim does not say in so many words."""
+    """Raised where the claim does not say enough."""
 
 
 class Wrong(Exception):

@@ -56,7 +56,7 @@ class Case:
         flips = 0
         for c in self.claims:
             line = c.text()
-            if len(self.scene.disks) > 2 and rng.random() < 0.1:  # what is said of flips is passed over
+            if len(self.scene.disks) > 2 and rng.random() < 0.1:  # for flips, which the verdict passes over
                 lines.append({"t": line["t"], "flip": [-1, 0, 1, 2]})
                 flips += 1
             lines.append(line)

@@ -11,7 +11,7 @@ WALL = -1
 
 @dataclass
 class Scene:
-    """What a scene file says; all numbers are doubles. A disk is (x, y, r, vx, vy, m), a maneuver (t, disk, vx, vy)."""
+    """A scene file; all numbers are doubles. A disk is (x, y, r, vx, vy, m), a maneuver (t, disk, vx, vy)."""
     center: tuple
     radius: float
     horizon: float
@@ -57,7 +57,7 @@ class Claim:
 
 @dataclass
 class Fault:
-    """What the world does wrong, at its `at`-th event of that kind, by the amount `by`."""
+    """A fault of the world, at its `at`-th event of that kind, by the amount `by`."""
     kind: str = "none"
     at: int = 0
     by: float = 0.0
@@ -74,7 +74,7 @@ class World:
         self.speed = [(d[3], d[4]) for d in scene.disks]
         self.radius = [d[2] for d in scene.disks]
         self.mass = [d[5] for d in scene.disks]
-        self.last = [None] * self.n  # what each disk turned with last: an object of its own
+        self.last = [None] * self.n  # by disk: the mark of its last turn, an object of its own
         self.blind = set()  # pairs that pass through each other
         self.claims, self.erred, self.collisions = [], False, 0
         self.now = 0.0

@@ -28,7 +28,7 @@ from worlds import World
 sys.path.append(str(Path(__file__).resolve().parent.parent))
 import questions  # noqa: E402
 
-MOST_RIGHT = 3  # of a world's tellings, that are asked about besides that of `simulate`
+MOST_RIGHT = 3  # tellings of a world that are asked about besides that of `simulate`
 MOST_WRONG = 3
 TRIED = 16      # tellings of which these are chosen
 MOST_TRIES = 1000  # scenes made for a world
@@ -39,7 +39,7 @@ EXPECTED = {RIGHT: "s CERTIFIED", WRONG: "s REFUTED"}
 
 
 class History:
-    """What `simulate` wrote, parted at the instants: the claims before, at and after them."""
+    """The output of `simulate`, parted at the instants: the claims before, at and after them."""
 
     def __init__(self, text, world):
         lines = [json.loads(line) for line in text.splitlines()]

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from diagrams import Diagram, back, without_orientation
 
-MOST_FLIPS = 14  # of a telling: the judge tries all orders
+MOST_FLIPS = 14  # per telling: the judge tries all orders
 OFF = 15         # ten-millionths: more than the tolerance, and WITHIN is less
 WITHIN = 9
 
@@ -22,7 +22,7 @@ class Variants:
         self.times = [rounded(t) for t in world.instants]
 
     def some(self, count):
-        """So many variants, or fewer: no two are the same."""
+        """As many variants as `count`, or fewer: no two are the same."""
         found = []
         for _ in range(2 * count):
             variant = self.at_start() if self.world.is_at_start else (None, self.telling())
@@ -36,7 +36,7 @@ class Variants:
         return self.with_times(self.rng.choice(kinds)())
 
     def path(self, diagram=None, flips=()):
-        """Of each instant any due flip again and again, after the `flips` of the first instant."""
+        """A path that flips any due edge at each instant again and again, after the `flips` of the first instant."""
         diagram = diagram or self.diagram
         claims = [self.flip(edge, self.times[0]) for edge in flips]
         for t, written in zip(self.world.instants, self.times):

@@ -25,7 +25,7 @@ from worlds import DiagonalRow, Impossible, World
 sys.path.append(str(Path(__file__).resolve().parent.parent))
 import questions  # noqa: E402
 
-MOST_ORDERS = 12  # of a world, that are asked about besides the right one
+MOST_ORDERS = 12  # orders of a world that are asked about besides the right one
 
 
 def history_text(header, lines, world, complete):

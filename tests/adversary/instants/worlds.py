@@ -6,12 +6,12 @@ vectors.
 from fractions import Fraction
 
 CONTAINER = -1
-RADIUS = Fraction(5, 2)  # of all disks
+RADIUS = Fraction(5, 2)  # radius of all disks
 FAR = 80                 # the container's radius
 # The whole vectors of length 5.
 FIVES = [(5, 0), (4, 3), (3, 4), (0, 5), (-3, 4), (-4, 3), (-5, 0), (-4, -3), (-3, -4), (0, -5), (3, -4), (4, -3)]
 MOST_TURNS = 40
-WITHIN = 9e-7            # of the true time is the claimed one: less than the tolerance
+WITHIN = 9e-7            # distance of the claimed time from the true one: less than the tolerance
 DELAY = Fraction(1, 2 ** 24)
 
 
@@ -44,7 +44,7 @@ class World:
         far = (FAR - RADIUS) / 5 if rng.random() < 0.4 else Fraction(rng.randint(0, 4))
         places = self.cluster(rng, rng.choice([1, 2, 2, 3, 3, 4, 5]), ways, (x * far, y * far))
         late = self.cluster(rng, rng.randint(2, 3), ways, (-10 * x, -10 * y)) if rng.random() < 0.2 else []
-        self.at = places + late  # of each disk, its centre when it turns
+        self.at = places + late  # by disk, its centre when it turns
         rng.shuffle(self.at)
         self.late = {g for g, place in enumerate(self.at) if place in late}
         if self.late:
@@ -232,7 +232,7 @@ class World:
         return all(pair in left or self.is_clear(*pair, after, self.horizon - self.time(pair[1])) for pair in near)
 
     def by_disk(self, turns):
-        """What happens to each disk, one after the other."""
+        """The turns of each disk, one after the other."""
         return [[turn for turn in turns if turn == g or isinstance(turn, tuple) and g in turn]
                 for g in range(len(self.at))]
 

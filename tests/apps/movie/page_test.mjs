@@ -69,7 +69,7 @@ test("list, time line and disks are moved through by keys", async () => {
   assert.equal(await browser.evaluate(`${list}.getAttribute("aria-activedescendant")`), "event-1");
   await press("ArrowUp", list);
   assert.equal(await state("selected"), 0);
-  // Of the collisions alone.
+  // List the collisions alone.
   await browser.evaluate("element('filter').value = 'collisions'; element('filter').dispatchEvent(new Event('change'))");
   await press("ArrowDown", list);
   const collisions = await browser.evaluate("Array.from(player.data.kinds).flatMap((kind, k) => (kind === COLLISION ? [k] : []))");
