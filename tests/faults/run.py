@@ -184,7 +184,7 @@ def measure(build, rooms, limits):
 
 
 def recorded(fault):
-    """What faults.json says of the fault: found, or survived."""
+    """Reads from faults.json whether the fault was found, or survived."""
     return "found" if "found_by" in fault else "survived"
 
 
