@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fails where a room includes a header of a room that it may not use (README.md, "Rooms"), and
+# Fails where a room (docs/README.md, "Rooms") includes a header of a room that it may not use, and
 # prints the lines: FILE:LINE:#include ...
 #
 # usage: scripts/check-layers.sh [ROOT]

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/gallery and its index, docs/gallery/README.md: counterparts of the
 # paper's figures, and what the program draws besides. Needs the built program, chromium for the
-# stills of movies and matplotlib (scripts/install-deps.sh browser plots); a minute or two, and an
+# stills of movies and matplotlib (with PIL) (scripts/install-deps.sh browser plots); a minute or two, and an
 # hour on two processors for the experiments.
 #
 # usage: scripts/gallery.sh [PROGRAM [FOLDER]]
@@ -104,7 +104,29 @@ still() {
   # Browsers refuse to run as root, as containers do, with their sandbox on.
   timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --hide-scrollbars \
     --user-data-dir="$work/profile" --window-size="$3" --virtual-time-budget=2000 \
-    --screenshot="$PWD/$4" "file://$work/movie.html#$2" >"$work/browser.log" 2>&1
+    --screenshot="$(realpath -m "$4")" "file://$work/movie.html#$2" >"$work/browser.log" 2>&1
+}
+
+# film NAME FROM TO STEPS SIZE WIDTH FILE: the movie played from one time to another in so many steps, as a WebP that moves,
+# stands for four seconds at its last picture and begins again. WIDTH is in pixels.
+film() {
+  local k t
+  mkdir -p "$work/film"
+  rm -f "$work/film"/*
+  for ((k = 0; k <= $4; k++)); do
+    t=$(awk -v a="$2" -v b="$3" -v k="$k" -v n="$4" 'BEGIN { printf "%.6f", a + (b - a) * k / n }')
+    still "$1" "t=$t" "$5" "$work/film/$(printf %04d "$k").png"
+  done
+  /usr/bin/python3 - "$work/film" "$6" "$7" <<'PYTHON'
+import pathlib, sys
+from PIL import Image
+width, pictures = int(sys.argv[2]), []
+for path in sorted(pathlib.Path(sys.argv[1]).iterdir()):
+    picture = Image.open(path).convert("RGB")
+    pictures.append(picture.resize((width, picture.height * width // picture.width), Image.LANCZOS))
+pictures[0].save(sys.argv[3], save_all=True, append_images=pictures[1:], duration=[200] * (len(pictures) - 1) + [4000],
+                 loop=0, quality=35, method=6)
+PYTHON
 }
 
 # evidence NAME FILE: what refutes its history.
@@ -130,20 +152,19 @@ panel() {
   local file=$1 width=$2 description=$3
   shift 3
   "$@" "$out/$file"
-  printf '<img src="%s" width="%s" alt="%s" title="%s">\n' \
-    "$file" "$width" "$description" "$description" >>"$index"
+  printf '<img src="%s" width="%s" alt="%s">\n' "$file" "$width" "$description" >>"$index"
   open_row=yes
 }
 
 # changes PRESET: the conjunctions that its plan avoids, as a table in the index.
 changes() {
   close_row
-  printf '| predicted at t | vehicles | gap without the change | changed | by |\n|---|---|---|---|---|\n' >>"$index"
+  printf '|t|vehicles|gap|changed|\n|---|---|---|---|\n' >>"$index"
   /usr/bin/python3 - "$work/$1.plan.json" >>"$index" <<'PYTHON'
 import fractions, json, sys
 for a in json.load(open(sys.argv[1]))["avoided"]:
     p, q = a["pair"]
-    print(f"| {float(fractions.Fraction(a['t'])):.3f} | {p} and {q} | {a['gap']['from']:.3f} | {a['changed']} | {a['by']} |")
+    print(f"|{float(fractions.Fraction(a['t'])):.3f}|{p}, {q}|{a['gap']['from']:.3f}|{a['changed']} by {a['by']}|")
 PYTHON
   printf '\n' >>"$index"
 }
@@ -152,7 +173,7 @@ mkdir -p "$out"
 cat >"$index" <<'TEXT'
 # Gallery
 
-Counterparts of the paper's figures, and what else the program draws. `scripts/gallery.sh` makes all of it and this page.
+`scripts/gallery.sh` makes these counterparts of the paper's figures, what else the program draws, and this page.
 
 TEXT
 
@@ -160,79 +181,79 @@ TEXT
 
 scene probed reference --n 30 --seed 3 --density 0.2 --horizon 60
 figure "Figure 2: offsets, voids and tunnels" \
-  "30 disks at t = 0 (first row) and t = 40 (second row): the diagram, then where a probe of radius 5 and one of radius 7 fit, by \`voroproof render DIAGRAM --probe R\`. Red is the offset, each void has its colour, strong lines are the V-edges along which the probe passes from end to end (tunnels). Tunnels that the greater probe does not pass part what was one void into several, and the smallest voids are gone."
+  "The rows are 30 disks at t = 0 and 40: the diagram, then where probes of radius 5 and 7 fit, by \`voroproof render DIAGRAM --probe R\`. Red is the offset, strong lines are tunnels."
 for t in 0 40; do
-  panel "figure2-t$t.png" 270 "The diagram at t = $t" diagram probed "$t" 400
+  panel "figure2-t$t.png" 270 "Diagram at t=$t" diagram probed "$t" 400
   for radius in 5 7; do
-    panel "figure2-t$t-probe$radius.png" 270 "Probe of radius $radius at t = $t" \
+    panel "figure2-t$t-probe$radius.png" 270 "Probe of radius $radius, t=$t" \
       probed probed "$t" "$radius" 400
   done
   close_row
 done
 
 figure "Figures 18 to 22: the experiments" \
-  "The paper's data sets at its full size, T = 1000, five seeds: means, and standard deviations over the seeds as bars or bands (of distances and speeds those among the disks), from \`voroproof experiment SET --scale 1 --seeds 5 -o FILE.json\` by \`scripts/plot-experiments.py FILE.json\`. [docs/experiments.md](../experiments.md) sets them beside what the paper says. Roots are predictions by the rule that the paper prints: any root of a flip polynomial, collapse of its edge or not. Seconds are those of a machine that did other work besides, and no measurement: [docs/benchmarks.md](../benchmarks.md) has those."
-panel figure18.png 820 "Fig. 18, number of disks: seconds of the run and of its steps" measured reference
+  "The paper's data sets at full size, T = 1000, five seeds: means and standard deviations over the seeds (of distances and speeds among the disks), from \`voroproof experiment SET --scale 1 --seeds 5 -o FILE.json\` by \`scripts/plot-experiments.py FILE.json\`. [experiments.md](../experiments.md) compares them with the paper. Predictions are all roots of a flip polynomial. [benchmarks.md](../benchmarks.md) has measured seconds; these are none."
+panel figure18.png 820 "Fig. 18, number of disks: seconds" measured reference
 close_row
-panel figure19.png 820 "Fig. 19, initial speed: seconds, events that occur, events that are predicted" measured speed
+panel figure19.png 820 "Fig. 19, initial speed: seconds, events, predictions" measured speed
 close_row
-panel figure20.png 820 "Fig. 20, greatest radius: events, distance to the first neighbours, speeds at the end" measured size
+panel figure20.png 820 "Fig. 20, greatest radius: events, distances, speeds" measured size
 close_row
-panel figure21.png 820 "Fig. 21, density: events, distance to the first neighbours, speeds at the end" measured density
+panel figure21.png 820 "Fig. 21, density: events, distances, speeds" measured density
 close_row
-panel figure22.png 820 "Fig. 22, restitution: flips and collisions per 10 units of time" measured restitution
+panel figure22.png 820 "Fig. 22, restitution: flips and collisions" measured restitution
 
 figure "Figure 23: five vehicles" \
-  "Starts on the left, goals on the right, by \`voroproof plan --preset five -o SCENE --picture FILE\`. Vehicle 0 would meet 1, 2, 3 and 4 one after the other. At even speeds it hits 1 at t = 8; it waits at the orange dot instead, and all four are avoided by that. Violet cross: the conjunction that was predicted and is avoided. Red: the nearest any two come, with the certified gap in the report."
+  "By \`voroproof plan --preset five -o SCENE --picture FILE\`. At even speeds vehicle 0 hits 1 at t = 8. It waits at the orange dot instead, which avoids all four others. The violet cross is the conjunction avoided, red the nearest approach."
 panel figure23.png 480 "Five vehicles and their ways" ways five 600
 
 planned square-to-circle
-figure "Figure 24a: the ways from the square to the circle" \
-  "By \`voroproof plan --preset square-to-circle -o SCENE --picture FILE\`: which vehicle flies where, straight; orange dots are changes of speed, violet crosses the conjunctions that were predicted and are avoided, red is the nearest any two come. \`voroproof render REPORT\` draws the same from the report."
+figure "Figure 24a: ways from square to circle" \
+  "By \`voroproof plan --preset square-to-circle -o SCENE --picture FILE\`, or \`voroproof render REPORT\` from the report. Orange dots are changes of speed."
 panel figure24a.png 560 "Twenty straight ways" ways square-to-circle 720
 
 "$program" simulate "$work/square-to-circle.scene.json" -o "$work/square-to-circle.history.jsonl" --quiet
 figure "Figure 24: from a square to a circle" \
-  "The diagrams of the twenty vehicles at the start (t = 0) and at the goals (t = 60)."
+  "Twenty vehicles at the start (t = 0) and at the goals (t = 60)."
 for t in 0 60; do
-  panel "figure24-t$t.png" 400 "The diagram at t = $t" diagram square-to-circle "$t" 480
+  panel "figure24-t$t.png" 400 "Diagram at t=$t" diagram square-to-circle "$t" 480
 done
 
 figure "Figure 25: on the way" "The same flight at t = 22, 34 and 46."
 for t in 22 34 46; do
-  panel "figure25-t$t.png" 270 "The diagram at t = $t" diagram square-to-circle "$t" 420
+  panel "figure25-t$t.png" 270 "Diagram at t=$t" diagram square-to-circle "$t" 420
 done
 
 figure "Figure 26: speeds change and ways do not" \
-  "The plan of Figure 24a with vehicles of radius 1 at six times, by \`voroproof plan --preset square-to-circle -o SCENE --report FILE.json\` and \`scripts/plot-plan.py\`. In an ellipse: a pair for which a conjunction was predicted within a unit of that time, the vehicle that changes its speed for it in red, the other one in green unless it changes for a third. The table has all that is avoided, in the order in which the plan was made, each as predicted after the changes above it; a negative gap is a collision, and the plan keeps 0.5 between any two."
-panel figure26.png 820 "The flight at t = 0, 22, 30, 40, 48 and 60" moments square-to-circle 0,22,30,40,48,60
+  "The plan of Figure 24a with vehicles of radius 1, by \`voroproof plan --preset square-to-circle -o SCENE --report FILE.json\` and \`scripts/plot-plan.py\`. An ellipse holds a pair with a conjunction predicted within a unit of that time; red is who changes speed. The table has all that is avoided, as predicted after the changes above it. The plan keeps gaps of 0.5."
+panel figure26.png 820 "The flight at six times" moments square-to-circle 0,22,30,40,48,60
 changes square-to-circle
 
 scene small reference --n 30 --seed 1 --horizon 100
 certified small
 figure "The movie" \
-  "\`voroproof movie\` makes a page that plays a history. Here a flip is looked at: the four disks and their common circle."
+  "\`voroproof movie\` makes a page that plays a history. This is a flip: four disks and their common circle."
 panel movie-flip.webp 820 "A flip of the edge between the wall and disk 9" still small "event=118" 1200,780
 
 scene large reference --n 1000 --seed 1 --horizon 60
 certified large
-figure "A thousand disks" "Cells coloured by their number of neighbours; what has just happened flashes."
+figure "A thousand disks" "Cells are coloured by their number of neighbours."
 panel movie-thousand.webp 640 "1000 disks in the player" still large "t=40&colours=neighbours&bare" 900,800
 
 without_flip small wrong 100
 certified wrong
 figure "A refutation" \
-  "A history from which one flip is missing: proved up to there, refuted from there on, with the evidence drawn. The four disks touch one circle at the moment at which the claimed diagram ceases to be one."
-panel movie-refuted.webp 560 "The refuted history in the player" still wrong "t=52.9566" 1200,780
+  "This history lacks one flip. It is proved up to there, and refuted where four disks touch one circle."
+panel movie-refuted.webp 560 "The refuted history, played up to its fault" film wrong 48.956677 52.956677 16 1200,780 720
 panel refutation.png 260 "The evidence, as explain draws it" evidence wrong
 
 scene flight formation --preset h-to-y
 certified flight
-figure "A flight in formation" "19 vehicles turn an H into a Y. Many events share an instant; each tie is proved."
+figure "A flight in formation" "19 vehicles turn an H into a Y. Each tie is proved."
 panel movie-formation.webp 820 "From H to Y, coloured by speed" still flight "t=7&colours=speed" 1200,780
 
 scene show formation --preset drones2018
-figure "A show of 2018 drones" "In the third figure of the flight."
+figure "A show of 2018 drones" "This is their third figure."
 panel drones2018.png 560 "2018 disks" diagram show 40 720
 close_row
 

@@ -30,8 +30,6 @@ COMMAND = re.compile(r"^(\$ )?(((sudo|apt|apt-get|make|cmake|cpack|git|tar|c\+\+
 NOT_RUN = {
     "README.md": {
         "make demo": "installs packages and builds",
-        "$ build/voroproof simulate demo/scene.json -o demo/scene.history.jsonl --stats demo/stats.json":
-            "shows what make demo prints",
     },
     "docs/start.md": {
         "voroproof movie a.scene.json a.history.jsonl -o a.html": "the page is for looking at; make site makes one",
