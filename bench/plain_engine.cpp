@@ -31,8 +31,8 @@ class PlainDoubles {
   // Nothing is told to happen within an instant.
   bool certainly_apart(GenId, GenId) const { return true; }
 
-  TimedEvent rough(const Event& event) const { return tight(event); }
-  TimedEvent tight(const Event& event) const {
+  TimedEvent rough(const FoundEvent& event) const { return tight(event); }
+  TimedEvent tight(const FoundEvent& event) const {
     const double t = event.exactly != nullptr ? round_nearest(*event.exactly)
                                               : 0.5 * (event.at.lo + event.at.hi);
     return {event, t, t, DdBall(t), true};

@@ -55,8 +55,8 @@ class Certified {
   }
 
   // ---- The times of events, as those of EventTimes. ----
-  TimedEvent rough(const Event& event) const { return times_.rough(event); }
-  TimedEvent tight(const Event& event) const { return times_.tight(event); }
+  TimedEvent rough(const FoundEvent& event) const { return times_.rough(event); }
+  TimedEvent tight(const FoundEvent& event) const { return times_.tight(event); }
   int order(const TimedEvent& a, const TimedEvent& b) { return times_.order(a, b); }
   double rounded(const TimedEvent& event) { return times_.rounded(event); }
 

@@ -16,14 +16,14 @@ struct IsolatingInterval {
   double lo = 0, hi = 0;
 };
 
-struct Event {
+struct FoundEvent {
   enum class Kind {
     flip,
     contact,
     maneuver,  // one or more disks turn
     horizon,
   };
-  Event(Kind of_kind, int queue_item) : kind(of_kind), item(queue_item) {}
+  FoundEvent(Kind of_kind, int queue_item) : kind(of_kind), item(queue_item) {}
   Kind kind;
   int item;              // in the schedule's queue
   Quad quad{};           // for a flip
@@ -43,7 +43,7 @@ struct Event {
 
 // An event with an enclosure of its time.
 struct TimedEvent {
-  Event event;
+  FoundEvent event;
   double lo, hi;
   DdBall dd;
   bool tight;  // dd is as narrow as it gets without more precision

@@ -22,13 +22,13 @@ double middle(const IsolatingInterval& at) { return 0.5 * (at.lo + at.hi); }
 
 }  // namespace
 
-TimedEvent EventTimes::rough(const Event& event) const {
+TimedEvent EventTimes::rough(const FoundEvent& event) const {
   if (!event.is_contact()) return tight(event);
   const auto [lo, hi] = event.at;
   return {event, lo, hi, DdBall(middle(event.at), 0, (hi - lo) * (1 + 0x1p-50)), false};
 }
 
-TimedEvent EventTimes::tight(const Event& event) const {
+TimedEvent EventTimes::tight(const FoundEvent& event) const {
   if (event.exactly != nullptr) {
     const Instant t = instant_at(*event.exactly);
     return {event, t.lo, t.hi, t.dd, true};
@@ -51,7 +51,7 @@ TimedEvent EventTimes::tight(const Event& event) const {
   return timed;
 }
 
-Ball EventTimes::ball(const Event& event, int bits) const {
+Ball EventTimes::ball(const FoundEvent& event, int bits) const {
   if (event.is_flip()) {
     const RootInterval root = event.root();
     return collapses_.refine(event.quad, root.lo, root.hi, bits);
@@ -62,13 +62,13 @@ Ball EventTimes::ball(const Event& event, int bits) const {
   return Ball(*event.exactly, bits);
 }
 
-DdBall EventTimes::by_ball(const Event& event) const {
+DdBall EventTimes::by_ball(const FoundEvent& event) const {
   DdBall dd;
   ball(event, bits()).to_double_double(dd.hi, dd.lo, dd.rad);
   return dd;
 }
 
-ExactTime EventTimes::exact(const Event& event, ExactMotion& exact) {
+ExactTime EventTimes::exact(const FoundEvent& event, ExactMotion& exact) {
   if (event.is_flip()) {
     const RootInterval root = event.root();
     return CollapseSearch::exact_root(event.quad, root.lo, root.hi, exact);
@@ -79,26 +79,26 @@ ExactTime EventTimes::exact(const Event& event, ExactMotion& exact) {
   return ExactTime(*event.exactly);
 }
 
-void EventTimes::give_up(const std::string& reason, const Event& event) {
+void EventTimes::give_up(const std::string& reason, const FoundEvent& event) {
   if (event.is_flip()) throw Undecided(reason, event.quad);
   if (event.is_contact()) throw Undecided(reason, event.i, event.j);
   throw Undecided(reason);
 }
 
-bool EventTimes::is_rational(const Event& event) const {
+bool EventTimes::is_rational(const FoundEvent& event) const {
   if (event.is_flip()) return collapses_.has_rational_motion(event.quad);
   return !event.is_contact() || (motion_.is_rational(event.i) && motion_.is_rational(event.j));
 }
 
 // Tried where arithmetic is expensive.
-bool EventTimes::same_by_symmetry(const Event& a, const Event& b) const {
+bool EventTimes::same_by_symmetry(const FoundEvent& a, const FoundEvent& b) const {
   if (is_rational(a) && is_rational(b)) return false;
   const Symmetry symmetry(motion_);
   if (a.is_contact() && b.is_contact()) {
     return symmetry.same_contact(symmetry.states(a.i, a.j), symmetry.states(b.i, b.j));
   }
   if (!a.is_flip() || !b.is_flip()) return false;
-  const auto same = [&](const Event& x, const Event& y) {
+  const auto same = [&](const FoundEvent& x, const FoundEvent& y) {
     return symmetry.same_flip(symmetry.states(x.quad), ball(x, bits()), symmetry.states(y.quad),
                               y.root());
   };
@@ -106,7 +106,7 @@ bool EventTimes::same_by_symmetry(const Event& a, const Event& b) const {
 }
 
 int EventTimes::order(const TimedEvent& x, const TimedEvent& y) {
-  const Event &a = x.event, &b = y.event;
+  const FoundEvent &a = x.event, &b = y.event;
   if (a.is_contact() && b.is_contact() && std::pair(a.i, a.j) == std::pair(b.i, b.j)) return 0;
   Ladder<int> ladder(stats_.tiers, Predicate::compare);
   const Rung dd{Tier::dd, [&]() -> std::optional<int> {
@@ -130,7 +130,7 @@ int EventTimes::order(const TimedEvent& x, const TimedEvent& y) {
 }
 
 double EventTimes::rounded(const TimedEvent& timed) {
-  const Event& event = timed.event;
+  const FoundEvent& event = timed.event;
   Ladder<double> ladder(stats_.tiers, Predicate::round_time);
   const Rung dd{Tier::dd, [&] {
                   return motion_.options().filters && rounds_to_leading(timed.dd)

@@ -17,9 +17,9 @@ class EventTimes {
       : motion_(motion), collapses_(collapses), contacts_(contacts), stats_(stats) {}
 
   // The time as the search has found it, where that is narrow enough: for a contact.
-  TimedEvent rough(const Event& event) const;
+  TimedEvent rough(const FoundEvent& event) const;
   // The time as narrow as double-doubles say; more bits are taken where these leave much open.
-  TimedEvent tight(const Event& event) const;
+  TimedEvent tight(const FoundEvent& event) const;
 
   // The order of two events: negative, zero (simultaneous: proved) or positive. Throws Undecided
   // where the bits do not suffice.
@@ -29,15 +29,15 @@ class EventTimes {
   double rounded(const TimedEvent& event);
 
   // The time as an algebraic number. Throws BudgetExceeded.
-  static ExactTime exact(const Event& event, ExactMotion& exact);
+  static ExactTime exact(const FoundEvent& event, ExactMotion& exact);
 
  private:
   int bits() const { return motion_.goal_bits() + 32; }
-  Ball ball(const Event& event, int bits) const;
-  DdBall by_ball(const Event& event) const;
-  bool is_rational(const Event& event) const;
-  bool same_by_symmetry(const Event& a, const Event& b) const;
-  [[noreturn]] static void give_up(const std::string& reason, const Event& event);
+  Ball ball(const FoundEvent& event, int bits) const;
+  DdBall by_ball(const FoundEvent& event) const;
+  bool is_rational(const FoundEvent& event) const;
+  bool same_by_symmetry(const FoundEvent& a, const FoundEvent& b) const;
+  [[noreturn]] static void give_up(const std::string& reason, const FoundEvent& event);
 
   Motion& motion_;
   const CollapseSearch& collapses_;

@@ -30,7 +30,7 @@ Follower::Follower(Motion& motion, double begin, bool profile)
       instant_(0),
       flipping_(diagram_, motion, arithmetic_, schedule_, instant_, stats_),
       fetch_(diagram_, motion),
-      turn_(Event::Kind::contact, 0) {}
+      turn_(FoundEvent::Kind::contact, 0) {}
 
 void Follower::construct() {
   const Stopwatch watch(profile_, stats_.initial_seconds);
@@ -57,7 +57,8 @@ void Follower::announce() {
     return;
   }
   const LedTurns::Instant& next = turns_->instant(next_);
-  turn_ = Event(next.exactly == nullptr ? Event::Kind::contact : Event::Kind::maneuver, 0);
+  turn_ = FoundEvent(
+      next.exactly == nullptr ? FoundEvent::Kind::contact : FoundEvent::Kind::maneuver, 0);
   turn_.exactly = next.exactly;
   if (next.exactly == nullptr) {
     const LedTurns::Contact& first = turns_->first_contact(next_);
@@ -80,7 +81,7 @@ bool Follower::step() {
   bool turns = false;
   for (const TimedEvent& timed : ties_) {
     turns |= schedule_.is_turn(timed.event);
-    at_horizon_ |= timed.event.kind == Event::Kind::horizon;
+    at_horizon_ |= timed.event.kind == FoundEvent::Kind::horizon;
   }
   // The leader has counted the tie of its turns with the horizon; a border is no event.
   if (at_horizon_ && ties_.size() > 1 && (turns || !is_last_)) --stats_.ties;
@@ -88,7 +89,7 @@ bool Follower::step() {
     // Add the contacts that the leader has proved simultaneous. The schedule does not know them.
     turns_->each_contact(next_, [&](const LedTurns::Contact& c) {
       if (c.i == turn_.i && c.j == turn_.j && turn_.is_contact()) return;
-      Event contact(Event::Kind::contact, 0);
+      FoundEvent contact(FoundEvent::Kind::contact, 0);
       contact.i = c.i;
       contact.j = c.j;
       contact.at = c.at;

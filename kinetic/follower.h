@@ -68,7 +68,7 @@ class Follower {
   Fetch fetch_;
   const LedTurns* turns_ = nullptr;
   std::size_t next_ = 0;     // index of the next instant in turns_
-  Event turn_;               // the announced one
+  FoundEvent turn_;          // the announced one
   bool is_last_ = false;     // the slice ends at the run's horizon
   bool at_horizon_ = false;  // the last instant of the slice is reached
   std::vector<GenId> changed_;

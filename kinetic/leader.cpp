@@ -77,7 +77,7 @@ double Leader::next_key() {
 }
 
 // The next event that may be at the bound or before, which is looked for no more.
-std::optional<Event> Leader::take(double bound) {
+std::optional<FoundEvent> Leader::take(double bound) {
   const double maneuvers = has_maneuvers_ ? kInfinity : maneuvers_.next_down();
   const double horizon = has_horizon_ ? kInfinity : round_down(horizon_);
   const double exact = std::min(maneuvers, horizon);
@@ -92,7 +92,7 @@ std::optional<Event> Leader::take(double bound) {
       ++work_;
       continue;
     }
-    Event event(Event::Kind::contact, kNoItem);
+    FoundEvent event(FoundEvent::Kind::contact, kNoItem);
     event.i = e.i;
     event.j = e.j;
     event.at = {e.lo, e.hi};
@@ -101,20 +101,20 @@ std::optional<Event> Leader::take(double bound) {
   if (!(exact <= bound) || exact == kInfinity) return std::nullopt;
   const bool maneuver = maneuvers <= horizon;
   (maneuver ? has_maneuvers_ : has_horizon_) = true;
-  Event event(maneuver ? Event::Kind::maneuver : Event::Kind::horizon, kNoItem);
+  FoundEvent event(maneuver ? FoundEvent::Kind::maneuver : FoundEvent::Kind::horizon, kNoItem);
   event.exactly = maneuver ? &maneuvers_.next_time() : &horizon_;
   return event;
 }
 
-void Leader::put_back(const Event& event, double key) {
-  if (event.kind == Event::Kind::maneuver) has_maneuvers_ = false;
-  if (event.kind == Event::Kind::horizon) has_horizon_ = false;
+void Leader::put_back(const FoundEvent& event, double key) {
+  if (event.kind == FoundEvent::Kind::maneuver) has_maneuvers_ = false;
+  if (event.kind == FoundEvent::Kind::horizon) has_horizon_ = false;
   if (!event.is_contact()) return;
   queue_.push({key, event.at.lo, event.at.hi, event.i, event.j, motion_.state_id(event.i),
                motion_.state_id(event.j)});
 }
 
-bool Leader::is_tied(const Event& event) const {
+bool Leader::is_tied(const FoundEvent& event) const {
   return event.is_contact() && std::any_of(ties_.begin(), ties_.end(), [&](const TimedEvent& t) {
            return t.event.is_contact() && t.event.i == event.i && t.event.j == event.j;
          });
@@ -124,11 +124,11 @@ bool Leader::next_instant() {
   ties_.clear();
   near_.clear();
   has_maneuvers_ = has_horizon_ = false;
-  const std::optional<Event> next = take(kInfinity);
+  const std::optional<FoundEvent> next = take(kInfinity);
   if (!next) return false;
   TimedEvent first = arithmetic_.rough(*next);
   ties_.push_back(first);
-  while (const std::optional<Event> other = take(first.hi)) {
+  while (const std::optional<FoundEvent> other = take(first.hi)) {
     if (is_tied(*other)) continue;
     if (!first.tight) {
       first = arithmetic_.tight(first.event);
@@ -160,12 +160,12 @@ bool Leader::step() {
   is_settled_ = false;
   bool horizon = false, turns = false;
   for (const TimedEvent& timed : ties_) {
-    (timed.event.kind == Event::Kind::horizon ? horizon : turns) = true;
+    (timed.event.kind == FoundEvent::Kind::horizon ? horizon : turns) = true;
   }
   if (!turns) return false;
   turns_->begin_instant();
   for (const TimedEvent& timed : ties_) {
-    const Event& e = timed.event;
+    const FoundEvent& e = timed.event;
     if (e.is_contact()) turns_->add(LedTurns::Contact{e.i, e.j, e.at});
     if (e.exactly != nullptr) turns_->set_exactly(*e.exactly);
   }
@@ -175,7 +175,7 @@ bool Leader::step() {
     turns_->last().t = arithmetic_.rounded(first);
     for (const TimedEvent& timed : ties_) {
       if (timed.event.is_contact()) due_.insert({timed.event.i, timed.event.j});
-      due_maneuvers_ |= timed.event.kind == Event::Kind::maneuver;
+      due_maneuvers_ |= timed.event.kind == FoundEvent::Kind::maneuver;
     }
   }
   process_due();

@@ -63,9 +63,9 @@ class Leader {
   void start();
   bool step();
   bool next_instant();
-  std::optional<Event> take(double bound);
-  void put_back(const Event& event, double key);
-  bool is_tied(const Event& event) const;
+  std::optional<FoundEvent> take(double bound);
+  void put_back(const FoundEvent& event, double key);
+  bool is_tied(const FoundEvent& event) const;
   const Entry* head();
   double next_key();
   bool is_stale(const Entry& e) const;

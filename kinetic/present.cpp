@@ -22,7 +22,7 @@ void Present::begin(const std::vector<TimedEvent>& events) {
   lone_flip_ = events.size() == 1 && events.front().event.is_flip();
   if (lone_flip_) return;
   for (const TimedEvent& timed : events) {
-    const Event& event = timed.event;
+    const FoundEvent& event = timed.event;
     if (event.is_flip()) {
       note_flip(event.quad);
     } else if (event.is_contact()) {
@@ -39,7 +39,7 @@ void Present::before_change() {
 }
 
 void Present::set(const TimedEvent& timed) {
-  const Event& event = timed.event;
+  const FoundEvent& event = timed.event;
   if (event.exactly != nullptr) {
     is_at(*event.exactly);
     return;

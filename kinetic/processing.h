@@ -186,7 +186,7 @@ class EngineOver {
     }
     collapse_watch_.go_on_with(kept.collapses);
     resumed_at_ = to_rational(kept.t0);
-    Event here(Event::Kind::maneuver, 0);
+    FoundEvent here(FoundEvent::Kind::maneuver, 0);
     here.exactly = &resumed_at_;
     arithmetic_.begin({arithmetic_.tight(here)});
     flipping_.start();
@@ -252,7 +252,7 @@ class EngineOver {
   // The events of ties_: a single flip or contact at once, all else in its order. Returns whether
   // the horizon is one of them.
   bool process_simultaneous() {
-    const Event& first = ties_.front().event;
+    const FoundEvent& first = ties_.front().event;
     if (ties_.size() == 1 && first.is_flip()) {
       process_flip(first.item / 2);
       return false;
@@ -264,7 +264,7 @@ class EngineOver {
     bool horizon = false;
     for (const TimedEvent& timed : ties_) {
       schedule_.make_due(timed.event);
-      horizon |= timed.event.kind == Event::Kind::horizon;
+      horizon |= timed.event.kind == FoundEvent::Kind::horizon;
     }
     return horizon;
   }

@@ -83,7 +83,7 @@ class Schedule {
 
   // In a run that is told its collisions and maneuvers: the next instant that has any is that of
   // `turn`, which outlives it; null if there is none.
-  void announce(const Event* turn) {
+  void announce(const FoundEvent* turn) {
     turn_ = turn;
     const int item = maneuver_item();
     found_[item] = turn != nullptr ? is_event : 0;
@@ -92,7 +92,7 @@ class Schedule {
                                              : turn->at.lo);
   }
   // Whether the event is the one that was announced.
-  bool is_turn(const Event& event) const { return event.item == maneuver_item(); }
+  bool is_turn(const FoundEvent& event) const { return event.item == maneuver_item(); }
 
   // ---- Searches. The edge's state of knowledge is replaced. ----
   void search_flip_from_now(int edge) {
@@ -160,22 +160,22 @@ class Schedule {
   void pass_horizon() { set_key(horizon_item(), horizon_up_); }
 
   // ---- What is due at the present instant. ----
-  void make_due(const Event& event) {
+  void make_due(const FoundEvent& event) {
     switch (event.kind) {
-      case Event::Kind::flip:
+      case FoundEvent::Kind::flip:
         // Kept with its isolating interval: what follows the flip starts beyond it.
         found_[event.item] |= is_due;
         due_flips_.insert({canonical(event.quad), event.item / 2});
         queue_.set(event.item, infinity);
         break;
-      case Event::Kind::contact:
+      case FoundEvent::Kind::contact:
         due_contacts_.insert({event.i, event.j});
         queue_.set(event.item, infinity);
         break;
-      case Event::Kind::maneuver:
+      case FoundEvent::Kind::maneuver:
         due_maneuvers_ = true;
         break;
-      case Event::Kind::horizon:
+      case FoundEvent::Kind::horizon:
         break;
     }
   }
@@ -256,24 +256,24 @@ class Schedule {
     return is(is_fine, item) ? fine_.at(item / 2) : nullptr;
   }
 
-  Event event_of(int item) const {
+  FoundEvent event_of(int item) const {
     if (item == horizon_item()) {
-      Event event(Event::Kind::horizon, item);
+      FoundEvent event(FoundEvent::Kind::horizon, item);
       event.exactly = &horizon_;
       return event;
     }
     if (item == maneuver_item() && turn_ != nullptr) {
-      Event event = *turn_;
+      FoundEvent event = *turn_;
       event.item = item;
       return event;
     }
     if (item == maneuver_item()) {
-      Event event(Event::Kind::maneuver, item);
+      FoundEvent event(FoundEvent::Kind::maneuver, item);
       event.exactly = &maneuvers_.next_time();
       return event;
     }
     const bool flip = (item & 1) == 0;
-    Event event(flip ? Event::Kind::flip : Event::Kind::contact, item);
+    FoundEvent event(flip ? FoundEvent::Kind::flip : FoundEvent::Kind::contact, item);
     event.at = isolating_[item];
     if (flip) {
       event.quad = quad_of(item / 2);
@@ -362,7 +362,7 @@ class Schedule {
   Rational horizon_;
   double horizon_up_;
   EventQueue queue_;
-  const Event* turn_ = nullptr;  // see announce()
+  const FoundEvent* turn_ = nullptr;  // see announce()
   int slots_ = 0;
   std::vector<std::uint8_t> found_;           // by item
   std::vector<IsolatingInterval> isolating_;  // for flips and contacts that were found

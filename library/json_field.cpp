@@ -11,9 +11,7 @@
 
 namespace voroproof::internal {
 
-using Json = nlohmann::json;
-
-JsonField JsonField::inside(const Json& value, const std::string& step) const {
+JsonField JsonField::inside(const nlohmann::json& value, const std::string& step) const {
   return {value, *file_, name_ + step};
 }
 
@@ -69,21 +67,21 @@ void JsonField::fail(const std::string& reason) const {
   throw InputError(*file_, 0, name_, reason);
 }
 
-Json parse_report(const std::string& bytes, const std::string& path) {
+nlohmann::json parse_report(const std::string& bytes, const std::string& path) {
   // The parser takes a byte 0 for the end.
   const auto zero = std::find(bytes.begin(), bytes.end(), '\0');
   if (zero != bytes.end()) {
     throw InputError(path, 1 + std::count(bytes.begin(), zero, '\n'), "", "a byte 0");
   }
-  Json report;
+  nlohmann::json report;
   try {
-    report = Json::parse(bytes);
-  } catch (const Json::parse_error& error) {
+    report = nlohmann::json::parse(bytes);
+  } catch (const nlohmann::json::parse_error& error) {
     const auto end =
         bytes.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, bytes.size()));
     throw InputError(path, 1 + std::count(bytes.begin(), end, '\n'), "",
                      error.byte > bytes.size() ? "incomplete" : "not JSON");
-  } catch (const Json::exception&) {  // a number beyond binary64
+  } catch (const nlohmann::json::exception&) {  // a number beyond binary64
     throw InputError(path, 0, "", "a number out of range");
   }
   const JsonField version = JsonField(report, path)["version"];
@@ -95,7 +93,7 @@ Json parse_report(const std::string& bytes, const std::string& path) {
   return report;
 }
 
-Json read_report(const std::string& path, const std::string& format, std::size_t limit) {
+nlohmann::json read_report(const std::string& path, const std::string& format, std::size_t limit) {
   const FileFormat found = format_of_file(path);
   if (found.name != format) throw InputError(path, found.line, "format", "not \"" + format + "\"");
   return parse_report(file_bytes(path, limit), path);

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Finds classes and enumerations of one name that are defined twice, and comments that open like riddles.
+"""Finds names of types that are defined twice, and comments that open like riddles.
 
 usage: scripts/check-names.py
 
 Two definitions of one qualified name in one program break C++'s rule of one definition: the compiler keeps one
 of them, and one copy of each function of a template over it, whatever the sizes are. No linker sees
-that where the template is the standard library's. All sources are looked at, but for names in unnamed namespaces.
+that where the template is the standard library's. A name is not that of a class and of an alias (`using`), nor of two
+aliases for different types. All sources are looked at, but for names in unnamed namespaces.
 
 A comment names its subject first: none opens with the words of RIDDLE. Comments of C++ (but for tests/ and bench/),
 Python and JavaScript are looked at.
@@ -20,6 +21,7 @@ CPP, SCRIPTS = (".h", ".cpp"), (".py", ".js", ".mjs")
 OPENS = re.compile(r"^(?:inline )?namespace ?([\w:]*) ?\{$")
 CLOSES = re.compile(r"^\}  // namespace ?([\w:]*)$")
 DEFINES = re.compile(r"^(?:class|struct|enum class|enum|union) (?:\[\[\w+\]\] )?(?:alignas\(\w+\) )?([\w:]+)(?: final)?(?: : [^;]*)? ?\{")
+ALIAS = re.compile(r"^using (\w+) = ([^;]*);$")
 
 RIDDLE = re.compile(r'(?:^|(?<=[\s;{}),]))(//|#|""")[/!<]* *(?:Of|So many|So much|What)\b', re.IGNORECASE)
 
@@ -36,7 +38,7 @@ def riddles(path):
 
 
 def definitions(path):
-    """The qualified names that a source defines outside of unnamed namespaces, with their lines."""
+    """The qualified names that a source defines outside of unnamed namespaces, as (name, meaning, line)."""
     spaces, opened_at = [], 0
     for number, line in enumerate(path.read_text().splitlines(), 1):
         if opened := OPENS.match(line):
@@ -45,9 +47,10 @@ def definitions(path):
         # A namespace of one line is closed without a comment.
         elif CLOSES.match(line) or (line == "}" and number == opened_at + 2):
             spaces.pop()
-        elif defined := DEFINES.match(line):
-            if "" not in spaces:
-                yield "::".join([*spaces, defined[1]]), f"{path.relative_to(ROOT)}:{number}"
+        elif "" not in spaces and (defined := DEFINES.match(line) or ALIAS.match(line)):
+            place = f"{path.relative_to(ROOT)}:{number}"
+            # A definition means itself, an alias its type.
+            yield "::".join([*spaces, defined[1]]), defined[2] if defined.re is ALIAS else place, place
 
 
 def sources(folder, suffixes):
@@ -62,12 +65,12 @@ def sources(folder, suffixes):
 def main():
     places = {}
     for path in sources(ROOT, CPP):
-        for defined, place in definitions(path):
-            places.setdefault(defined, []).append(place)
-    twice = {name: where for name, where in places.items() if len(where) > 1}
+        for defined, meaning, place in definitions(path):
+            places.setdefault(defined, {}).setdefault(meaning, place)
+    twice = {name: where.values() for name, where in places.items() if len(where) > 1}
     for name, where in sorted(twice.items()):
         print(f"{name} is defined {len(where)} times: {', '.join(where)}")
-    print(f"{len(places)} classes and enumerations, {len(twice)} of them defined more than once")
+    print(f"{len(places)} names of types, {len(twice)} of them defined more than once")
     rooms = [path for path in sources(ROOT, CPP + SCRIPTS)
              if path.suffix in SCRIPTS or path.relative_to(ROOT).parts[0] not in ("tests", "bench")]
     unclear = [place for path in rooms for place in riddles(path)]

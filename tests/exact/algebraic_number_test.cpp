@@ -18,7 +18,7 @@ namespace {
 
 TEST(AlgebraicNumber, EqualAndUnequalRootsOfDifferentPolynomials) {
   const RationalPolynomial two{-2, 0, 1};
-  Random random(16);
+  RandomNumbers random(16);
   const auto root2 = only_root(two, 0, 2);
   for (int i = 0; i < 40; ++i) {
     const RationalPolynomial f = two * random.polynomial(3);

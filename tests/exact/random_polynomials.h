@@ -23,9 +23,9 @@ Polynomial<T> linear(const T& root) {
   return {T(-root), T(1)};
 }
 
-class Random {
+class RandomNumbers {
  public:
-  explicit Random(unsigned seed) : engine_(seed) {}
+  explicit RandomNumbers(unsigned seed) : engine_(seed) {}
   long below(long n) { return static_cast<long>(engine_() % static_cast<unsigned long>(n)); }
   Rational number() {
     const long numerator = below(41) - 20;

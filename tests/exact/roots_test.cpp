@@ -44,7 +44,7 @@ void expect_isolating(const Polynomial<T>& f, const std::vector<RootInterval>& r
 // ---- Isolation -------------------------------------------------------------------
 
 TEST(IsolateRoots, DescartesAndSturmAgreeOnRandomPolynomials) {
-  Random random(11);
+  RandomNumbers random(11);
   int found = 0;
   for (int i = 0; i < 400; ++i) {
     RationalPolynomial f = random.polynomial(1 + static_cast<int>(random.below(8)));
@@ -64,7 +64,7 @@ TEST(IsolateRoots, DescartesAndSturmAgreeOnRandomPolynomials) {
 }
 
 TEST(IsolateRoots, FindsPlantedRootsOfAnyMultiplicity) {
-  Random random(12);
+  RandomNumbers random(12);
   for (int i = 0; i < 150; ++i) {
     std::vector<Rational> planted;
     RationalPolynomial f{Rational(-3)};
@@ -145,7 +145,7 @@ TEST(IsolateRoots, OverATower) {
   RadicalField field;
   const Tower s = field.sqrt(2);
   const Tower t = field.sqrt(Tower(3) + s);
-  Random random(13);
+  RandomNumbers random(13);
   for (int i = 0; i < 20; ++i) {
     std::vector<Tower> planted;
     TowerPolynomial f{s - 5};
@@ -170,7 +170,7 @@ TEST(IsolateRoots, OverATowerDescartesAndSturmAgree) {
   RadicalField field;
   const Tower s = field.sqrt(5);
   const Tower t = field.sqrt(Tower(7) - s);
-  Random random(19);
+  RandomNumbers random(19);
   int found = 0;
   for (int i = 0; i < 40; ++i) {
     TowerPolynomial f = over_tower(random.polynomial(3)) * s -
@@ -213,7 +213,7 @@ TEST(IsolateRoots, OverATowerCloseAndDoubleRoots) {
 }
 
 TEST(IsPlainlyRootless, IsNeverWrongAndOftenTrue) {
-  Random random(20);
+  RandomNumbers random(20);
   RadicalField field;
   const Tower s = field.sqrt(2);
   int proved = 0;
@@ -239,7 +239,7 @@ TEST(IsPlainlyRootless, IsNeverWrongAndOftenTrue) {
 TEST(IsolateRoots, TowerRootsAreRootsOfTheNorm) {
   RadicalField field;
   const Tower s = field.sqrt(7);
-  Random random(14);
+  RandomNumbers random(14);
   for (int i = 0; i < 40; ++i) {
     const RationalPolynomial u = random.polynomial(4);
     const RationalPolynomial v = random.polynomial(3);
@@ -259,7 +259,7 @@ TEST(IsolateRoots, TowerRootsAreRootsOfTheNorm) {
 // ---- Signs and refinement ----------------------------------------------------------
 
 TEST(SignAt, AgreesWithEvaluation) {
-  Random random(15);
+  RandomNumbers random(15);
   RadicalField field;
   const Tower s = field.sqrt(3);
   for (int i = 0; i < 200; ++i) {
