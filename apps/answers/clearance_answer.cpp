@@ -6,8 +6,8 @@
 namespace voroproof::internal {
 namespace {
 
-Json json_of(const Point2& p) {
-  return Json::array({voroproof::internal::json_of(p.x), voroproof::internal::json_of(p.y)});
+OrderedJson json_of(const Point2& p) {
+  return OrderedJson::array({voroproof::internal::json_of(p.x), voroproof::internal::json_of(p.y)});
 }
 
 // An approach of two disks, or of one to the container, with all that it takes to check it by hand.
@@ -15,16 +15,17 @@ class Teller {
  public:
   explicit Teller(const GivenPaths& given) : paths_(given.paths) {}
 
-  Json json(const Approach& a) const { return json(a, {a.i, a.j}); }
-  Json json(const WallApproach& a) const { return json(a, {a.disk}); }
+  OrderedJson json(const Approach& a) const { return json(a, {a.i, a.j}); }
+  OrderedJson json(const WallApproach& a) const { return json(a, {a.disk}); }
 
   std::string names(const Approach& a) const { return name(a.i) + " " + name(a.j); }
   std::string names(const WallApproach& a) const { return name(a.disk) + " wall"; }
 
   // Adds the spells to the list and to the rows of the table.
   template <class Spells>
-  void add(const Spells& spells, Json& list, std::vector<std::vector<std::string>>& rows) const {
-    list = Json::array();
+  void add(const Spells& spells, OrderedJson& list,
+           std::vector<std::vector<std::string>>& rows) const {
+    list = OrderedJson::array();
     for (const auto& s : spells) {
       list.push_back({{"from", voroproof::internal::json_of(s.from)},
                       {"to", voroproof::internal::json_of(s.to)},
@@ -46,8 +47,8 @@ class Teller {
   std::string name(int g) const { return printable(paths_[static_cast<std::size_t>(g)].name); }
 
   template <class Nearest>
-  Json json(const Nearest& a, std::initializer_list<int> generators) const {
-    Json disks = Json::array();
+  OrderedJson json(const Nearest& a, std::initializer_list<int> generators) const {
+    OrderedJson disks = OrderedJson::array();
     for (const int g : generators) {
       const GivenPath& path = paths_[static_cast<std::size_t>(g)];
       disks.push_back({{"disk", path.name},
@@ -64,10 +65,10 @@ class Teller {
 };
 
 // Tells what is judged, for which times, and what is not judged.
-void add_basis(const GivenPaths& given, Json& json, std::string& lines) {
-  Json& remarks = json["remarks"] = Json::array({"judged are " + given.meaning});
+void add_basis(const GivenPaths& given, OrderedJson& json, std::string& lines) {
+  OrderedJson& remarks = json["remarks"] = OrderedJson::array({"judged are " + given.meaning});
   for (const std::string& r : given.remarks) remarks.push_back(r);
-  for (const Json& r : remarks) lines += "c " + r.get<std::string>() + "\n";
+  for (const OrderedJson& r : remarks) lines += "c " + r.get<std::string>() + "\n";
   json["missing"] = given.missing;
   for (const std::string& m : given.missing) lines += "c missing: " + m + "\n";
   if (given.paths.empty()) return;
@@ -87,7 +88,7 @@ ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenP
   if (given.container) wall.emplace(given, go_on);
   const Teller teller(given);
   ClearanceAnswer told;
-  Json& json = told.answer.json;
+  OrderedJson& json = told.answer.json;
   std::string& lines = told.answer.table;
   json["format"] = "voroproof-clearance";
   json["version"] = 1;

@@ -10,16 +10,16 @@
 namespace voroproof::internal {
 namespace {
 
-std::string file_text(const Json& json) {
+std::string file_text(const OrderedJson& json) {
   // One line for each member, and for each element of a list of objects.
   std::string text = "{";
   const char* separator = "";
   for (const auto& [name, value] : json.items()) {
-    text += separator + Json(name).dump() + ":";
+    text += separator + OrderedJson(name).dump() + ":";
     separator = ",\n";
     if (value.is_array() && !value.empty() && value.front().is_structured()) {
       const char* comma = "[\n";
-      for (const Json& element : value) {
+      for (const OrderedJson& element : value) {
         text += comma + element.dump();
         comma = ",\n";
       }
@@ -33,23 +33,25 @@ std::string file_text(const Json& json) {
 
 }  // namespace
 
-Json answer_head(const std::string& query, const Scene& scene) {
+OrderedJson answer_head(const std::string& query, const Scene& scene) {
   return {{"format", "voroproof-answer"},
           {"version", 1},
           {"query", query},
           {"scene_sha256", scene.sha256}};
 }
 
-Json json_of(double x) { return Json::parse(number_text(x)); }
-Json json_of(const Rational& q) { return Json::parse(number_text(q)); }
-Json json_of(const Enclosure& e) { return Json::array({json_of(e.lo), json_of(e.hi)}); }
-Json json_of(const Quad& q) { return Json::array({q.l, q.r, q.s, q.e}); }
-Json json_of(const Triple& v) { return Json::array({v[0], v[1], v[2]}); }
+OrderedJson json_of(double x) { return OrderedJson::parse(number_text(x)); }
+OrderedJson json_of(const Rational& q) { return OrderedJson::parse(number_text(q)); }
+OrderedJson json_of(const Enclosure& e) {
+  return OrderedJson::array({json_of(e.lo), json_of(e.hi)});
+}
+OrderedJson json_of(const Quad& q) { return OrderedJson::array({q.l, q.r, q.s, q.e}); }
+OrderedJson json_of(const Triple& v) { return OrderedJson::array({v[0], v[1], v[2]}); }
 
-Json json_of(const ClearanceNode& node) {
+OrderedJson json_of(const ClearanceNode& node) {
   switch (node.kind) {
     case ClearanceNode::Kind::gate:
-      return {{"gate", Json::array({node.generators[0], node.generators[1]})}};
+      return {{"gate", OrderedJson::array({node.generators[0], node.generators[1]})}};
     case ClearanceNode::Kind::far:
       return {{"far", node.generators[0]}};
     case ClearanceNode::Kind::vertex:

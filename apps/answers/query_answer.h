@@ -12,22 +12,23 @@
 
 namespace voroproof::internal {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 struct Answer {
-  Json json;          // an object
+  OrderedJson json;   // an object
   std::string table;  // lines
 };
 
 // The head of every answer.
-Json answer_head(const std::string& query, const Scene& scene);
+OrderedJson answer_head(const std::string& query, const Scene& scene);
 
-Json json_of(double x);
-Json json_of(const Rational& q);
-Json json_of(const Enclosure& e);  // [lo, hi]
-Json json_of(const Quad& q);
-Json json_of(const Triple& v);
-Json json_of(const ClearanceNode& node);  // {"vertex": [i,j,k]}, {"gate": [i,j]} or {"far": i}
+OrderedJson json_of(double x);
+OrderedJson json_of(const Rational& q);
+OrderedJson json_of(const Enclosure& e);  // [lo, hi]
+OrderedJson json_of(const Quad& q);
+OrderedJson json_of(const Triple& v);
+OrderedJson json_of(
+    const ClearanceNode& node);  // {"vertex": [i,j,k]}, {"gate": [i,j]} or {"far": i}
 
 // A short text; an enclosure is given by about its middle.
 std::string short_text(const Enclosure& e);

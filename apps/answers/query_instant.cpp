@@ -11,8 +11,8 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-Json head(const std::string& name, const InstantQuery& query) {
-  Json json = answer_head(name, query.scene);
+OrderedJson head(const std::string& name, const InstantQuery& query) {
+  OrderedJson json = answer_head(name, query.scene);
   json["t"] = json_of(query.t);
   return json;
 }
@@ -21,17 +21,17 @@ Clearance clearance_of(const InstantQuery& query, const Rational& probe, TierCou
   return Clearance(query.moment.motion, query.t, query.moment.diagram, probe, counts);
 }
 
-Json json_of(const ClosestPairs& closest) {
-  Json json = Json::object();
-  json["pairs"] = Json::array();
-  for (const auto& [i, j] : closest.pairs) json["pairs"].push_back(Json::array({i, j}));
+OrderedJson json_of(const ClosestPairs& closest) {
+  OrderedJson json = OrderedJson::object();
+  json["pairs"] = OrderedJson::array();
+  for (const auto& [i, j] : closest.pairs) json["pairs"].push_back(OrderedJson::array({i, j}));
   if (!closest.pairs.empty()) json["gap"] = json_of(closest.gap);
   return json;
 }
 
-Json json_of(const FreeSpace& space, const std::optional<OffsetPoint>& point) {
+OrderedJson json_of(const FreeSpace& space, const std::optional<OffsetPoint>& point) {
   const auto at = space.position(*point);
-  return {{"edge", Json::array({point->i, point->j})},
+  return {{"edge", OrderedJson::array({point->i, point->j})},
           {"side", point->side},
           {"x", voroproof::internal::json_of(at[0])},
           {"y", voroproof::internal::json_of(at[1])}};
@@ -42,8 +42,8 @@ Json json_of(const FreeSpace& space, const std::optional<OffsetPoint>& point) {
 Answer answer_nearest(const InstantQuery& query, const Point2& point, std::size_t count) {
   TierCounts counts;
   Answer answer{head("nearest", query), {}};
-  answer.json["point"] = Json::array({json_of(point.x), json_of(point.y)});
-  Json& disks = answer.json["disks"] = Json::array();
+  answer.json["point"] = OrderedJson::array({json_of(point.x), json_of(point.y)});
+  OrderedJson& disks = answer.json["disks"] = OrderedJson::array();
   Rows rows{{"disk", "distance"}};
   for (const NearDisk& near : nearest_disks(query.moment.motion, query.t, point, count, counts)) {
     disks.push_back(
@@ -59,7 +59,7 @@ Answer answer_neighbours(const InstantQuery& query, GenId disk) {
   Clearance clearance = clearance_of(query, 0, counts);
   Answer answer{head("neighbours", query), {}};
   answer.json["disk"] = disk;
-  Json& all = answer.json["neighbours"] = Json::array();
+  OrderedJson& all = answer.json["neighbours"] = OrderedJson::array();
   Rows rows{{"neighbour", "edges", "gap"}};
   for (const Neighbour& n : neighbours(clearance, disk)) {
     all.push_back({{"generator", n.generator}, {"edges", n.edges}, {"gap", json_of(n.gap)}});
@@ -92,13 +92,13 @@ Answer answer_offset(const InstantQuery& query, const Rational& probe) {
   const FreeSpace space(clearance);
   Answer answer{head("offset", query), {}};
   answer.json["probe"] = json_of(probe);
-  Json& arcs = answer.json["arcs"] = Json::array();
+  OrderedJson& arcs = answer.json["arcs"] = OrderedJson::array();
   Rows rows{{"around", "from", "to"}};
   const auto name = [](const std::optional<OffsetPoint>& p) {
     return p ? "edge " + text_of(p->i) + " " + text_of(p->j) : std::string("all around");
   };
   for (const OffsetArc& arc : space.offset()) {
-    Json json = {{"generator", arc.generator}};
+    OrderedJson json = {{"generator", arc.generator}};
     if (arc.from) {
       json["from"] = json_of(space, arc.from);
       json["to"] = json_of(space, arc.to);
@@ -117,10 +117,10 @@ Answer answer_voids(const InstantQuery& query, const Rational& probe) {
   const auto edges = edges_by_name(query.moment.diagram);
   Answer answer{head("voids", query), {}};
   answer.json["probe"] = json_of(probe);
-  Json& voids = answer.json["voids"] = Json::array();
+  OrderedJson& voids = answer.json["voids"] = OrderedJson::array();
   Rows rows{{"void", "vertices", "tunnels", "vanishes beyond", "at"}};
   for (const Void& v : space.voids()) {
-    Json json = {{"vertices", Json::array()}, {"tunnels", Json::array()}};
+    OrderedJson json = {{"vertices", OrderedJson::array()}, {"tunnels", OrderedJson::array()}};
     for (const Triple& vertex : v.vertices) json["vertices"].push_back(json_of(vertex));
     for (const Quad& quad : v.tunnels) {
       const ClearanceNode node = narrowest(clearance, edges.at(quad));
@@ -145,7 +145,7 @@ Answer answer_critical(const InstantQuery& query) {
   TierCounts counts;
   Clearance clearance = clearance_of(query, 0, counts);
   Answer answer{head("critical", query), {}};
-  Json& tunnels = answer.json["tunnels"] = Json::array();
+  OrderedJson& tunnels = answer.json["tunnels"] = OrderedJson::array();
   // The rows of the table, each with its radius, by which they are ordered.
   std::vector<std::pair<double, std::vector<std::string>>> rows;
   for (const auto& [quad, h] : edges_by_name(query.moment.diagram)) {
@@ -156,7 +156,7 @@ Answer answer_critical(const InstantQuery& query) {
     rows.push_back(
         {radius.lo, {short_text(radius), "tunnel " + text_of(quad) + " closes", short_text(node)}});
   }
-  Json& voids = answer.json["voids"] = Json::array();
+  OrderedJson& voids = answer.json["voids"] = OrderedJson::array();
   for (const ClearanceNode& node : widest_places(clearance)) {
     const Enclosure radius = clearance.value(node);
     voids.push_back({{"vanishes", json_of(radius)}, {"at", json_of(node)}});

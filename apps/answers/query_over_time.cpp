@@ -5,16 +5,16 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-Json head(const std::string& name, const TimeQuery& query) {
-  Json json = answer_head(name, query.scene);
+OrderedJson head(const std::string& name, const TimeQuery& query) {
+  OrderedJson json = answer_head(name, query.scene);
   json["from"] = json_of(query.window.from);
   json["to"] = json_of(query.window.to);
   return json;
 }
 
-Answer with_gap(Json json, const TimeQuery& query, const LeastGap& least) {
+Answer with_gap(OrderedJson json, const TimeQuery& query, const LeastGap& least) {
   const Enclosure gap = gap_of(query.paths, least), t = enclosure(least.t);
-  json["pair"] = Json::array({least.i, least.j});
+  json["pair"] = OrderedJson::array({least.i, least.j});
   json["gap"] = json_of(gap);
   json["t"] = json_of(t);
   json["contact"] = least.contact;
@@ -24,9 +24,10 @@ Answer with_gap(Json json, const TimeQuery& query, const LeastGap& least) {
                      least.contact ? "0 (contact)" : short_text(gap), short_text(t)}})};
 }
 
-Answer with_openings(Json json, const Rational& probe, const std::vector<Opening>& openings) {
+Answer with_openings(OrderedJson json, const Rational& probe,
+                     const std::vector<Opening>& openings) {
   json["probe"] = json_of(probe);
-  Json& all = json["open"] = Json::array();
+  OrderedJson& all = json["open"] = OrderedJson::array();
   Rows rows{{"opens", "closes"}};
   for (const Opening& o : openings) {
     all.push_back({{"from", json_of(o.from)}, {"to", json_of(o.to)}});
@@ -40,7 +41,7 @@ Answer with_openings(Json json, const Rational& probe, const std::vector<Opening
 Answer answer_neighbours_over(const TimeQuery& query, GenId disk) {
   Answer answer{head("neighbours-over", query), {}};
   answer.json["disk"] = disk;
-  Json& all = answer.json["neighbours"] = Json::array();
+  OrderedJson& all = answer.json["neighbours"] = OrderedJson::array();
   Rows rows{{"neighbour", "from", "to"}};
   for (const Neighbourhood& n : neighbours_over(query.history, disk, query.window)) {
     all.push_back({{"generator", n.generator}, {"from", json_of(n.from)}, {"to", json_of(n.to)}});
@@ -57,21 +58,21 @@ Answer answer_gap_over(const TimeQuery& query, GenId i, GenId j) {
 }
 
 Answer answer_closest_over(const TimeQuery& query) {
-  Json json = head("closest-over", query);
+  OrderedJson json = head("closest-over", query);
   const auto least = least_gap_of_all(query.paths, query.history, query.window);
   if (!least) return {std::move(json), "no two disks\n"};
   return with_gap(std::move(json), query, *least);
 }
 
 Answer answer_tunnel(const TimeQuery& query, GenId i, GenId j, const Rational& probe) {
-  Json json = head("tunnel", query);
-  json["pair"] = Json::array({i, j});
+  OrderedJson json = head("tunnel", query);
+  json["pair"] = OrderedJson::array({i, j});
   return with_openings(std::move(json), probe,
                        tunnel_openings(query.paths, query.history, i, j, probe, query.window));
 }
 
 Answer answer_void(const TimeQuery& query, const Triple& vertex, const Rational& probe) {
-  Json json = head("void", query);
+  OrderedJson json = head("void", query);
   json["vertex"] = json_of(canonical(vertex));
   return with_openings(std::move(json), probe,
                        void_openings(query.paths, query.history, vertex, probe, query.window));
@@ -80,7 +81,7 @@ Answer answer_void(const TimeQuery& query, const Triple& vertex, const Rational&
 Answer answer_voids_over(const TimeQuery& query, const Rational& probe) {
   Answer answer{head("voids-over", query), {}};
   answer.json["probe"] = json_of(probe);
-  Json& all = answer.json["voids"] = Json::array();
+  OrderedJson& all = answer.json["voids"] = OrderedJson::array();
   Rows rows{{"void", "from", "to", "out of", "into", "at first at"}};
   const auto list = [](const std::vector<std::size_t>& voids) {
     std::string text;
@@ -88,7 +89,7 @@ Answer answer_voids_over(const TimeQuery& query, const Rational& probe) {
     return text.empty() ? "-" : text;
   };
   for (const VoidLife& v : void_lives(query.paths, query.history, probe, query.window)) {
-    Json json = {
+    OrderedJson json = {
         {"from", json_of(v.from)}, {"to", json_of(v.to)}, {"before", v.before}, {"after", v.after}};
     if (v.at) json["at"] = json_of(*v.at);
     rows.push_back({std::to_string(all.size()), short_text(v.from), short_text(v.to),

@@ -31,6 +31,8 @@ struct Answer {
   std::optional<std::pair<GenId, GenId>> contact{};
   // Whether a pair meets, or does not meet, but for roundings.
   bool contacts_by_rounding = false;
+  // Whether velocities were computed, and rounded to binary64.
+  bool velocities_by_law = false;
 };
 std::string text(const Answer& answer);
 

@@ -105,13 +105,18 @@ bool are_same(const Answer& ours, const Image& image, const Answer& theirs, bool
           contact_image(*ours.contact, image) == contact_image(*theirs.contact, {}));
 }
 
-// What rounding the centres may do to velocities and contacts depends on how far the scene is from
-// its origin (docs/claim.md).
+// Whether roundings may tell the two apart, which do not go with the map. A pair's rounding grows
+// with the distance of the scene from its origin (docs/claim.md). Velocities that a history lacks
+// are rounded along the axes, so a rotation may break ties.
 bool are_excused(Relation relation, const Answer& a, const Answer& b) {
-  const auto counts = [](const Answer& x) {
-    return x.fault == Fault::wrong_response || x.fault == Fault::overlap || x.contacts_by_rounding;
-  };
-  return relation == Relation::translated && (counts(a) || counts(b));
+  const auto any = [&](auto&& is) { return is(a) || is(b); };
+  if (relation == Relation::pythagorean_turn) {
+    return any([](const Answer& x) { return x.velocities_by_law; });
+  }
+  return relation == Relation::translated && any([](const Answer& x) {
+           return x.fault == Fault::wrong_response || x.fault == Fault::overlap ||
+                  x.contacts_by_rounding || x.reason.starts_with("a generator lay inside another");
+         });
 }
 
 // The pairs of generators and of disks that are nearest to each other.
