@@ -156,24 +156,11 @@ panel() {
   open_row=yes
 }
 
-# changes PRESET: the conjunctions that its plan avoids, as a table in the index.
-changes() {
-  close_row
-  printf '|t|vehicles|gap|changed|\n|---|---|---|---|\n' >>"$index"
-  /usr/bin/python3 - "$work/$1.plan.json" >>"$index" <<'PYTHON'
-import fractions, json, sys
-for a in json.load(open(sys.argv[1]))["avoided"]:
-    p, q = a["pair"]
-    print(f"|{float(fractions.Fraction(a['t'])):.3f}|{p}, {q}|{a['gap']['from']:.3f}|{a['changed']} by {a['by']}|")
-PYTHON
-  printf '\n' >>"$index"
-}
-
 mkdir -p "$out"
 cat >"$index" <<'TEXT'
 # Gallery
 
-`scripts/gallery.sh` makes these counterparts of the paper's figures, what else the program draws, and this page.
+`scripts/gallery.sh` makes this page: counterparts of the paper's figures, and other pictures that the program draws.
 
 TEXT
 
@@ -181,7 +168,7 @@ TEXT
 
 scene probed reference --n 30 --seed 3 --density 0.2 --horizon 60
 figure "Figure 2: offsets, voids and tunnels" \
-  "The rows are 30 disks at t = 0 and 40: the diagram, then where probes of radius 5 and 7 fit, by \`voroproof render DIAGRAM --probe R\`. Red is the offset, strong lines are tunnels."
+  "The rows show 30 disks at t = 0 and 40: the diagram, then where probes of radius 5 and 7 fit, by \`voroproof render DIAGRAM --probe R\`. Red is the offset, and strong lines are tunnels."
 for t in 0 40; do
   panel "figure2-t$t.png" 270 "Diagram at t=$t" diagram probed "$t" 400
   for radius in 5 7; do
@@ -192,7 +179,7 @@ for t in 0 40; do
 done
 
 figure "Figures 18 to 22: the experiments" \
-  "The paper's data sets at full size, T = 1000, five seeds: means and standard deviations over the seeds (of distances and speeds among the disks), from \`voroproof experiment SET --scale 1 --seeds 5 -o FILE.json\` by \`scripts/plot-experiments.py FILE.json\`. [experiments.md](../experiments.md) compares them with the paper. Predictions are all roots of a flip polynomial. [benchmarks.md](../benchmarks.md) has measured seconds; these are none."
+  "These are the paper's data sets at full size. Bars are standard deviations over five seeds, but among the disks for distances and speeds. [experiments.md](../experiments.md) has the commands and compares the results with the paper. Predictions are all roots of a flip polynomial. The seconds are no measurements; [benchmarks.md](../benchmarks.md) has these."
 panel figure18.png 820 "Fig. 18, number of disks: seconds" measured reference
 close_row
 panel figure19.png 820 "Fig. 19, initial speed: seconds, events, predictions" measured speed
@@ -204,30 +191,29 @@ close_row
 panel figure22.png 820 "Fig. 22, restitution: flips and collisions" measured restitution
 
 figure "Figure 23: five vehicles" \
-  "By \`voroproof plan --preset five -o SCENE --picture FILE\`. At even speeds vehicle 0 hits 1 at t = 8. It waits at the orange dot instead, which avoids all four others. The violet cross is the conjunction avoided, red the nearest approach."
+  "\`voroproof plan --preset five -o SCENE --picture FILE\` draws this. At even speeds vehicle 0 would hit vehicle 1 at t = 8. It waits at the orange dot instead, and so avoids all four others. The violet cross is the conjunction avoided, and red is the nearest approach."
 panel figure23.png 480 "Five vehicles and their ways" ways five 600
 
 planned square-to-circle
 figure "Figure 24a: ways from square to circle" \
-  "By \`voroproof plan --preset square-to-circle -o SCENE --picture FILE\`, or \`voroproof render REPORT\` from the report. Orange dots are changes of speed."
+  "The preset is \`square-to-circle\`; \`voroproof render REPORT\` draws the same from the report. Orange dots are changes of speed."
 panel figure24a.png 560 "Twenty straight ways" ways square-to-circle 720
 
 "$program" simulate "$work/square-to-circle.scene.json" -o "$work/square-to-circle.history.jsonl" --quiet
 figure "Figure 24: from a square to a circle" \
-  "Twenty vehicles at the start (t = 0) and at the goals (t = 60)."
+  "The twenty vehicles are at the start (t = 0) and at the goals (t = 60)."
 for t in 0 60; do
   panel "figure24-t$t.png" 400 "Diagram at t=$t" diagram square-to-circle "$t" 480
 done
 
-figure "Figure 25: on the way" "The same flight at t = 22, 34 and 46."
+figure "Figure 25: on the way" "This is the same flight at t = 22, 34 and 46."
 for t in 22 34 46; do
   panel "figure25-t$t.png" 270 "Diagram at t=$t" diagram square-to-circle "$t" 420
 done
 
 figure "Figure 26: speeds change and ways do not" \
-  "The plan of Figure 24a with vehicles of radius 1, by \`voroproof plan --preset square-to-circle -o SCENE --report FILE.json\` and \`scripts/plot-plan.py\`. An ellipse holds a pair with a conjunction predicted within a unit of that time; red is who changes speed. The table has all that is avoided, as predicted after the changes above it. The plan keeps gaps of 0.5."
+  "\`scripts/plot-plan.py\` draws the plan of Figure 24a from its report. An ellipse holds a pair with a conjunction predicted within a unit of that time; the vehicle that changes its speed is red. The plan keeps gaps of 0.5."
 panel figure26.png 820 "The flight at six times" moments square-to-circle 0,22,30,40,48,60
-changes square-to-circle
 
 scene small reference --n 30 --seed 1 --horizon 100
 certified small
@@ -249,11 +235,11 @@ panel refutation.png 260 "The evidence, as explain draws it" evidence wrong
 
 scene flight formation --preset h-to-y
 certified flight
-figure "A flight in formation" "19 vehicles turn an H into a Y. Each tie is proved."
+figure "A flight in formation" "19 vehicles turn an H into a Y. Every tie of their events is proved."
 panel movie-formation.webp 820 "From H to Y, coloured by speed" still flight "t=7&colours=speed" 1200,780
 
 scene show formation --preset drones2018
-figure "A show of 2018 drones" "This is their third figure."
+figure "A show of 2018 drones" "This is the third figure of the preset \`drones2018\`."
 panel drones2018.png 560 "2018 disks" diagram show 40 720
 close_row
 

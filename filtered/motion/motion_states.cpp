@@ -93,7 +93,6 @@ void MotionStates::set_laws() {
 
 const DiskInput& MotionStates::initial_state(GenId g) const {
   DiskInput& d = input_.disks[g];
-  // Nothing is written where nothing is to be taken over: the other thread may be here, too.
   if (!restarts_.empty() && restarts_[g].given != nullptr) {
     std::exchange(restarts_[g].given, nullptr)->state(g, d);
     d.x = Rational(d.x.value() - input_.origin[0]);

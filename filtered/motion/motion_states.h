@@ -22,8 +22,8 @@
 
 namespace voroproof::internal {
 
-// Records are appended, and applied to the states later: what tells of states is of the records
-// applied so far.
+// Records are appended, then applied to the states: at once, or in states that follow others when
+// somebody asks. What tells of states is of the records applied so far.
 class MotionStates {
  public:
   // `log`: empty and nobody else's, or that of other states of the same input, which these
