@@ -27,7 +27,7 @@ lists:
 	clang-format --dry-run -Werror $(SOURCES)
 	ctest --preset release -j $(JOBS) -L lists
 
-# About ten minutes; see docs/benchmarks.md.
+# About a quarter of an hour; see docs/benchmarks.md.
 bench:
 	scripts/install-deps.sh bench
 	cmake --preset bench

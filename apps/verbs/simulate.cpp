@@ -350,7 +350,7 @@ void add_simulate(Verb& program) {
   verb.whole(
       "--threads", request->threads, 1, 1024,
       "So many threads compute a scene of 500 disks or more in slices of time, and a further "
-      "one writes the history. With fewer disks one computes and another one helps. A history "
+      "one writes the history. With fewer disks one computes and another one writes. A history "
       "that reaches its horizon does not depend on it.");
   verb.whole("--start-bits", request->motion.start_bits, least_bits, most_bits,
              "The precision of the states to begin with. A history that reaches its horizon does "
