@@ -1,4 +1,4 @@
-// The report of a certification, as JSON (docs/certificate.md lists its fields).
+// The report of a certification, as JSON (schemas/report.schema.json).
 #pragma once
 
 #include <cstdint>

@@ -77,7 +77,7 @@ struct Witness {
 
 // Where a refuted history is wrong.
 struct Divergence {
-  std::string fault;         // "missing event", "wrong time", ... (docs/certificate.md)
+  std::string fault;         // "missing event", "wrong time", ... (schemas/report.schema.json)
   std::int64_t line = 0;     // line of the file; in a History, event k is on line k + 2
   double t = 0;              // time of the claim, or of the truth where no claim is at fault
   std::string truth;         // states the truth in one sentence
