@@ -290,7 +290,8 @@ TEST(CollapseSearch, ARootAtARationalTime) {
       TierCounts tiers;
       CollapseSearch search(motion, tiers);
       const Quad q = edge_between(motion, 0, 2, 3);
-      // Halving a window comes upon the root itself. Balls go as far as they can, and on from there.
+      // Halving a window comes upon the root itself. Balls go as far as they can, and on from
+      // there.
       Collapse c = search.after(q, 0, end);
       while (c.kind == Collapse::Kind::none && c.lo < 1) c = search.after(q, c.lo, end);
       const CollapseTruth edge(motion.input(), q);
