@@ -69,16 +69,28 @@ void FirstDivergence::look_for_contacts(Earliest& first) {
       c.hi = hi;
     }
     const bool near = c.hi >= first.limit - margin(first) - s_.tolerance_up;
-    if (near && (margin(first) == 0 || !is_never_claimed(i, j, c))) continue;
+    if ((near && !is_never_claimed(i, j, c)) || may_be_left_out({i, j, since, edge}, c)) continue;
     first = {refuter_.missing_contact(i, j, c.lo, c.hi), c.lo};
     if (near) first.divergence.line = std::min(first.divergence.line, claims_.line());
   }
 }
 
-// Exact truth: whether the contact is missing although it is so near the refuted claim: no claim is
-// left that may be of it, or may turn one of the two before it. Reads on.
+// Recorded truth: whether the overlap that the contact begins may be a rounding, or left out at the
+// horizon.
+bool FirstDivergence::may_be_left_out(const PairLives::Open& life, const NextContact& c) {
+  if (s_.options.truth == Truth::exact) return false;
+  if (c.hi >= s_.horizon_window_down) return true;
+  const RecordedContacts::Lines lines = pairs_.recorded().lines(life.i, life.j, life.since);
+  const auto overlaps =
+      lines.gap.overlaps(to_rational(c.hi) + s_.options.tolerance, lines.rounding);
+  return std::all_of(overlaps.begin(), overlaps.end(), [&](const Gap::Overlap& o) {
+    return RecordedContacts::is_rounding(lines, o);
+  });
+}
+
+// Whether the contact is missing although it is so near the refuted claim: no claim is left that
+// may be of it, or may turn one of the two before it. Reads on.
 bool FirstDivergence::is_never_claimed(GenId i, GenId j, const NextContact& c) {
-  if (s_.options.truth != Truth::exact) return false;
   const Event* const refuted = claims_.current() ? &*claims_.current() : nullptr;
   return !claims_.has_unchecked(
       to_rational(c.hi) + s_.options.tolerance, [refuted, i, j](const Event& event) {

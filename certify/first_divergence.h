@@ -47,6 +47,7 @@ class FirstDivergence {
   double margin(const Earliest& first) const;
   void look_for_contacts(Earliest& first);
   bool is_never_claimed(GenId i, GenId j, const NextContact& c);
+  bool may_be_left_out(const PairLives::Open& life, const NextContact& c);
   std::optional<Divergence> due_before();
   void look_for_flips(Earliest& first);
 

@@ -45,6 +45,11 @@ class RecordedContacts {
     Motions motions;
   };
 
+  // Whether an overlap of the two on these lines is no deeper than roundings may be.
+  static bool is_rounding(const Lines& lines, const Gap::Overlap& o) {
+    return o.shallow && 4 * lines.rounding <= lines.reach;
+  }
+
   // An overlap that nothing excuses.
   struct Missing {
     double lo, hi;    // an enclosure of its entry
@@ -86,9 +91,6 @@ class RecordedContacts {
     std::optional<Rational> answered;  // by a claim at this time
     std::optional<Rational> revealed;  // proved harmless at this time
   };
-  bool is_rounding(const Lines& lines, const Gap::Overlap& o) const {
-    return o.shallow && 4 * lines.rounding <= lines.reach;
-  }
   bool at_horizon(const GapTime& t) const { return t.compare(window_) >= 0; }
   using Pairs = std::map<Pair, Carried>;
   void forget_if_done(Pairs::iterator it);
