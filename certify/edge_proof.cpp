@@ -311,6 +311,11 @@ std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch
   return root;
 }
 
+bool proved_not_legal(const Motion& motion, const Quad& q, const Rational& t) {
+  const EdgeSigns signs = signs_at(q, sites(motion, q, Ball(t, motion.goal_bits() + 32)));
+  return signs.end_in_start == Sign::negative || signs.start_in_end == Sign::negative;
+}
+
 bool proved_illegal(const Motion& motion, const Quad& q, const Rational& t) {
   const auto at = sites(motion, q, Ball(t, motion.goal_bits() + 32));
   const std::array<GenId, 4> ids{q.l, q.r, q.s, q.e};

@@ -134,7 +134,12 @@ void FirstDivergence::look_for_flips(Earliest& first) {
     }
     if (!c) continue;
     const auto [lo, hi] = s_.chronology.enclosure(Moment::of(q, *c));
-    if (hi < first.limit - margin(first)) first = {refuter_.missing_flip(q, *c), lo};
+    if (!(hi < first.limit - margin(first))) continue;
+    try {
+      first = {refuter_.missing_flip(q, *c), lo};
+    } catch (const Undecided&) {
+      undecided = true;
+    }
   }
   if (undecided) {
     s_.certificate.remarks.push_back(

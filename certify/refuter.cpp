@@ -1,5 +1,6 @@
 #include "certify/refuter.h"
 
+#include "certify/edge_proof.h"
 #include "certify/witness.h"
 #include "certify/wording.h"
 
@@ -29,7 +30,11 @@ void Refuter::refute(Fault fault, const std::string& truth, Witness witness) con
 }
 
 Divergence Refuter::missing_flip(const Quad& q, const Collapse& root) const {
-  Divergence d = missing_flip(q, Moment::of(q, root));
+  const Moment m = Moment::of(q, root);
+  if (proved_not_legal(s_.motion, q, to_rational(s_.chronology.enclosure(m)[0]))) {
+    throw Undecided("an edge is illegal before it collapses, since generators overlapped", q);
+  }
+  Divergence d = missing_flip(q, m);
   const auto [lo, hi] = interval_of(root);
   d.witness = collapse_witness(s_.motion, q, lo, hi);
   return d;

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "evidence/evidence.h"
 #include "history/error.h"
 #include "history/sha256.h"
 #include "tests/certify/claimed_history.h"
@@ -59,6 +60,16 @@ testing::ClaimedHistory claimed(const ReadScene& scene, const History& history) 
 
 namespace {
 
+// With CGAL's word on the witness: where that contradicts, the certifier has failed.
+Answer refuted(const Divergence& d) {
+  const EvidenceCheck evidence = check_evidence(d);
+  if (evidence.evidence == Evidence::contradicted) return {Verdict::failed, evidence.sentence};
+  return {Verdict::refuted,
+          std::string(fault_names[static_cast<std::size_t>(d.fault)]) + ", line " +
+              std::to_string(d.line) + ": " + d.truth,
+          d.true_time ? std::optional(d.true_time->at(1)) : std::nullopt};
+}
+
 Answer ask_certifier(const Scene& scene, const testing::ClaimedHistory& history, Truth truth,
                      const Asking& asking) {
   CertifyOptions options;
@@ -73,11 +84,7 @@ Answer ask_certifier(const Scene& scene, const testing::ClaimedHistory& history,
       case voroproof::internal::Verdict::certified:
         return {Verdict::certified, {}};
       case voroproof::internal::Verdict::refuted:
-        return {
-            Verdict::refuted,
-            std::string(fault_names[static_cast<std::size_t>(c.divergence->fault)]) + ", line " +
-                std::to_string(c.divergence->line) + ": " + c.divergence->truth,
-            c.divergence->true_time ? std::optional(c.divergence->true_time->at(1)) : std::nullopt};
+        return refuted(*c.divergence);
       case voroproof::internal::Verdict::undecided:
         return {Verdict::undecided, c.reason};
     }
