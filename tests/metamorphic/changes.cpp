@@ -224,7 +224,8 @@ Comparison compare_still_maneuvers(const World& world) {
   Run their_run = simulated(theirs.scene);
   // A mirror image of which one side has a maneuver is none for what proves ties by symmetry: then
   // a tie may take more than the budget.
-  if (their_run.endless() || their_run.outcome.kind == Outcome::Kind::stopped) return {};
+  const bool stopped = their_run.outcome.kind == Outcome::Kind::stopped;
+  if (their_run.endless() || (stopped && !world.generic)) return {};
   const RecordedRun complete = their_run;
   without(their_run, maneuvers);
   std::string difference;
