@@ -2,7 +2,7 @@
 JOBS ?= $(shell nproc)
 MAKEFLAGS += --no-print-directory
 
-SOURCES = $(shell find exact filtered topology history kinetic queries planning certify corpus evidence kernel library include python apps bench tests \
+SOURCES = $(shell find exact filtered history engine certify corpus library python apps bench tests \
   -name '*.h' -o -name '*.cpp')
 
 .PHONY: build demo test lists bench api site packages format clean

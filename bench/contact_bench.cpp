@@ -8,8 +8,8 @@
 #include "bench/plain_motion.h"
 #include "bench/predicates_bench.h"
 #include "bench/tasks.h"
+#include "engine/static_diagram.h"
 #include "filtered/search/contact.h"
-#include "kinetic/static_diagram.h"
 
 namespace voroproof::internal::bench {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "corpus/generate.h"
-#include "kinetic/static_diagram.h"
+#include "engine/static_diagram.h"
 #include "library/maneuver_input.h"
 
 namespace voroproof::internal::bench {

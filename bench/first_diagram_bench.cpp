@@ -16,7 +16,7 @@
 #include "bench/report.h"
 #include "bench/simulation.h"
 #include "bench/statistics.h"
-#include "kinetic/static_diagram.h"
+#include "engine/static_diagram.h"
 #include "library/maneuver_input.h"
 
 namespace voroproof::internal::bench {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "bench/tasks.h"
+#include "engine/static_diagram.h"
 #include "filtered/search/contact.h"
-#include "kinetic/static_diagram.h"
 
 namespace voroproof::internal::bench {
 

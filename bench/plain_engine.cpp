@@ -1,13 +1,13 @@
 #include "bench/plain_engine.h"
 
 #include "bench/plain_motion.h"
-#include "kinetic/processing.h"
+#include "engine/processing.h"
 
 namespace voroproof::internal::bench {
 
 namespace {
 
-// Arithmetic in plain doubles, with the members of Certified (kinetic/certified.h).
+// Arithmetic in plain doubles, with the members of Certified (engine/certified.h).
 class PlainDoubles {
  public:
   PlainDoubles(Motion& motion, EngineStats&) : plain_(motion) {}

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "kinetic/engine.h"
+#include "engine/engine.h"
 
 namespace voroproof::internal::bench {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/engine.h"
 #include "history/scene.h"
-#include "kinetic/engine.h"
 
 namespace voroproof::internal::bench {
 

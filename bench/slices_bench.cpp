@@ -22,11 +22,11 @@
 #include "bench/report.h"
 #include "bench/simulation.h"
 #include "bench/statistics.h"
-#include "kinetic/engine.h"
-#include "kinetic/event_sink.h"
-#include "kinetic/follower.h"
-#include "kinetic/leader.h"
-#include "kinetic/slice.h"
+#include "engine/engine.h"
+#include "engine/event_sink.h"
+#include "engine/follower.h"
+#include "engine/leader.h"
+#include "engine/slice.h"
 #include "library/maneuver_input.h"
 
 namespace voroproof::internal::bench {

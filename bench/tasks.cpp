@@ -4,7 +4,7 @@
 #include <random>
 
 #include "bench/plain_motion.h"
-#include "kinetic/engine.h"
+#include "engine/engine.h"
 #include "library/maneuver_input.h"
 
 namespace voroproof::internal::bench {

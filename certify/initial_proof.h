@@ -12,9 +12,9 @@
 #include <optional>
 #include <string>
 
+#include "exact/topology/diagram.h"
 #include "filtered/motion/motion.h"
 #include "filtered/numbers/stats.h"
-#include "topology/diagram.h"
 
 namespace voroproof::internal {
 

@@ -13,7 +13,7 @@
 #include "certify/collision_law.h"
 #include "certify/path.h"
 #include "exact/prefetch.h"
-#include "topology/diagram.h"
+#include "exact/topology/diagram.h"
 
 namespace voroproof::internal {
 

@@ -1,4 +1,4 @@
-// The report of a certification, as JSON (schemas/report.schema.json).
+// The report of a certification, as JSON (packaging/schemas/report.schema.json).
 #pragma once
 
 #include <cstdint>

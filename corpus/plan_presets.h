@@ -8,7 +8,7 @@
 
 namespace voroproof::internal {
 
-// Tasks after those of the paper, to be planned with planning/:
+// Tasks after those of the paper, to be planned with library/planning/:
 //
 //   five               five vehicles, one of which crosses the ways of all others (Fig. 23)
 //   square-to-circle   20 vehicles from the outline of a square to a circle (Figs. 24 to 26)

@@ -2,9 +2,9 @@
 // operation.
 //
 // The compiler must neither contract a product and a sum to one operation nor reorder: that is
-// asked for in cmake/Voroproof.cmake, and what can be seen of it at compile time is required here.
-// The rest belongs to the thread at run time, where other code may have changed it: see
-// require_ieee_arithmetic().
+// asked for in packaging/cmake/Voroproof.cmake, and what can be seen of it at compile time is
+// required here. The rest belongs to the thread at run time, where other code may have changed it:
+// see require_ieee_arithmetic().
 #pragma once
 
 #include <cfloat>

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "evidence/evidence.h"
+#include "certify/evidence/evidence.h"
+#include "engine/static_diagram.h"
 #include "history/descriptor.h"
 #include "history/error.h"
 #include "history/json_text.h"
 #include "history/sha256.h"
-#include "kinetic/static_diagram.h"
 
 namespace voroproof::internal {
 

@@ -19,9 +19,9 @@ void require_meaningful(const CertifyOptions& options, const HistoryHeader& head
 // or refutes it.
 std::vector<Quad> construct_initial(Motion& motion);
 
-// The words of a third party about the witness of a refutation (evidence/evidence.h); empty without
-// one. Throws std::logic_error, with the files to report, where it says that the witness is false:
-// then the certifier is not to be believed, and nothing may be printed.
+// The words of a third party about the witness of a refutation (certify/evidence/evidence.h); empty
+// without one. Throws std::logic_error, with the files to report, where it says that the witness is
+// false: then the certifier is not to be believed, and nothing may be printed.
 std::string checked_evidence(const Certificate& certificate, const std::string& scene_path,
                              const std::string& history_path);
 

@@ -11,7 +11,7 @@
 #include "certify/replay.h"
 #include "certify/shard.h"
 #include "history/claim.h"
-#include "queries/recorded_moment.h"
+#include "library/queries/recorded_moment.h"
 
 namespace voroproof::internal {
 

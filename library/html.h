@@ -8,8 +8,8 @@
 
 namespace voroproof::internal {
 
-// A page with a gap for its title and one for its data, each part in pieces. cmake/EmbedPage.cmake
-// makes it of a folder's page.html.
+// A page with a gap for its title and one for its data, each part in pieces.
+// packaging/cmake/EmbedPage.cmake makes it of a folder's page.html.
 struct PageTemplate {
   std::span<const std::string_view> before_title, before_data, after_data;
 };

@@ -1,9 +1,9 @@
 // Makes of a scene file's contents what the engine takes.
 #pragma once
 
+#include "engine/engine.h"
 #include "history/scene.h"
 #include "history/scene_motion.h"
-#include "kinetic/engine.h"
 
 namespace voroproof::internal {
 

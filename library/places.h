@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
+#include "engine/engine.h"
 #include "history/scene.h"
-#include "kinetic/engine.h"
 #include "library/illegal_edge.h"
-#include "queries/recorded_moment.h"
+#include "library/queries/recorded_moment.h"
 
 namespace voroproof::internal {
 

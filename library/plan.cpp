@@ -2,8 +2,8 @@
 
 #include "history/json_text.h"
 #include "history/plan_file.h"
+#include "library/planning/planner.h"
 #include "library/values.h"
-#include "planning/planner.h"
 
 namespace voroproof {
 namespace {

@@ -3,10 +3,10 @@
 #include <map>
 #include <stdexcept>
 
+#include "library/queries/free_space.h"
+#include "library/queries/nearest.h"
 #include "library/true_moment.h"
 #include "library/values.h"
-#include "queries/free_space.h"
-#include "queries/nearest.h"
 
 namespace voroproof {
 

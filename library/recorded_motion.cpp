@@ -9,11 +9,11 @@
 #include "filtered/motion/enclosures.h"
 #include "filtered/numbers/dd_ball.h"
 #include "history/error.h"
+#include "library/queries/openings.h"
+#include "library/queries/over_time.h"
+#include "library/queries/void_lives.h"
 #include "library/true_moment.h"
 #include "library/values.h"
-#include "queries/openings.h"
-#include "queries/over_time.h"
-#include "queries/void_lives.h"
 
 namespace voroproof {
 namespace internal {

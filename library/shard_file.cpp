@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "evidence/evidence.h"
+#include "certify/evidence/evidence.h"
 #include "history/error.h"
 #include "library/report_reader.h"
 

@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/engine.h"
 #include "history/scene_motion.h"
-#include "kinetic/engine.h"
 #include "library/maneuver_input.h"
 #include "library/values.h"
 #include "voroproof/version.h"

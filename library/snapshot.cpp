@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "exact/names.h"
+#include "exact/topology/named_diagram.h"
 #include "history/error.h"
 #include "history/json_text.h"
 #include "library/illegal_edge.h"
 #include "library/places.h"
+#include "library/queries/replayed_motion.h"
 #include "library/true_moment.h"
-#include "queries/replayed_motion.h"
-#include "topology/named_diagram.h"
 
 namespace voroproof::internal {
 namespace {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 
+#include "engine/engine.h"
 #include "history/diagram_file.h"
 #include "history/scene.h"
-#include "kinetic/engine.h"
 #include "library/history_index.h"
-#include "queries/recorded_moment.h"
+#include "library/queries/recorded_moment.h"
 
 namespace voroproof::internal {
 

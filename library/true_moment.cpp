@@ -2,11 +2,11 @@
 
 #include <utility>
 
+#include "engine/static_diagram.h"
 #include "exact/patience.h"
 #include "history/json_text.h"
-#include "kinetic/static_diagram.h"
 #include "library/maneuver_input.h"
-#include "queries/replayed_motion.h"
+#include "library/queries/replayed_motion.h"
 
 namespace voroproof::internal {
 std::unique_ptr<Engine> run_to(const Scene& scene, const Rational& t,

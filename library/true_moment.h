@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
+#include "engine/engine.h"
+#include "exact/topology/diagram.h"
 #include "filtered/motion/motion.h"
 #include "history/scene.h"
-#include "kinetic/engine.h"
-#include "topology/diagram.h"
 
 namespace voroproof::internal {
 

@@ -1,5 +1,5 @@
-// Converts between the values of the library's headers (include/voroproof/) and those of the
-// program.
+// Converts between the values of the library's headers (library/include/voroproof/) and those of
+// the program.
 #pragma once
 
 #include <memory>
@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "certify/certificate.h"
+#include "engine/engine.h"
 #include "exact/enclosure.h"
 #include "exact/rounding.h"
 #include "history/claim.h"
@@ -14,8 +15,7 @@
 #include "history/error.h"
 #include "history/history_source.h"
 #include "history/scene.h"
-#include "kinetic/engine.h"
-#include "queries/clearance.h"
+#include "library/queries/clearance.h"
 #include "voroproof/certify.h"
 #include "voroproof/diagram.h"
 #include "voroproof/free_space.h"

@@ -3,7 +3,7 @@
 
 usage: scripts/check-filters.py
 
-Each script of proofs/filters/ is about some lines of code, which must be there as CODE below has them. The constant
+Each script of certify/proofs/filters/ is about some lines of code, which must be there as CODE below has them. The constant
 of its bound is read out of the sources (BOUNDS), with what the other constants that rest on it must leave room for
 (ROOM). Other scripts are made from what the code computes: coefficients of products (FORMS), the circles of rough
 judges (circles()), use of a form later (later_use()), sums with a few roundings on every way (WAYS), factors that pay
@@ -17,7 +17,7 @@ import shutil
 import sys
 
 TREE = pathlib.Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(TREE / "proofs" / "filters"))
+sys.path.insert(0, str(TREE / "certify" / "proofs" / "filters"))
 sys.dont_write_bytecode = True
 from formula import Formula, exact_inputs, paid, why_not  # noqa: E402  (the folder is named above)
 
@@ -72,7 +72,7 @@ CODE = [
     ("filtered/motion/window_places.h", """    const T ta = a - m.t, tb = b - m.t;
     x0 = m.x + m.vx * ta;
 """),
-    # proofs/Newton.v and proofs/Growth.v.
+    # certify/proofs/Newton.v and certify/proofs/Growth.v.
     ("filtered/search/newton_step.cpp", """  const double size = std::fabs(f), step = f / slope;
   const auto sigma_within = [&](double reach) { return (e_slope + curve * reach) * up; };
   const auto least_for = [&](double sigma) { return (std::fabs(slope) - sigma) * (1 - 0x1p-50); };
@@ -273,7 +273,7 @@ def constant(file, pattern):
 
 
 def why_not_case(script, case, bound):
-    text = (TREE / "proofs" / "filters" / f"{script}.gappa").read_text()
+    text = (TREE / "certify" / "proofs" / "filters" / f"{script}.gappa").read_text()
     for name, value in sorted(case.items(), reverse=True):
         text = re.sub(rf"\b{name}\b", value, text)
     return why_not(text.replace("BOUND", str(bound)))
@@ -283,7 +283,7 @@ def main():
     if not shutil.which("gappa"):
         print("check-filters: skipped: gappa is not installed (scripts/install-deps.sh proofs)")
         return 77
-    bad = [f"{file} has no longer the lines of a script in proofs/filters:\n{lines}"
+    bad = [f"{file} has no longer the lines of a script in certify/proofs/filters:\n{lines}"
            for file, lines in CODE if (TREE / file).read_text().count(lines) != 1]
     bounds = {}
     for name, (script, cases, file, pattern) in BOUNDS.items():

@@ -22,9 +22,9 @@ fail() {
 }
 
 echo "== packages"
-# In a copy, as building packages writes into debian/.
+# In a copy, as building packages writes into packaging/debian/.
 mkdir "$work/source"
-cp -r debian "$work/source"
+cp -r packaging/debian "$work/source"
 (cd "$work/source" && VOROPROOF_BUILD=$build DEB_BUILD_OPTIONS=noautodbgsym \
   dpkg-buildpackage --build=binary --no-pre-clean --no-sign > "$work/build.log" 2>&1) ||
   { cat "$work/build.log"; fail "no packages"; }
@@ -82,7 +82,7 @@ inside sh -c 'apt-get install -y -qq --no-install-recommends /packages/*.deb' > 
   { cat "$work/install.log"; fail "the packages cannot be installed"; }
 
 echo "== use"
-version=$(sed -n '1s/.*(\(.*\)-.*).*/\1/p' debian/changelog)
+version=$(sed -n '1s/.*(\(.*\)-.*).*/\1/p' packaging/debian/changelog)
 [ "$(inside voroproof --version)" = "voroproof $version" ] || fail "another version than $version"
 inside sh -ec '
   cd "$(mktemp -d)"

@@ -22,7 +22,7 @@ build=$(realpath -m "${2:-build/proofs}")
 proved=$build/voroproof-proved
 lists=tests/proofs
 
-make -s -C proofs BUILD="$build" all axioms >"/dev/null"
+make -s -C certify/proofs BUILD="$build" all axioms >"/dev/null"
 
 failed=0
 complain() {
@@ -33,7 +33,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 # No holes, no axioms of ours. Comments of these files do not use the words.
-if grep -nwE 'Admitted|admit|Axiom|Axioms|Parameter|Conjecture|Abort|Unset' proofs/*.v | grep -v '^proofs/Audit.v'; then
+if grep -nwE 'Admitted|admit|Axiom|Axioms|Parameter|Conjecture|Abort|Unset' certify/proofs/*.v | grep -v '^certify/proofs/Audit.v'; then
   complain "proofs: not everything is proved"
 fi
 axioms=$(grep -oE '^[A-Za-z_.]+' "$build/axioms.txt" | grep -v '^Axioms' | sort -u | tr '\n' ' ')

@@ -11,7 +11,7 @@
 #   packages: what scripts/check-packages.sh takes besides
 #   proofs: Coq, OCaml and the libraries of voroproof-proved, Gappa
 #   site:  Sphinx with its theme, and what runs the notebooks and makes the references
-#   cluster: what cluster/ takes, and a Slurm to test it with
+#   cluster: what packaging/cluster/ takes, and a Slurm to test it with
 #   browser: what testing pages and photographing that of `movie` takes besides (large); axe-core, which Debian does not have,
 #          from npm into the folder of caches: one file, held against the hash below
 #

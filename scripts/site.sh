@@ -25,7 +25,7 @@ rm -rf "$out" "$source"
 mkdir -p "$source"
 
 # The documents and what they link to, in their own layout, as links: nothing is copied.
-git ls-files -z --cached --others --exclude-standard -- '*.md' '*.h' docs schemas LICENSE tests/proofs tests/faults/faults.json |
+git ls-files -z --cached --others --exclude-standard -- '*.md' '*.h' docs packaging/schemas LICENSE tests/proofs tests/faults/faults.json |
   while IFS= read -r -d '' file; do
     [[ -e $file && $file != docs/site/* ]] || continue
     mkdir -p "$source/$(dirname "$file")"

@@ -19,14 +19,14 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 DOCUMENT = ROOT / "docs" / "certificate.md"
 ENTRIES = ["certify/certifier.h", "history/claim.h"]
-ROOMS = ["certify", "exact", "filtered/numbers", "filtered/motion", "filtered/search", "topology", "history"]
+ROOMS = ["certify", "exact", "filtered/numbers", "filtered/motion", "filtered/search", "exact/topology", "history"]
 SUBJECTS = {
     "certify": "the checker and its proofs",
     "exact": "numbers and predicates",
     "filtered/numbers": "enclosures in doubles and double-doubles",
     "filtered/motion": "the motion",
     "filtered/search": "where doubles fail: searches, roots, ties proved by symmetry",
-    "topology": "the diagram as incidences",
+    "exact/topology": "the diagram as incidences",
     "history": "the readers",
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)

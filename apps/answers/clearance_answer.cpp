@@ -1,7 +1,7 @@
 #include "apps/answers/clearance_answer.h"
 
 #include "history/error.h"
-#include "planning/wall_clearance.h"
+#include "library/planning/wall_clearance.h"
 
 namespace voroproof::internal {
 namespace {

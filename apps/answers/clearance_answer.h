@@ -6,7 +6,7 @@
 #include <string>
 
 #include "apps/answers/query_answer.h"
-#include "planning/given_clearance.h"
+#include "library/planning/given_clearance.h"
 
 namespace voroproof::internal {
 

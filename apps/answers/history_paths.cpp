@@ -4,9 +4,9 @@
 #include <variant>
 
 #include "history/json_text.h"
+#include "library/queries/history_cursor.h"
+#include "library/queries/paths.h"
 #include "library/true_moment.h"
-#include "queries/history_cursor.h"
-#include "queries/paths.h"
 
 namespace voroproof::internal {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "planning/planner.h"
+#include "library/planning/planner.h"
 
 namespace voroproof::internal {
 

@@ -8,7 +8,7 @@
 #include "exact/enclosure.h"
 #include "exact/names.h"
 #include "history/scene.h"
-#include "queries/clearance.h"
+#include "library/queries/clearance.h"
 
 namespace voroproof::internal {
 

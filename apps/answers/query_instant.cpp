@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "queries/free_space.h"
-#include "queries/nearest.h"
+#include "library/queries/free_space.h"
+#include "library/queries/nearest.h"
 
 namespace voroproof::internal {
 namespace {

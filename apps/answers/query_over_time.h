@@ -4,11 +4,11 @@
 #include <string>
 
 #include "apps/answers/query_answer.h"
-#include "queries/history_cursor.h"
-#include "queries/openings.h"
-#include "queries/over_time.h"
-#include "queries/paths.h"
-#include "queries/void_lives.h"
+#include "library/queries/history_cursor.h"
+#include "library/queries/openings.h"
+#include "library/queries/over_time.h"
+#include "library/queries/paths.h"
+#include "library/queries/void_lives.h"
 
 namespace voroproof::internal {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "apps/cli/verb.h"
-#include "kinetic/engine.h"
+#include "engine/engine.h"
 
 namespace voroproof::internal {
 

@@ -16,13 +16,14 @@ void become_faster_variant([[maybe_unused]] char** argv) {
       !__builtin_cpu_supports("bmi") || !__builtin_cpu_supports("bmi2")) {
     return;
   }
-  // The other program lies beside this one, wherever it was installed to.
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return;
-  const std::filesystem::path faster = self.parent_path() / VOROPROOF_FASTER_VARIANT;
-  // Returns only where there is no such program.
-  execv(faster.c_str(), argv);
+  // The other program lies near this one, wherever the tree was installed to, or in the build
+  // directory. execv returns only where there is no such program.
+  for (const char* place : {VOROPROOF_FASTER_VARIANT, "variant-avx2/voroproof"}) {
+    execv((self.parent_path() / place).c_str(), argv);
+  }
 #endif
 }
 

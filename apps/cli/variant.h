@@ -4,8 +4,9 @@
 namespace voroproof::internal {
 
 // Where this program is the one for any processor, the processor has what the other one is compiled
-// for, and that is installed (cmake/Variants.cmake): becomes it, with the same arguments. Returns
-// otherwise, and where the environment has VOROPROOF_VARIANT=baseline. Both give the same bytes.
+// for, and that is installed (packaging/cmake/Variants.cmake): becomes it, with the same arguments.
+// Returns otherwise, and where the environment has VOROPROOF_VARIANT=baseline. Both give the same
+// bytes.
 void become_faster_variant(char** argv);
 
 }  // namespace voroproof::internal

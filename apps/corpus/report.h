@@ -49,7 +49,8 @@ std::string report_for_terminal(const CorpusRunInfo& info,
                                 const std::vector<ProgramResult>& results);
 std::string report_for_terminal(const CorpusRunInfo& info, const std::vector<OwnResult>& results);
 
-// The content of the JSON file, and its text; schemas/corpus-report.schema.json lists its fields.
+// The content of the JSON file, and its text; packaging/schemas/corpus-report.schema.json lists its
+// fields.
 nlohmann::ordered_json report_data(const CorpusRunInfo& info,
                                    const std::vector<ProgramResult>& results);
 nlohmann::ordered_json report_data(const CorpusRunInfo& info,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "history/events.h"
-#include "planning/planner.h"
+#include "library/planning/planner.h"
 
 namespace voroproof::internal {
 

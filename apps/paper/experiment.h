@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/engine.h"
 #include "history/events.h"
 #include "history/scene.h"
-#include "kinetic/engine.h"
 
 namespace voroproof::internal {
 

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "exact/predicates.h"
+#include "exact/topology/named_diagram.h"
 #include "filtered/search/collapse.h"
 #include "history/error.h"
 #include "history/history_file.h"
 #include "library/certification.h"
 #include "library/maneuver_input.h"
-#include "queries/followed_history.h"
-#include "topology/named_diagram.h"
+#include "library/queries/followed_history.h"
 
 namespace voroproof::internal {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/static_diagram.h"
 #include "filtered/search/root_presence.h"
-#include "kinetic/static_diagram.h"
 
 namespace voroproof::internal {
 

@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "engine/engine.h"
+#include "exact/topology/named_diagram.h"
 #include "filtered/search/contact.h"
-#include "kinetic/engine.h"
-#include "topology/named_diagram.h"
 
 namespace voroproof::internal {
 

@@ -5,11 +5,11 @@
 #include <utility>
 #include <variant>
 
+#include "engine/engine.h"
 #include "history/atomic_file.h"
 #include "history/error.h"
 #include "history/json_text.h"
 #include "history/sha256.h"
-#include "kinetic/engine.h"
 
 namespace voroproof::internal {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "apps/run/kept_file.h"
+#include "engine/event_sink.h"
 #include "history/history_file.h"
-#include "kinetic/event_sink.h"
 
 namespace voroproof::internal {
 

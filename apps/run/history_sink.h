@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/engine.h"
 #include "history/history_file.h"
-#include "kinetic/engine.h"
 
 namespace voroproof::internal {
 

@@ -12,8 +12,8 @@
 #include "apps/run/checkpoints.h"
 #include "apps/run/history_sink.h"
 #include "apps/run/partial_file.h"
+#include "engine/engine.h"
 #include "history/history_file.h"
-#include "kinetic/engine.h"
 
 namespace voroproof::internal {
 

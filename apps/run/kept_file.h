@@ -27,8 +27,8 @@
 #include <optional>
 #include <string>
 
+#include "engine/kept_run.h"
 #include "history/history_file.h"
-#include "kinetic/kept_run.h"
 
 namespace voroproof::internal {
 

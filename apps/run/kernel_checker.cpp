@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "apps/run/second_checker.h"
-#include "kernel/kernel.h"
+#include "certify/kernel/kernel.h"
 
 namespace voroproof::internal {
 

@@ -28,7 +28,7 @@ struct SecondChecker {
 SecondChecker kernel_checker();
 
 // The proved checker (docs/proved.md), which is the program voroproof-proved: beside this one, in
-// the folder proofs/ beside it, where a build has it, or in a folder of PATH.
+// the folder certify/proofs/ beside it, where a build has it, or in a folder of PATH.
 SecondChecker proved_checker();
 
 // Those that are asked for. Throws UsageError where one cannot judge what is asked (under these

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "engine/engine.h"
 #include "history/history_file.h"
-#include "kinetic/engine.h"
 
 namespace voroproof::internal {
 

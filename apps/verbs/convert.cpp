@@ -20,7 +20,7 @@
 #include "history/json_text.h"
 #include "history/output_file.h"
 #include "history/paths_scene.h"
-#include "planning/given_clearance.h"
+#include "library/planning/given_clearance.h"
 
 namespace voroproof::internal {
 namespace {

@@ -14,8 +14,8 @@
 #include "history/json_text.h"
 #include "history/output_file.h"
 #include "history/sha256.h"
-#include "planning/assignment.h"
-#include "planning/planner.h"
+#include "library/planning/assignment.h"
+#include "library/planning/planner.h"
 
 namespace voroproof::internal {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/engine.h"
 #include "history/claim.h"
-#include "kinetic/engine.h"
 #include "library/history_index.h"
 
 namespace voroproof::internal {

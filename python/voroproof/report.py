@@ -115,7 +115,7 @@ class Report:
         return _core.explain(self.json)
 
     def to_dict(self) -> Dict[str, Any]:
-        """The fields of the report's file (schemas/report.schema.json)."""
+        """The fields of the report's file (packaging/schemas/report.schema.json)."""
         return json.loads(self.json)
 
     def write(self, path: Path) -> None:

@@ -6,12 +6,12 @@
 #include <fstream>
 #include <iterator>
 
-#include "evidence/evidence.h"
+#include "certify/evidence/evidence.h"
 #include "history/error.h"
 #include "history/sha256.h"
 #include "tests/certify/claimed_history.h"
 #ifdef VOROPROOF_KERNEL
-#include "kernel/kernel.h"
+#include "certify/kernel/kernel.h"
 #endif
 
 namespace voroproof::internal::adversary {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "certify/evidence/evidence.h"
 #include "certify/report.h"
-#include "evidence/evidence.h"
 #include "tests/certify/handmade_history.h"
 #include "tests/support/random_scenes.h"
 

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/static_diagram.h"
 #include "history/scene_motion.h"
-#include "kinetic/static_diagram.h"
 #include "tests/support/lattice_scene.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scene_run.h"

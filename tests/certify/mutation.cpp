@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "exact/predicates.h"
+#include "exact/topology/diagram.h"
 #include "tests/support/compact_arithmetic.h"
-#include "topology/diagram.h"
 
 namespace voroproof::internal::testing {
 

@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "certify/report.h"
+#include "exact/topology/diagram.h"
 #include "tests/certify/claimed_history.h"
 #include "tests/certify/mutation.h"
 #include "tests/support/random_scenes.h"
-#include "topology/diagram.h"
 
 namespace voroproof::internal::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "certify/report.h"
-#include "kinetic/static_diagram.h"
+#include "engine/static_diagram.h"
 #include "library/maneuver_input.h"
 #include "tests/certify/claimed_history.h"
 #include "tests/support/random_scenes.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""cluster/certify_mpi.py for real: four ranks give the report of one process, also with an index, of a history that is
+"""packaging/cluster/certify_mpi.py for real: four ranks give the report of one process, also with an index, of a history that is
 false, after a rank was killed in the middle, and where certificates of other bytes or options are there. A rank that
 fails ends the job.
 
@@ -15,7 +15,7 @@ import sys
 import tempfile
 import time
 
-DRIVER = pathlib.Path(__file__).resolve().parents[2] / "cluster" / "certify_mpi.py"
+DRIVER = pathlib.Path(__file__).resolve().parents[2] / "packaging" / "cluster" / "certify_mpi.py"
 PYTHON = "/usr/bin/python3"  # Debian's, which has Debian's mpi4py
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none"}

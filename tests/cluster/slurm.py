@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""cluster/certify_array.sh and cluster/Snakefile under a Slurm of one node on this machine: the array gives the report
+"""packaging/cluster/certify_array.sh and packaging/cluster/Snakefile under a Slurm of one node on this machine: the array gives the report
 of one process, also where tasks were lost, and the workflow that of each of many scenes. Where the history is replaced,
 or the options are others, nothing that is there counts as done.
 
@@ -19,7 +19,7 @@ import sys
 import tempfile
 import time
 
-CLUSTER = pathlib.Path(__file__).resolve().parents[2] / "cluster"
+CLUSTER = pathlib.Path(__file__).resolve().parents[2] / "packaging" / "cluster"
 TOOLS = ["slurmctld", "slurmd", "munged", "sbatch", "scancel", "snakemake"]
 SHARDS = 6
 

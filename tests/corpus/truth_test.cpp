@@ -16,11 +16,11 @@
 #include <variant>
 #include <vector>
 
+#include "exact/topology/diagram.h"
 #include "history/diagram_file.h"
 #include "history/history_file.h"
 #include "history/scene.h"
 #include "tests/support/history_check.h"
-#include "topology/diagram.h"
 
 namespace voroproof::internal::testing {
 namespace {

@@ -57,7 +57,7 @@ NOT_RUN = {
             "takes files of other repositories",
     },
     "docs/cluster.md": {
-        "sbatch --wait --array=1-16 cluster/certify_array.sh a.scene.json a.history.jsonl a.shards":
+        "sbatch --wait --array=1-16 packaging/cluster/certify_array.sh a.scene.json a.history.jsonl a.shards":
             "takes a Slurm; tests/cluster/slurm.py has one",
     },
     "docs/python.md": {

@@ -1,5 +1,5 @@
 // True witnesses are confirmed, and false ones are seen.
-#include "evidence/evidence.h"
+#include "certify/evidence/evidence.h"
 
 #include <gtest/gtest.h>
 

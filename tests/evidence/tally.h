@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "evidence/evidence.h"
+#include "certify/evidence/evidence.h"
 
 namespace voroproof::internal::testing {
 

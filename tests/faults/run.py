@@ -49,12 +49,13 @@ ORDER = {
     "certify": [CERTIFY, CORPUS, program("evidence_test"), CASES, program("adversary_test")],
     "filtered": [program("filtered_test"), program("carry_test"), program("symmetry_test"), CERTIFY,
                  CORPUS, program("engine_oracle_test"), CASES],
-    "kernel": [program("kernel_test"), program("kernel_corpus_test"), program("adversary_test")],
+    "certify/kernel": [program("kernel_test"), program("kernel_corpus_test"), program("adversary_test")],
 }
 
 
 def room(fault):
-    return fault["file"].split("/")[0]
+    """The innermost room of ORDER that the file is in, or else its folder."""
+    return max((name for name in ORDER if fault["file"].startswith(name + "/")), key=len, default=fault["file"].split("/")[0])
 
 
 def load():

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "certify/certifier.h"
+#include "certify/kernel/kernel.h"
 #include "certify/report.h"
 #include "exact/tower.h"
 #include "filtered/motion/options.h"
 #include "history/claim.h"
 #include "history/error.h"
-#include "kernel/kernel.h"
 #include "library/certification.h"
 #include "library/explanation.h"
 #include "tests/fuzz/memory_file.h"

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "kernel/kernel.h"
+#include "certify/kernel/kernel.h"
 
 namespace voroproof_kernel {
 namespace {

@@ -1,5 +1,5 @@
 // Incidences that are no diagram, first diagrams that are none of these disks, and parts.
-#include "kernel/diagram.h"
+#include "certify/kernel/diagram.h"
 
 #include <map>
 

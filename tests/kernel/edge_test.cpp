@@ -1,6 +1,6 @@
 // In-circle signs, existence and collapses against circles that are known beforehand: generators
 // are put around a given circle at rational directions, so that geometry needs no approximation.
-#include "kernel/edge.h"
+#include "certify/kernel/edge.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // What the kernel's readers refuse, and numbers read exactly.
-#include "kernel/files.h"
+#include "certify/kernel/files.h"
 
 #include <gtest/gtest.h>
 
-#include "kernel/kernel.h"
+#include "certify/kernel/kernel.h"
 
 namespace voroproof_kernel {
 namespace {

@@ -1,5 +1,5 @@
 // Forms against evaluation in fractions, and instants that are equal or nearly so.
-#include "kernel/edge.h"
+#include "certify/kernel/edge.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/kernel.h"
-#include "kernel/motion.h"
+#include "certify/kernel/kernel.h"
+#include "certify/kernel/motion.h"
 
 namespace voroproof_kernel {
 

@@ -3,11 +3,11 @@
 #include <ctime>
 #include <exception>
 
-#include "evidence/evidence.h"
+#include "certify/evidence/evidence.h"
 #include "history/error.h"
 #include "tests/metamorphic/maps.h"
 #ifdef VOROPROOF_KERNEL
-#include "kernel/kernel.h"
+#include "certify/kernel/kernel.h"
 #endif
 
 namespace voroproof::internal::metamorphic {

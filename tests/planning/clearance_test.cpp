@@ -1,5 +1,5 @@
 // Timetables and gaps: exact values against sampling, exhaustive search and many digits.
-#include "planning/clearance.h"
+#include "library/planning/clearance.h"
 
 #include <gtest/gtest.h>
 

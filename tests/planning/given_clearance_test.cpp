@@ -1,5 +1,5 @@
 // Clearance of given paths, against fine sampling and by hand.
-#include "planning/given_clearance.h"
+#include "library/planning/given_clearance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Plans: that they keep clear by two independent ways, arrive, and fail where they must.
-#include "planning/planner.h"
+#include "library/planning/planner.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <numeric>
 
 #include "corpus/plan_presets.h"
-#include "planning/assignment.h"
+#include "exact/topology/diagram.h"
+#include "library/planning/assignment.h"
 #include "tests/planning/flight.h"
 #include "tests/support/scene_run.h"
-#include "topology/diagram.h"
 
 namespace voroproof::internal {
 namespace {

@@ -1,5 +1,5 @@
 // Gaps to the container on given paths, and contacts, against fine sampling and by hand.
-#include "planning/wall_clearance.h"
+#include "library/planning/wall_clearance.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "planning/given_clearance.h"
+#include "library/planning/given_clearance.h"
 
 namespace voroproof::internal {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "library/queries/clearance.h"
 #include "library/true_moment.h"
-#include "queries/clearance.h"
 #include "tests/oracle/circle.h"
 #include "tests/support/scene_run.h"
 

@@ -1,5 +1,5 @@
 // Components that follow changes against components found anew.
-#include "queries/changing_components.h"
+#include "library/queries/changing_components.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Voids, tunnels and critical radii against points sampled everywhere.
-#include "queries/free_space.h"
+#include "library/queries/free_space.h"
 
 #include <gtest/gtest.h>
 

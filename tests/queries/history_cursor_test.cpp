@@ -1,5 +1,5 @@
 // Steps through a history, there and back.
-#include "queries/history_cursor.h"
+#include "library/queries/history_cursor.h"
 
 #include <gtest/gtest.h>
 

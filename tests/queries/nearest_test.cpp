@@ -1,5 +1,5 @@
 // Near disks and closest pairs against all distances in 100 digits.
-#include "queries/nearest.h"
+#include "library/queries/nearest.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "queries/free_space.h"
+#include "library/queries/free_space.h"
 #include "tests/oracle/circle.h"
 #include "tests/queries/brute_moment.h"
 #include "tests/queries/free_space_cases.h"

@@ -1,5 +1,5 @@
 // Openings of tunnels and voids over time against the queries at many instants.
-#include "queries/openings.h"
+#include "library/queries/openings.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "library/queries/free_space.h"
 #include "library/true_moment.h"
-#include "queries/free_space.h"
 #include "tests/oracle/brute_force.h"
 #include "tests/queries/watched.h"
 #include "tests/support/compact_arithmetic.h"

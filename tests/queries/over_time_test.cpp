@@ -1,5 +1,5 @@
 // Least gaps and neighbours over time against the same asked at many instants.
-#include "queries/over_time.h"
+#include "library/queries/over_time.h"
 
 #include <gtest/gtest.h>
 

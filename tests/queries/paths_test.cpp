@@ -1,5 +1,5 @@
 // Recorded paths: those of the certifier, whatever centres a history claims.
-#include "queries/paths.h"
+#include "library/queries/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <variant>
 
 #include "certify/replay.h"
+#include "exact/topology/diagram.h"
 #include "history/error.h"
 #include "history/history_file.h"
 #include "tests/queries/watched.h"
-#include "topology/diagram.h"
 
 namespace voroproof::internal::testing {
 namespace {

@@ -1,12 +1,12 @@
 // Voids over time against those of many instants.
-#include "queries/void_lives.h"
+#include "library/queries/void_lives.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "library/queries/free_space.h"
 #include "library/true_moment.h"
-#include "queries/free_space.h"
 #include "tests/queries/watched.h"
 #include "tests/support/formation_scene.h"
 

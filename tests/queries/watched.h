@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "queries/history_cursor.h"
-#include "queries/paths.h"
+#include "library/queries/history_cursor.h"
+#include "library/queries/paths.h"
 #include "tests/queries/scene_history.h"
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"

@@ -1,4 +1,4 @@
-"""The schemas of schemas/, applied to files by Debian's python3-jsonschema."""
+"""The schemas of packaging/schemas/, applied to files by Debian's python3-jsonschema."""
 
 import copy
 import json
@@ -6,7 +6,7 @@ import pathlib
 
 import jsonschema
 
-FOLDER = pathlib.Path(__file__).resolve().parents[2] / "schemas"
+FOLDER = pathlib.Path(__file__).resolve().parents[2] / "packaging" / "schemas"
 # The names of the schemas. A history and an index have one for each kind of line.
 NAMES = sorted(path.name.removesuffix(".schema.json") for path in FOLDER.glob("*.schema.json")
                if not path.name.startswith("common."))

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "exact/topology/diagram.h"
 #include "tests/oracle/brute_force.h"
 #include "tests/support/history_check.h"
-#include "topology/diagram.h"
 
 namespace voroproof::internal::testing {
 namespace {

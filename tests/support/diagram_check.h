@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "exact/generators.h"
+#include "exact/topology/diagram.h"
 #include "tests/oracle/brute_force.h"
 #include "tests/oracle/cgal_apollonius.h"
 #include "tests/oracle/motion.h"
 #include "tests/oracle/tangent_circles.h"
 #include "tests/support/checked_run.h"
 #include "tests/support/edge_legality.h"
-#include "topology/diagram.h"
 
 namespace voroproof::internal::testing {
 

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <utility>
 
+#include "engine/kept_run.h"
 #include "history/error.h"
-#include "kinetic/kept_run.h"
 #include "library/maneuver_input.h"
 
 namespace voroproof::internal::testing {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/engine.h"
 #include "history/scene.h"
-#include "kinetic/engine.h"
 
 namespace voroproof::internal::testing {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "topology/diagram.h"
+#include "exact/topology/diagram.h"
 
 namespace voroproof::internal {
 namespace {

@@ -1,5 +1,5 @@
 // The diagram as incidences: construction, flips, the walk around a generator.
-#include "topology/diagram.h"
+#include "exact/topology/diagram.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/static_diagram.h"
 #include "filtered/search/contact.h"
-#include "kinetic/static_diagram.h"
 #include "library/maneuver_input.h"
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"

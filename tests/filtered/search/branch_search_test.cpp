@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "kinetic/static_diagram.h"
+#include "engine/static_diagram.h"
 #include "library/maneuver_input.h"
 #include "tests/filtered/search/collapse_truth.h"
 #include "tests/support/random_scenes.h"

@@ -1,8 +1,8 @@
 // Narrowing isolated roots in double-doubles.
 #include <gtest/gtest.h>
 
+#include "engine/static_diagram.h"
 #include "filtered/search/collapse.h"
-#include "kinetic/static_diagram.h"
 #include "library/maneuver_input.h"
 #include "tests/filtered/search/collapse_truth.h"
 #include "tests/support/random_scenes.h"

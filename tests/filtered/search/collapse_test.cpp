@@ -8,9 +8,9 @@
 #include <numeric>
 #include <vector>
 
+#include "engine/static_diagram.h"
 #include "exact/polynomial.h"
 #include "filtered/search/contact.h"
-#include "kinetic/static_diagram.h"
 #include "library/maneuver_input.h"
 #include "tests/filtered/search/collapse_truth.h"
 #include "tests/support/compact_arithmetic.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "kinetic/static_diagram.h"
+#include "engine/static_diagram.h"
 #include "library/maneuver_input.h"
 #include "tests/filtered/search/end_of_runs.h"
 #include "tests/support/compact_arithmetic.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kinetic/engine.h"
+#include "engine/engine.h"
 #include "library/maneuver_input.h"
 #include "tests/support/random_scenes.h"
 

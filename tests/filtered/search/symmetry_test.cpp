@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "kinetic/static_diagram.h"
+#include "engine/static_diagram.h"
 #include "library/maneuver_input.h"
 #include "tests/certify/claimed_history.h"
 #include "tests/oracle/brute_force.h"

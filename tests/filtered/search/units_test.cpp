@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/static_diagram.h"
 #include "filtered/search/collapse.h"
 #include "filtered/search/contact.h"
 #include "history/scene_motion.h"
-#include "kinetic/static_diagram.h"
 
 namespace voroproof::internal::testing {
 namespace {

@@ -1,0 +1,72 @@
+// Whole numbers, fractions, polynomials over an interval, and how a verdict ends the work.
+#pragma once
+
+#include <array>
+#include <boost/multiprecision/gmp.hpp>
+#include <vector>
+
+#include "certify/kernel/kernel.h"
+
+namespace voroproof_kernel {
+
+using Int =
+    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using Rat = boost::multiprecision::number<boost::multiprecision::gmp_rational,
+                                          boost::multiprecision::et_off>;
+using Vec = std::array<Rat, 2>;
+
+// A verdict that ends the work; line 0: the line at hand.
+struct Stop {
+  Verdict verdict;
+  std::string reason;
+  std::int64_t line = 0;
+  bool last = false;  // no rule holds after it, so that no later line is refuted
+};
+[[noreturn]] inline void refute(std::string why) { throw Stop{Verdict::refuted, std::move(why)}; }
+[[noreturn]] inline void undecided(std::string why) {
+  throw Stop{Verdict::undecided, std::move(why)};
+}
+[[noreturn]] inline void invalid(std::string why) { throw Stop{Verdict::invalid, std::move(why)}; }
+
+inline int sgn(const Int& x) { return x.sign(); }
+inline int sgn(const Rat& x) { return x.sign(); }
+inline Rat square(const Rat& x) { return x * x; }
+inline Rat dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline Rat norm2(const Vec& a) { return dot(a, a); }
+inline Vec plus(const Vec& v, const Rat& k, const Vec& n) {  // v + k n
+  return {v[0] + k * n[0], v[1] + k * n[1]};
+}
+inline Vec minus(const Vec& a, const Vec& b) { return plus(a, -1, b); }
+
+Rat power(int base, long exponent);
+// The value of a finite binary64, exactly.
+Rat exactly(double x);
+// The binary64 nearest to x (ties to even), by whole numbers; throws Stop where there is none.
+Rat nearest_binary64(const Rat& x);
+// The value of an exact string: decimal, fraction or hexadecimal float. Throws Stop (invalid).
+Rat exact_string(const std::string& text);
+// An upper bound of the length of v, less than 2^-60 of it too great.
+Rat length_above(const Vec& v);
+// The number for messages: nine digits after the point.
+std::string about(const Rat& x);
+
+// Over [a, b] time is t = (a + z b)/(1 + z), z in (0, oo). A form of degree d is the polynomial in
+// z that (1 + z)^d makes of one in t, by rising powers: the first coefficient is its value at a,
+// the last that at b, up to positive factors. At one time a = b a form is a number.
+struct Form : std::vector<Int> {
+  using std::vector<Int>::vector;
+};
+Form operator+(Form p, const Form& q);  // both have the same degree
+Form operator-(Form p, const Form& q);
+Form operator*(const Form& p, const Form& q);
+// The forms over the two halves of the interval.
+std::array<Form, 2> halves(const Form& p);
+bool is_zero(const Form& p);
+// Sign changes of the coefficients: at most so many roots in (a, b), and as many modulo 2.
+int variations(const Form& p);
+// A form with the same roots in (a, b), each of them once. p is not zero.
+Form squarefree(const Form& p);
+// The roots in (a, b) that both have. Neither is zero.
+Form common(Form p, Form q);
+
+}  // namespace voroproof_kernel

@@ -1,0 +1,123 @@
+#include "certify/kernel/kernel.h"
+
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "certify/kernel/motion.h"
+
+namespace voroproof_kernel {
+namespace {
+
+// The result of one task, in memory that processes share.
+struct Found {
+  Verdict verdict = Verdict::undecided;
+  std::int64_t line = 0;
+  bool last = false;
+  Counts counts;
+  char reason[256] = "a process ended early";
+  // The first refuted claim counts, unless no rule holds by then; else the first undecided one.
+  auto rank() const {
+    const bool refuted = verdict == Verdict::refuted, certified = verdict == Verdict::certified;
+    return std::pair(refuted || last ? 0 : certified ? 2 : 1, line);
+  }
+};
+
+void add(Counts& all, const Counts& more) {
+  for (const auto count :
+       {&Counts::flips, &Counts::collisions, &Counts::maneuvers, &Counts::lives,
+        &Counts::pair_lives, &Counts::fresh_proofs, &Counts::swaps, &Counts::grazes,
+        &Counts::rounding_overlaps, &Counts::horizon_events, &Counts::unoriented}) {
+    all.*count += more.*count;
+  }
+}
+
+// Task 0 checks the contacts, k the lives of part k - 1.
+void work(const Problem& p, const std::vector<Part>& parts, std::size_t task, Found& found) {
+  Stop stop{Verdict::certified, ""};
+  try {
+    if (task == 0) check_contacts(p, found.counts, found.line);
+    if (task > 0) check_lives(p, parts[task - 1], found.counts, found.line);
+  } catch (const Stop& what) {
+    stop = what;
+  }
+  std::snprintf(found.reason, sizeof found.reason, "%s", stop.reason.c_str());
+  found.verdict = stop.verdict;
+  found.last = stop.last;
+}
+
+// The tasks k, k + jobs, ... in each of several processes.
+std::vector<Found> work_on_all(const Problem& p, const std::vector<Part>& parts) {
+  const std::size_t tasks = parts.size() + 1, bytes = tasks * sizeof(Found), jobs = p.options.jobs;
+  void* shared = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) undecided("no memory to share with other processes");
+  Found* found = new (shared) Found[tasks];
+  std::vector<pid_t> children;
+  for (std::size_t k = 0; k < jobs; ++k) {
+    const pid_t child = jobs > 1 ? fork() : 0;
+    if (child > 0) children.push_back(child);
+    if (child != 0) continue;
+    for (std::size_t task = k; task < tasks; task += jobs) work(p, parts, task, found[task]);
+    if (jobs > 1) _exit(0);
+  }
+  for (const pid_t child : children) waitpid(child, nullptr, 0);
+  std::vector<Found> all(found, found + tasks);
+  munmap(shared, bytes);
+  return all;
+}
+
+void judge(Problem& p, Result& result) {
+  const History& h = p.history;
+  if (h.stopped) undecided("the history stops before its horizon");
+  if (h.horizon != p.scene.horizon) {
+    if (p.options.strict) refute("the history has another horizon than its scene");
+    result.horizon_note = "horizon " + h.horizon.str() + " of the scene's " + p.scene.horizon.str();
+  }
+  result.is_first = false;  // each rule looks at all claims before the next does
+  trace_paths(p, result.counts);
+  if (!h.initial && p.disks() >= 2) undecided("the history has no initial diagram");
+  if (h.initial && p.disks() < 2 && !h.initial->empty()) refute("wrong initial diagram");
+  const auto all = work_on_all(p, p.disks() >= 2 ? parts_of(p) : std::vector<Part>{});
+  for (const Found& found : all) add(result.counts, found.counts);
+  const Found& first = *std::min_element(
+      all.begin(), all.end(), [](const Found& x, const Found& y) { return x.rank() < y.rank(); });
+  if (first.verdict != Verdict::certified) throw Stop{first.verdict, first.reason, first.line};
+  result.is_first = true;
+  const Counts& c = result.counts;
+  if (h.ended[0] != c.flips || h.ended[1] != c.collisions || h.ended[2] != c.maneuvers) {
+    throw Stop{Verdict::refuted, "bad count", h.last_line};
+  }
+  result.verdict = Verdict::certified;
+}
+
+}  // namespace
+
+Result check(const std::string& scene_text, const std::string& history_text,
+             const Options& options) {
+  Result result;
+  try {
+    Problem p;
+    p.options = options;
+    p.tolerance = exact_string(options.tolerance);
+    p.law_tolerance = exact_string(options.law_tolerance);
+    if (p.tolerance <= 0 || p.law_tolerance < 0 || p.law_tolerance > 1) invalid("a bad tolerance");
+    p.scene = read_scene(scene_text);
+    p.history = read_history(history_text, p.disks());
+    // A tolerance of times beyond that would accept any.
+    const bool vast = p.tolerance > std::max(p.history.horizon, Rat(1, 1000000));
+    if (vast) invalid("a tolerance beyond the horizon");
+    if (p.history.scene_sha256 != sha256(scene_text)) {
+      throw Stop{Verdict::invalid, "another scene's history", 1};
+    }
+    judge(p, result);
+  } catch (const Stop& stop) {
+    result.verdict = stop.verdict;
+    result.reason = stop.reason;
+    result.line = stop.line;
+  }
+  return result;
+}
+
+}  // namespace voroproof_kernel

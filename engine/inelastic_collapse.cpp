@@ -1,0 +1,137 @@
+#include "engine/inelastic_collapse.h"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace voroproof::internal {
+
+namespace {
+
+// A disk alone at the wall is looked at when all its bounces to come take less than this part of
+// the horizon (later they are too short for binary64 times), or each time it has bounced that often
+// (weak losses: the bounces would be many, and each costs bits).
+constexpr double kShortRest = 1e-9;
+constexpr int kManyBounces = 48;
+
+// The rule: a disk collides that often within this part of the horizon,
+constexpr std::size_t kManyCollisions = 48;
+constexpr double kShortSpan = 1e-10;
+// or for some number m, from 2 to half of that, the last m delays between its collisions are not
+// all zero, less than this part of the horizon, and at most this part of the m before. (In turns
+// with two neighbours the delays shrink every other time only.)
+constexpr double kShortDelays = 1e-9;
+constexpr double kShrinking = 1.0 / 16;
+// or the same twice in a row for m = 1, with this part of the horizon: with restitution 0 the
+// delays may shrink like squares, and one more is too short for binary64 times.
+constexpr double kShortLast = 1e-12;
+
+std::string text(double x) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.17g", x);
+  return buffer;
+}
+
+// A rational as a double with a bound; get_d() rounds towards zero.
+DoubleBall ball_of(const Rational& q) {
+  const double x = q.get_d();
+  return {x, std::fabs(x) * 0x1p-52};
+}
+
+double upper(const DoubleBall& b) { return (b.mid + b.rad) * (1 + 0x1p-50); }
+
+}  // namespace
+
+InelasticCollapse::InelasticCollapse(const Motion& motion)
+    : motion_(motion),
+      horizon_(round_up(motion.input().horizon)),
+      possible_(motion.input().restitution < 1 || motion.input().container_restitution < 1) {
+  if (possible_) past_.resize(motion.size());
+}
+
+void InelasticCollapse::after_collision(GenId i, GenId j, const Instant& now, double quiet_until) {
+  if (!possible_) return;
+  for (const GenId g : {i, j}) {
+    if (g == container_id) continue;
+    Past& past = past_[g];
+    past.at_wall = i == container_id ? past.at_wall + 1 : 0;
+    past.times.push_back(now.lo);
+    if (past.times.size() > kManyCollisions + 1) past.times.erase(past.times.begin());
+    if (i == container_id) alone_at_wall(g, now, quiet_until);
+    by_rule(g, i, j);
+  }
+}
+
+void InelasticCollapse::alone_at_wall(GenId g, const Instant& now, double quiet_until) {
+  const MotionInput& in = motion_.input();
+  if (in.whole_container_law || in.container_restitution == 1) return;
+  const DoubleBall t = DoubleBall::hull(now.lo, now.hi);
+  const MovingSite<DoubleBall> disk = motion_.moving_site(g, t);
+  const MovingSite<DoubleBall> wall = motion_.moving_site(container_id, t);
+  const DoubleBall nx = disk.x - wall.x, ny = disk.y - wall.y;
+  const DoubleBall rho = -(wall.r + disk.r);
+  const DoubleBall u = -(nx * disk.vx + ny * disk.vy) / rho;
+  const DoubleBall w = (nx * disk.vy - ny * disk.vx) / rho;
+  const DoubleBall loss = DoubleBall(1) - ball_of(in.container_restitution);
+  const DoubleBall delay = DoubleBall(2) * rho * u / (w * w * loss);
+  if (sign(u) != Sign::positive || sign(w * w) != Sign::positive) return;
+  const bool many = past_[g].at_wall % kManyBounces == 0;
+  if (!(upper(delay) < kShortRest * horizon_) && !many) return;
+  const double last = upper(t + delay);
+  if (!(last < quiet_until) || !(last < round_down(in.horizon))) return;
+  if (!undisturbed(g, t, sqrt(u * u + w * w), delay)) return;
+  throw Undecided("inelastic collapse: disk " + std::to_string(g) +
+                      " collides with the container infinitely often before t = " + text(last),
+                  container_id, g);
+}
+
+bool InelasticCollapse::undisturbed(GenId g, const DoubleBall& t, const DoubleBall& speed,
+                                    const DoubleBall& delay) const {
+  const MotionInput& in = motion_.input();
+  DoubleBall twice_energy(0);
+  for (GenId j = 0; j < motion_.size(); ++j) {
+    const MovingSite<DoubleBall> m = motion_.moving_site(j, t);
+    twice_energy = twice_energy + ball_of(in.disks[j].mass) * (m.vx * m.vx + m.vy * m.vy);
+  }
+  const Site<DoubleBall> disk = motion_.site(g, t);
+  for (GenId j = 0; j < motion_.size(); ++j) {
+    if (j == g) continue;
+    const Site<DoubleBall> other = motion_.site(j, t);
+    const DoubleBall x = other.x - disk.x, y = other.y - disk.y;
+    const DoubleBall fastest = sqrt(twice_energy / ball_of(in.disks[j].mass));
+    // A mass of zero gives an infinite radius and no sign.
+    const DoubleBall reach = disk.r + other.r + (fastest + speed) * delay;
+    if (sign(x * x + y * y - reach * reach) != Sign::positive) return false;
+  }
+  return true;
+}
+
+void InelasticCollapse::by_rule(GenId g, GenId i, GenId j) {
+  const std::vector<double>& times = past_[g].times;
+  const auto stop = [&](std::size_t collisions) {
+    char span[40];
+    std::snprintf(span, sizeof span, "%.3g", times.back() - times[times.size() - collisions]);
+    throw Undecided("inelastic collapse, as it seems: disk " + std::to_string(g) + " collides " +
+                        std::to_string(collisions) + " times within " + span +
+                        " before t = " + text(times.back()),
+                    i, j);
+  };
+  const std::size_t n = times.size();
+  const double last = times.back();
+  if (n > kManyCollisions && last - times.front() < kShortSpan * horizon_) stop(n);
+  const auto shrink = [&](std::size_t end, std::size_t m) {
+    const double between = times[end - m];
+    return times[end] > between &&
+           times[end] - between <= kShrinking * (between - times[end - 2 * m]);
+  };
+  if (n > 3 && last - times[n - 2] < kShortLast * horizon_ && shrink(n - 1, 1) &&
+      shrink(n - 2, 1)) {
+    stop(4);
+  }
+  for (std::size_t m = 2; 2 * m < n; ++m) {
+    if (!(last - times[n - 1 - m] < kShortDelays * horizon_)) return;
+    if (shrink(n - 1, m)) stop(2 * m + 1);
+  }
+}
+
+}  // namespace voroproof::internal

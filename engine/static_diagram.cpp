@@ -1,0 +1,368 @@
+#include "engine/static_diagram.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+
+#include "exact/directions.h"
+#include "filtered/search/instant_predicates.h"
+
+namespace voroproof::internal {
+
+namespace {
+
+using HalfEdge = Diagram::HalfEdge;
+
+// Where the spatial order leads from disk to disk, a walk takes a few steps.
+constexpr int kLongestWalk = 100;
+
+// The smallest pair of a point (radius 0) and another generator that touch. Tangencies vanish there
+// and nowhere else: the point's cell has no area, the vertices around it coincide, and neither walk
+// of the construction needs to end. Each disk is tried with the points between its extreme
+// abscissas, the container with all.
+std::optional<std::pair<GenId, GenId>> touching_point(InstantPredicates& predicates) {
+  const Motion& motion = predicates.motion();
+  struct Point {
+    double x;
+    GenId g;
+  };
+  std::vector<Point> points;
+  double error = 0;
+  for (GenId g = 0; g < motion.size(); ++g) {
+    if (motion.input().disks[g].radius != 0) continue;
+    const DoubleBall& x = predicates.rough(g).x;
+    points.push_back({x.mid, g});
+    error = std::fmax(error, x.rad);
+  }
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+  std::optional<std::pair<GenId, GenId>> smallest;
+  const auto examine = [&](GenId g, GenId point) {
+    const std::pair<GenId, GenId> pair = std::minmax(g, point);
+    if (smallest && *smallest <= pair) return;
+    const bool touch = predicates.decide([&](auto at, auto) -> std::optional<bool> {
+      const Sign s = sign(tangency(at(g), at(point)));
+      if (s == Sign::unknown) return std::nullopt;
+      return s == Sign::zero;
+    });
+    if (touch) smallest = pair;
+  };
+  for (const Point& p : points) examine(container_id, p.g);
+  for (GenId g = 0; g < motion.size(); ++g) {
+    if (motion.input().disks[g].radius == 0) continue;  // points do not coincide
+    const Site<DoubleBall>& disk = predicates.rough(g);
+    // The last term is above the roundings of both ends.
+    const double reach = (disk.r.mid + disk.r.rad + disk.x.rad + error) * (1 + 0x1p-50) +
+                         std::fabs(disk.x.mid) * 0x1p-51;
+    const auto first = std::lower_bound(points.begin(), points.end(), disk.x.mid - reach,
+                                        [](const Point& p, double x) { return p.x < x; });
+    for (auto p = first; p != points.end() && p->x <= disk.x.mid + reach; ++p) examine(g, p->g);
+  }
+  return smallest;
+}
+
+class Construction {
+ public:
+  Construction(const Motion& motion, const Rational& t, TierCounts& counts)
+      : predicates_(motion, t, counts), diagram_(motion.size()) {}
+
+  Diagram build(const std::vector<GenId>& order) {
+    if (order.size() < 2) return std::move(diagram_);
+    if (const auto touch = touching_point(predicates_)) {
+      throw Undecided("a point touches another generator: the diagram is not defined", touch->first,
+                      touch->second);
+    }
+    diagram_.start(order[0], order[1]);
+    for (std::size_t k = 2; k < order.size(); ++k) insert(order[k], order[k - 1]);
+    return std::move(diagram_);
+  }
+
+ private:
+  // A link edge of the growing cell: its triangle on the left has the new generator
+  // as apex, in the place of `before` (or of the ray that started the insertion).
+  struct LinkEdge {
+    HalfEdge h;
+    GenId before;
+    GenId ray_from;  // the generator the ray starts at, if `before` does not count
+  };
+  static constexpr GenId no_ray = -2;
+
+  void insert(GenId i, GenId near) {
+    const HalfEdge h = around(i, diagram_.anchor(near));
+    if (in_conflict(i, h)) {
+      start_at_vertex(i, h);
+    } else {
+      start_on_ray(i, of_nearest(i, h));
+    }
+    while (!link_.empty()) {
+      const LinkEdge edge = link_.back();
+      link_.pop_back();
+      if (!absorbs(i, edge)) continue;
+      const HalfEdge t = Diagram::twin(edge.h);
+      const HalfEdge a = diagram_.next(t);  // from org(h) to the outer apex
+      const HalfEdge b = diagram_.next(a);
+      const GenId l = diagram_.org(edge.h), r = diagram_.dest(edge.h);
+      diagram_.flip(edge.h);
+      link_.push_back({a, r, no_ray});
+      link_.push_back({b, l, no_ray});
+    }
+  }
+
+  // The vertex on the left of h is in conflict with i.
+  void start_at_vertex(GenId i, HalfEdge h) {
+    const HalfEdge sides[3] = {h, diagram_.next(h), diagram_.previous(h)};
+    for (const HalfEdge side : sides) link_.push_back({side, diagram_.apex(side), no_ray});
+    diagram_.insert_in_vertex(h, i);
+  }
+
+  // Starts on an edge that i's cell certainly meets. Looks for it from the origin of `from`.
+  void start_on_ray(GenId i, HalfEdge from) {
+    HalfEdge exit = exit_edge(from, i);
+    while (!meets(i, diagram_.org(exit), diagram_.dest(exit))) {
+      exit = exit_edge(Diagram::twin(exit), i);
+    }
+    const GenId j = diagram_.org(exit);
+    const auto halves = diagram_.insert_in_edge(exit, i);
+    // halves[0] has i as apex on its own side, halves[1] on its twin's.
+    link_ = {{halves[0], no_ray, j}, {Diagram::twin(halves[1]), no_ray, j}};
+  }
+
+  // A half-edge, on the left of which is the triangle of centres that contains the centre of i, or
+  // one near it: found by a walk from h in plain doubles, proved by nothing.
+  HalfEdge around(GenId i, HalfEdge h) const {
+    const Site<DoubleBall>& p = predicates_.rough(i);
+    const auto is_beyond = [&](HalfEdge side) {
+      const GenId g = diagram_.org(side), k = diagram_.dest(side);
+      if (g == container_id || k == container_id) return false;
+      const Site<DoubleBall>&a = predicates_.rough(g), &b = predicates_.rough(k);
+      return (b.x.mid - a.x.mid) * (p.y.mid - a.y.mid) < (b.y.mid - a.y.mid) * (p.x.mid - a.x.mid);
+    };
+    if (is_beyond(h)) h = Diagram::twin(h);
+    // Triangles of centres may overlap, and a walk among them need not end.
+    for (int steps = 0; steps < kLongestWalk; ++steps) {
+      const HalfEdge next = diagram_.next(h), previous = diagram_.previous(h);
+      if (is_beyond(next)) {
+        h = Diagram::twin(next);
+      } else if (is_beyond(previous)) {
+        h = Diagram::twin(previous);
+      } else {
+        break;
+      }
+    }
+    return h;
+  }
+
+  // The half-edge of the triangle of h that starts at the disk nearest to the centre of i, in
+  // doubles.
+  HalfEdge of_nearest(GenId i, HalfEdge h) const {
+    const Site<DoubleBall>& p = predicates_.rough(i);
+    HalfEdge nearest = -1;
+    double least = 0;
+    for (const HalfEdge side : {h, diagram_.next(h), diagram_.previous(h)}) {
+      if (diagram_.org(side) == container_id) continue;
+      const Site<DoubleBall>& s = predicates_.rough(diagram_.org(side));
+      const double far = std::hypot(s.x.mid - p.x.mid, s.y.mid - p.y.mid) - s.r.mid;
+      if (nearest >= 0 && !(far < least)) continue;
+      nearest = side;
+      least = far;
+    }
+    return nearest;
+  }
+
+  // The edge through which the ray of j, the origin of `from`, and i leaves the cell of j: from j's
+  // centre through i's, or for the container from the boundary through i's centre inwards. Looks on
+  // both sides of `from`, the nearest edges first: a cell may have many.
+  HalfEdge exit_edge(HalfEdge from, GenId i) {
+    HalfEdge up = from, down = from;
+    do {
+      if (is_exit(up, i)) return up;
+      up = diagram_.rotate(up);
+      if (up == down) break;
+      down = diagram_.next(Diagram::twin(down));
+      if (is_exit(down, i)) return down;
+    } while (up != down);
+    throw std::logic_error("static diagram: a ray leaves a cell through none of its edges");
+  }
+
+  bool is_exit(HalfEdge h, GenId i) {
+    const GenId j = diagram_.org(h), k = diagram_.dest(h);
+    const GenId s = diagram_.apex(Diagram::twin(h)), e = diagram_.apex(h);
+    return predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
+      const auto base = at(j), target = at(i);
+      using T = std::decay_t<decltype(base.x)>;
+      const Direction<T> ray{target.x - base.x, target.y - base.y};
+      if (j != container_id) {
+        return on_arc<T>(vertex_direction(at, root, j, s, k), vertex_direction(at, root, j, k, e),
+                         ray, true);
+      }
+      // The edges run clockwise around the container's centre.
+      const auto direction = [&](GenId a, GenId b) {
+        const auto z = tangent_circle(triple(at, j, a, b), root);
+        return Direction<T>{z[0] - base.x, z[1] - base.y};
+      };
+      return on_arc<T>(direction(k, e), direction(s, k), ray, true);
+    });
+  }
+
+  // Whether the point y where that ray meets the edge j|k is nearer to i than to j. If
+  // it is not, the gap between i and k is smaller than that between i and j.
+  bool meets(GenId i, GenId j, GenId k) {
+    return predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
+      const auto cj = at(j), ci = at(i), ck = at(k);
+      using T = std::decay_t<decltype(cj.x)>;
+      const T ux = ci.x - cj.x, uy = ci.y - cj.y, si = ci.r - cj.r;
+      const T dx = ck.x - cj.x, dy = ck.y - cj.y, sk = ck.r - cj.r;
+      const T l2 = ux * ux + uy * uy;
+      const T l = root(l2);
+      const T along = dx * ux + dy * uy;
+      const T pk = dx * dx + dy * dy - sk * sk;
+      T q = l;
+      if (j == container_id) {
+        // y = O + u tau / l with tau = -p_k / (2 (s_k - d_k.u/l)); it is nearer to i iff tau
+        // < (l + s_i) / 2, where s_k and s_i are R + r_k and R + r_i.
+        q = -(pk * l) - (sk * l - along) * (l + si);
+      } else {
+        // The circle tangent to j and k with its centre on the ray has kappa = (d_k.u/l +
+        // s_k)/p_k; i conflicts iff p_i kappa < l + s_i. Times l |p_k|:
+        q = (l2 - si * si) * (along + sk * l) - pk * (l2 + si * l);
+        if (k == container_id) q = -q;
+      }
+      const Sign s = sign(q);
+      if (s == Sign::unknown) return std::nullopt;
+      return s == Sign::negative;
+    });
+  }
+
+  // The direction from the disk k to the point y of a ray that starts at the container.
+  template <class T>
+  static Direction<T> to_ray_end(const Site<T>& container, const Site<T>& ci, const Site<T>& ck,
+                                 const T& l) {
+    const T ux = ci.x - container.x, uy = ci.y - container.y;
+    const T dx = ck.x - container.x, dy = ck.y - container.y, sk = ck.r - container.r;
+    const T pk = dx * dx + dy * dy - sk * sk;
+    const T below = sk * l - (dx * ux + dy * uy);  // positive
+    const T scale = -pk / (below + below);         // tau / l
+    return {ux * scale - dx, uy * scale - dy};
+  }
+
+  // Where symmetry proves that every circle that touches three of them touches the fourth, too: no
+  // conflict.
+  std::optional<bool> certainly_touches(const Quad& q) const {
+    const Motion& motion = predicates_.motion();
+    const bool rational = motion.is_rational(q.l) && motion.is_rational(q.r) &&
+                          motion.is_rational(q.s) && motion.is_rational(q.e);
+    const Symmetry symmetry(motion);
+    const DoubleBall t = DoubleBall::hull(round_down(predicates_.t()), round_up(predicates_.t()));
+    if (rational || !symmetry.always_cotangent(symmetry.states(q), t)) return std::nullopt;
+    return false;
+  }
+
+  // Whether i is nearer to the vertex on the left of h than the vertex's own generators.
+  bool in_conflict(GenId i, HalfEdge h) {
+    const GenId l = diagram_.org(h), r = diagram_.dest(h), x = diagram_.apex(h);
+    const auto in_circle = [&](auto at, auto) -> std::optional<bool> {
+      const auto& site = at(i);
+      const auto v = triple(at, l, r, x);
+      if constexpr (std::is_same_v<std::decay_t<decltype(site)>, Site<DoubleBall>>) {
+        // Cheaper than the cotangency, and nearly always enough.
+        const Sign s = sign(incircle_value(v, site, false));
+        if (is_certain(s)) return s == Sign::negative;
+      }
+      const Sign f = sign(cotangency(at(l), at(r), at(x), site));
+      const Sign s = incircle(v, site, false, f);
+      if (s == Sign::unknown) return std::nullopt;
+      return s == Sign::negative;
+    };
+    return predicates_.decide(in_circle, [&] { return certainly_touches({l, r, x, i}); });
+  }
+
+  bool absorbs(GenId i, const LinkEdge& edge) {
+    const HalfEdge t = Diagram::twin(edge.h);
+    const GenId l = diagram_.org(edge.h), r = diagram_.dest(edge.h), x = diagram_.apex(t);
+    if (x == i || !in_conflict(i, t)) return false;
+    // Both ends of the edge are in conflict. All of it is, unless both circles of (l,
+    // r, i) exist and lie on it.
+    const bool both = predicates_.decide([&](auto at, auto) -> std::optional<bool> {
+      const Sign a = circle_exists(triple(at, l, r, i));
+      if (a == Sign::negative || a == Sign::zero) return false;
+      const Sign b = circle_exists(triple(at, l, i, r));
+      if (b == Sign::negative || b == Sign::zero) return false;
+      if (a == Sign::unknown || b == Sign::unknown) return std::nullopt;
+      return true;
+    });
+    if (!both) return true;
+    // Seen from a disk of the pair, the edge runs counterclockwise from its start to
+    // its end; the circle (l, r, i) in the orientation of i's triangle is where the
+    // conflict would stop.
+    const bool from_l = l != container_id && (edge.ray_from < 0 || edge.ray_from == l);
+    const GenId base = from_l ? l : r, other = from_l ? r : l;
+    const bool stops = predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
+      const auto origin = at(base);
+      using T = std::decay_t<decltype(origin.x)>;
+      Direction<T> inside;
+      if (edge.ray_from == container_id) {
+        const auto o = at(container_id), target = at(i);
+        const T lx = target.x - o.x, ly = target.y - o.y;
+        inside = to_ray_end<T>(o, target, origin, root(T(lx * lx + ly * ly)));
+      } else if (edge.ray_from != no_ray) {
+        const auto target = at(i);
+        inside = {target.x - origin.x, target.y - origin.y};
+      } else {
+        inside = from_l ? vertex_direction(at, root, base, other, edge.before)
+                        : vertex_direction(at, root, base, edge.before, other);
+      }
+      const Direction<T> outside = from_l ? vertex_direction(at, root, base, x, other)
+                                          : vertex_direction(at, root, base, other, x);
+      const Direction<T> stop = from_l ? vertex_direction(at, root, base, other, i)
+                                       : vertex_direction(at, root, base, i, other);
+      return from_l ? on_arc<T>(outside, inside, stop, false)
+                    : on_arc<T>(inside, outside, stop, false);
+    });
+    return !stops;
+  }
+
+  InstantPredicates predicates_;
+  Diagram diagram_;
+  std::vector<LinkEdge> link_;  // link edges of the growing cell that are not examined
+};
+
+std::vector<GenId> insertion_order(const Motion& motion, double t) {
+  using Kernel = CGAL::Simple_cartesian<double>;
+  std::vector<Kernel::Point_2> centers;
+  centers.reserve(motion.size());
+  for (GenId g = 0; g < motion.size(); ++g) {
+    const auto site = motion.site(g, DoubleBall(t));
+    centers.emplace_back(site.x.mid, site.y.mid);
+  }
+  std::vector<std::size_t> order(motion.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
+  const CGAL::Spatial_sort_traits_adapter_2<Kernel, Map> traits(
+      CGAL::make_property_map(centers.data()));
+  CGAL::spatial_sort(order.begin(), order.end(), traits);
+  return {order.begin(), order.end()};
+}
+
+}  // namespace
+
+Diagram static_diagram(const Motion& motion, const Rational& t, TierCounts& counts) {
+  return Construction(motion, t, counts).build(insertion_order(motion, round_nearest(t)));
+}
+
+Instant instant_at(const Rational& t) {
+  Instant now;
+  now.lo = round_down(t);
+  now.hi = round_up(t);
+  const double nearest = round_nearest(t);
+  now.dd = DdBall(nearest, 0, std::fabs(round_nearest(Rational(t - to_rational(nearest)))) * 1.01);
+  now.exact = [t](ExactMotion&) { return ExactTime(t); };
+  return now;
+}
+
+}  // namespace voroproof::internal

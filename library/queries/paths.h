@@ -1,0 +1,41 @@
+// The recorded path of every disk (docs/claim.md, section 3), piece by piece, in exact numbers.
+//
+// A disk starts as the scene says and turns, where its path is, at the time of each of its
+// collisions and maneuvers in the history, to the velocity that the history gives. Centres of the
+// history are not used. Every question about the paths has an exact answer.
+#pragma once
+
+#include <vector>
+
+#include "history/events.h"
+#include "history/scene.h"
+#include "library/queries/history_cursor.h"
+#include "library/queries/recorded_moment.h"
+
+namespace voroproof::internal {
+
+class Paths {
+ public:
+  // A maneuver without `v` has the velocity that the scene schedules. Throws InputError where a
+  // collision lacks its `v`, or a maneuver is not the scene's.
+  Paths(const Scene& scene, const HistoryCursor& history, const std::string& history_path);
+
+  // The pieces of a generator, each in force up to the start of the next; the first starts at 0.
+  const std::vector<RecordedState>& pieces(GenId g) const { return pieces_[g + 1]; }
+  // The piece in force at t >= 0, just after all events at t.
+  const RecordedState& piece(GenId g, const Rational& t) const;
+  // The instants in (from, to) at which a piece of one of the generators starts, in order.
+  std::vector<Rational> turns(const std::vector<GenId>& generators, const Rational& from,
+                              const Rational& to) const;
+  // The radius of a disk; -R for the container.
+  const Rational& signed_radius(GenId g) const { return radii_[g + 1]; }
+
+ private:
+  std::vector<std::vector<RecordedState>> pieces_;
+  std::vector<Rational> radii_;
+};
+
+// Where a piece leads at time t.
+ExactVec2 position_at(const RecordedState& piece, const Rational& t);
+
+}  // namespace voroproof::internal
