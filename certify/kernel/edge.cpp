@@ -141,7 +141,7 @@ constexpr int deepest_tangency = 512;
 // The rules of docs/kernel.md, section 6, on pieces from left to right.
 class Search {
  public:
-  Search(const Four& four, Notes& notes) : four_(four), notes_(notes) {}
+  Search(const Four& four, Notes& notes, bool fresh) : four_(four), notes_(notes), fresh_(fresh) {}
   bool owes_proof() const { return fresh_; }
 
   std::optional<Collapse> first(const Rat& a, const Rat& b, int depth = 0) {
@@ -220,7 +220,7 @@ class Search {
 
   const Four& four_;
   Notes& notes_;
-  bool fresh_ = false;  // a proof anew is due
+  bool fresh_;  // a proof anew is due
 };
 
 }  // namespace
@@ -325,9 +325,10 @@ int compare(Instant& x, Instant& y) {
   }
 }
 
-std::optional<Collapse> first_collapse(const Four& four, const Rat& a, const Rat& b, Notes& notes) {
+std::optional<Collapse> first_collapse(const Four& four, const Rat& a, const Rat& b, Notes& notes,
+                                       bool fresh) {
   if (four.quad.s == four.quad.e || a >= b) return std::nullopt;
-  Search search(four, notes);
+  Search search(four, notes, fresh);
   auto found = search.first(a, b);
   // The next life sees wrong tangencies at its beginning, but not those that end just before it.
   if (search.owes_proof() && Span(four, b, b).apart(notes.touched) == Span::Apart::yes) {

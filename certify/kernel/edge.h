@@ -99,8 +99,10 @@ struct Notes {
   std::set<int> touched;
 };
 
-// The first collapse just after a or in (a, b): proves that there is none, or finds it.
-std::optional<Collapse> first_collapse(const Four&, const Rat& a, const Rat& b, Notes&);
+// The first collapse just after a or in (a, b): proves that there is none, or finds it. `fresh`: it
+// begins with a fresh proof.
+std::optional<Collapse> first_collapse(const Four&, const Rat& a, const Rat& b, Notes&,
+                                       bool fresh = false);
 // The collapse if the polynomial has one root between a and shortly after t, and that close to t.
 std::optional<Collapse> collapse_near(const Four&, const Rat& a, const Rat& t);
 

@@ -13,6 +13,7 @@ struct Birth {
   Shared at;
   bool own = false;            // by its own flip
   std::optional<Quad> flip{};  // that was then
+  bool fresh = false;          // it ends a hidden moment: a fresh proof is due
 };
 
 class Lives {
@@ -113,7 +114,9 @@ class Lives {
   std::optional<Collapse> collapse(int k, const Rat& end) {
     Instant& b = *births_[k].at;
     const Four four = walk_.four(k);
-    if (b.is_point() || births_[k].own) return first_collapse(four, b.hi, end, notes_);
+    if (b.is_point() || births_[k].own) {
+      return first_collapse(four, b.hi, end, notes_, births_[k].fresh);
+    }
     // A bracket that reaches to the end would leave nothing of this life to be looked at.
     if (b.hi >= end && compare(b, end) >= 0) return {};
     while (!b.is_point() && b.hi >= end) b.split((b.lo + b.hi) / 2);
@@ -141,10 +144,14 @@ class Lives {
   // horizon under the exact truth, at which a collapse is due.
   std::optional<Collapse> missed(int k, const Shared& end, bool last = false) {
     const Shared& birth = births_[k].at;
-    if (birth == end) return {};
+    const auto none = [&]() -> std::optional<Collapse> {
+      if (births_[k].fresh) undecided("a generator leaves another by two turns of one instant");
+      return {};
+    };
+    if (birth == end) return none();
     if (birth->hi > end->lo || birth->is_point()) {
       const int order = compare(*birth, *end);
-      if (order == 0 && !last) return {};
+      if (order == 0 && !last) return none();
       if (order > 0) undecided("what changes edge " + name(walk_.edges()[k]) + ": the order");
     }
     ++counts_.lives;
@@ -160,7 +167,34 @@ class Lives {
     return {};
   }
 
+  // Whether the two of a claimed collision, of which both are turning next, have lain one inside
+  // the other before that time: then nothing is claimed of them from there up to the collision.
+  bool hides(const Claim& c, const Instant& x) const {
+    if (p_.exact() || c.kind != Claim::Kind::collision) return false;
+    const Leg &i = walk_.leg(c.id[0]), &j = walk_.leg(c.id[1]);
+    const Gap gap(i, j);
+    const Rat inside = -4 * i.radius * j.radius;  // the gap where one touches the other from inside
+    if (gap.start >= x.lo || x.lo >= c.t) return false;
+    if (c.id[0] == container) return std::max(gap.value(gap.start), gap.value(x.lo)) > inside;
+    const Rat nearest = gap.a > 0 ? Rat(gap.start - gap.b / gap.a) : gap.start;
+    return gap.value(std::clamp(nearest, gap.start, x.lo)) < inside;
+  }
+
   [[noreturn]] void unclaimed(int k, const Collapse& found) const {
+    const Quad q = walk_.edges()[k];
+    for (const int g : {q.l, q.r, q.s, q.e}) {
+      for (const int h : {q.l, q.r, q.s, q.e}) {
+        if (!births_[k].fresh || g >= h) continue;
+        const Rat gap = Gap(walk_.leg(g), walk_.leg(h)).value(found.at.lo);
+        if (g == container ? gap > 0 : gap < 0) undecided("a generator lies inside another twice");
+      }
+      const std::size_t next = walk_.leg_of[g + 1] + 1;
+      if (next == p_.legs[g + 1].size()) continue;
+      const std::size_t claim = p_.legs[g + 1][next].claim;
+      if (can_turn(claim) && hides(claims_[claim], found.at)) {
+        undecided("edge " + name(q) + " changes while a generator lies inside another");
+      }
+    }
     refute("edge " + name(walk_.edges()[k]) + " collapses at " + about(found.at.lo) +
            ", and no flip is claimed");
   }
@@ -173,7 +207,8 @@ class Lives {
     const Birth& birth = births_[k];
     ++counts_.lives;
     const bool past = birth.at->is_point() || birth.own;
-    auto found = collapse_near(walk_.four(k), past ? birth.at->hi : birth.at->lo, t);
+    std::optional<Collapse> found;
+    if (!birth.fresh) found = collapse_near(walk_.four(k), past ? birth.at->hi : birth.at->lo, t);
     if (found && birth.at->hi >= found->at.lo) found.reset();
     const bool simple = found.has_value();
     if (!found) found = collapse(k, hi + p_.tolerance);
@@ -239,6 +274,13 @@ class Lives {
   }
   bool can_turn(std::size_t claim) const { return next_turn(claim) == claim; }
 
+  // Whether both that collide are among the four of edge k.
+  bool joins(int k, const Claim& c) const {
+    const Quad q = walk_.edges()[k];
+    const auto has = [&](int g) { return q.l == g || q.r == g || q.s == g || q.e == g; };
+    return has(c.id[0]) && has(c.id[1]);
+  }
+
   // The edges that have a turning disk among their four.
   std::set<int> edges_about(const Claim& c) const {
     std::set<int> all;
@@ -258,11 +300,13 @@ class Lives {
     const Shared now = std::make_shared<Instant>(at(c.t));
     const std::set<int> all = edges_about(c);
     if (take_earlier(claim, *now, &all)) return turn(claim);
+    std::set<int> fresh;
     for (const int k : all) {
       const auto found = missed(k, now);
       if (!found) continue;
       if (take_earlier(claim, *now)) return turn(claim);  // as in flip()
-      unclaimed(k, *found);
+      if (!hides(c, found->at) || !joins(k, c)) unclaimed(k, *found);
+      fresh.insert(k);
     }
     note_order(now);
     for (const int k : all) {
@@ -276,7 +320,7 @@ class Lives {
       }
     }
     walk_.apply(c);
-    for (const int k : all) births_[k] = {now};
+    for (const int k : all) births_[k] = {now, false, {}, fresh.count(k) == 1};
   }
 
   // Checks anew the cells of generators that were so near that circles between them ceased to

@@ -33,6 +33,7 @@ Answer answer_of(const Certificate& c) {
   Answer answer;
   answer.contacts_by_rounding = c.grazes + c.rounding_overlaps > 0;
   answer.velocities_by_law = c.computed_velocities > 0;
+  answer.swapped = c.swaps > 0;
   if (c.verdict != Verdict::refuted) {
     answer.verdict = c.verdict == Verdict::certified ? "certified" : "undecided";
     answer.reason = c.reason;

@@ -33,6 +33,8 @@ struct Answer {
   bool contacts_by_rounding = false;
   // Whether velocities were computed, and rounded to binary64.
   bool velocities_by_law = false;
+  // Whether claims were taken out of order, within the tolerance.
+  bool swapped = false;
 };
 std::string text(const Answer& answer);
 

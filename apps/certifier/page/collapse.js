@@ -62,10 +62,10 @@ class Stretch {
 }
 
 class CollapseSearch {
-  constructor(edge, notes) {
+  constructor(edge, notes, owesProof) {
     this.edge = edge;
     this.notes = notes;
-    this.owesProof = false;  // since an interval with a wrong tangency
+    this.owesProof = owesProof;  // since an interval with a wrong tangency
   }
 
   first(a, b, depth = 0) {
@@ -103,10 +103,10 @@ class CollapseSearch {
   }
 }
 
-// The first collapse just after a or in (a, b).
-function firstCollapse(edge, a, b, notes) {
+// The first collapse just after a or in (a, b). `owesProof`: it begins with a fresh proof.
+function firstCollapse(edge, a, b, notes, owesProof = false) {
   if (edge.quad[2] === edge.quad[3] || !a.less(b)) return null;
-  const search = new CollapseSearch(edge, notes), found = search.first(a, b);
+  const search = new CollapseSearch(edge, notes, owesProof), found = search.first(a, b);
   // The next life sees wrong tangencies at its beginning, but not those that end just before it.
   if (search.owesProof && edge.over(b, b).apartness(notes.touched) === "throughout") {
     undecided(`a generator lies inside another until just before ${b.about()}`, { t: b, quad: edge.quad });

@@ -19,12 +19,13 @@ function partsOf({ history, tolerance }) {
 }
 
 // Since when an edge has its quadruplet and its four their motion: `flip` is the edge that flipped then, if one
-// did, `isOwn` whether it became this one.
+// did, `isOwn` whether it became this one, `owesProof` whether it ends a hidden moment.
 class Birth {
-  constructor(at, flip = null, isOwn = false) {
+  constructor(at, { flip = null, isOwn = false, owesProof = false } = {}) {
     this.at = at;
     this.flip = flip;
     this.isOwn = isOwn;
+    this.owesProof = owesProof;
   }
 }
 
@@ -149,8 +150,8 @@ class LifeCheck {
 
   // The first collapse of edge k since its birth, before `end`.
   collapse(k, end) {
-    const { at, isOwn } = this.births[k], edge = this.walk.edge(k), { notes } = this;
-    if (at.isPoint || isOwn) return firstCollapse(edge, at.hi, end, notes);
+    const { at, isOwn, owesProof } = this.births[k], edge = this.walk.edge(k), { notes } = this;
+    if (at.isPoint || isOwn) return firstCollapse(edge, at.hi, end, notes, owesProof);
     // A bracket that reaches to the end would leave nothing of this life to be looked at.
     if (!at.hi.less(end) && at.againstTime(end) >= 0) return null;
     while (!at.isPoint && !at.hi.less(end)) at.halve();
@@ -183,10 +184,14 @@ class LifeCheck {
   // horizon under the exact truth, where a collapse is due.
   missed(k, end, isLast = false) {
     const birth = this.births[k].at, { problem, walk } = this, { horizon } = problem.history;
-    if (birth === end) return null;
+    const none = () => {
+      if (this.births[k].owesProof) undecided("a generator leaves another by two turns of one instant", { t: end.lo });
+      return null;
+    };
+    if (birth === end) return none();
     if (end.lo.less(birth.hi) || birth.isPoint) {
       const order = birth.against(end);
-      if (order === 0 && !isLast) return null;
+      if (order === 0 && !isLast) return none();
       const quad = [...walk.diagram.edges[k]];
       if (order > 0) undecided(`what changes edge ${quadName(quad)}: the order`, { t: end.lo, quad });
     }
@@ -203,18 +208,47 @@ class LifeCheck {
     return null;
   }
 
-  unclaimed(k, { at }) {
-    const quad = [...this.walk.diagram.edges[k]];
-    refute(`edge ${quadName(quad)} collapses at ${at.lo.about()}, and no flip is claimed`, { t: at.drawn(), quad });
+  // Whether the two of a claimed collision, of which both are turning next, have lain one inside the other before
+  // that time: then nothing is claimed of them from there up to the collision.
+  hides({ kind, ids, t }, { lo }) {
+    if (this.problem.isExact || kind !== "collision") return false;
+    const [i, j] = ids.map((g) => this.walk.leg(g)), gap = new Gap(i, j);
+    const inside = i.radius.times(j.radius).scaled(2).negative();  // where one touches the other from inside
+    if (!gap.start.less(lo) || !lo.less(t)) return false;
+    if (ids[0] < 0) return [gap.start, lo].some((at) => inside.less(gap.value(at)));
+    const nearest = gap.a.sign > 0 ? gap.start.minus(gap.b.over(gap.a)) : gap.start;
+    const at = nearest.less(gap.start) ? gap.start : lo.less(nearest) ? lo : nearest;
+    return gap.value(at).less(inside);
   }
 
-  // Whether a claim that the flip missing at `now` may wait for was taken; without one the history is refuted.
-  takesFirst(number, now, edges) {
+  unclaimed(k, { at }) {
+    const quad = [...this.walk.diagram.edges[k]];
+    const witness = { t: at.drawn(), quad };
+    for (const g of quad) {
+      for (const h of quad) {
+        if (!this.births[k].owesProof || g >= h) continue;
+        const gap = new Gap(this.walk.leg(g), this.walk.leg(h)).value(at.lo).sign;
+        if (g < 0 ? gap > 0 : gap < 0) undecided("a generator lies inside another twice", witness);
+      }
+      const leg = this.problem.legs[g + 1][this.walk.legOf[g + 1] + 1];
+      if (leg !== undefined && this.canTurn(leg.claim) && this.hides(this.claims[leg.claim], at)) {
+        undecided(`edge ${quadName(quad)} changes while a generator lies inside another`, witness);
+      }
+    }
+    refute(`edge ${quadName(quad)} collapses at ${at.lo.about()}, and no flip is claimed`, witness);
+  }
+
+  // Whether a claim that the flip missing at `now` may wait for was taken; without one the history is refuted, but
+  // for edges of two that have been hidden until now, which go to `hidden`.
+  takesFirst(number, now, edges, hidden = null) {
+    const claim = this.claims[number];
     for (const k of edges) {
       const missing = this.missed(k, now);
       if (!missing) continue;
       if (this.takeEarlier(number, now)) return true;
-      this.unclaimed(k, missing);
+      const joins = hidden && claim.ids.every((g) => this.walk.diagram.edges[k].includes(g));
+      if (!joins || !this.hides(claim, missing.at)) this.unclaimed(k, missing);
+      hidden.add(k);
     }
     return false;
   }
@@ -226,7 +260,7 @@ class LifeCheck {
     const birth = this.births[k], edge = this.walk.edge(k), witness = { t, quad: edge.quad };
     ++this.counts.lives;
     const isPast = birth.at.isPoint || birth.isOwn;
-    let found = collapseNear(edge, isPast ? birth.at.hi : birth.at.lo, t);
+    let found = birth.owesProof ? null : collapseNear(edge, isPast ? birth.at.hi : birth.at.lo, t);
     if (found && !birth.at.hi.less(found.at.lo)) found = null;
     const isSimple = found !== null;
     if (!found) found = this.collapse(k, hi.plus(tolerance));
@@ -244,8 +278,8 @@ class LifeCheck {
     this.noteOrder(now);
     if (!this.lastFlip || now.against(this.lastFlip) > 0) this.lastFlip = now;
     this.walk.diagram.flip(k);
-    for (const e of near) this.births[e] = new Birth(now, edge.quad);
-    this.births[k] = new Birth(now, edge.quad, true);
+    for (const e of near) this.births[e] = new Birth(now, { flip: edge.quad });
+    this.births[k] = new Birth(now, { flip: edge.quad, isOwn: true });
   }
 
   // The first turn that one of the four waits for, which turns not later than `hi`, or -1.
@@ -296,7 +330,8 @@ class LifeCheck {
     if (!this.canTurn(number)) refute("two turns of one disk are out of order", witness);
     const now = Instant.at(claim.t), all = this.edgesAbout(claim);
     if (this.takeEarlier(number, now, all)) return this.turn(number);
-    if (this.takesFirst(number, now, all)) return this.turn(number);
+    const hidden = new Set();
+    if (this.takesFirst(number, now, all, hidden)) return this.turn(number);
     this.noteOrder(now);
     for (const k of all) {
       const { at, flip } = this.births[k];
@@ -305,7 +340,7 @@ class LifeCheck {
       if (g !== undefined) refute(`disk ${g} turns at the instant of a flip before it`, witness);
     }
     this.walk.apply(claim);
-    for (const k of all) this.births[k] = new Birth(now);
+    for (const k of all) this.births[k] = new Birth(now, { owesProof: hidden.has(k) });
   }
 
   // Checks anew the cells of generators that were so near that circles between them ceased to exist, where
