@@ -13,16 +13,18 @@
 namespace voroproof::internal::metamorphic {
 namespace {
 
-class Stopwatch {
- public:
-  bool in_time() const { return seconds() - begin_ < budget().seconds; }
+double seconds() { return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC); }
 
- private:
-  static double seconds() {
-    return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+struct Stopwatch {
+  double begin = 0;
+  bool late = false;
+
+  bool in_time() {
+    late = late || seconds() - begin > budget().seconds;
+    return !late;
   }
-  double begin_ = seconds();
 };
+Stopwatch stopwatch;
 
 void bound(MotionOptions& motion) {
   motion.max_bits = budget().bits;
@@ -58,12 +60,14 @@ Budget& budget() {
   return current;
 }
 
+void begin_comparison() { stopwatch = {seconds()}; }
+bool took_too_long() { return stopwatch.late; }
+
 const char* name_of(Truth truth) { return truth == Truth::exact ? "exact" : "recorded"; }
 
 Run simulated(const Scene& scene, EngineOptions options) {
-  const Stopwatch watch;
   bound(options.motion);
-  options.monitor = [&watch](double, std::uint64_t) { return watch.in_time(); };
+  options.monitor = [](double, std::uint64_t) { return stopwatch.in_time(); };
   return {testing::run_with(scene, options)};
 }
 
@@ -75,11 +79,10 @@ std::string text(const Answer& a) {
 }
 
 Answer certified(const Case& of, Truth truth, CertifyOptions options) {
-  const Stopwatch watch;
   options.truth = truth;
   options.tolerance = of.tolerance;
   bound(options.motion);
-  options.monitor = [&watch](double, std::int64_t) { return watch.in_time(); };
+  options.monitor = [](double, std::int64_t) { return stopwatch.in_time(); };
   try {
     return answer_of(testing::certify(of.scene, *of.claim, options));
   } catch (const CertificationInterrupted&) {

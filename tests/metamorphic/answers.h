@@ -51,18 +51,22 @@ Answer certified(const Case& of, Truth truth, CertifyOptions options = {});
 // The kernel's verdict alone; "absent" where the build has none.
 std::string kernel_verdict(const Case& of, Truth truth);
 
-// What one question may cost.
+// What one comparison may cost.
 struct Budget {
   int bits = 4096;
   std::size_t radicals = 2;  // of the numbers in which ties are decided
-  double seconds = 1;        // of the processor
+  double seconds = 0.25;     // of the processor
 };
 Budget& budget();
+// The time of a comparison begins. What takes longer is "endless", and that comparison says
+// nothing.
+void begin_comparison();
+bool took_too_long();
 
 // While it lives, the budget is so great that what is left open is not a question of cost.
 class Generosity {
  public:
-  Generosity() { budget() = {32768, 4, 4}; }
+  Generosity() { budget() = {32768, 4, 16}; }
   Generosity(const Generosity&) = delete;
   Generosity& operator=(const Generosity&) = delete;
   ~Generosity() { budget() = {}; }

@@ -129,7 +129,7 @@ int run(const Wishes& w) {
     if (name != adversary::family_names.back()) by_family[name];  // that is made on request alone
   }
   std::map<std::string, int> saved;
-  std::int64_t found = 0;
+  std::int64_t found = 0, too_long = 0;
   const auto start = std::chrono::steady_clock::now();
   const auto minutes = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / 60;
@@ -141,6 +141,7 @@ int run(const Wishes& w) {
     if (!world) continue;
     const Relation relation = w.relation.value_or(relation_of(seed));
     const Comparison comparison = compare(relation, *world);
+    too_long += comparison.too_long;
     if (!comparison.made) continue;
     for (Count* count : {&by_relation[std::string(name(relation))], &by_family[world->family]}) {
       ++count->made;
@@ -153,7 +154,8 @@ int run(const Wishes& w) {
     if (!w.out.empty()) save(w.out, relation, *world);
   }
   const bool relations = print("relation", by_relation), families = print("family", by_family);
-  std::printf("%lld seeds, %lld contradictions\n", static_cast<long long>(k),
+  std::printf("%lld seeds, %lld left out for their time, %lld contradictions\n",
+              static_cast<long long>(k), static_cast<long long>(too_long),
               static_cast<long long>(found));
   const bool whole = k < 1000 || w.relation || !w.family.empty() || (relations && families);
   if (!whole) std::printf("a relation or a family has no world\n");

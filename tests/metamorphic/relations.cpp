@@ -55,10 +55,12 @@ Comparison compare_once(Relation relation, const World& world) {
 
 Comparison compare(Relation relation, const World& world) {
   try {
+    begin_comparison();
     const Comparison comparison = compare_once(relation, world);
-    if (!comparison.found) return comparison;
+    if (!comparison.found) return {comparison.made && !took_too_long(), {}, took_too_long()};
     // What is left open for its cost is no contradiction.
     const Generosity generosity;
+    begin_comparison();
     return compare_once(relation, world);
   } catch (const std::exception& error) {
     const Case asked{world.scene, world.claim, world.tolerance};

@@ -45,6 +45,7 @@ struct Contradiction {
 struct Comparison {
   bool made = false;  // whether the relation says anything of the world
   std::optional<Contradiction> found{};
+  bool too_long = false;
 };
 
 // A function of the world and its seed.
