@@ -20,12 +20,7 @@ void CellsAround::collect(GenId i, GenId j) {
   const auto each = [this, i, j](auto&& visit) {
     for (const GenId g : {i, j}) {
       if (g == container_id) continue;
-      const Diagram::HalfEdge first = s_.diagram.anchor(g);
-      Diagram::HalfEdge h = first;
-      do {
-        visit(h);
-        h = s_.diagram.rotate(h);
-      } while (h != first);
+      for (const Diagram::HalfEdge h : s_.diagram.ring(g)) visit(h);
     }
   };
   // Prefetches what will be needed of them soon: the lives, the pairs, and the generators on the

@@ -257,11 +257,9 @@ class InitialProof {
   // The vertices around g must turn exactly once: among the steps from each to the next exactly
   // one falls back in angle.
   std::optional<InitialFault> cell_fault(GenId g) {
-    const HalfEdge first = diagram_.anchor(g);
     int falls = 0;
     bool turns = false;
-    HalfEdge h = first;
-    do {
+    for (const HalfEdge h : diagram_.ring(g)) {
       const HalfEdge next = diagram_.rotate(h);
       const GenId a = diagram_.dest(h), b = diagram_.apex(h), c = diagram_.apex(next);
       const Sign step = decide([&](auto at, auto root) {
@@ -273,8 +271,7 @@ class InitialProof {
       // another fall elsewhere.
       if (step == Sign::negative) ++falls;
       turns = turns || step != Sign::zero;
-      h = next;
-    } while (h != first);
+    }
     if (falls == 1) return std::nullopt;
     if (!turns) {
       // A point that touches another generator: its cell has no area, and the vertices coincide.

@@ -170,16 +170,13 @@ int PairLives::watching(int edge, int besides) const {
   if (s_.diagram.edges() == 0) return edge;
   const auto pair = s_.replay.pair_of(edge);
   int oldest = -1;
-  const Diagram::HalfEdge first = s_.diagram.anchor(pair.second);
-  Diagram::HalfEdge h = first;
-  do {
+  for (const Diagram::HalfEdge h : s_.diagram.ring(pair.second)) {
     const int e = h / 2;
     if (e != besides && s_.replay.pair_of(e) == pair &&
         (oldest < 0 || std::pair(since_[e], e) < std::pair(since_[oldest], oldest))) {
       oldest = e;
     }
-    h = s_.diagram.rotate(h);
-  } while (h != first);
+  }
   return oldest;
 }
 

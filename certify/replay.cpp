@@ -28,12 +28,9 @@ Diagram::HalfEdge Replay::find_mirrored(const Quad& q) const {
 
 int Replay::adjacency(GenId i, GenId j) const {
   if (disks() == 1) return 0;
-  const HalfEdge first = diagram_.anchor(j);
-  HalfEdge h = first;
-  do {
+  for (const HalfEdge h : diagram_.ring(j)) {
     if (diagram_.dest(h) == i) return h / 2;
-    h = diagram_.rotate(h);
-  } while (h != first);
+  }
   return -1;
 }
 

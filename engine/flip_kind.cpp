@@ -10,13 +10,10 @@ FlipKind Degrees::kind_of_flip(const Diagram& diagram, const Quad& q) const {
   const auto degree = [&](GenId g) { return degree_[g + 1]; };
   // Whether all neighbours of g are generators of the quadruplet.
   const auto within = [&](GenId g) {
-    const Diagram::HalfEdge first = diagram.anchor(g);
-    Diagram::HalfEdge h = first;
-    do {
+    for (const Diagram::HalfEdge h : diagram.ring(g)) {
       const GenId n = diagram.dest(h);
       if (n != q.l && n != q.r && n != q.s && n != q.e) return false;
-      h = diagram.rotate(h);
-    } while (h != first);
+    }
     return true;
   };
   const bool l3 = degree(q.l) == 3, r3 = degree(q.r) == 3;

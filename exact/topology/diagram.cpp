@@ -106,13 +106,7 @@ void Diagram::flip(HalfEdge h) {
 
 std::vector<GenId> Diagram::neighbours(GenId g) const {
   std::vector<GenId> all;
-  const HalfEdge first = anchor(g);
-  if (first < 0) return all;
-  HalfEdge h = first;
-  do {
-    all.push_back(dest(h));
-    h = rotate(h);
-  } while (h != first);
+  for (const HalfEdge h : ring(g)) all.push_back(dest(h));
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
@@ -150,11 +144,9 @@ bool Diagram::is_valid(std::string* why) const {
     const HalfEdge first = anchor_[g + 1];
     if (first < 0 || org(first) != g) return fail("generator " + std::to_string(g) + " is lost");
     int seen = 0;
-    HalfEdge h = first;
-    do {
-      ++seen;
-      h = rotate(h);
-    } while (h != first && seen <= degree[g + 1]);
+    for ([[maybe_unused]] const HalfEdge h : ring(g)) {
+      if (++seen > degree[g + 1]) break;
+    }
     if (seen != degree[g + 1]) {
       return fail("the edges of generator " + std::to_string(g) + " do not form one ring");
     }
@@ -165,17 +157,14 @@ bool Diagram::is_valid(std::string* why) const {
   reached[0] = true;
   int count = 0;
   while (!pending.empty()) {
-    const HalfEdge first = anchor_[pending.back() + 1];
+    const GenId g = pending.back();
     pending.pop_back();
     ++count;
-    HalfEdge h = first;
-    do {
-      if (!reached[dest(h) + 1]) {
-        reached[dest(h) + 1] = true;
-        pending.push_back(dest(h));
-      }
-      h = rotate(h);
-    } while (h != first);
+    for (const HalfEdge h : ring(g)) {
+      if (reached[dest(h) + 1]) continue;
+      reached[dest(h) + 1] = true;
+      pending.push_back(dest(h));
+    }
   }
   if (count != disks_ + 1) return fail("the edges do not hang together");
   return true;

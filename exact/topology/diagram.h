@@ -55,6 +55,11 @@ class Diagram {
   // The next half-edge counterclockwise around org(h).
   HalfEdge rotate(HalfEdge h) const { return previous(h) ^ 1; }
 
+  // The half-edges around a cell: for (const HalfEdge h : diagram.ring(g)).
+  class Ring;
+  // Those that start at g, counterclockwise from its anchor on; none where g has no edge.
+  Ring ring(GenId g) const;
+
   // The neighbours of g, each once, sorted; none where it has no edge.
   std::vector<GenId> neighbours(GenId g) const;
 
@@ -90,20 +95,48 @@ class Diagram {
   std::vector<HalfEdge> anchor_;
 };
 
+class Diagram::Ring {
+ public:
+  struct End {};
+  class Iterator {
+   public:
+    Iterator(const Diagram& diagram, HalfEdge first)
+        : diagram_(diagram), first_(first), half_(first) {}
+    HalfEdge operator*() const { return half_; }
+    bool operator!=(End) const { return half_ >= 0; }
+    void operator++() {
+      half_ = diagram_.rotate(half_);
+      if (half_ == first_) half_ = -1;
+    }
+
+   private:
+    const Diagram& diagram_;
+    const HalfEdge first_;
+    HalfEdge half_;
+  };
+
+  // From this half-edge on; no half-edge where it is -1.
+  Ring(const Diagram& diagram, HalfEdge first) : diagram_(diagram), first_(first) {}
+  Iterator begin() const { return {diagram_, first_}; }
+  End end() const { return {}; }
+
+ private:
+  const Diagram& diagram_;
+  HalfEdge first_;
+};
+
+inline Diagram::Ring Diagram::ring(GenId g) const { return {*this, anchor(g)}; }
+
 // Visits the half-edges from l to r, until `visit` returns true. Precondition: l and r are
 // generators of the diagram.
 template <class Visit>
 void each_between(const Diagram& diagram, GenId l, GenId r, Visit&& visit) {
-  if (diagram.edges() == 0) return;
   // Around a disk: the container has many neighbours.
   const bool wall = l == container_id;
   const GenId other = wall ? l : r;
-  const Diagram::HalfEdge first = diagram.anchor(wall ? r : l);
-  Diagram::HalfEdge h = first;
-  do {
+  for (const Diagram::HalfEdge h : diagram.ring(wall ? r : l)) {
     if (diagram.dest(h) == other && visit(wall ? Diagram::twin(h) : h)) return;
-    h = diagram.rotate(h);
-  } while (h != first);
+  }
 }
 // The half-edge of this quadruplet, or -1. Precondition: l and r are generators of the diagram.
 Diagram::HalfEdge find_edge(const Diagram& diagram, const Quad& q);

@@ -129,9 +129,7 @@ std::vector<OffsetArc> FreeSpace::arcs_of(GenId g) const {
     // The ring begins and ends at its gate.
     all = !around.empty() && !around.front().from && !around.front().to;
   } else {
-    const HalfEdge first = diagram.anchor(g);
-    HalfEdge h = first;
-    do {
+    for (const HalfEdge h : diagram.ring(g)) {
       const std::vector<std::size_t>& own = of_edge_[h / 2];
       all = all && own.size() == 1 && !pieces_[own[0]].from && !pieces_[own[0]].to;
       std::vector<FreePiece> pieces;
@@ -140,8 +138,7 @@ std::vector<OffsetArc> FreeSpace::arcs_of(GenId g) const {
       }
       if ((h & 1) != 0) std::reverse(pieces.begin(), pieces.end());
       around.insert(around.end(), pieces.begin(), pieces.end());
-      h = diagram.rotate(h);
-    } while (h != first);
+    }
   }
   if (all) return {{g, {}, {}}};
   // Begin where an arc does; a piece without a point at its start continues the one before it.

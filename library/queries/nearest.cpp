@@ -90,12 +90,7 @@ std::vector<Neighbour> neighbours(Clearance& clearance, GenId disk) {
   if (diagram.disks() == 1) {
     edges[container_id] = 1;
   } else {
-    const Diagram::HalfEdge first = diagram.anchor(disk);
-    Diagram::HalfEdge h = first;
-    do {
-      ++edges[diagram.dest(h)];
-      h = diagram.rotate(h);
-    } while (h != first);
+    for (const Diagram::HalfEdge h : diagram.ring(disk)) ++edges[diagram.dest(h)];
   }
   std::vector<Neighbour> all;
   for (const auto& [generator, count] : edges) {

@@ -88,12 +88,9 @@ std::vector<Opening> tunnel_openings(const Paths& paths, HistoryCursor& history,
   const auto present = [&] {
     std::vector<Quad> edges;
     if (diagram.disks() == 1) return std::vector<Quad>{{i, j, i, i}};
-    const Diagram::HalfEdge first = diagram.anchor(i);
-    Diagram::HalfEdge h = first;
-    do {
+    for (const Diagram::HalfEdge h : diagram.ring(i)) {
       if (diagram.dest(h) == j) edges.push_back(diagram.quad(h));
-      h = diagram.rotate(h);
-    } while (h != first);
+    }
     std::sort(edges.begin(), edges.end());
     return edges;
   };
