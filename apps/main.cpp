@@ -60,7 +60,7 @@ ExitCode run(int argc, const char* const* argv) {
   const Verb* const verb = parse(program, argc, argv);
   ExitCode code = ExitCode::ok;
   if (verb != nullptr) {
-    if (!verb->starts_runs()) start_process_limits();
+    start_process_limits();
     code = verb->act();
   }
   std::cout.flush();

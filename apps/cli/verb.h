@@ -134,11 +134,6 @@ class Verb {
   std::deque<Verb>& verbs() { return verbs_; }
   // Whether the option was given on the command line.
   bool given(const std::string& option) const;
-  // The options given, but for arguments and for those named, as words of a command line.
-  std::vector<std::string> given_words(const std::vector<std::string>& but) const;
-  // With this option the verb starts other runs, and what limits a run limits those.
-  void starts_runs_with(const std::string& option) { starts_runs_with_ = option; }
-  bool starts_runs() const { return !starts_runs_with_.empty() && given(starts_runs_with_); }
   ExitCode act() const { return action_(); }
 
  private:
@@ -148,7 +143,7 @@ class Verb {
                        std::uint64_t least, std::uint64_t most, const std::string& help,
                        std::function<void(std::uint64_t)> set);
 
-  std::string name_, description_, notes_, starts_runs_with_;
+  std::string name_, description_, notes_;
   std::vector<std::string> examples_;
   std::deque<Option> options_;
   std::deque<Verb> verbs_;

@@ -14,8 +14,6 @@
 #include "apps/run/limited_history.h"
 #include "apps/run/second_checker.h"
 #include "apps/run/told_certificate.h"
-#include "apps/verbs/list.h"
-#include "apps/verbs/listed_certify.h"
 #include "apps/verbs/verbs.h"
 #include "certify/certifier.h"
 #include "history/claim.h"
@@ -304,11 +302,8 @@ ExitCode merge_files(Request& request) {
 void add_certify(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("certify", "Prove or refute a history of a scene");
-  verb.input("scene", request->scene, "The scene.")
-      .required_unless("--list")
-      .required_unless("--merge");
+  verb.input("scene", request->scene, "The scene.").required_unless("--merge");
   verb.input("history", request->history, "The history, whoever wrote it.")
-      .required_unless("--list")
       .required_unless("--merge");
   verb.choice(
       "--truth", {"exact", "recorded"}, request->truth,
@@ -370,15 +365,12 @@ void add_certify(Verb& program) {
   verb.flag("--quiet", request->quiet,
             "Show no progress on the terminal, and write nothing but the verdict, what it is about "
             "and what it leaves open.");
-  const auto list =
-      add_list_options(verb, {"--report", "--part", "--index", "--merge", "--resume"});
   verb.note("What s CERTIFIED says is stated in docs/claim.md.")
       .note(
           "The last line of the output is s CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) "
           "or s UNDECIDED (3).");
   verb.example("voroproof certify a.scene.json a.history.jsonl --truth recorded --report r.json");
-  verb.does([request, list, &verb] {
-    if (!list->list.empty()) return run_listed(verb, *list, listed_certify);
+  verb.does([request] {
     try {
       return request->shards.empty() ? certify_files(*request) : merge_files(*request);
     } catch (const InputError& error) {

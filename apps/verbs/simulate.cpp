@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "apps/cli/command_line.h"
@@ -16,12 +15,10 @@
 #include "apps/run/keeper.h"
 #include "apps/run/self_check.h"
 #include "apps/run/stats_file.h"
-#include "apps/verbs/list.h"
 #include "apps/verbs/verbs.h"
 #include "certify/report.h"
 #include "history/descriptor.h"
 #include "history/error.h"
-#include "history/file_bytes.h"
 #include "history/json_text.h"
 #include "library/maneuver_input.h"
 
@@ -315,33 +312,13 @@ ExitCode simulate(const Request& request) {
   return report(outcome);
 }
 
-// Takes the counts of events from the statistics of a run.
-void read_stats(const std::string& path, RunRow& row) {
-  const nlohmann::json stats = nlohmann::json::parse(file_bytes(path, std::size_t{1} << 24));
-  const nlohmann::json& events = stats.at("events");
-  row.events = events.at("flips").at("all").get<std::int64_t>() +
-               events.at("collisions").at("all").get<std::int64_t>() +
-               events.at("maneuvers").get<std::int64_t>();
-  row.t = stats.at("t").get<double>();
-}
-
-const ListedVerb listed_simulate{
-    .name = "simulate",
-    .arguments =
-        [](const ListedRun& run, const std::string& stats) {
-          return std::vector<std::string>{
-              "simulate", "--stats", stats, "--quiet", "--output=" + run.history, "--", run.scene};
-        },
-    .read = read_stats,
-    .writes_history = true};
-
 }  // namespace
 
 void add_simulate(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("simulate", "Write the exact history of a scene");
-  verb.input("scene", request->scene, "The scene.").required_unless("--list");
-  verb.output(request->history, "The history to write.").required_unless("--list");
+  verb.input("scene", request->scene, "The scene.").required();
+  verb.output(request->history, "The history to write.").required();
   verb.text(
       "--horizon", request->horizon, "TIME",
       "The horizon in place of the scene's, exactly: a decimal (0.1 is one tenth), a fraction "
@@ -378,11 +355,8 @@ void add_simulate(Verb& program) {
       "A second thread certifies every event (certify --strict). A history that is not proved "
       "right is not written (exit code 4), and nothing is kept for --resume.");
   verb.flag("--quiet", request->quiet, "Show no progress on the terminal and no summary.");
-  const auto list = add_list_options(verb, {"--stats"});
   verb.example("voroproof simulate a.scene.json -o a.history.jsonl --stats a.stats.json");
-  verb.does([request, list, &verb] {
-    return list->list.empty() ? simulate(*request) : run_listed(verb, *list, listed_simulate);
-  });
+  verb.does([request] { return simulate(*request); });
 }
 
 }  // namespace voroproof::internal

@@ -77,10 +77,6 @@ def write_some(folder, program, example):
     go("clearance paths.csv --below 1 --required 1/2 -o paths.clearance.json")
     go("clearance a.scene.json a.history.jsonl --below 5 --required 1/2 -o history.clearance.json")
     (folder / "help.json").write_text(subprocess.check_output([program, "help", "--json"], text=True))
-    (folder / "list").write_text("a.scene.json\ta.history.jsonl\na.scene.json\tb.history.jsonl\n")
-    go("certify --list list --json c.table.json")
-    (folder / "list").write_text("a.scene.json\tc.history.jsonl\n")
-    go("simulate --list list --json s.table.json")
     go("corpus run --family few --json own.corpus.json")
     go("corpus run --family few --json their.corpus.json --against", f"'{example}' {{scene}} {{history}}")
     for line in (CORPUS / "cases.txt").read_text().splitlines():
