@@ -44,7 +44,7 @@ COMMANDS = [
     "generate reference --n 5 --seed 2 -o =g.scene.json",
     "simulate a.scene.json -o =o.history.jsonl --stats =stats.json --quiet",
     "simulate a.scene.json -o =o.history.jsonl.gz --quiet",
-    "simulate a.scene.json -o =o.history.jsonl --threads 2 --self-check --quiet",
+    "simulate a.scene.json -o =o.history.jsonl --threads 2 --quiet",
     "snapshot a.scene.json a.history.jsonl --at 3 -o =o.diagram.json",
     "query nearest a.scene.json a.history.jsonl --at 3 --point 1 2 -o =o.json",
     "query voids-over a.scene.json a.history.jsonl --probe 1 -o =o.json",

@@ -45,7 +45,7 @@ std::vector<Computing> computing_verbs() {
                         "--quiet -o @out";
   return {
       {"simulate", "simulate @a.scene.json -o @out --quiet",
-       "simulate @a.scene.json -o @out --quiet --start-bits 64",
+       "simulate @a.scene.json -o @out --quiet",
        "simulate @large.scene.json -o @out --quiet", true},
       {"certify", "certify" + a + "--report @out", "certify" + a + "--report @out",
        "certify" + large + "--report @out", true},
