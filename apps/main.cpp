@@ -44,8 +44,6 @@ void describe(Verb& program) {
   add_convert(program);
   add_corpus(program);
   add_plan(program);
-  add_check72(program);
-  add_experiment(program);
   add_process_limits(program);
   add_help(program);
   program.note(

@@ -61,8 +61,6 @@ COMMANDS = [
     "explain a.report.json -o =o.svg",
     "convert a.history.jsonl --scene a.scene.json -o =o.evtsq",
     "plan plan.json -o =o.scene.json --report =o.json --picture =o.svg --quiet",
-    "check72 a.scene.json a.history.jsonl --quiet",
-    "experiment speed --scale 0.02 --members 1 --horizon 3 --quiet -o =o.json --csv =o.csv",
     "corpus list",
     "corpus run --case maneuver-to-the-same --json =o.json",
     "corpus run --case maneuver-to-the-same --against 'cp {scene} {history}' --json =o.json",

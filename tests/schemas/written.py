@@ -72,7 +72,6 @@ def write_some(folder, program, example):
     go("plan --preset five -o p.scene.json --report p.plan.json")
     (folder / "crowded.json").write_text(json.dumps(CROWDED))
     go("plan crowded.json -o q.scene.json --report q.plan.json")
-    go("experiment speed --scale 0.01 --members 1 --horizon 5 -o e.experiment.json")
     (folder / "paths.csv").write_text("disk,t,x,y,radius\na,0,0,0,1\na,10,20,0,1\nb,0,10,1.5,1\nb,10,10,-3,1\n")
     go("clearance paths.csv --below 1 --required 1/2 -o paths.clearance.json")
     go("clearance a.scene.json a.history.jsonl --below 5 --required 1/2 -o history.clearance.json")
