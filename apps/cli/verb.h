@@ -25,17 +25,15 @@ struct Option {
   std::vector<std::string> choices = {};  // the only values there are; empty: any that `take` takes
   int values = 1;                         // number of values in one use
   bool is_required = false, repeats = false;
-  std::vector<std::string> old_names = {};  // still understood, and shown nowhere
-  std::vector<std::string> excluded = {};   // options that cannot be given as well
-  std::vector<std::string> needed = {};     // options that must be given as well
-  std::vector<std::string> unless = {};     // with one of these a required one is not to be given
-  bool takes_rest = false;                  // all words that follow, up to the next option
+  std::vector<std::string> excluded = {};  // options that cannot be given as well
+  std::vector<std::string> needed = {};    // options that must be given as well
+  std::vector<std::string> unless = {};    // with one of these a required one is not to be given
+  bool takes_rest = false;                 // all words that follow, up to the next option
   // Reads the values, with which the option was given. Throws UsageError.
   std::function<void(const std::vector<std::string>& values)> take = {};
 
   // Set by the parser.
   bool given = false;
-  std::vector<std::string> given_values = {};
 
   const std::string& name() const { return names.back(); }
   bool is_flag() const { return type.empty(); }
@@ -50,10 +48,6 @@ struct Option {
     required();
     unless.push_back(other);
     excluded.push_back(other);
-    return *this;
-  }
-  Option& formerly(const std::string& old_name) {
-    old_names.push_back(old_name);
     return *this;
   }
   Option& excludes(const std::vector<std::string>& others) {
