@@ -36,7 +36,7 @@ struct Request {
   bool quiet = false;
 };
 
-// What tests set in the environment (CONTRIBUTING.md): where a decision is taken, never what it is.
+// Tests set in the environment where decisions are taken, never what they are (CONTRIBUTING.md).
 MotionOptions motion_options(const Request& request) {
   MotionOptions motion = request.motion;
   if (const char* filters = std::getenv("VOROPROOF_FILTERS")) {
