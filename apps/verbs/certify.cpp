@@ -73,16 +73,12 @@ void read_part(const Request& request, ShardFile& file) {
 }
 
 void require_shards(const Request& request) {
-  for (const auto& [given, name] :
-       {std::pair(!request.part.empty(), "--part"), std::pair(request.resume, "--resume")}) {
-    if (!given) continue;
-    const std::string option = name;
-    if (request.truth != "recorded" || request.events != "all") {
-      throw UsageError(option + ": only with --truth recorded, of all events");
-    }
-    if (request.report.empty()) throw UsageError(option + ": requires --report");
+  const bool is_part = !request.part.empty();
+  if ((is_part || request.resume) && (request.truth != "recorded" || request.events != "all")) {
+    throw UsageError(std::string(is_part ? "--part" : "--resume") +
+                     ": only with --truth recorded, of all events");
   }
-  if (!request.index.empty() && request.part.empty() && !request.resume) {
+  if (!request.index.empty() && !is_part && !request.resume) {
     throw UsageError("--index: only with --part or --resume, which begin in the middle");
   }
   if (request.resume && (is_stream(request.report) || is_standard_output(request.report))) {
@@ -338,7 +334,8 @@ void add_certify(Verb& program) {
   verb.output("--report", request->report, "Write everything that was found here, as JSON.");
   verb.text("--part", request->part, "I/N",
             "Certify the I-th of N shards of a history, under the recorded truth, and write its "
-            "certificate as the report.");
+            "certificate as the report.")
+      .needs("--report");
   verb.input(
           "--index", request->index,
           "An index of the history (voroproof index): a shard, or what --resume takes up, is read "
@@ -356,7 +353,8 @@ void add_certify(Verb& program) {
             "Take up what a run that was interrupted or killed, or that a limit ended, has left "
             "beside this report; the report is the same as without the break. With --part, nothing "
             "is done where the report is that of this shard already: of these bytes, these options "
-            "and this version.");
+            "and this version.")
+      .needs("--report");
   verb.whole("--checkpoint", request->checkpoint, 0, 1'000'000,
              "Under the recorded truth, keep what is proved every so many seconds in a file of the "
              "report's name with .partial at its end; 0: as often as can be.");
