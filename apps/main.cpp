@@ -44,8 +44,6 @@ void describe(Verb& program) {
   add_convert(program);
   add_corpus(program);
   add_plan(program);
-  add_check72(program);
-  add_experiment(program);
   add_process_limits(program);
   add_help(program);
   program.note(
@@ -60,7 +58,7 @@ ExitCode run(int argc, const char* const* argv) {
   const Verb* const verb = parse(program, argc, argv);
   ExitCode code = ExitCode::ok;
   if (verb != nullptr) {
-    if (!verb->starts_runs()) start_process_limits();
+    start_process_limits();
     code = verb->act();
   }
   std::cout.flush();

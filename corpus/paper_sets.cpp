@@ -1,25 +1,18 @@
 #include "corpus/paper_sets.h"
 
-#include <algorithm>
-#include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace voroproof::internal {
 
-const std::vector<PaperSet>& paper_sets() {
-  static const std::vector<PaperSet> sets{
+ReferenceOptions paper_set_member(const std::string& name, int k) {
+  static const std::map<std::string, int> sets{
       {"reference", 10}, {"speed", 10}, {"size", 10}, {"density", 10}, {"restitution", 5}};
-  return sets;
-}
-
-ReferenceOptions paper_set_member(const std::string& name, int k, double scale) {
-  const auto set = std::find_if(paper_sets().begin(), paper_sets().end(),
-                                [&](const PaperSet& s) { return s.name == name; });
-  if (set == paper_sets().end())
-    throw std::invalid_argument("no data set is called '" + name + "'");
-  if (k < 1 || k > set->members)
+  const auto set = sets.find(name);
+  if (set == sets.end()) throw std::invalid_argument("no data set is called '" + name + "'");
+  if (k < 1 || k > set->second)
     throw std::invalid_argument("data set " + name + " has members 1 to " +
-                                std::to_string(set->members));
+                                std::to_string(set->second));
   ReferenceOptions options;
   if (name == "reference") options.n = 1000 * k;
   if (name == "speed") options.speed = k;
@@ -29,7 +22,6 @@ ReferenceOptions paper_set_member(const std::string& name, int k, double scale) 
     options.n = 300;
     options.restitution = (k + 5) / 10.0;
   }
-  options.n = std::max(1, static_cast<int>(std::lround(options.n * scale)));
   return options;
 }
 

@@ -2,14 +2,11 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "corpus/generate.h"
 
 namespace voroproof::internal {
 
-// Names and numbers of members:
-//
 //   reference    10: 1000 k disks, speed 1, radii uniform over [1, 10], density 0.05, elastic
 //   speed        10: 1000 disks of speed k
 //   size         10: 1000 disks of radii uniform over [1, k]
@@ -19,14 +16,8 @@ namespace voroproof::internal {
 //
 // in all else like the members of `reference`, up to time 1000. The paper leaves open what random
 // numbers members share; here those of one seed.
-struct PaperSet {
-  std::string name;
-  int members;
-};
-const std::vector<PaperSet>& paper_sets();
-
-// Member k (from 1) of a set, its number of disks multiplied by `scale` > 0 (rounded, at least 1).
-// Throws std::invalid_argument for a name or a number that is none.
-ReferenceOptions paper_set_member(const std::string& name, int k, double scale = 1);
+//
+// Member k (from 1) of a set. Throws std::invalid_argument for a name or a number that is none.
+ReferenceOptions paper_set_member(const std::string& name, int k);
 
 }  // namespace voroproof::internal

@@ -77,12 +77,12 @@ probed() {
 # measured SET FILE: an experiment of the paper's at its full size, and its plots. Only those of the
 # initial speed have a panel of predictions, which take longer than all else.
 measured() {
-  local predictions=off
-  [ "$1" != speed ] || predictions=on
+  local predictions=()
+  [ "$1" != speed ] || predictions=(--predictions)
   [ -e "$experiments/$1.json" ] ||
-    "$program" experiment "$1" --scale 1 --seeds 5 --threads "$(nproc)" \
-      --predictions "$predictions" -o "$experiments/$1.json" --resume --quiet
-  /usr/bin/python3 scripts/plot-experiments.py "$experiments/$1.json" -o "$work"
+    PYTHONPATH=$(dirname "$program")/python bench/paper/experiment.py "$program" "$1" --scale 1 --seeds 5 \
+      --threads "$(nproc)" "${predictions[@]}" -o "$experiments/$1.json"
+  bench/paper/plot.py "$experiments/$1.json" -o "$work"
   mv "$work/$1.png" "$2"
 }
 

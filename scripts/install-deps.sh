@@ -5,7 +5,7 @@
 #   without arguments: what building and running the program takes
 #   test:  what building the tests takes besides
 #   bench: what the benchmarks and the peers they measure take besides
-#   plots: what scripts/plot-experiments.py, plot-growth.py and plot-plan.py take
+#   plots: what bench/paper/plot.py, plot-growth.py and plot-plan.py take
 #   python: what building the Python module takes, and its tests with notebooks
 #   ci:    the second compiler, the formatter, the counter of instructions, doxygen, man, shells and an old processor besides
 #   packages: what scripts/check-packages.sh takes besides

@@ -51,14 +51,15 @@ generate() {
   fi
 }
 
-# simulate PROGRAM OPTIONS...: computes a history and adds its hash to the results. A run that stops
-# early fails: where a budget ends the run may depend on the options, so there is nothing to compare.
+# simulate PROGRAM FILTERS BITS THREADS: computes a history and adds its hash to the results. A run that
+# stops early fails: where a budget ends it may depend on these, so there is nothing to compare.
 simulate() {
   local program=$1
   shift
+  export VOROPROOF_FILTERS=$1 VOROPROOF_START_BITS=$2
   # What an earlier run left must not be taken for this one's.
   rm -f "$scratch/history"
-  if "$program" simulate "$scene" -o "$scratch/history" --quiet "$@" 2>"$scratch/errors"; then
+  if "$program" simulate "$scene" -o "$scratch/history" --quiet --threads "$3" 2>"$scratch/errors"; then
     echo "$(sha256_of "$scratch/history") $program $*" >>"$results"
   else
     echo "failed $program $*: $(tail -n 1 "$scratch/errors")" >>"$results"
@@ -103,7 +104,7 @@ same_bytes() {
     for filter in $filters; do
       for bits in "${start_bits[@]}"; do
         for threads in 1 2 5; do
-          simulate "$program" --filters "$filter" --start-bits "$bits" --threads "$threads"
+          simulate "$program" "$filter" "$bits" "$threads"
         done
       done
     done

@@ -53,12 +53,6 @@ void start_process_limits() {
   setrlimit(RLIMIT_DATA, &limit);
 }
 
-TimeLimitOfWaiting::TimeLimitOfWaiting() {
-  if (seconds > 0) start_time_limit(seconds);
-}
-
-TimeLimitOfWaiting::~TimeLimitOfWaiting() { alarm(0); }
-
 void add_max_bits(Verb& verb, int& bits) {
   verb.whole("--max-bits", bits, least_bits, most_bits,
              "The bits of precision beyond which a decision is undecided (exit code 3).");

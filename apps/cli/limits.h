@@ -16,16 +16,6 @@ void add_process_limits(Verb& program);
 // Sets the limits that the command line names. To be called once it is parsed.
 void start_process_limits();
 
-// In a process that only starts runs, whose limits these are: the time limit is in force while this
-// lives, for what the process itself waits for.
-class TimeLimitOfWaiting {
- public:
-  TimeLimitOfWaiting();
-  TimeLimitOfWaiting(const TimeLimitOfWaiting&) = delete;
-  TimeLimitOfWaiting& operator=(const TimeLimitOfWaiting&) = delete;
-  ~TimeLimitOfWaiting();
-};
-
 // --max-bits: of the numbers from which decisions are taken.
 void add_max_bits(Verb& verb, int& bits);
 

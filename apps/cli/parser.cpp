@@ -99,18 +99,12 @@ class Image {
   // Gives each option of the verb its values.
   void hand_on(Verb& verb) {
     for (Option& option : verb.options()) {
-      std::vector<std::string> values;
-      for (CLI::Option* read : read_.at(&option)) {
-        if (read->count() == 0) continue;
-        option.given = true;
-        values.insert(values.end(), read->results().begin(), read->results().end());
-      }
-      option.given_values = values;
+      option.given = read_.at(&option)->count() > 0;
     }
     for (const Option& option : verb.options()) require_unless(verb, option);
     for (Option& option : verb.options()) {
-      const std::vector<std::string>& values = option.given_values;
       if (!option.given) continue;
+      const std::vector<std::string>& values = read_.at(&option)->results();
       require_choice(option, values);
       option.take(values);
     }
@@ -152,15 +146,8 @@ class Image {
   }
 
   void add(CLI::App& app, Option& option) {
-    std::vector<CLI::Option*>& read = read_[&option];
-    read.push_back(add(app, option, joined(option.names)));
-    read[0]->required(option.is_required && option.unless.empty());
-    for (const std::string& name : option.old_names) {
-      CLI::Option* old = add(app, option, name);
-      old->group("");  // not shown
-      old->excludes(read[0]);
-      read.push_back(old);
-    }
+    CLI::Option* read = read_[&option] = add(app, option, joined(option.names));
+    read->required(option.is_required && option.unless.empty());
   }
 
   static CLI::Option* add(CLI::App& app, const Option& option, const std::string& names) {
@@ -194,7 +181,7 @@ class Image {
 
   CLI::App app_;
   std::map<const CLI::App*, Verb*> verbs_;
-  std::map<const Option*, std::vector<CLI::Option*>> read_;
+  std::map<const Option*, CLI::Option*> read_;
 };
 
 std::vector<std::string> verb_names(const Verb& verb) {

@@ -160,21 +160,6 @@ Verb& Verb::example(const std::string& command) {
   return *this;
 }
 
-std::vector<std::string> Verb::given_words(const std::vector<std::string>& but) const {
-  std::vector<std::string> words;
-  for (const Option& option : options_) {
-    const std::string& name = option.name();
-    if (!option.given || option.is_argument() ||
-        std::find(but.begin(), but.end(), name) != but.end()) {
-      continue;
-    }
-    words.push_back(name);
-    if (option.is_flag()) continue;
-    words.insert(words.end(), option.given_values.begin(), option.given_values.end());
-  }
-  return words;
-}
-
 bool Verb::given(const std::string& option) const {
   for (const Option& o : options_) {
     if (o.name() == option) return o.given;

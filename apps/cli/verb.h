@@ -25,17 +25,15 @@ struct Option {
   std::vector<std::string> choices = {};  // the only values there are; empty: any that `take` takes
   int values = 1;                         // number of values in one use
   bool is_required = false, repeats = false;
-  std::vector<std::string> old_names = {};  // still understood, and shown nowhere
-  std::vector<std::string> excluded = {};   // options that cannot be given as well
-  std::vector<std::string> needed = {};     // options that must be given as well
-  std::vector<std::string> unless = {};     // with one of these a required one is not to be given
-  bool takes_rest = false;                  // all words that follow, up to the next option
+  std::vector<std::string> excluded = {};  // options that cannot be given as well
+  std::vector<std::string> needed = {};    // options that must be given as well
+  std::vector<std::string> unless = {};    // with one of these a required one is not to be given
+  bool takes_rest = false;                 // all words that follow, up to the next option
   // Reads the values, with which the option was given. Throws UsageError.
   std::function<void(const std::vector<std::string>& values)> take = {};
 
   // Set by the parser.
   bool given = false;
-  std::vector<std::string> given_values = {};
 
   const std::string& name() const { return names.back(); }
   bool is_flag() const { return type.empty(); }
@@ -50,10 +48,6 @@ struct Option {
     required();
     unless.push_back(other);
     excluded.push_back(other);
-    return *this;
-  }
-  Option& formerly(const std::string& old_name) {
-    old_names.push_back(old_name);
     return *this;
   }
   Option& excludes(const std::vector<std::string>& others) {
@@ -134,11 +128,6 @@ class Verb {
   std::deque<Verb>& verbs() { return verbs_; }
   // Whether the option was given on the command line.
   bool given(const std::string& option) const;
-  // The options given, but for arguments and for those named, as words of a command line.
-  std::vector<std::string> given_words(const std::vector<std::string>& but) const;
-  // With this option the verb starts other runs, and what limits a run limits those.
-  void starts_runs_with(const std::string& option) { starts_runs_with_ = option; }
-  bool starts_runs() const { return !starts_runs_with_.empty() && given(starts_runs_with_); }
   ExitCode act() const { return action_(); }
 
  private:
@@ -148,7 +137,7 @@ class Verb {
                        std::uint64_t least, std::uint64_t most, const std::string& help,
                        std::function<void(std::uint64_t)> set);
 
-  std::string name_, description_, notes_, starts_runs_with_;
+  std::string name_, description_, notes_;
   std::vector<std::string> examples_;
   std::deque<Option> options_;
   std::deque<Verb> verbs_;

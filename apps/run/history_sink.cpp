@@ -16,23 +16,14 @@ HistorySink::HistorySink(HistoryWriter& writer, HistoryHeader header, int disks)
 void HistorySink::begin(const std::vector<Quad>& initial) {
   begun_ = true;
   // A run that stopped before the diagram at 0+ was known gives none.
-  const bool known = !initial.empty() || disks_ < 2;
-  if (header_observer_) {
-    HistoryHeader shown = header_;
-    if (known) shown.initial = initial;
-    header_observer_(shown);
-  }
-  // It is large, and not copied for the writer.
-  if (known) {
+  if (!initial.empty() || disks_ < 2) {
     writer_.header(header_, initial);
   } else {
     writer_.header(header_);
   }
 }
 
-void HistorySink::flip(double t, const Quad& edge) {
-  show_and_put(FlipEvent{.t = t, .quad = edge});
-}
+void HistorySink::flip(double t, const Quad& edge) { take(FlipEvent{.t = t, .quad = edge}); }
 
 void HistorySink::collide(double t, GenId i, GenId j, const RoundedState& first,
                           const RoundedState& second) {
@@ -43,11 +34,11 @@ void HistorySink::collide(double t, GenId i, GenId j, const RoundedState& first,
   }
   event.v[1] = velocity(second);
   event.p[1] = center(second);
-  show_and_put(std::move(event));
+  take(std::move(event));
 }
 
 void HistorySink::maneuver(double t, GenId disk, const RoundedState& state) {
-  show_and_put(ManeuverEvent{.t = t, .disk = disk, .v = velocity(state), .p = center(state)});
+  take(ManeuverEvent{.t = t, .disk = disk, .v = velocity(state), .p = center(state)});
 }
 
 BackgroundHistorySink::~BackgroundHistorySink() {

@@ -29,13 +29,6 @@ class HistorySink : public EventSink {
                const RoundedState& second) final;
   void maneuver(double t, GenId disk, const RoundedState& state) final;
 
-  // Each event is shown to `observer`, and before them the header, as they come.
-  void observe(std::function<void(const HistoryHeader&)> header,
-               std::function<void(const Event&)> event) {
-    header_observer_ = std::move(header);
-    event_observer_ = std::move(event);
-  }
-
   bool has_begun() const { return begun_; }
   double last_time() const { return last_time_; }  // time of the last event; 0 without any
 
@@ -60,9 +53,8 @@ class HistorySink : public EventSink {
   HistoryWriter& writer_;
 
  private:
-  void show_and_put(Event&& event) {
+  void take(Event&& event) {
     last_time_ = time(event);
-    if (event_observer_) event_observer_(event);
     put(std::move(event));
   }
 
@@ -70,8 +62,6 @@ class HistorySink : public EventSink {
   int disks_;
   bool begun_ = false;
   double last_time_ = 0;
-  std::function<void(const HistoryHeader&)> header_observer_;
-  std::function<void(const Event&)> event_observer_;
 };
 
 // A sink with a thread of its own for formatting and writing: the engine's thread hands on batches

@@ -1,4 +1,4 @@
-// The file in which a run of `simulate` keeps what it takes to go on (docs/formats.md, section 20).
+// The file in which a run of `simulate` keeps what it takes to go on (docs/formats.md, section 17).
 //
 // One JSON object a line. The first line:
 //   format, version           "voroproof-kept-run", 1

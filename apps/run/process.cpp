@@ -88,7 +88,6 @@ class Child {
     if (descriptor_ >= 0) close(descriptor_);
   }
 
-  void ask_to_end() const { kill(-pid_, SIGTERM); }
   int descriptor() const { return descriptor_; }  // readable once the process has ended
   bool late(Clock::time_point now) const { return now >= deadline_; }
   Clock::time_point deadline() const { return deadline_; }
@@ -146,21 +145,6 @@ void wait_for(const std::vector<Running>& running, std::vector<pollfd>& descript
   }
 }
 
-// The run is given up: what answers ends by itself.
-void ask_to_end(const std::vector<Running>& running) {
-  const auto answers = [](const Running& r) { return r.job->front().answers; };
-  for (const Running& r : running) {
-    if (answers(r)) r.child->ask_to_end();
-  }
-  for (const Running& r : running) {
-    if (!answers(r)) continue;
-    pollfd ended{r.child->descriptor(), POLLIN, 0};
-    while (poll(&ended, 1, -1) < 0 && errno == EINTR) {
-    }
-    r.job->front().on_end(r.child->end());
-  }
-}
-
 }  // namespace
 
 std::string description(const ProcessEnd& end) {
@@ -190,10 +174,7 @@ bool run_jobs(std::vector<std::shared_ptr<ProcessJob>> jobs, std::size_t at_once
     r.child = r.job->empty() ? nullptr : std::make_unique<Child>(r.job->front());
   };
   while (finished < jobs.size()) {
-    if (!progress(finished)) {
-      ask_to_end(running);
-      return false;
-    }
+    if (!progress(finished)) return false;
     while (next < jobs.size() && running.size() < at_once) {
       running.push_back({jobs[next++], nullptr});
       start_step(running.back());

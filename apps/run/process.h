@@ -2,10 +2,9 @@
 //
 // Whatever happens to the work (it crashes, it hangs, it eats all memory) happens to its process
 // alone. A process leads a group of its own; the whole group is killed when its time is over, when
-// the leader has ended, and when the run is given up; where it answers it is asked first. Of
-// another program's work no descendant survives, whatever group it is in, not even where this
-// process is killed outright. No other thread of this process does anything meanwhile, so that a
-// forked one may do anything.
+// the leader has ended, and when the run is given up. Of another program's work no descendant
+// survives, whatever group it is in, not even where this process is killed outright. No other
+// thread of this process does anything meanwhile, so that a forked one may do anything.
 #pragma once
 
 #include <cstdint>
@@ -44,9 +43,6 @@ struct ProcessStep {
   std::function<void(const ProcessEnd&)> on_end;
   // The work is another program's, whose processes may leave the group: they are ended, too.
   bool foreign = false;
-  // The work answers SIGTERM: it keeps what it has reached, and ends. When the run is given up it
-  // is waited for.
-  bool answers = false;
 };
 
 // Steps one after the other; on_end may add some.

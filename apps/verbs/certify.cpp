@@ -14,8 +14,6 @@
 #include "apps/run/limited_history.h"
 #include "apps/run/second_checker.h"
 #include "apps/run/told_certificate.h"
-#include "apps/verbs/list.h"
-#include "apps/verbs/listed_certify.h"
 #include "apps/verbs/verbs.h"
 #include "certify/certifier.h"
 #include "history/claim.h"
@@ -75,16 +73,12 @@ void read_part(const Request& request, ShardFile& file) {
 }
 
 void require_shards(const Request& request) {
-  for (const auto& [given, name] :
-       {std::pair(!request.part.empty(), "--part"), std::pair(request.resume, "--resume")}) {
-    if (!given) continue;
-    const std::string option = name;
-    if (request.truth != "recorded" || request.events != "all") {
-      throw UsageError(option + ": only with --truth recorded, of all events");
-    }
-    if (request.report.empty()) throw UsageError(option + ": requires --report");
+  const bool is_part = !request.part.empty();
+  if ((is_part || request.resume) && (request.truth != "recorded" || request.events != "all")) {
+    throw UsageError(std::string(is_part ? "--part" : "--resume") +
+                     ": only with --truth recorded, of all events");
   }
-  if (!request.index.empty() && request.part.empty() && !request.resume) {
+  if (!request.index.empty() && !is_part && !request.resume) {
     throw UsageError("--index: only with --part or --resume, which begin in the middle");
   }
   if (request.resume && (is_stream(request.report) || is_standard_output(request.report))) {
@@ -304,11 +298,8 @@ ExitCode merge_files(Request& request) {
 void add_certify(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("certify", "Prove or refute a history of a scene");
-  verb.input("scene", request->scene, "The scene.")
-      .required_unless("--list")
-      .required_unless("--merge");
+  verb.input("scene", request->scene, "The scene.").required_unless("--merge");
   verb.input("history", request->history, "The history, whoever wrote it.")
-      .required_unless("--list")
       .required_unless("--merge");
   verb.choice(
       "--truth", {"exact", "recorded"}, request->truth,
@@ -343,7 +334,8 @@ void add_certify(Verb& program) {
   verb.output("--report", request->report, "Write everything that was found here, as JSON.");
   verb.text("--part", request->part, "I/N",
             "Certify the I-th of N shards of a history, under the recorded truth, and write its "
-            "certificate as the report.");
+            "certificate as the report.")
+      .needs("--report");
   verb.input(
           "--index", request->index,
           "An index of the history (voroproof index): a shard, or what --resume takes up, is read "
@@ -361,7 +353,8 @@ void add_certify(Verb& program) {
             "Take up what a run that was interrupted or killed, or that a limit ended, has left "
             "beside this report; the report is the same as without the break. With --part, nothing "
             "is done where the report is that of this shard already: of these bytes, these options "
-            "and this version.");
+            "and this version.")
+      .needs("--report");
   verb.whole("--checkpoint", request->checkpoint, 0, 1'000'000,
              "Under the recorded truth, keep what is proved every so many seconds in a file of the "
              "report's name with .partial at its end; 0: as often as can be.");
@@ -370,15 +363,12 @@ void add_certify(Verb& program) {
   verb.flag("--quiet", request->quiet,
             "Show no progress on the terminal, and write nothing but the verdict, what it is about "
             "and what it leaves open.");
-  const auto list =
-      add_list_options(verb, {"--report", "--part", "--index", "--merge", "--resume"});
   verb.note("What s CERTIFIED says is stated in docs/claim.md.")
       .note(
           "The last line of the output is s CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) "
           "or s UNDECIDED (3).");
   verb.example("voroproof certify a.scene.json a.history.jsonl --truth recorded --report r.json");
-  verb.does([request, list, &verb] {
-    if (!list->list.empty()) return run_listed(verb, *list, listed_certify);
+  verb.does([request] {
     try {
       return request->shards.empty() ? certify_files(*request) : merge_files(*request);
     } catch (const InputError& error) {

@@ -84,8 +84,7 @@ void add_movie(Verb& program) {
       .excludes({"--max-events"});
   verb.text("--horizon", request->horizon, "TIME",
             "Leave out what is later. The time is exact: a decimal, a fraction or a hexadecimal "
-            "float.")
-      .formerly("--until");
+            "float.");
   add_computing_limits(verb, request->options);
   verb.example("voroproof movie a.scene.json a.history.jsonl --report a.report.json -o a.html");
   verb.does([request, &verb] { return write_movie(verb, *request); });

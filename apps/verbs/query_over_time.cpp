@@ -132,8 +132,7 @@ Verb& add_over_time(Verb& query, const std::shared_ptr<Request>& request, const 
   verb.input("history", request->history, "A history of the scene.").required();
   verb.text("--from", request->from, "TIME", "The beginning of the window, as exact text.");
   verb.text("--horizon", request->horizon, "TIME",
-            "The end of the window; the history's horizon where it is not given.")
-      .formerly("--to");
+            "The end of the window; the history's horizon where it is not given.");
   verb.output(request->output, "Write the answer here, as JSON, besides the table.");
   add_computing_limits(verb, request->options);
   add_subject(verb, *request, subject);

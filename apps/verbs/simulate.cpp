@@ -1,10 +1,11 @@
 // voroproof simulate: from a scene to its history.
+#include <algorithm>
 #include <chrono>
-#include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
@@ -14,14 +15,10 @@
 #include "apps/run/checkpoints.h"
 #include "apps/run/history_sink.h"
 #include "apps/run/keeper.h"
-#include "apps/run/self_check.h"
 #include "apps/run/stats_file.h"
-#include "apps/verbs/list.h"
 #include "apps/verbs/verbs.h"
-#include "certify/report.h"
 #include "history/descriptor.h"
 #include "history/error.h"
-#include "history/file_bytes.h"
 #include "history/json_text.h"
 #include "library/maneuver_input.h"
 
@@ -33,18 +30,28 @@ struct Request {
   int threads = 1;
   MotionOptions motion;
   std::uint64_t max_events = 0;
-  std::string filters = "on";
-  bool self_check = false;
   bool replace = false;
   bool resume = false;
   std::uint64_t checkpoint = 10;  // seconds
   bool quiet = false;
 };
 
+// Tests set in the environment where decisions are taken, never what they are (CONTRIBUTING.md).
+MotionOptions motion_options(const Request& request) {
+  MotionOptions motion = request.motion;
+  if (const char* filters = std::getenv("VOROPROOF_FILTERS")) {
+    motion.filters = std::string_view(filters) != "off";
+  }
+  if (const char* bits = std::getenv("VOROPROOF_START_BITS")) {
+    motion.start_bits = std::clamp(std::atoi(bits), least_bits, most_bits);
+  }
+  motion.start_bits = std::min(motion.start_bits, motion.max_bits);
+  return motion;
+}
+
 EngineOptions engine_options(const Request& request) {
   EngineOptions options;
-  options.motion = request.motion;
-  options.motion.filters = request.filters == "on";
+  options.motion = motion_options(request);
   options.threads = request.threads;
   options.profile = !request.stats.empty();
   options.max_events = request.max_events;
@@ -99,16 +106,6 @@ ExitCode report(const Outcome& outcome) {
   return ExitCode::interrupted;
 }
 
-// Requires the certifier's agreement with the engine's history: a complete one must be certified,
-// one that stopped must be right as far as it goes.
-void require_checked(const Certificate& certificate, bool complete) {
-  const Verdict good = complete ? Verdict::certified : Verdict::undecided;
-  if (certificate.verdict != good) {
-    throw std::logic_error("self-check: " + std::string(verdict_line(certificate.verdict)) + ": " +
-                           reason_line(certificate));
-  }
-}
-
 Outcome run_or_resume(Engine& engine, HistorySink& sink, const std::optional<BegunHistory>& begun) {
   if (!begun) return engine.run(sink);
   try {
@@ -141,41 +138,21 @@ Outcome run(Engine& engine, HistorySink& sink, const std::optional<BegunHistory>
   return outcome;
 }
 
-RunDescription description(const Request& request, const Scene& scene, int disks) {
+RunDescription description(const EngineOptions& options, const Scene& scene, int disks) {
   return {.producer = producer(),
           .scene_sha256 = scene.sha256,
           .disks = disks,
           .horizon = scene.horizon,
-          .start_bits = request.motion.start_bits,
-          .max_bits = request.motion.max_bits,
-          .threads = request.threads,
-          .filters = request.filters == "on",
+          .start_bits = options.motion.start_bits,
+          .max_bits = options.motion.max_bits,
+          .threads = options.threads,
+          .filters = options.motion.filters,
           .total_seconds = 0};
 }
 
-// The check sees all that goes into the sink.
-void begin(std::optional<SelfCheck>& check, const Scene& scene, const Request& request,
-           HistorySink& sink) {
-  CertifyOptions options;
-  options.strict = true;
-  options.measures_times = false;
-  options.motion.max_bits = request.motion.max_bits;
-  check.emplace(scene, options);
-  sink.observe([&check](const HistoryHeader& header) { check->begin(header); },
-               [&check](const Event& event) { check->event(event); });
-}
-
-// The history's last line, once the check, if any, has approved of the history.
-void finish(HistoryWriter& writer, std::optional<SelfCheck>& check, const Outcome& outcome) {
-  const bool complete = outcome.kind == Outcome::Kind::complete;
-  if (check) {
-    HistoryStop stop;
-    stop.t = outcome.t;
-    stop.reason = outcome.reason;
-    require_checked(complete ? check->finish(HistoryEnd{writer.counts()}) : check->finish(stop),
-                    complete);
-  }
-  if (complete) {
+// The history's last line.
+void finish(HistoryWriter& writer, const Outcome& outcome) {
+  if (outcome.kind == Outcome::Kind::complete) {
     writer.end();
   } else {
     writer.stopped(outcome.t, outcome.reason, events_of(outcome));
@@ -190,8 +167,6 @@ std::optional<BegunHistory> find_begun(const Request& request, const HistoryHead
     throw UsageError("--resume: what was written into a stream cannot be taken up");
   }
   auto begun = BegunHistory::find(request.history, header, disks);
-  // The check sees all events as they come.
-  if (begun && !begun->complete() && request.self_check) begun.reset();
   if (begun && !request.quiet && !begun->complete()) {
     std::cerr << "voroproof: takes up " << printable(begun->path(), 4096)
               << " at t = " << number_text(begun->kept().run.t0) << ", after "
@@ -234,9 +209,6 @@ ExitCode simulate(const Request& request) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   require_distinct({request.scene}, {request.history, request.stats});
-  if (request.motion.start_bits > request.motion.max_bits) {
-    throw UsageError("--start-bits: more than --max-bits");
-  }
   CooperativeInterruption interruption;
   Scene scene = read_scene(request.scene);
   if (!request.horizon.empty()) scene.horizon = time_argument("--horizon", request.horizon);
@@ -259,15 +231,9 @@ ExitCode simulate(const Request& request) {
   std::optional<OutputFile> stats_file;
   if (!request.stats.empty()) stats_file.emplace(request.stats);
   HistoryWriter writer(request.history);
-  // A history that is checked as it comes is not gone on with.
   std::optional<Keeper> keeper;
-  if (!request.self_check && !writer.is_stream()) {
-    keeper.emplace(request.history, header, writer, request.checkpoint);
-  }
+  if (!writer.is_stream()) keeper.emplace(request.history, header, writer, request.checkpoint);
   std::unique_ptr<HistorySink> sink = make_sink(request.threads, writer, std::move(header), disks);
-
-  std::optional<SelfCheck> check;
-  if (request.self_check) begin(check, scene, request, *sink);
 
   EngineOptions options = engine_options(request);
   std::optional<Progress> progress;
@@ -276,7 +242,7 @@ ExitCode simulate(const Request& request) {
   options.monitor = [&](double t, std::uint64_t events) {
     progress->report(t, events);
     if (sink->has_begun() && checkpoints.due()) sink->checkpoint();
-    return !interruption.requested() && !(check && check->over());
+    return !interruption.requested();
   };
   if (keeper) {
     // After an interruption the state is being kept. The writing of it is waited for.
@@ -286,7 +252,7 @@ ExitCode simulate(const Request& request) {
   }
   if (begun) keeper->begin_with(*begun, *sink);
   Engine engine(motion_input(scene), maneuver_input(scene), options);
-  if (!check) scene.disks = std::vector<DiskInput>();  // the engine has its own
+  scene.disks = std::vector<DiskInput>();  // the engine has its own
   Outcome outcome;
   try {
     outcome = run(engine, *sink, begun, interruption);
@@ -295,16 +261,16 @@ ExitCode simulate(const Request& request) {
     if (!writer.is_stream()) interruption.wind_up();
     sink->finish();
     if (keeper) keeper->see_stop();
-    finish(writer, check, outcome);
+    finish(writer, outcome);
     close(writer, request, outcome, keeper);
   } catch (const OutputError& error) {
     progress.reset();
     sink.reset();
-    if (!check) close_short(writer, request, error, keeper);
+    close_short(writer, request, error, keeper);
     throw;
   }
   if (stats_file) {
-    RunDescription run = description(request, scene, disks);
+    RunDescription run = description(options, scene, disks);
     run.total_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     stats_file->write(stats_text(run, outcome, engine.stats()));
     stats_file->commit();
@@ -315,33 +281,13 @@ ExitCode simulate(const Request& request) {
   return report(outcome);
 }
 
-// Takes the counts of events from the statistics of a run.
-void read_stats(const std::string& path, RunRow& row) {
-  const nlohmann::json stats = nlohmann::json::parse(file_bytes(path, std::size_t{1} << 24));
-  const nlohmann::json& events = stats.at("events");
-  row.events = events.at("flips").at("all").get<std::int64_t>() +
-               events.at("collisions").at("all").get<std::int64_t>() +
-               events.at("maneuvers").get<std::int64_t>();
-  row.t = stats.at("t").get<double>();
-}
-
-const ListedVerb listed_simulate{
-    .name = "simulate",
-    .arguments =
-        [](const ListedRun& run, const std::string& stats) {
-          return std::vector<std::string>{
-              "simulate", "--stats", stats, "--quiet", "--output=" + run.history, "--", run.scene};
-        },
-    .read = read_stats,
-    .writes_history = true};
-
 }  // namespace
 
 void add_simulate(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("simulate", "Write the exact history of a scene");
-  verb.input("scene", request->scene, "The scene.").required_unless("--list");
-  verb.output(request->history, "The history to write.").required_unless("--list");
+  verb.input("scene", request->scene, "The scene.").required();
+  verb.output(request->history, "The history to write.").required();
   verb.text(
       "--horizon", request->horizon, "TIME",
       "The horizon in place of the scene's, exactly: a decimal (0.1 is one tenth), a fraction "
@@ -352,15 +298,8 @@ void add_simulate(Verb& program) {
       "So many threads compute a scene of 500 disks or more in slices of time, and a further "
       "one writes the history. With fewer disks one computes and another one writes. A history "
       "that reaches its horizon does not depend on it.");
-  verb.whole("--start-bits", request->motion.start_bits, least_bits, most_bits,
-             "The precision of the states to begin with. A history that reaches its horizon does "
-             "not depend on it.");
   add_max_bits(verb, request->motion.max_bits);
   add_max_events(verb, request->max_events);
-  verb.choice("--filters", {"on", "off"}, request->filters,
-              "Whether decisions are tried in floating point first. The history is the same either "
-              "way if it reaches its horizon; the point at which an undecided run stops may "
-              "differ.");
   verb.flag("--replace", request->replace,
             "Let a history that stops replace a complete one of its name, too, instead of going to "
             "that name with .partial at its end.");
@@ -373,16 +312,9 @@ void add_simulate(Verb& program) {
   verb.whole("--checkpoint", request->checkpoint, 1, 1'000'000,
              "After so many seconds at the latest events are safe from the end of the process: "
              "--resume finds them.");
-  verb.flag(
-      "--self-check", request->self_check,
-      "A second thread certifies every event (certify --strict). A history that is not proved "
-      "right is not written (exit code 4), and nothing is kept for --resume.");
   verb.flag("--quiet", request->quiet, "Show no progress on the terminal and no summary.");
-  const auto list = add_list_options(verb, {"--stats"});
   verb.example("voroproof simulate a.scene.json -o a.history.jsonl --stats a.stats.json");
-  verb.does([request, list, &verb] {
-    return list->list.empty() ? simulate(*request) : run_listed(verb, *list, listed_simulate);
-  });
+  verb.does([request] { return simulate(*request); });
 }
 
 }  // namespace voroproof::internal

@@ -22,7 +22,5 @@ void add_explain(Verb& program);
 void add_convert(Verb& program);
 void add_corpus(Verb& program);
 void add_plan(Verb& program);
-void add_check72(Verb& program);
-void add_experiment(Verb& program);
 
 }  // namespace voroproof::internal

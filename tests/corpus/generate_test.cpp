@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "corpus/paper_sets.h"
 #include "history/sha256.h"
 #include "tests/support/compact_arithmetic.h"
 
@@ -360,6 +361,33 @@ TEST(Generate, BytesArePinned) {
       {"swarm", "7a76ee1126b08fb0269e8a99d0e5d094438a56a09a17a71f0c7c217ff1af2eb9"}};
   for (const auto& [name, scene] : scenes)
     EXPECT_EQ(sha256_hex(bytes(scene)), pinned.at(name)) << name;
+}
+
+// Section 7.1, member by member.
+TEST(PaperSets, AreThoseOfThePaper) {
+  for (int k = 1; k <= 10; ++k) {
+    EXPECT_EQ(paper_set_member("reference", k).n, 1000 * k);
+    EXPECT_EQ(paper_set_member("speed", k).speed, k);
+    EXPECT_EQ(paper_set_member("size", k).rmax, k);
+    EXPECT_DOUBLE_EQ(paper_set_member("density", k).density, 0.05 * k);
+    for (const std::string name : {"reference", "speed", "size", "density"}) {
+      const ReferenceOptions o = paper_set_member(name, k);
+      EXPECT_EQ(o.rmin, 1);
+      EXPECT_EQ(o.horizon, 1000);
+      EXPECT_EQ(o.restitution, 1);
+      EXPECT_TRUE(name == "reference" || o.n == 1000);
+      EXPECT_TRUE(name == "speed" || o.speed == 1);
+      EXPECT_TRUE(name == "size" || o.rmax == 10);
+      EXPECT_TRUE(name == "density" || o.density == 0.05);
+    }
+  }
+  for (int k = 1; k <= 5; ++k) {
+    EXPECT_EQ(paper_set_member("restitution", k).restitution, (5 + k) / 10.0);
+    EXPECT_EQ(paper_set_member("restitution", k).n, 300);
+  }
+  EXPECT_THROW(paper_set_member("restitution", 6), std::invalid_argument);
+  EXPECT_THROW(paper_set_member("speed", 0), std::invalid_argument);
+  EXPECT_THROW(paper_set_member("colour", 1), std::invalid_argument);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "apps/draw/plan_drawing.h"
 #include "apps/draw/plan_picture.h"
 #include "apps/draw/render.h"
-#include "apps/run/run_table.h"
 #include "certify/kernel/files.h"
 #include "history/byte_source.h"
 #include "history/diagram_file.h"
@@ -147,14 +146,6 @@ bool report(std::string_view bytes) {
   });
 }
 
-bool run_list(std::string_view bytes) {
-  return accepts([&] { read_run_list(file_with(bytes)); });
-}
-
-bool run_table(std::string_view bytes) {
-  return accepts([&] { read_run_table(file_with(bytes), "certify"); });
-}
-
 bool compressed(std::string_view bytes) {
   constexpr std::size_t most = std::size_t{1} << 22;  // that is expanded: some may have no end
   return accepts([&] {
@@ -211,8 +202,6 @@ const std::vector<Target>& targets() {
       {"ccbs", ccbs, 20'000},
       {"case", corpus_case, 20'000},
       {"report", report, 20'000},
-      {"run-list", run_list, 20'000},
-      {"run-table", run_table, 20'000},
       {"compressed", compressed, 10'000},
       {"any", any_file, 4'000},
       {"kernel-scene", kernel_scene, 20'000},

@@ -36,7 +36,6 @@ SCENE = b"""{"format": "voroproof-scene", "version": 1, "name": "all fields", "c
 """
 WAYPOINTS = [b"t,disk,x,y,radius\n0,a,0,0,1\n1.5,a,3,4,1\n0,b,9,9,0.5\n1.5,b,9,-9,0.5\n",
              b"# a comment\ndisk,t,x,y\n7,0,0,0\n7,1,1e1,-2.5\n\n8,0,5,5\n8,1,5,5\n"]
-RUNS = b"a.scene.json\ta.history.jsonl\na.scene.json\tmissing\n"
 CCBS = b"""<?xml version="1.0" ?>
 <root><log>
  <agent number="0"><path duration="2.8">
@@ -159,10 +158,6 @@ class Made:
         plan = self.given("plan.json", PLAN)
         yield self.file("plan-report.json", "plan", plan, "--quiet", "-o", "p.scene.json", "--report")
 
-    def run_tables(self):
-        runs = self.given("runs.txt", RUNS)
-        yield self.file("table.json", "certify", "--list", runs, "--json", allowed=(0, 1, 2, 3))
-
 
 def seeds(made):
     """The texts of each target."""
@@ -179,8 +174,6 @@ def seeds(made):
         "ccbs": [CCBS],
         "case": [in_folder(text) for text in small("cases/*/*/case.json", most=3000)],
         "report": list(made.reports()),
-        "run-list": [RUNS],
-        "run-table": list(made.run_tables()),
         "compressed": list(made.compressed()),
         "certify": pairs(),
     }

@@ -128,15 +128,6 @@ TEST_F(CertifyCli, ReportsAreExplainedAndDrawn) {
   refused({"explain", file("r.json"), "-o", file("r.gif")}, ".svg or .png");
 }
 
-TEST_F(CertifyCli, TheSelfCheckChangesNoByte) {
-  const std::string scene = reference(30, "40"), path = history(scene);
-  const std::string plain = read_file(path);
-  must({"simulate", scene, "-o", path, "--self-check"});
-  EXPECT_EQ(read_file(path), plain);
-  must({"simulate", scene, "-o", path, "--self-check", "--threads", "2"});
-  EXPECT_EQ(read_file(path), plain);
-}
-
 TEST_F(CertifyCli, WhatIsNotAHistoryOfTheSceneIsInvalid) {
   const std::string scene = reference(30, "40"), path = history(scene);
   EXPECT_EQ(verdict({scene, edited(path, [](auto& lines) { lines.pop_back(); })}), "s INVALID");

@@ -98,28 +98,5 @@ TEST_F(Help, WordsThatAreNotKnownHaveTheNearestKnownNextToThem) {
   }
 }
 
-TEST_F(Help, TheOldWordsForTheHorizonAreUnderstoodAndNotShown) {
-  const std::string scene = reference(5, "10"), history = file("a.history.jsonl");
-  must({"simulate", scene, "-o", history, "--quiet"});
-  const auto movie = [&](const std::string& word) {
-    must({"movie", scene, history, "-o", file("a.html"), word, "3"});
-    return directory_.read("a.html");
-  };
-  EXPECT_EQ(movie("--until"), movie("--horizon"));
-  const auto closest = [&](const std::string& word) {
-    return must({"query", "closest-over", scene, history, word, "3"}).out;
-  };
-  EXPECT_EQ(closest("--to"), closest("--horizon"));
-  refused({"query", "closest-over", scene, history, "--to", "3", "--horizon", "4"}, "excludes");
-  for (const Arguments& verb : {Arguments{"movie"}, Arguments{"query", "closest-over"}}) {
-    Arguments asked{"help"};
-    asked.insert(asked.end(), verb.begin(), verb.end());
-    const std::string help = must(asked).out;
-    EXPECT_NE(help.find("--horizon"), std::string::npos);
-    EXPECT_EQ(help.find("--to "), std::string::npos);
-    EXPECT_EQ(help.find("--until"), std::string::npos);
-  }
-}
-
 }  // namespace
 }  // namespace voroproof::internal

@@ -39,14 +39,11 @@ const std::string at = "at";
 std::vector<Computing> computing_verbs() {
   const std::string a = " @a.scene.json @a.history.jsonl ",
                     tie = " @tie.scene.json @tie.history.jsonl ",
-                    large = " @large.scene.json @a.history.jsonl ",
-                    experiment =
-                        "experiment speed --scale 0.03 --members 1 --horizon 10 --predictions off "
-                        "--quiet -o @out";
+                    large = " @large.scene.json @a.history.jsonl ";
   return {
       {"simulate", "simulate @a.scene.json -o @out --quiet",
-       "simulate @a.scene.json -o @out --quiet --start-bits 64",
-       "simulate @large.scene.json -o @out --quiet", true},
+       "simulate @a.scene.json -o @out --quiet", "simulate @large.scene.json -o @out --quiet",
+       true},
       {"certify", "certify" + a + "--report @out", "certify" + a + "--report @out",
        "certify" + large + "--report @out", true},
       {"snapshot", "snapshot" + a + "--at 15 -o @out", "snapshot @tie.scene.json --at 0 -o @out",
@@ -66,11 +63,9 @@ std::vector<Computing> computing_verbs() {
       {"movie", "movie" + a + "-o @out", "movie" + tie + "-o @out", "movie" + large + "-o @out"},
       {"clearance", "clearance" + a + "-o @out", "clearance" + tie + "-o @out",
        "clearance" + large + "-o @out"},
-      {"check72", "check72" + a, "check72" + tie, "check72" + large},
       {"index", "index" + a + "-o @out", "", "index" + large + "-o @out"},
       {"convert", "convert @a.history.jsonl --scene @a.scene.json --format evtsq -o @out", "",
        "convert @large.scene.json --format disks -o @out"},
-      {"experiment", experiment, experiment, experiment, true},
   };
 }
 

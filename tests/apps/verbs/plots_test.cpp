@@ -1,5 +1,4 @@
-// The scripts that plot experiments and plans, where matplotlib is installed
-// (scripts/install-deps.sh plots).
+// The script that plots plans, where matplotlib is installed (scripts/install-deps.sh plots).
 #include <cstdlib>
 
 #include "tests/apps/verbs/cli.h"
@@ -36,43 +35,6 @@ class Plots : public Cli {
     return found;
   }
 };
-
-TEST_F(Plots, OfExperimentsHaveThePanelsOfThePapersFigures) {
-  struct Figure {
-    std::string set;
-    std::size_t panels;
-  };
-  const std::vector<Figure> figures{
-      {"reference", 2}, {"speed", 3}, {"size", 3}, {"density", 3}, {"restitution", 2}};
-  std::string files;
-  for (const auto& [set, panels] : figures) {
-    must({"experiment", set, "--scale", "0.02", "--horizon", "20", "--members", "2",
-          "--predictions", set == "speed" ? "on" : "off", "-o", file(set + ".json"), "--quiet"});
-    files += file(set + ".json") + " ";
-  }
-  ASSERT_EQ(script("plot-experiments.py", files + "-o " + file("")), 0);
-  for (const auto& [set, panels] : figures) {
-    EXPECT_EQ(directory_.read(set + ".png").substr(1, 3), "PNG");
-    EXPECT_EQ(count(directory_.read(set + ".svg"), "<g id=\"axes_"), panels) << set;
-  }
-  // The same numbers give the same bytes.
-  const std::string svg = directory_.read("restitution.svg");
-  ASSERT_EQ(script("plot-experiments.py", file("restitution.json") + " -o " + file("")), 0);
-  EXPECT_EQ(directory_.read("restitution.svg"), svg);
-  // Of several seeds there are bars, or bands.
-  for (const std::string set : {"density", "restitution"}) {
-    must({"experiment", set, "--scale", "0.02", "--horizon", "20", "--members", "2",
-          "--predictions", "off", "--seeds", "3", "-o", file("seeds.json"), "--quiet"});
-    const std::string one = directory_.read(set + ".svg");
-    ASSERT_EQ(script("plot-experiments.py", file("seeds.json") + " -o " + file("")), 0);
-    EXPECT_GT(count(directory_.read(set + ".svg"), "PolyCollection_") +
-                  count(directory_.read(set + ".svg"), "LineCollection_"),
-              count(one, "PolyCollection_") + count(one, "LineCollection_"))
-        << set;
-  }
-  fails("plot-experiments.py", file("no.json"), "no.json: ");
-  fails("plot-experiments.py", file("size.json") + " -o " + file("size.json"), "size.json: ");
-}
 
 TEST_F(Plots, OfPlansHaveAPanelForEachTime) {
   must({"plan", "--preset", "square-to-circle", "-o", file("p.scene.json"), "--report",

@@ -142,7 +142,7 @@ TEST_F(Resume, OfAStoppedAndAnInterruptedRun) {
   const pid_t child = start(resume());
   kill(child, SIGINT);
   finish(child);
-  expect_whole({"--self-check"});
+  expect_whole();
 }
 
 // What was reached is there whatever ends the runs, and each goes on from it.
@@ -184,7 +184,7 @@ TEST_F(Resume, NoEndingLosesEvents) {
        {"a.history.jsonl", "a.history.jsonl.partial", "a.history.jsonl.999999999.0.tmp"}) {
     directory_.write(name, long_one);
     for (const Arguments& limit : {Arguments{"--max-events", "50"},
-                                   {"--max-bits", "64", "--start-bits", "64"},
+                                   {"--max-bits", "64"},
                                    {"--time-limit", "1/100"},
                                    {"--max-memory", "40"}}) {
       run(resume(limit));

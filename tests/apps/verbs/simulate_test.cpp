@@ -27,18 +27,25 @@ TEST_F(Cli, TheHistoryDependsOnTheSceneAlone) {
   EXPECT_GT(lines_of(bytes).size(), 100u);
   const std::vector<Arguments> variants{{"--threads", "2"},
                                         {"--threads", "8", "--stats", file("stats.json")},
-                                        {"--start-bits", "64"},
-                                        {"--start-bits", "4096"},
                                         {"--quiet"},
                                         {"--horizon", "30"},
-                                        {"--horizon", "0xfp1"},
-                                        {"--filters", "off"}};
+                                        {"--horizon", "0xfp1"}};
   for (const Arguments& variant : variants) {
     Arguments arguments{"simulate", scene, "-o", file("b.history.jsonl")};
     arguments.insert(arguments.end(), variant.begin(), variant.end());
     const Result result = must(arguments);
     EXPECT_TRUE(directory_.read("b.history.jsonl") == bytes) << ::testing::PrintToString(variant);
     EXPECT_EQ(result.out.empty(), variant.front() == "--quiet");
+  }
+  for (const auto& [name, value] : {std::pair("VOROPROOF_START_BITS", "64"),
+                                    {"VOROPROOF_START_BITS", "4096"},
+                                    {"VOROPROOF_FILTERS", "off"}}) {
+    const Environment set(name, value);
+    must({"simulate", scene, "-o", file("b.history.jsonl"), "--stats", file("stats.json")});
+    EXPECT_TRUE(directory_.read("b.history.jsonl") == bytes) << name << '=' << value;
+    const std::string options = json("stats.json")["options"].dump();
+    EXPECT_NE(options.find(value == std::string("off") ? "\"filters\":false" : value),
+              options.npos);
   }
 }
 
@@ -193,10 +200,11 @@ TEST_F(Cli, OutOfMemory) {
   EXPECT_EQ(streams_.read("err"), "voroproof: out of memory\n");
   EXPECT_EQ(directory_.number_of_files(), 0u);
   // Here it is the numbers that find no memory.
+  const Environment bits("VOROPROOF_START_BITS", "16000000");
   const std::string scene = reference(100, "30");
-  EXPECT_EQ(limited("simulate '" + scene + "' -o '" + file("a.history.jsonl") +
-                    "' --start-bits 16000000 --max-bits 16000000"),
-            5);
+  EXPECT_EQ(
+      limited("simulate '" + scene + "' -o '" + file("a.history.jsonl") + "' --max-bits 16000000"),
+      5);
   EXPECT_EQ(streams_.read("err"), "voroproof: out of memory\n");
   EXPECT_EQ(directory_.number_of_files(), 1u);
 }

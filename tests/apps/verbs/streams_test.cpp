@@ -221,8 +221,7 @@ TEST_F(Streams, ASignalEndsARunWhoseReaderDoesNotRead) {
 
 TEST_F(Streams, ExchangedArgumentsAreCalledSo) {
   const std::string message = "a.history.jsonl is a history and " + scene_ + " is a scene";
-  for (const Arguments& verb :
-       {Arguments{"certify"}, Arguments{"check72"}, Arguments{"query", "closest-over"}}) {
+  for (const Arguments& verb : {Arguments{"certify"}, Arguments{"query", "closest-over"}}) {
     Arguments exchanged = verb;
     exchanged.insert(exchanged.end(), {history_, scene_});
     refused(exchanged, message);

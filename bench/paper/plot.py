@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Draws counterparts of the paper's Figs. 18 to 22 from files of `voroproof experiment`.
+"""Draws counterparts of the paper's Figs. 18 to 22 from files of experiment.py.
 
-usage: scripts/plot-experiments.py FILE.json... [-o DIRECTORY]
+usage: bench/paper/plot.py FILE.json... [-o DIRECTORY]
 
 For each file a PNG and an SVG named for its set. Where an experiment has several seeds, points are their means and
 bars, or bands, their standard deviations. Needs Debian's python3-matplotlib.
@@ -11,7 +11,6 @@ import itertools
 import json
 import pathlib
 import statistics
-import sys
 
 import matplotlib
 
@@ -149,31 +148,19 @@ def draw(experiment, directory):
     for extension in ("png", "svg"):
         metadata = {"Date": None} if extension == "svg" else {"Software": None}
         path = directory / f"{name}.{extension}"
-        try:
-            figure.savefig(path, metadata=metadata, dpi=110)
-        except OSError as fault:
-            sys.exit(f"plot-experiments: {path}: {fault}")
+        figure.savefig(path, metadata=metadata, dpi=110)
     pyplot.close(figure)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("files", nargs="+", type=pathlib.Path, metavar="FILE.json", help="of voroproof experiment")
+    parser.add_argument("files", nargs="+", type=pathlib.Path, metavar="FILE.json", help="of experiment.py")
     parser.add_argument("-o", "--output", type=pathlib.Path, default=pathlib.Path("."), metavar="FOLDER",
                         help="where the pictures go, SET.png and SET.svg for each file (default: here)")
     arguments = parser.parse_args()
-    try:
-        arguments.output.mkdir(parents=True, exist_ok=True)
-    except OSError as fault:
-        sys.exit(f"plot-experiments: {arguments.output}: {fault}")
+    arguments.output.mkdir(parents=True, exist_ok=True)
     for path in arguments.files:
-        try:
-            experiment = json.loads(path.read_text())
-        except (OSError, ValueError) as fault:
-            sys.exit(f"plot-experiments: {path}: {fault}")
-        if experiment.get("format") != "voroproof-experiment" or not experiment["members"]:
-            sys.exit(f"plot-experiments: {path}: not of voroproof experiment, or empty")
-        draw(experiment, arguments.output)
+        draw(json.loads(path.read_text()), arguments.output)
 
 
 if __name__ == "__main__":
