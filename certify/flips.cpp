@@ -110,8 +110,12 @@ Flips::Found Flips::collapse_by_search(const FlipEvent& claim, const Quad& q, in
   }
   // Kept on beyond other events, the motion may lead to roots at which q is no longer an edge.
   if (c) {
-    const auto [lo, hi] = interval_of(*c);
-    if (c->kind == Collapse::Kind::now || !proved_no_flip(s_.motion, q, lo, hi)) mistimed(q, *c, t);
+    // The search's interval may be wide, and disks may have left each other within it.
+    const auto [lo, hi] = s_.chronology.enclosure(Moment::of(q, *c));
+    if (c->kind == Collapse::Kind::now ||
+        !proved_no_flip(s_.motion, q, to_rational(lo), to_rational(hi))) {
+      mistimed(q, *c, t);
+    }
   }
   refuter_.refute(Fault::spurious_event,
                   "edge " + text_of(canonical(q)) + " does not collapse under its present motion",
