@@ -166,9 +166,7 @@ class Search {
   // However short the piece from a on is, the edge may collapse in it where f has a root, or at a.
   bool may_collapse(Span& span, const Rat& a) const {
     if (variations(span.polynomial()) != 0) return true;
-    std::set<int> unused;
-    return Span(four_, a, a).apart(unused) == Span::Apart::yes &&
-           Now(four_, a).legal(2, span.always()) <= 0;
+    return four_.apart(a, a) && Now(four_, a).legal(2, span.always()) <= 0;
   }
 
   // The collapse in [k, k + 1] / 2^depth of the span, where the tangencies have their right signs.
@@ -288,6 +286,10 @@ int sign_with_root(const Int& u, const Int& v, const Int& gamma) {
 Form Four::polynomial(const Rat& a, const Rat& b) const { return Span(*this, a, b).polynomial(); }
 int Four::incircle(const Rat& t, bool start) const { return Now(*this, t).incircle(start); }
 int Four::exists(const Rat& t, bool start) const { return Now(*this, t).exists(start); }
+bool Four::apart(const Rat& a, const Rat& b) const {
+  std::set<int> unused;
+  return Span(*this, a, b).apart(unused) == Span::Apart::yes;
+}
 
 Instant at(const Rat& t) { return {t, t}; }
 
@@ -344,8 +346,7 @@ std::optional<Collapse> collapse_near(const Four& four, const Rat& a, const Rat&
   const Rat lo = (middle - 4) * power(2, -40), hi = (middle + 5) * power(2, -40);
   if (a >= lo) return std::nullopt;
   Span span(four, a, hi);
-  std::set<int> unused;
-  if (span.apart(unused) != Span::Apart::yes) return std::nullopt;
+  if (!four.apart(a, hi)) return std::nullopt;
   const Form f = span.polynomial();
   if (variations(f) != 1 || span.always() || f.back() == 0) return std::nullopt;
   const Now end = span.at(1, 0);

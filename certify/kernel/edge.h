@@ -69,6 +69,8 @@ struct Four {
   // positive iff its circle exists (0 where two of the three touch).
   int incircle(const Rat& t, bool start) const;
   int exists(const Rat& t, bool start) const;
+  // Whether all tangencies have their right signs in [a, b].
+  bool apart(const Rat& a, const Rat& b) const;
 };
 
 // A time lo = hi, or the only root, one of odd order, of the polynomial of four in (lo, hi).

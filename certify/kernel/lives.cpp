@@ -122,15 +122,17 @@ class Lives {
     while (!b.is_point() && b.hi >= end) b.split((b.lo + b.hi) / 2);
     auto found = first_collapse(four, b.lo, end, notes_);
     // The birth is a root in a bracket in which this edge has a root or is illegal: either its root
-    // is the same, or the bracket can be made so small that it holds none of this edge.
-    while (found && found->at.lo < b.hi) {
+    // is the same, or the bracket can be made so small that it holds none of this edge. Nor may it
+    // hold one of a tangency, after which q tells nothing; a tangency may have the same root.
+    for (int round = 0; found && found->at.lo < b.hi; ++round) {
       if (b.is_point()) return first_collapse(four, b.lo, end, notes_);
       const Form form = four.polynomial(b.lo, b.hi);
       const bool zero = is_zero(form), ends = !zero && form.front() != 0 && form.back() != 0;
       if (ends && variations(form) == 0) return first_collapse(four, b.lo, end, notes_);
       const Form once = ends ? squarefree(form) : Form{};
-      if (zero ||
-          (variations(once) == 1 && variations(common(once, b.form(b.lo, b.hi))) % 2 == 1)) {
+      const bool same =
+          zero || (variations(once) == 1 && variations(common(once, b.form(b.lo, b.hi))) % 2 == 1);
+      if (same && (round == 64 || four.apart(b.lo, b.hi))) {
         found = first_collapse(four, b.hi, end, notes_);
         if (found && found->at.is_point() && found->at.lo == b.hi) found->at = b;
         return found;

@@ -88,17 +88,21 @@ std::pair<GenId, GenId> contact_image(const std::pair<GenId, GenId>& pair, const
   return std::minmax({image.id(pair.first), image.id(pair.second)});
 }
 
-// `only_verdict`: ties may be broken otherwise, and the first fault be another.
-bool are_same(const Answer& ours, const Image& image, const Answer& theirs, bool only_verdict) {
+// How much of two refutations must be the same where ties may be broken otherwise: in other units
+// the line, as which of several missing events of an instant is named depends on enclosures.
+enum class Same { all, line, verdict };
+
+bool are_same(const Answer& ours, const Image& image, const Answer& theirs, Same same) {
   if (ours.verdict == "endless" || theirs.verdict == "endless") {
     return true;  // one takes too long: nothing is known
   }
   if (ours.verdict != theirs.verdict) return false;
-  if (only_verdict || ours.verdict != "refuted") return true;
+  if (same == Same::verdict || ours.verdict != "refuted") return true;
   if (ours.line != theirs.line) return false;
   // An order within the tolerance that enclosures leave open is the file's. So it depends on them
   // which claim is judged first, and which of two faults of one line is met.
   if (ours.fault != theirs.fault) return ours.swapped && theirs.swapped;
+  if (same == Same::line) return true;
   if (ours.flip.has_value() != theirs.flip.has_value() ||
       ours.contact.has_value() != theirs.contact.has_value()) {
     return false;
@@ -203,8 +207,9 @@ Comparison compare_image(const World& world, Relation relation) {
   if (!run.complete() && !world.claim) return {true};
   ours.claim = claim_of(world, run);
   theirs.claim = image_of(*ours.claim, *image);
-  const bool exact_units = relation == Relation::units;
-  const bool only_verdict = !exact_units && !is_generic(world, run);
+  const Same same = is_generic(world, run)        ? Same::all
+                    : relation == Relation::units ? Same::line
+                                                  : Same::verdict;
   // The order of ids decides what comes of collisions of one instant.
   if (!image->ids.empty() && !is_generic(world, run)) {
     if (!run.complete() || !image_run.complete()) return {true};
@@ -212,7 +217,7 @@ Comparison compare_image(const World& world, Relation relation) {
   }
   for (const Truth truth : both_truths) {
     const Answer a = certified(ours, truth), b = certified(theirs, truth);
-    if (are_same(a, *image, b, only_verdict) || are_excused(relation, a, b)) continue;
+    if (are_same(a, *image, b, same) || are_excused(relation, a, b)) continue;
     // Where the scene itself comes to an end, one may see a fault that the other does not come to.
     if (!run.complete() && (a.verdict == "undecided" || b.verdict == "undecided")) continue;
     ours.answer = text(a);

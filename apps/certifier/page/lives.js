@@ -157,13 +157,15 @@ class LifeCheck {
     while (!at.isPoint && !at.hi.less(end)) at.halve();
     let found = firstCollapse(edge, at.lo, end, notes);
     // The birth is a root in a bracket in which this edge has a root or is illegal: either its root is the
-    // same, or the bracket can be made so small that it holds none of this edge.
-    while (found && found.at.lo.less(at.hi)) {
+    // same, or the bracket can be made so small that it holds none of this edge. Nor may it hold one of a
+    // tangency, after which q tells nothing; a tangency may have the same root.
+    for (let round = 0; found && found.at.lo.less(at.hi); ++round) {
       if (at.isPoint) return firstCollapse(edge, at.lo, end, notes);
       const form = edge.over(at.lo, at.hi).polynomial(), isZero = Form.isZero(form);
       const hasEnds = !isZero && form[0] !== 0n && form[form.length - 1] !== 0n;
       if (hasEnds && Form.variations(form) === 0) return firstCollapse(edge, at.lo, end, notes);
-      if (isZero || (hasEnds && this.sharesRoot(form, at))) {
+      const isSame = isZero || (hasEnds && this.sharesRoot(form, at));
+      if (isSame && (round === 64 || edge.over(at.lo, at.hi).apartness(new Set()) === "throughout")) {
         found = firstCollapse(edge, at.hi, end, notes);
         if (found && found.at.isPoint && found.at.lo.equals(at.hi)) found.at = at.copy();
         return found;
