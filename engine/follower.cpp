@@ -29,13 +29,12 @@ Follower::Follower(Motion& motion, double begin, bool profile)
       schedule_(diagram_, arithmetic_, stats_, profile, {}, motion.input().horizon),
       instant_(0),
       flipping_(diagram_, motion, arithmetic_, schedule_, instant_, stats_),
-      fetch_(diagram_, motion),
-      turn_(FoundEvent::Kind::contact, 0) {}
+      fetch_(diagram_, motion) {}
 
 void Follower::construct() {
   const Stopwatch watch(profile_, stats_.initial_seconds);
   const Rational begin = to_rational(begin_);
-  arithmetic_.is_at(begin);
+  arithmetic_.is_at(Moment::at(begin_));
   diagram_ = static_diagram(motion_, begin, stats_.tiers);
   flipping_.start();
 }
@@ -57,15 +56,8 @@ void Follower::announce() {
     return;
   }
   const LedTurns::Instant& next = turns_->instant(next_);
-  turn_ = FoundEvent(
-      next.exactly == nullptr ? FoundEvent::Kind::contact : FoundEvent::Kind::maneuver, 0);
-  turn_.exactly = next.exactly;
-  if (next.exactly == nullptr) {
-    const LedTurns::Contact& first = turns_->first_contact(next_);
-    turn_.i = first.i;
-    turn_.j = first.j;
-    turn_.at = first.at;
-  }
+  turn_ =
+      next.exactly != nullptr ? Moment::at(*next.exactly) : turns_->first_contact(next_).moment();
   schedule_.announce(&turn_);
 }
 
@@ -73,15 +65,13 @@ void Follower::announce() {
 bool Follower::step() {
   Patience::ask();
   if (at_horizon_ || !schedule_.next_instant(ties_)) return false;
-  const TimedEvent first = ties_.front();
-  if (first.event.exactly == nullptr && !schedule_.is_turn(first.event)) {
-    fetch_.around_edge(first.event.item & ~1);
-  }
+  const FoundEvent first = ties_.front();
+  if (first.is_flip()) fetch_.around_edge(first.item & ~1);
   schedule_.fetch_ahead(fetch_);
   bool turns = false;
-  for (const TimedEvent& timed : ties_) {
-    turns |= schedule_.is_turn(timed.event);
-    at_horizon_ |= timed.event.kind == FoundEvent::Kind::horizon;
+  for (const FoundEvent& event : ties_) {
+    turns |= schedule_.is_turn(event);
+    at_horizon_ |= schedule_.is_horizon(event);
   }
   // The leader has counted the tie of its turns with the horizon; a border is no event.
   if (at_horizon_ && ties_.size() > 1 && (turns || !is_last_)) --stats_.ties;
@@ -89,21 +79,17 @@ bool Follower::step() {
     // Add the contacts that the leader has proved simultaneous. The schedule does not know them.
     turns_->each_contact(next_, [&](const LedTurns::Contact& c) {
       if (c.i == turn_.i && c.j == turn_.j && turn_.is_contact()) return;
-      FoundEvent contact(FoundEvent::Kind::contact, 0);
-      contact.i = c.i;
-      contact.j = c.j;
-      contact.at = c.at;
-      ties_.push_back(arithmetic_.rough(contact));
+      ties_.emplace_back(c.moment(), 0);
     });
   }
   arithmetic_.begin(ties_);
   if (!turns && ties_.size() == 1) {
     if (at_horizon_) return false;
     instant_.set_time(arithmetic_.rounded(first));
-    flipping_.process(first.event.item / 2);
+    flipping_.process(first.item / 2);
   } else {
-    for (const TimedEvent& timed : ties_) {
-      if (timed.event.is_flip()) schedule_.make_due(timed.event);
+    for (const FoundEvent& event : ties_) {
+      if (event.is_flip()) schedule_.make_due(event);
     }
     if (turns) {
       process_turns();
@@ -121,7 +107,7 @@ void Follower::process_turns() {
   bool maneuvers = false;
   turns_->each_turn(next_, [&](const LedTurn& turn) {
     if (turn.i == turn.j) {
-      if (!std::exchange(maneuvers, true)) arithmetic_.is_at(*instant.exactly);
+      if (!std::exchange(maneuvers, true)) arithmetic_.is_at(Moment::at(*instant.exactly));
       ++stats_.maneuvers;
       instant_.add_maneuver(turn.i, turn.rounded_first);
     } else {

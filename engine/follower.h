@@ -68,11 +68,11 @@ class Follower {
   Fetch fetch_;
   const LedTurns* turns_ = nullptr;
   std::size_t next_ = 0;     // index of the next instant in turns_
-  FoundEvent turn_;          // the announced one
+  Moment turn_;              // the announced one
   bool is_last_ = false;     // the slice ends at the run's horizon
   bool at_horizon_ = false;  // the last instant of the slice is reached
   std::vector<GenId> changed_;
-  std::vector<TimedEvent> ties_;
+  std::vector<FoundEvent> ties_;
 };
 
 }  // namespace voroproof::internal

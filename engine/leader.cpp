@@ -12,8 +12,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Where between two instants a slice ends: at no place that symmetry might prefer.
 constexpr double kPart = 0.6180339887;
-// The items of events, which are in no queue of edges.
-constexpr int kNoItem = -1;
+// The items of events.
+constexpr int kContact = 0, kManeuver = 1, kHorizon = 2;
 
 }  // namespace
 
@@ -49,7 +49,7 @@ double Leader::work_ahead() const {
 
 // Events at t = 0 belong to the first instant.
 void Leader::start() {
-  arithmetic_.is_at(0);
+  arithmetic_.is_at(Moment::at(0));
   for (GenId g = 0; g < motion_.size(); ++g) cells_.place(g, 0);
   turns_->begin_instant();
   turns_->set_exactly(0);
@@ -92,31 +92,25 @@ std::optional<FoundEvent> Leader::take(double bound) {
       ++work_;
       continue;
     }
-    FoundEvent event(FoundEvent::Kind::contact, kNoItem);
-    event.i = e.i;
-    event.j = e.j;
-    event.at = {e.lo, e.hi};
-    return event;
+    return FoundEvent(Moment::of(e.i, e.j, e.lo, e.hi), kContact);
   }
   if (!(exact <= bound) || exact == kInfinity) return std::nullopt;
   const bool maneuver = maneuvers <= horizon;
   (maneuver ? has_maneuvers_ : has_horizon_) = true;
-  FoundEvent event(maneuver ? FoundEvent::Kind::maneuver : FoundEvent::Kind::horizon, kNoItem);
-  event.exactly = maneuver ? &maneuvers_.next_time() : &horizon_;
-  return event;
+  return maneuver ? FoundEvent(Moment::at(maneuvers_.next_time()), kManeuver)
+                  : FoundEvent(Moment::at(horizon_), kHorizon);
 }
 
-void Leader::put_back(const FoundEvent& event, double key) {
-  if (event.kind == FoundEvent::Kind::maneuver) has_maneuvers_ = false;
-  if (event.kind == FoundEvent::Kind::horizon) has_horizon_ = false;
-  if (!event.is_contact()) return;
-  queue_.push({key, event.at.lo, event.at.hi, event.i, event.j, motion_.state_id(event.i),
-               motion_.state_id(event.j)});
+void Leader::put_back(const FoundEvent& e) {
+  if (e.item == kManeuver) has_maneuvers_ = false;
+  if (e.item == kHorizon) has_horizon_ = false;
+  if (!e.is_contact()) return;
+  queue_.push({e.lo, e.lo, e.hi, e.i, e.j, motion_.state_id(e.i), motion_.state_id(e.j)});
 }
 
 bool Leader::is_tied(const FoundEvent& event) const {
-  return event.is_contact() && std::any_of(ties_.begin(), ties_.end(), [&](const TimedEvent& t) {
-           return t.event.is_contact() && t.event.i == event.i && t.event.j == event.j;
+  return event.is_contact() && std::any_of(ties_.begin(), ties_.end(), [&](const FoundEvent& e) {
+           return e.is_contact() && e.i == event.i && e.j == event.j;
          });
 }
 
@@ -126,56 +120,56 @@ bool Leader::next_instant() {
   has_maneuvers_ = has_horizon_ = false;
   const std::optional<FoundEvent> next = take(kInfinity);
   if (!next) return false;
-  TimedEvent first = arithmetic_.rough(*next);
+  FoundEvent first = *next;
   ties_.push_back(first);
-  while (const std::optional<FoundEvent> other = take(first.hi)) {
+  while (std::optional<FoundEvent> other = take(first.hi)) {
     if (is_tied(*other)) continue;
     if (!first.tight) {
-      first = arithmetic_.tight(first.event);
+      arithmetic_.tighten(first);
       ties_.assign(1, first);
-      put_back(*other, other->exactly != nullptr ? 0 : other->at.lo);
+      put_back(*other);
       continue;
     }
-    const TimedEvent timed = arithmetic_.tight(*other);
-    const int order = timed.lo > first.hi ? -1 : arithmetic_.order(first, timed);
+    arithmetic_.tighten(*other);
+    const int order = other->lo > first.hi ? -1 : arithmetic_.order(first, *other);
     if (order < 0) {
-      near_.push_back(timed);
+      near_.push_back(*other);
     } else if (order > 0) {
       near_.insert(near_.end(), ties_.begin(), ties_.end());
-      ties_.assign(1, timed);
-      first = timed;
+      ties_.assign(1, *other);
+      first = *other;
     } else {
-      ties_.push_back(timed);
+      ties_.push_back(*other);
     }
   }
-  for (const TimedEvent& t : near_) put_back(t.event, t.lo);
+  for (const FoundEvent& event : near_) put_back(event);
   return true;
 }
 
 // ---- One instant; false if it is the horizon. ----
 bool Leader::step() {
   if (!next_instant()) return false;
-  const TimedEvent first = ties_.front();
+  const FoundEvent first = ties_.front();
   arithmetic_.begin(ties_);
   is_settled_ = false;
   bool horizon = false, turns = false;
-  for (const TimedEvent& timed : ties_) {
-    (timed.event.kind == FoundEvent::Kind::horizon ? horizon : turns) = true;
-  }
+  for (const FoundEvent& e : ties_) (e.item == kHorizon ? horizon : turns) = true;
   if (!turns) return false;
   turns_->begin_instant();
-  for (const TimedEvent& timed : ties_) {
-    const FoundEvent& e = timed.event;
-    if (e.is_contact()) turns_->add(LedTurns::Contact{e.i, e.j, e.at});
-    if (e.exactly != nullptr) turns_->set_exactly(*e.exactly);
+  for (const FoundEvent& e : ties_) {
+    if (e.is_contact()) {
+      turns_->add(LedTurns::Contact{e.i, e.j, {e.lo, e.hi}});
+    } else {
+      turns_->set_exactly(e.rational());
+    }
   }
   if (!first.tight) {
-    process_contact(first.event.i, first.event.j, true);
+    process_contact(first.i, first.j, true);
   } else {
     turns_->last().t = arithmetic_.rounded(first);
-    for (const TimedEvent& timed : ties_) {
-      if (timed.event.is_contact()) due_.insert({timed.event.i, timed.event.j});
-      due_maneuvers_ |= timed.event.kind == FoundEvent::Kind::maneuver;
+    for (const FoundEvent& e : ties_) {
+      if (e.is_contact()) due_.insert({e.i, e.j});
+      due_maneuvers_ |= e.item == kManeuver;
     }
   }
   process_due();
@@ -215,7 +209,7 @@ void Leader::process_contact(GenId i, GenId j, bool lone) {
 }
 
 void Leader::process_maneuvers(const std::vector<ManeuverInput>& together) {
-  arithmetic_.is_at(together.front().t);
+  arithmetic_.is_at(Moment::at(together.front().t));
   for (const ManeuverInput& m : together) {
     const RoundedState rounded = arithmetic_.maneuver(m.disk, m.t, m.vx, m.vy);
     const TurnedState state = motion_.turned(m.disk);
@@ -231,7 +225,7 @@ void Leader::process_maneuvers(const std::vector<ManeuverInput>& together) {
 void Leader::change(GenId g) {
   if (g == container_id) return;
   std::erase_if(due_, [g](const auto& pair) { return pair.first == g || pair.second == g; });
-  if (ties_.size() == 1 && ties_.front().event.is_contact()) {
+  if (ties_.size() == 1 && ties_.front().is_contact()) {
     renew(g, arithmetic_.now().lo);
     return;
   }

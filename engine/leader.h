@@ -64,7 +64,7 @@ class Leader {
   bool step();
   bool next_instant();
   std::optional<FoundEvent> take(double bound);
-  void put_back(const FoundEvent& event, double key);
+  void put_back(const FoundEvent& event);
   bool is_tied(const FoundEvent& event) const;
   const Entry* head();
   double next_key();
@@ -92,7 +92,7 @@ class Leader {
   bool started_ = false;
   std::uint64_t work_ = 0;  // changes so far of a motion or of a square
   // The present instant.
-  std::vector<TimedEvent> ties_, near_;
+  std::vector<FoundEvent> ties_, near_;
   bool has_maneuvers_ = false, has_horizon_ = false;  // among what was taken for it
   std::set<std::pair<GenId, GenId>> due_;
   bool due_maneuvers_ = false;

@@ -144,7 +144,7 @@ class EngineOver {
   // ---- The start: t = 0. ----
   void start() {
     const Stopwatch watch(options_.profile, stats_.initial_seconds);
-    arithmetic_.is_at(0);
+    arithmetic_.is_at(Moment::at(0));
     diagram_ = static_diagram(motion_, 0, stats_.tiers);
     flipping_.start();
     schedule_.start(first_window(motion_), motion_.size());
@@ -185,13 +185,10 @@ class EngineOver {
       throw OtherRun("the last collisions are not those of each disk");
     }
     collapse_watch_.go_on_with(kept.collapses);
-    resumed_at_ = to_rational(kept.t0);
-    FoundEvent here(FoundEvent::Kind::maneuver, 0);
-    here.exactly = &resumed_at_;
-    arithmetic_.begin({arithmetic_.tight(here)});
+    arithmetic_.begin({{Moment::at(kept.t0), 0}});
     flipping_.start();
     flipping_.begin();
-    schedule_.start(first_window(motion_), motion_.size(), round_down(resumed_at_));
+    schedule_.start(first_window(motion_), motion_.size(), kept.t0);
     flipping_.search_all();
     search_contacts();
     if (schedule_.take_due_flip() || schedule_.take_due_contact()) {
@@ -220,19 +217,19 @@ class EngineOver {
   // ---- One instant; false if it is the horizon and has no event, or there is none. ----
   bool step() {
     if (!schedule_.next_instant(ties_)) return false;
-    const TimedEvent& first = ties_.front();
+    const FoundEvent& first = ties_.front();
     meetings_.require_none_until(first.hi);
     if ((++steps_ & 0x0f) == 0) look_up();
     is_between_ = false;
     if (diagram_.edges() > 0) {
-      if (first.event.exactly == nullptr) fetch_.around_edge(first.event.item & ~1);
+      if (first.kind != Moment::Kind::rational) fetch_.around_edge(first.item & ~1);
       schedule_.fetch_ahead(fetch_);
     }
     const int records = motion_.records();
     arithmetic_.begin(ties_);
     bool horizon = false;
     if (!first.tight) {
-      process_contact(first.event.i, first.event.j, true);
+      process_contact(first.i, first.j, true);
     } else {
       instant_.set_time(arithmetic_.rounded(first));
       horizon = process_simultaneous();
@@ -252,7 +249,7 @@ class EngineOver {
   // The events of ties_: a single flip or contact at once, all else in its order. Returns whether
   // the horizon is one of them.
   bool process_simultaneous() {
-    const FoundEvent& first = ties_.front().event;
+    const FoundEvent& first = ties_.front();
     if (ties_.size() == 1 && first.is_flip()) {
       process_flip(first.item / 2);
       return false;
@@ -262,9 +259,9 @@ class EngineOver {
       return false;
     }
     bool horizon = false;
-    for (const TimedEvent& timed : ties_) {
-      schedule_.make_due(timed.event);
-      horizon |= timed.event.kind == FoundEvent::Kind::horizon;
+    for (const FoundEvent& event : ties_) {
+      schedule_.make_due(event);
+      horizon |= schedule_.is_horizon(event);
     }
     return horizon;
   }
@@ -308,7 +305,7 @@ class EngineOver {
 
   // All of one instant.
   void process_maneuvers(const std::vector<ManeuverInput>& together) {
-    arithmetic_.is_at(together.front().t);
+    arithmetic_.is_at(Moment::at(together.front().t));
     for (const ManeuverInput& m : together) {
       const Stopwatch watch(options_.profile, stats_.move_seconds);
       instant_.add_maneuver(m.disk, arithmetic_.maneuver(m.disk, m.t, m.vx, m.vy));
@@ -378,10 +375,9 @@ class EngineOver {
   bool begun_ = false;       // the sink has the first diagram
   bool is_between_ = false;  // all of the last instant is told, and nothing of the next is done
   bool wants_to_keep_ = false;
-  Rational resumed_at_;           // time at which the run was taken up
   std::vector<int> divisions_;    // see KeptRun
   std::vector<GenId> changed_;    // disks with new velocities at the present instant
-  std::vector<TimedEvent> ties_;  // the events of the present instant
+  std::vector<FoundEvent> ties_;  // the events of the present instant
   std::uint64_t steps_ = 0;
 };
 

@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "engine/look_ahead.h"
 #include "engine/maneuvers.h"
 #include "engine/queue.h"
+#include "exact/enclosure.h"
 #include "exact/patience.h"
 #include "exact/topology/diagram.h"
 #include "filtered/search/collapse.h"
@@ -83,16 +83,15 @@ class Schedule {
 
   // In a run that is told its collisions and maneuvers: the next instant that has any is that of
   // `turn`, which outlives it; null if there is none.
-  void announce(const FoundEvent* turn) {
+  void announce(const Moment* turn) {
     turn_ = turn;
     const int item = maneuver_item();
     found_[item] = turn != nullptr ? is_event : 0;
-    set_key(item, turn == nullptr            ? infinity
-                  : turn->exactly != nullptr ? round_down(*turn->exactly)
-                                             : turn->at.lo);
+    set_key(item, turn == nullptr ? infinity : turn->lo);
   }
   // Whether the event is the one that was announced.
   bool is_turn(const FoundEvent& event) const { return event.item == maneuver_item(); }
+  bool is_horizon(const FoundEvent& event) const { return event.item == horizon_item(); }
 
   // ---- Searches. The edge's state of knowledge is replaced. ----
   void search_flip_from_now(int edge) {
@@ -115,20 +114,21 @@ class Schedule {
 
   // ---- The next instant. ----
   // The next event and all that are simultaneous with it; false if there are no more.
-  bool next_instant(std::vector<TimedEvent>& ties) {
+  bool next_instant(std::vector<FoundEvent>& ties) {
     ties.clear();
     if (!advance_to_event()) return false;
     // A contact that nothing is near needs no refinement: its collision computes it.
-    TimedEvent first = arithmetic_.rough(event_of(queue_.top()));
+    FoundEvent first = event_of(queue_.top());
+    if (!first.is_contact()) arithmetic_.tighten(first);
     ties.push_back(first);
-    queue_.set(first.event.item, infinity);
+    queue_.set(first.item, infinity);
     near_.clear();
     for (;;) {
       Patience::ask();
       const int other = queue_.top();
       if (queue_.key(other) > first.hi) break;
       if (!first.tight) {
-        first = arithmetic_.tight(first.event);
+        arithmetic_.tighten(first);
         ties.assign(1, first);
         continue;
       }
@@ -136,24 +136,25 @@ class Schedule {
         extend(other);
         continue;
       }
-      const TimedEvent timed = arithmetic_.tight(event_of(other));
-      if (timed.lo > queue_.key(other)) {
-        queue_.set(other, timed.lo);
+      FoundEvent event = event_of(other);
+      arithmetic_.tighten(event);
+      if (event.lo > queue_.key(other)) {
+        queue_.set(other, event.lo);
         continue;
       }
       queue_.set(other, infinity);
-      const int order = arithmetic_.order(first, timed);
+      const int order = arithmetic_.order(first, event);
       if (order < 0) {
-        near_.push_back(timed);
+        near_.push_back(event);
       } else if (order > 0) {
         near_.insert(near_.end(), ties.begin(), ties.end());
-        ties.assign(1, timed);
-        first = timed;
+        ties.assign(1, event);
+        first = event;
       } else {
-        ties.push_back(timed);
+        ties.push_back(event);
       }
     }
-    for (const TimedEvent& t : near_) queue_.set(t.event.item, t.lo);
+    for (const FoundEvent& event : near_) queue_.set(event.item, event.lo);
     return true;
   }
   // The horizon itself is over once its events are.
@@ -161,23 +162,18 @@ class Schedule {
 
   // ---- What is due at the present instant. ----
   void make_due(const FoundEvent& event) {
-    switch (event.kind) {
-      case FoundEvent::Kind::flip:
-        // Kept with its isolating interval: what follows the flip starts beyond it.
-        found_[event.item] |= is_due;
-        due_flips_.insert({canonical(event.quad), event.item / 2});
-        queue_.set(event.item, infinity);
-        break;
-      case FoundEvent::Kind::contact:
-        due_contacts_.insert({event.i, event.j});
-        queue_.set(event.item, infinity);
-        break;
-      case FoundEvent::Kind::maneuver:
-        due_maneuvers_ = true;
-        break;
-      case FoundEvent::Kind::horizon:
-        break;
+    if (event.item >= maneuver_item()) {
+      due_maneuvers_ |= !is_horizon(event);
+      return;
     }
+    if (event.is_flip()) {
+      // Kept with its isolating interval: what follows the flip starts beyond it.
+      found_[event.item] |= is_due;
+      due_flips_.insert({canonical(event.quad), event.item / 2});
+    } else {
+      due_contacts_.insert({event.i, event.j});
+    }
+    queue_.set(event.item, infinity);
   }
   void make_first_maneuvers_due() {
     due_maneuvers_ = maneuvers_.has_next() && sgn(maneuvers_.next_time()) == 0;
@@ -257,31 +253,14 @@ class Schedule {
   }
 
   FoundEvent event_of(int item) const {
-    if (item == horizon_item()) {
-      FoundEvent event(FoundEvent::Kind::horizon, item);
-      event.exactly = &horizon_;
-      return event;
-    }
-    if (item == maneuver_item() && turn_ != nullptr) {
-      FoundEvent event = *turn_;
-      event.item = item;
-      return event;
-    }
+    if (item == horizon_item()) return {Moment::at(horizon_), item};
     if (item == maneuver_item()) {
-      FoundEvent event(FoundEvent::Kind::maneuver, item);
-      event.exactly = &maneuvers_.next_time();
-      return event;
+      return {turn_ != nullptr ? *turn_ : Moment::at(maneuvers_.next_time()), item};
     }
-    const bool flip = (item & 1) == 0;
-    FoundEvent event(flip ? FoundEvent::Kind::flip : FoundEvent::Kind::contact, item);
-    event.at = isolating_[item];
-    if (flip) {
-      event.quad = quad_of(item / 2);
-      event.fine = fine_of(item);
-    } else {
-      std::tie(event.i, event.j) = pair_of(item / 2);
-    }
-    return event;
+    const auto [lo, hi] = isolating_[item];
+    if ((item & 1) == 0) return {Moment::of(quad_of(item / 2), lo, hi, fine_of(item)), item};
+    const auto [i, j] = pair_of(item / 2);
+    return {Moment::of(i, j, lo, hi), item};
   }
 
   void set_key(int item, double key) {
@@ -362,10 +341,10 @@ class Schedule {
   Rational horizon_;
   double horizon_up_;
   EventQueue queue_;
-  const FoundEvent* turn_ = nullptr;  // see announce()
+  const Moment* turn_ = nullptr;  // see announce()
   int slots_ = 0;
-  std::vector<std::uint8_t> found_;           // by item
-  std::vector<IsolatingInterval> isolating_;  // for flips and contacts that were found
+  std::vector<std::uint8_t> found_;   // by item
+  std::vector<Enclosure> isolating_;  // for flips and contacts that were found
   std::unordered_map<int, std::shared_ptr<const RootInterval>> fine_;  // by edge
   double quiet_until_ = 0;
   LookAhead look_ahead_;
@@ -373,7 +352,7 @@ class Schedule {
   std::set<std::pair<Quad, int>> due_flips_;
   std::set<std::pair<GenId, GenId>> due_contacts_;
   bool due_maneuvers_ = false;
-  std::vector<TimedEvent> near_;  // the memory of next_instant()
+  std::vector<FoundEvent> near_;  // the memory of next_instant()
 };
 
 }  // namespace voroproof::internal

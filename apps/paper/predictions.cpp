@@ -61,7 +61,7 @@ void PredictionCounter::predict() {
   }
   const double start = std::nextafter(now_, std::numeric_limits<double>::infinity());
   if (start <= horizon_) {
-    const Instant instant = instant_at(to_rational(start));
+    const Moment instant = Moment::at(to_rational(start));
     for (const auto h : changed_) predict_flip(d.quad(h), instant);
     std::set<std::pair<GenId, GenId>> pairs;
     for (const auto h : adjacent_) pairs.insert(std::minmax(d.org(h), d.dest(h)));
@@ -73,7 +73,7 @@ void PredictionCounter::predict() {
   moved_.clear();
 }
 
-void PredictionCounter::predict_flip(const Quad& edge, const Instant& now) {
+void PredictionCounter::predict_flip(const Quad& edge, const Moment& now) {
   if (edge.s == edge.e) return;
   roots_ += flip_polynomial_has_root(motion_, edge, now.lo, horizon_);
   const double contact = first_contact(edge, now);
@@ -86,7 +86,7 @@ void PredictionCounter::predict_flip(const Quad& edge, const Instant& now) {
 }
 
 // A time before which no two of the four touch, but next to it they do; or the horizon.
-double PredictionCounter::first_contact(const Quad& edge, const Instant& now) {
+double PredictionCounter::first_contact(const Quad& edge, const Moment& now) {
   double first = horizon_;
   const std::array<GenId, 4> four{edge.l, edge.r, edge.s, edge.e};
   for (const GenId i : four) {

@@ -41,8 +41,8 @@ class PredictionCounter {
  private:
   void advance(double t);
   void predict();
-  void predict_flip(const Quad& edge, const Instant& now);
-  double first_contact(const Quad& edge, const Instant& now);
+  void predict_flip(const Quad& edge, const Moment& now);
+  double first_contact(const Quad& edge, const Moment& now);
   bool flips_within(const Quad& edge, double start, double end);
 
   double horizon_;
