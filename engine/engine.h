@@ -8,7 +8,7 @@
 // order of docs/formats.md.
 //
 // Its parts: what is to come (schedule.h), the times of events and their order (moment.h of
-// filtered/search/), what is done at each instant (processing.h). On several threads a run is made
+// filtered/search/), what is done at each instant (run.h). On several threads a run is made
 // in slices of time (sliced_run.h).
 #pragma once
 
