@@ -23,7 +23,7 @@ void certified(benchmark::State& state, const std::string& name) {
   TierCounts counts;
   ContactSearch search(*set.motion, counts);
   const PlainMotion plain(*set.motion);
-  const Instant now = instant_at(0);
+  const Moment now = Moment::at(0);
   run_paired(
       state, pairs.size(),
       [&] {

@@ -54,7 +54,7 @@ void count_contacts(const DataSet& set) {
   const auto pairs = neighbours(set);
   TierCounts counts;
   ContactSearch search(*set.motion, counts);
-  const Instant now = instant_at(0);
+  const Moment now = Moment::at(0);
   count("contact/" + set.name, pairs.size(), [&] {
     for (const auto& [i, j] : pairs) use(search.from(i, j, now, 1000));
   });

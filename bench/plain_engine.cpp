@@ -12,9 +12,9 @@ class PlainDoubles {
  public:
   PlainDoubles(Motion& motion, EngineStats&) : plain_(motion) {}
 
-  const Instant& now() const { return now_; }
-  void begin(const std::vector<TimedEvent>& events) { set(events.front().lo); }
-  void is_at(const Rational& t) { set(round_nearest(t)); }
+  const Moment& now() const { return now_; }
+  void begin(const std::vector<FoundEvent>& events) { is_at(events.front()); }
+  void is_at(const Moment& m) { now_ = Moment::at(m.dd.hi); }
   void note_flip(const Quad&) {}
   void after_changes() {}
 
@@ -31,17 +31,12 @@ class PlainDoubles {
   // Nothing is told to happen within an instant.
   bool certainly_apart(GenId, GenId) const { return true; }
 
-  TimedEvent rough(const FoundEvent& event) const { return tight(event); }
-  TimedEvent tight(const FoundEvent& event) const {
-    const double t = event.exactly != nullptr ? round_nearest(*event.exactly)
-                                              : 0.5 * (event.at.lo + event.at.hi);
-    return {event, t, t, DdBall(t), true};
-  }
-  int order(const TimedEvent& a, const TimedEvent& b) {
+  void tighten(Moment& m) const { m.narrow_to(DdBall(m.dd.hi)); }
+  int order(const FoundEvent& a, const FoundEvent& b) {
     if (a.lo != b.lo) return a.lo < b.lo ? -1 : 1;
-    return a.event.item < b.event.item ? -1 : 1;
+    return a.item < b.item ? -1 : 1;
   }
-  double rounded(const TimedEvent& event) { return event.lo; }
+  double rounded(const Moment& m) { return m.dd.hi; }
 
   long settle(Diagram&) { return 0; }
   Impact collide(GenId i, GenId j, bool) { return plain_.collide(i, j, now_.lo); }
@@ -50,13 +45,8 @@ class PlainDoubles {
   }
 
  private:
-  void set(double t) {
-    now_.lo = now_.hi = t;
-    now_.dd = DdBall(t);
-  }
-
   PlainMotion plain_;
-  Instant now_;
+  Moment now_;
 };
 
 }  // namespace

@@ -93,7 +93,6 @@ struct Certificate {
   // Counts of what was proved.
   std::int64_t flips = 0, collisions = 0, maneuvers = 0;
   std::int64_t edge_lives = 0, pair_lives = 0;  // intervals proved free of collapse, of contact
-  std::int64_t beyond_filter = 0;               // decided past doubles, among these and the flips
   std::int64_t simultaneous = 0;                // events proved simultaneous with the one before
   // Counts of leniencies used (docs/claim.md).
   std::int64_t swaps = 0;     // claims out of order within the tolerance, whose events commute

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "certify/moment.h"
 #include "certify/read_ahead.h"
 #include "certify/replay.h"
 #include "filtered/numbers/next_double.h"
+#include "filtered/search/moment.h"
 #include "history/history_source.h"
 
 namespace voroproof::internal {

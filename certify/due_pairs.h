@@ -44,7 +44,7 @@ class DuePairs {
 
   Setting& s_;
   const Front& front_;
-  Instant now_;
+  Moment now_;
   ExactMotion exact_;
   std::map<std::pair<GenId, int>, std::array<DdBall, 2>> ended_;  // velocities in states
   std::set<std::pair<GenId, GenId>> touching_;                    // are proved to

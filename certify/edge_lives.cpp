@@ -42,13 +42,8 @@ double EdgeLives::reference_time(double t) const {
 }
 
 IsolatedRoot EdgeLives::claimed_root(const Quad& q, double t) const {
-  IsolatedRoot root;
-  root.m.kind = Moment::Kind::flip;
-  root.m.quad = q;
   const double pad = std::fmin(bracket_width * reference_time(t), 0.99 * s_.tolerance_up);
-  root.lo = root.m.lo = t - pad;
-  root.hi = root.m.hi = t + pad;
-  return root;
+  return {Moment::of(q, t - pad, t + pad, nullptr), t - pad, t + pad};
 }
 
 std::optional<IsolatedRoot> EdgeLives::bracket(const Quad& q, double from, double t) const {
@@ -60,8 +55,8 @@ std::optional<IsolatedRoot> EdgeLives::bracket(const Quad& q, double from, doubl
   root.hi = t + wide;
   const auto dd = newton_collapse(s_.motion, s_.collapses, q, root.lo, root.hi);
   if (!dd) return std::nullopt;
-  root.m.dd = *dd;
-  enclose(*dd, root.m.lo, root.m.hi);
+  root.m = Moment::of(q, root.lo, root.hi, nullptr);
+  root.m.narrow_to(*dd);
   if (!(root.m.lo >= t - 0.99 * s_.tolerance_up && root.m.hi <= t + 0.99 * s_.tolerance_up)) {
     return std::nullopt;
   }
@@ -73,7 +68,7 @@ std::optional<IsolatedRoot> EdgeLives::bracket(const Quad& q, double from, doubl
 inline void EdgeLives::begin_life(int edge, const Moment& m, const IsolatedRoot* own,
                                   bool rootless) {
   lives_[edge] = {.from = own != nullptr ? own->hi : m.lo, .born = front_.instant};
-  const bool isolated = own != nullptr && m.root == nullptr;
+  const bool isolated = own != nullptr && m.fine == nullptr;
   if (!isolated && !rootless) find_beginning(edge, m, own);
 }
 
@@ -83,9 +78,9 @@ void EdgeLives::find_beginning(int edge, const Moment& m, const IsolatedRoot* ow
   const Quad q = s_.diagram.quad(2 * edge);
   const auto not_cotangent = [&](const auto& at) { return proved_not_cotangent(s_.motion, q, at); };
   if (q.s == q.e || (own == nullptr && not_cotangent(DoubleBall::hull(m.lo, m.hi)))) return;
-  ++s_.certificate.beyond_filter;
+  ++s_.certificate.tiers.beyond_filter;
   const double soon = std::nextafter(m.hi, infinity);
-  const Collapse c = own != nullptr ? s_.collapses.after(q, m.hi, soon, m.root.get())
+  const Collapse c = own != nullptr ? s_.collapses.after(q, m.hi, soon, m.fine.get())
                                     : s_.collapses.from(q, s_.chronology.present(m), soon);
   switch (c.kind) {
     case Collapse::Kind::none:
@@ -140,7 +135,7 @@ void EdgeLives::find_end(int edge, const Moment& m, bool closed, std::size_t k) 
   if (!life.due) {
     if (batch_.one_root(k) && proved_free_of_one(s_.motion, q, m.hi, batch_.end_sign(k))) return;
     if (proved_free(s_.motion, q, life.from, m.hi)) return;
-    ++s_.certificate.beyond_filter;
+    ++s_.certificate.tiers.beyond_filter;
     const auto c = first_collapse(q, life.from, m.hi);
     if (!c) return;
     life.due = true;

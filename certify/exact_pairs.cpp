@@ -23,16 +23,15 @@ const ExactPairs::Birth* ExactPairs::birth(GenId i, GenId j) const {
 
 Moment ExactPairs::born(GenId i, GenId j) const {
   const Birth* b = birth(i, j);
-  return b != nullptr ? b->moment : Moment::at(0.0);
+  return b != nullptr ? b->moment : Moment::at(0);
 }
 
 bool ExactPairs::born_at_present(GenId i, GenId j) const {
   const Birth* b = birth(i, j);
-  return (b != nullptr ? b->instant : 0) == front_.instant &&
-         front_.moment.kind != Moment::Kind::flip;
+  return (b != nullptr ? b->instant : 0) == front_.instant && !front_.moment.is_flip();
 }
 
-Instant ExactPairs::since(GenId i, GenId j) const {
+Moment ExactPairs::since(GenId i, GenId j) const {
   return born_at_present(i, j) ? s_.chronology.present(front_.moment)
                                : s_.chronology.instant(born(i, j));
 }
@@ -71,7 +70,7 @@ std::string ExactPairs::standing(GenId i, GenId j, const Rational& t) const {
     ExactMotion exact(s_.motion);
     const Tower at = !present                             ? Tower(t)
                      : now.kind == Moment::Kind::state    ? exact.start(now.state, now.j)
-                     : now.kind == Moment::Kind::rational ? Tower(now.exact())
+                     : now.kind == Moment::Kind::rational ? Tower(now.rational())
                                                           : Tower(t);
     const auto site = [&](GenId g) -> MovingSite<Tower> {
       const ExactMotion::State& m = exact.state(g);

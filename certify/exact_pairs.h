@@ -25,7 +25,7 @@ class ExactPairs {
   // The disk has turned at m, the present instant.
   void note_birth(GenId g, const Moment& m);
   // When the present motion of the pair began: with the later of the last turns of the two.
-  Instant since(GenId i, GenId j) const;
+  Moment since(GenId i, GenId j) const;
   // When the two touch next, from the birth of their present motion on.
   NextContact next_contact(GenId i, GenId j);
   // When i and j touch: `c` is not `none`.

@@ -58,9 +58,9 @@ void FirstDivergence::look_for_contacts(Earliest& first) {
         proved_apart(s_.motion, i, j, since, limit())) {
       continue;
     }
-    const Instant begin = s_.options.truth == Truth::exact
-                              ? pairs_.exact().since(i, j)
-                              : s_.chronology.instant(Moment::at(since));
+    const Moment begin = s_.options.truth == Truth::exact
+                             ? pairs_.exact().since(i, j)
+                             : s_.chronology.instant(Moment::at(since));
     NextContact c = s_.contacts.from(i, j, begin, limit());
     if (c.kind == NextContact::Kind::none) continue;
     if (c.kind == NextContact::Kind::at) {

@@ -96,7 +96,7 @@ Flips::Found Flips::collapse_by_search(const FlipEvent& claim, const Quad& q, in
   std::optional<IsolatedRoot> easy;
   if (!life.illegal && !life.due) easy = edges_.bracket(q, life.from, claim.t);
   if (easy && proved_free(s_.motion, q, life.from, easy->lo)) return {*easy};
-  ++s_.certificate.beyond_filter;
+  ++s_.certificate.tiers.beyond_filter;
   const Rational t = exact_time(*claims_.current());
   if (life.illegal) return present_collapse(q, life, t);
   const double end = round_up(Rational(t + s_.options.tolerance));
@@ -135,7 +135,7 @@ Flips::Found Flips::present_collapse(const Quad& q, const EdgeLives::Life& life,
 
 // The edge flips at c, too far from the claimed time.
 void Flips::mistimed(const Quad& q, const Collapse& c, const Rational& claimed) {
-  const auto [lo, hi] = interval_of(c);
+  const auto [lo, hi] = c.root();
   const Rational far = mistimed_tolerances * s_.options.tolerance;
   const bool near = lo - claimed <= far && claimed - hi <= far;
   Divergence d =
@@ -168,7 +168,7 @@ void Flips::resolve(HalfEdge h) {
 // written as precisely as can be.
 DdBall Flips::true_time(const Moment& m, double claimed, double near) const {
   const double lo = std::fmax(m.lo, claimed - near), hi = std::fmin(m.hi, claimed + near);
-  if (m.root == nullptr && lo < hi) {
+  if (m.fine == nullptr && lo < hi) {
     const DdBall root = s_.collapses.newton(m.quad, lo, hi);
     const bool inside =
         sign(root - DdBall(lo)) == Sign::positive && sign(root - DdBall(hi)) == Sign::negative;

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/moment.h"
+#include "filtered/search/moment.h"
 
 namespace voroproof::internal {
 

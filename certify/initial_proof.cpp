@@ -237,13 +237,7 @@ class InitialProof {
     }
     if (start == Sign::positive || end == Sign::positive) return std::nullopt;
     // Cotangent at t: legal just after?
-    Instant now;
-    now.lo = round_down(t_);
-    now.hi = round_up(t_);
-    const double near = round_nearest(t_);
-    now.dd = DdBall(near, 0, std::fabs(round_nearest(Rational(t_ - to_rational(near)))) * 1.01);
-    const Rational t = t_;
-    now.exact = [t](ExactMotion&) { return ExactTime(t); };
+    const Moment now = Moment::at(t_);
     CollapseSearch search(motion_, counts_);
     if (search.from(q, now, now.hi).kind != Collapse::Kind::now) return std::nullopt;
     return InitialFault{"the four generators of edge " + text_of(q) +

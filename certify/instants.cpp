@@ -47,7 +47,7 @@ void Instants::advance(const Moment& m) {
   pairs_.reach(m, claims_.settled());
   s_.chronology.note_present(m);
   if (claims_.processed() > 0) ++s_.certificate.simultaneous;
-  if (m.kind != Moment::Kind::flip) front_.moment = m;
+  if (!m.is_flip()) front_.moment = m;
 }
 
 void Instants::leave() {
@@ -69,7 +69,7 @@ void Instants::begin_pending_lives() {
 // The points among the generators of these edges, which are all around the disks that have turned,
 // must have a cell.
 void Instants::require_areas(const std::vector<int>& edges) const {
-  const Instant now = s_.chronology.instant(front_.moment);
+  const Moment now = s_.chronology.instant(front_.moment);
   std::vector<GenId> asked;
   for (const int e : edges) {
     const auto [i, j] = s_.replay.pair_of(e);
@@ -96,13 +96,13 @@ void Instants::prove_hidden_anew(std::vector<int>& edges) {
     const auto pair = s_.replay.pair_of(e);
     if (!recorded.hidden(pair) || !hidden.insert(pair).second) continue;
     const auto lines = pairs_.recorded().lines(pair.first, pair.second, front_.moment.lo);
-    const auto t = lines.gap.revealed(front_.moment.exact(), 2 * s_.options.tolerance);
+    const auto t = lines.gap.revealed(front_.moment.rational(), 2 * s_.options.tolerance);
     if (!t) throw Undecided("a generator lies inside another for long", pair.first, pair.second);
     revealed = std::max(revealed, *t);
   }
   if (hidden.empty()) return;
   // Further pairs may be seen at the same instant.
-  if (revealed_) revealed = std::max(revealed, revealed_->exact());
+  if (revealed_) revealed = std::max(revealed, revealed_->rational());
   revealed_ = Moment::at(revealed);
   if (initial_fault(s_.diagram, s_.motion, revealed, s_.certificate.tiers, s_.options.threads)) {
     throw Undecided("the diagram is not proved after a generator lay inside another",
@@ -142,9 +142,9 @@ bool Instants::is_moment_of(const Tie& tie, const Moment& m) const {
                        [&](GenId g) { return s_.replay.unchanged_since(g, tie.changes); });
   };
   // With a finer interval of its own, m need not be the only root of its generators in [lo, hi].
-  if (tie.number == 0 || m.root || m.lo != tie.lo || m.hi != tie.hi) return false;
-  return (m.kind == Moment::Kind::flip && same({m.quad.l, m.quad.r, m.quad.s, m.quad.e})) ||
-         (m.kind == Moment::Kind::contact && same({m.i, m.j}));
+  if (tie.number == 0 || m.fine || m.lo != tie.lo || m.hi != tie.hi) return false;
+  return (m.is_flip() && same({m.quad.l, m.quad.r, m.quad.s, m.quad.e})) ||
+         (m.is_contact() && same({m.i, m.j}));
 }
 
 void Instants::require_maneuvers_before(double t) {

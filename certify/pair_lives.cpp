@@ -40,7 +40,7 @@ void PairLives::end(GenId i, GenId j, double since, int edge, const Moment& m, P
                   : recorded_.certainly_clear(i, j, since, m, apart))) {
       return;
     }
-    if (!partners) ++s_.certificate.beyond_filter;
+    if (!partners) ++s_.certificate.tiers.beyond_filter;
     require_no_meeting(i, j, m);
     pass_recorded(i, j, since, edge, Moment(m), why);
     return;
@@ -48,7 +48,7 @@ void PairLives::end(GenId i, GenId j, double since, int edge, const Moment& m, P
   if (apart || (!partners && proved_apart(s_.motion, i, j, since, m.hi))) return;
   if (why == PairEnd::turn) order_.note_near(i, j);
   if (partners) return;
-  ++s_.certificate.beyond_filter;
+  ++s_.certificate.tiers.beyond_filter;
   require_no_meeting(i, j, m);
   exact_.require_no_contact(i, j, m, why);
 }
@@ -200,8 +200,8 @@ void PairLives::pass_recorded(GenId i, GenId j, double since, int edge, const Mo
 // A rational time at m, or so soon after it that the gap does not change its sign in between.
 // (After m, where one of the two may turn, the gap tells nothing of them.)
 Rational PairLives::end_of(const Gap& gap, const Moment& m) const {
-  if (m.kind == Moment::Kind::rational) return m.exact();
-  const Instant narrow = s_.chronology.instant(m);
+  if (m.kind == Moment::Kind::rational) return m.rational();
+  const Moment narrow = s_.chronology.instant(m);
   const RootInterval about{to_rational(narrow.lo), to_rational(narrow.hi)};
   if (!gap.changes_in(about.lo, about.hi)) return about.hi;
   ExactMotion exact(s_.motion);

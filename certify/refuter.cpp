@@ -35,7 +35,7 @@ Divergence Refuter::missing_flip(const Quad& q, const Collapse& root) const {
     throw Undecided("an edge is illegal before it collapses, since generators overlapped", q);
   }
   Divergence d = missing_flip(q, m);
-  const auto [lo, hi] = interval_of(root);
+  const auto [lo, hi] = root.root();
   d.witness = collapse_witness(s_.motion, q, lo, hi);
   return d;
 }

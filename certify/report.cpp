@@ -215,7 +215,7 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
                  {"maneuvers", c.maneuvers},
                  {"edge_lives", c.edge_lives},
                  {"pair_lives", c.pair_lives},
-                 {"beyond_first_filter", c.beyond_filter},
+                 {"beyond_first_filter", c.tiers.beyond_filter},
                  {"simultaneous", c.simultaneous}};
   j["swaps"] = c.swaps;
   j["resolved_quadruplets"] = c.resolved;

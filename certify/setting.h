@@ -6,8 +6,8 @@
 
 #include "certify/certifier.h"
 #include "certify/collision_law.h"
-#include "certify/moment.h"
 #include "certify/replay.h"
+#include "filtered/search/moment.h"
 #include "filtered/search/point_cells.h"
 #include "history/history_file.h"
 
@@ -33,7 +33,7 @@ struct Setting {
         collapses(motion, certificate.tiers),
         contacts(motion, certificate.tiers),
         points(motion, contacts),
-        chronology(motion, collapses, contacts, certificate.beyond_filter, certificate.tiers),
+        chronology(motion, collapses, contacts, certificate.tiers),
         law(scene, options.law_tolerance) {}
   Setting(const Setting&) = delete;
   Setting& operator=(const Setting&) = delete;

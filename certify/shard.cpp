@@ -22,7 +22,6 @@ void append(Certificate& total, Certificate&& next) {
   total.maneuvers += next.maneuvers;
   total.edge_lives += next.edge_lives;
   total.pair_lives += next.pair_lives;
-  total.beyond_filter += next.beyond_filter;
   total.simultaneous += next.simultaneous;
   total.swaps += next.swaps;
   total.resolved += next.resolved;

@@ -244,7 +244,7 @@ void TurnOrder::note_due(GenId i, GenId j, Divergence missing) {
 }
 
 void TurnOrder::note_at_start(GenId i, GenId j) {
-  const Instant now = s_.chronology.present(Moment::at(Rational(0)));
+  const Moment now = s_.chronology.present(Moment::at(Rational(0)));
   for (const GenId g : {i, j}) {
     if (g == container_id) continue;
     for (GenId other = container_id; other < s_.motion.size(); ++other) {
@@ -328,7 +328,7 @@ std::optional<Divergence> TurnOrder::left_due() const {
   for (const Turn& t : turns_) {
     if (t.i != t.j) pairs.emplace_back(t.i, t.j);
   }
-  const Instant now = s_.chronology.present(front_.moment);
+  const Moment now = s_.chronology.present(front_.moment);
   for (const auto& [i, j] : pairs) {
     if (s_.replay.partners(i, j) || s_.contacts.certainly_apart(i, j, now)) continue;
     if (s_.contacts.from(i, j, now, now.hi).kind == NextContact::Kind::now) {

@@ -75,12 +75,10 @@ void Turns::collide_exactly(const CollideEvent& claim) {
     }
   }
   front_.turning = {i, j};
-  const Impact impact = s_.motion.collide(i, j, 0.5 * (m.lo + m.hi));
-  m.kind = Moment::Kind::state;
-  m.i = i;
-  m.j = j;
-  m.state = s_.motion.state_id(j);
+  const Impact impact = s_.motion.collide(i, j, m.middle());
+  m.collided(i, j, s_.motion.state_id(j));
   m.dd = impact.time_dd;
+  m.tight = true;
   front_.moment = m;
   pairs_.exact().note_birth(i, m);
   pairs_.exact().note_birth(j, m);

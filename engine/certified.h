@@ -1,15 +1,16 @@
 // The arithmetic of the engine: every answer is proved.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "engine/engine_stats.h"
-#include "engine/event_times.h"
+#include "engine/event.h"
 #include "engine/led_turns.h"
-#include "engine/present.h"
 #include "engine/static_diagram.h"
 #include "filtered/search/collapse.h"
 #include "filtered/search/contact.h"
+#include "filtered/search/moment.h"
 #include "filtered/search/point_cells.h"
 
 namespace voroproof::internal {
@@ -25,15 +26,26 @@ class Certified {
         collapses_(motion, stats.tiers),
         contacts_(motion, stats.tiers),
         points_(motion, contacts_),
-        times_(motion, collapses_, contacts_, stats),
-        present_(motion) {}
+        chronology_(motion, collapses_, contacts_, stats.tiers) {}
 
   // ---- The present instant. ----
-  const Instant& now() const { return present_.instant(); }
-  void begin(const std::vector<TimedEvent>& events) { present_.begin(events); }
-  void is_at(const Rational& t) { present_.is_at(t); }
-  void note_flip(const Quad& q) { present_.note_flip(q); }
-  void after_changes() { present_.after_changes(); }
+  const Moment& now() const { return now_; }
+  // The instant of these simultaneous events, at least one, none of which has been processed.
+  void begin(const std::vector<FoundEvent>& events) {
+    is_at(events.front());
+    chronology_.begin_present();
+    for (const FoundEvent& event : events) chronology_.note_present(event);
+  }
+  // Gives the present instant, or the start of the run, by its exact time: the time of a flip is no
+  // root of its generators any more once their motion changes.
+  void is_at(const Moment& m) {
+    now_ = m;
+    now_.present = &chronology_;
+  }
+  // An edge that collapses at this instant and whose flip no search has isolated.
+  void note_flip(const Quad& q) { chronology_.note_flip(q); }
+  // All collisions and maneuvers of the instant are done: what is proved of them is noted.
+  void after_changes() { chronology_.note_collisions(now_); }
 
   // ---- Searches, as those of CollapseSearch and ContactSearch. ----
   Collapse collapse_from_now(const Quad& q, double end) { return collapses_.from(q, now(), end); }
@@ -54,11 +66,17 @@ class Certified {
     if (points_.is_point(g)) points_.require_area(g, neighbours, now());
   }
 
-  // ---- The times of events, as those of EventTimes. ----
-  TimedEvent rough(const FoundEvent& event) const { return times_.rough(event); }
-  TimedEvent tight(const FoundEvent& event) const { return times_.tight(event); }
-  int order(const TimedEvent& a, const TimedEvent& b) { return times_.order(a, b); }
-  double rounded(const TimedEvent& event) { return times_.rounded(event); }
+  // ---- The times of events, as those of Chronology. ----
+  void tighten(Moment& m) const { chronology_.tighten(m); }
+  int order(const Moment& a, const Moment& b) {
+    if (a.is_contact() && b.is_contact() && a.i == b.i && a.j == b.j) return 0;
+    std::string budget;
+    const auto order = chronology_.order(a, b, budget);
+    if (!order) a.give_up("two events may be simultaneous: " + budget);
+    if (*order == 0) ++stats_.ties;
+    return *order;
+  }
+  double rounded(const Moment& m) { return chronology_.rounded(m); }
 
   // ---- What happens now. ----
   // The diagram at the start, right at the instant, becomes that just after it; returns the number
@@ -66,34 +84,33 @@ class Certified {
   long settle(Diagram& diagram) { return internal::settle(diagram, motion_, now(), stats_.tiers); }
   // i < j touch now. `lone`: the collision is the first event of the instant and tells its time.
   Impact collide(GenId i, GenId j, bool lone) {
-    present_.before_change();
-    const Impact impact = motion_.collide(i, j, now().dd.hi);
-    present_.after_collision(j, lone ? &impact : nullptr);
+    const Impact impact = motion_.collide(i, j, now_.dd.hi);
+    after_collision(i, j, lone ? &impact.time_dd : nullptr);
     return impact;
   }
   RoundedState maneuver(GenId disk, const Rational& t, const Rational& vx, const Rational& vy) {
-    present_.before_change();
     return motion_.maneuver(disk, t, vx, vy);
   }
   // Repeats a turn of the leader (engine/led_turns.h): a collision, which tells the `time` of the
   // instant unless that is null, or a maneuver.
   void follow(const LedTurn& turn, const DdBall* time) {
-    present_.before_change();
     motion_.follow(turn.i, turn.first, turn.j, turn.second, turn.v_scale);
-    if (turn.i == turn.j) return;
-    Impact impact{};
-    if (time != nullptr) impact.time_dd = *time;
-    present_.after_collision(turn.j, time != nullptr ? &impact : nullptr);
+    if (turn.i != turn.j) after_collision(turn.i, turn.j, time);
   }
 
  private:
+  void after_collision(GenId i, GenId j, const DdBall* time) {
+    if (time != nullptr) now_.narrow_to(*time);
+    now_.collided(i, j, motion_.state_id(j));
+  }
+
   Motion& motion_;
   EngineStats& stats_;
   CollapseSearch collapses_;
   ContactSearch contacts_;
   PointCells points_;
-  EventTimes times_;
-  Present present_;
+  Chronology chronology_;
+  Moment now_;
 };
 
 }  // namespace voroproof::internal

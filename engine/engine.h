@@ -7,9 +7,9 @@
 // reach the head. Events at one instant are proved simultaneous and processed in the
 // order of docs/formats.md.
 //
-// Its parts: what is to come (schedule.h), the times of events and their order (event_times.h), the
-// present instant (present.h), what is done at each instant (processing.h). On several threads a
-// run is made in slices of time (sliced_run.h).
+// Its parts: what is to come (schedule.h), the times of events and their order (moment.h of
+// filtered/search/), what is done at each instant (run.h). On several threads a run is made
+// in slices of time (sliced_run.h).
 #pragma once
 
 #include <cstdint>

@@ -4,8 +4,8 @@
 // nothing else.)
 #pragma once
 
-#include "engine/event.h"
 #include "engine/queue.h"
+#include "exact/enclosure.h"
 #include "exact/topology/diagram.h"
 #include "filtered/motion/motion.h"
 
@@ -18,7 +18,7 @@ class Fetch {
 
   // The generators of the flip or contact after the present event, and the edges around it; the
   // edges of those of which one comes after that. Items before `items` are two for each edge.
-  [[gnu::always_inline]] void ahead(const EventQueue& queue, const IsolatingInterval* isolating,
+  [[gnu::always_inline]] void ahead(const EventQueue& queue, const Enclosure* isolating,
                                     int items) const {
     for (const std::size_t place : {1, 2, 3, 4}) {
       const int item = queue.near(place);

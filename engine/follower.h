@@ -1,29 +1,23 @@
 // The diagram over one slice of time: a run in slices (engine/sliced_run.h) is made of these.
 #pragma once
 
-#include <optional>
 #include <stdexcept>
-#include <vector>
+#include <utility>
 
 #include "engine/certified.h"
 #include "engine/event_sink.h"
-#include "engine/fetch.h"
-#include "engine/flipping.h"
-#include "engine/instant_record.h"
 #include "engine/led_turns.h"
-#include "engine/schedule.h"
+#include "engine/run.h"
 
 namespace voroproof::internal {
 
-// Finds the flips of its slice and takes collisions and maneuvers over from the leader. At each
-// instant it does what the engine does (engine/processing.h), but for searching for contacts.
-class Follower {
+// Finds the flips of its slice and takes collisions and maneuvers over from the leader.
+class Follower : public Run<Follower, Certified> {
  public:
   // `motion` follows the leader's and is as that is at the slice's begin, at which nothing turns
   // unless it is 0. It outlives this object.
-  Follower(Motion& motion, double begin, bool profile);
-  Follower(const Follower&) = delete;
-  Follower& operator=(const Follower&) = delete;
+  Follower(Motion& motion, double begin, bool profile)
+      : Run(motion, {}, profile, 0), begin_(begin), profile_(profile) {}
 
   // Makes a diagram that is right at the slice's begin.
   void construct();
@@ -39,40 +33,34 @@ class Follower {
     flipping_.begin();
     flipping_.search_all();
     announce();
-    while (step()) {
+    while (!at_horizon_ && step()) {
       instant_.tell(sink);
       end_instant();
     }
     if (next_ != turns_->size()) throw std::logic_error("a slice ends before its turns");
   }
 
-  Diagram& diagram() { return diagram_; }
-  // Statistics: events reported, and the cost of finding the flips.
-  const EngineStats& stats() const { return stats_; }
-
  private:
-  void announce();
-  bool step();
-  void process_turns();
-  void search_around(GenId g);
+  friend Run;
+  // ---- What Run asks for. ----
+  void begin_instant();
+  bool tells_time() const { return turns_now_; }
+  void process_turns() {
+    if (std::exchange(schedule_.due_turns().maneuvers, false)) follow_turns();
+  }
+  void search_contact(int) {}  // the leader tells of them
 
-  EngineStats stats_;
-  Motion& motion_;
+  void announce();
+  void follow_turns();
+
   double begin_;
   bool profile_;
-  Diagram diagram_;
-  Certified arithmetic_;
-  Schedule<Certified> schedule_;
-  InstantRecord instant_;
-  Flipping<Certified> flipping_;
-  Fetch fetch_;
   const LedTurns* turns_ = nullptr;
   std::size_t next_ = 0;     // index of the next instant in turns_
-  FoundEvent turn_;          // the announced one
+  Moment turn_;              // the announced one
+  bool turns_now_ = false;   // it is at the present instant
   bool is_last_ = false;     // the slice ends at the run's horizon
   bool at_horizon_ = false;  // the last instant of the slice is reached
-  std::vector<GenId> changed_;
-  std::vector<TimedEvent> ties_;
 };
 
 }  // namespace voroproof::internal

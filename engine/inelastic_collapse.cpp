@@ -49,7 +49,7 @@ InelasticCollapse::InelasticCollapse(const Motion& motion)
   if (possible_) past_.resize(motion.size());
 }
 
-void InelasticCollapse::after_collision(GenId i, GenId j, const Instant& now, double quiet_until) {
+void InelasticCollapse::after_collision(GenId i, GenId j, const Moment& now, double quiet_until) {
   if (!possible_) return;
   for (const GenId g : {i, j}) {
     if (g == container_id) continue;
@@ -62,7 +62,7 @@ void InelasticCollapse::after_collision(GenId i, GenId j, const Instant& now, do
   }
 }
 
-void InelasticCollapse::alone_at_wall(GenId g, const Instant& now, double quiet_until) {
+void InelasticCollapse::alone_at_wall(GenId g, const Moment& now, double quiet_until) {
   const MotionInput& in = motion_.input();
   if (in.whole_container_law || in.container_restitution == 1) return;
   const DoubleBall t = DoubleBall::hull(now.lo, now.hi);

@@ -41,7 +41,7 @@ class InelasticCollapse {
   // Takes note of the collision of i < j at the instant `now`, the states after it being in force.
   // `quiet_until`: no maneuver is due before this time. Throws Undecided, with the disks and the
   // time, where a collapse is seen.
-  void after_collision(GenId i, GenId j, const Instant& now, double quiet_until);
+  void after_collision(GenId i, GenId j, const Moment& now, double quiet_until);
 
   struct Past {
     std::vector<double> times;  // times of the last collisions
@@ -53,7 +53,7 @@ class InelasticCollapse {
   void go_on_with(std::vector<Past> pasts) { past_ = std::move(pasts); }
 
  private:
-  void alone_at_wall(GenId g, const Instant& now, double quiet_until);
+  void alone_at_wall(GenId g, const Moment& now, double quiet_until);
   bool undisturbed(GenId g, const DoubleBall& t, const DoubleBall& speed,
                    const DoubleBall& delay) const;
   void by_rule(GenId g, GenId i, GenId j);

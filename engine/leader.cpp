@@ -1,7 +1,6 @@
 #include "engine/leader.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "exact/patience.h"
 
@@ -9,22 +8,19 @@ namespace voroproof::internal {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Where between two instants a slice ends: at no place that symmetry might prefer.
 constexpr double kPart = 0.6180339887;
-// The items of events, which are in no queue of edges.
-constexpr int kNoItem = -1;
 
 }  // namespace
 
 Leader::Leader(MotionInput input, std::vector<ManeuverInput> maneuvers,
                const MotionOptions& options)
-    : motion_(std::move(input), options),
+    : OwnMotion{Motion(std::move(input), options)},
+      Turning(motion_, arithmetic_, due_, stats_, false),
       arithmetic_(motion_, stats_),
       maneuvers_(std::move(maneuvers), motion_.input().horizon),
       horizon_(motion_.input().horizon),
       horizon_up_(round_up(horizon_)),
-      collapse_watch_(motion_),
       cells_(motion_),
       stays_(motion_.size(), 0) {}
 
@@ -35,7 +31,7 @@ std::optional<double> Leader::lead(LedTurns& turns, std::uint64_t work,
   if (!std::exchange(started_, true)) start();
   while (step()) {
     if (work_ < end) continue;
-    const double hi = arithmetic_.now().hi, lo = next_key();
+    const double hi = arithmetic_.now().hi, lo = head()->key;
     const double between = border ? border(hi, lo) : hi + (lo - hi) * kPart;
     if (hi < between && between < lo) return between;
   }
@@ -49,158 +45,114 @@ double Leader::work_ahead() const {
 
 // Events at t = 0 belong to the first instant.
 void Leader::start() {
-  arithmetic_.is_at(0);
+  arithmetic_.is_at(Moment::at(0));
   for (GenId g = 0; g < motion_.size(); ++g) cells_.place(g, 0);
   turns_->begin_instant();
   turns_->set_exactly(0);
   for (GenId g = 0; g < motion_.size(); ++g) renew(g, 0);
-  due_maneuvers_ = maneuvers_.has_next() && sgn(maneuvers_.next_time()) == 0;
-  process_due();
+  due_.maneuvers = maneuvers_.has_next() && sgn(maneuvers_.next_time()) == 0;
+  if (!due_.maneuvers) await_maneuvers();
+  put_back({Moment::at(horizon_), kHorizon});
+  process_turns();
 }
 
-// ---- The next instant, as Schedule::next_instant() finds it. ----
+// ---- What next_instant() asks of a source. ----
 
 bool Leader::is_stale(const Entry& e) const {
+  if (e.j < kLeaves) return false;
   if (e.j == kLeaves) return stays_[e.i] != e.state_j;
   return motion_.state_id(e.i) != e.state_i || motion_.state_id(e.j) != e.state_j;
 }
 
 const Leader::Entry* Leader::head() {
-  return queue_.top([this](const Entry& e) { return is_stale(e); });
+  for (;;) {
+    const Entry* const e = queue_.top([this](const Entry& entry) { return is_stale(entry); });
+    if (e == nullptr || !is_stale(*e)) return e;
+    queue_.pop();
+  }
 }
 
-// Nothing happens before this time.
-double Leader::next_key() {
-  const Entry* const next = head();
-  const double key = next == nullptr ? kInfinity : next->key;
-  return std::min({key, maneuvers_.next_down(), round_down(horizon_)});
-}
-
-// The next event that may be at the bound or before, which is looked for no more.
-std::optional<FoundEvent> Leader::take(double bound) {
-  const double maneuvers = has_maneuvers_ ? kInfinity : maneuvers_.next_down();
-  const double horizon = has_horizon_ ? kInfinity : round_down(horizon_);
-  const double exact = std::min(maneuvers, horizon);
-  while (const Entry* const next = head()) {
-    if (!(next->key <= std::min(bound, exact))) break;
+bool Leader::is_near(double bound) {
+  for (;;) {
+    const Entry* const next = head();
+    if (next == nullptr || next->key > bound) return false;
     Patience::ask();
+    if (next->j != kLeaves && !is_tied(*next)) return true;
     const Entry e = *next;
     queue_.pop();
-    if (is_stale(e)) continue;
-    if (e.j == kLeaves) {
-      leave(e.i, e.key);
-      ++work_;
-      continue;
-    }
-    FoundEvent event(FoundEvent::Kind::contact, kNoItem);
-    event.i = e.i;
-    event.j = e.j;
-    event.at = {e.lo, e.hi};
-    return event;
+    if (e.j != kLeaves) continue;
+    leave(e.i, e.key);
+    ++work_;
   }
-  if (!(exact <= bound) || exact == kInfinity) return std::nullopt;
-  const bool maneuver = maneuvers <= horizon;
-  (maneuver ? has_maneuvers_ : has_horizon_) = true;
-  FoundEvent event(maneuver ? FoundEvent::Kind::maneuver : FoundEvent::Kind::horizon, kNoItem);
-  event.exactly = maneuver ? &maneuvers_.next_time() : &horizon_;
-  return event;
 }
 
-void Leader::put_back(const FoundEvent& event, double key) {
-  if (event.kind == FoundEvent::Kind::maneuver) has_maneuvers_ = false;
-  if (event.kind == FoundEvent::Kind::horizon) has_horizon_ = false;
-  if (!event.is_contact()) return;
-  queue_.push({key, event.at.lo, event.at.hi, event.i, event.j, motion_.state_id(event.i),
-               motion_.state_id(event.j)});
+std::optional<FoundEvent> Leader::take() {
+  const Entry e = *head();
+  queue_.pop();
+  return FoundEvent(e.j == kManeuvers ? Moment::at(maneuvers_.next_time())
+                    : e.j == kHorizon ? Moment::at(horizon_)
+                                      : Moment::of(e.i, e.j, e.lo, e.hi),
+                    e.j);
 }
 
-bool Leader::is_tied(const FoundEvent& event) const {
-  return event.is_contact() && std::any_of(ties_.begin(), ties_.end(), [&](const TimedEvent& t) {
-           return t.event.is_contact() && t.event.i == event.i && t.event.j == event.j;
-         });
+void Leader::put_back(const FoundEvent& e) {
+  const bool contact = e.is_contact();
+  queue_.push({e.lo, e.lo, e.hi, e.i, e.item, contact ? motion_.state_id(e.i) : 0,
+               contact ? motion_.state_id(e.j) : 0});
 }
 
-bool Leader::next_instant() {
-  ties_.clear();
-  near_.clear();
-  has_maneuvers_ = has_horizon_ = false;
-  const std::optional<FoundEvent> next = take(kInfinity);
-  if (!next) return false;
-  TimedEvent first = arithmetic_.rough(*next);
-  ties_.push_back(first);
-  while (const std::optional<FoundEvent> other = take(first.hi)) {
-    if (is_tied(*other)) continue;
-    if (!first.tight) {
-      first = arithmetic_.tight(first.event);
-      ties_.assign(1, first);
-      put_back(*other, other->exactly != nullptr ? 0 : other->at.lo);
-      continue;
-    }
-    const TimedEvent timed = arithmetic_.tight(*other);
-    const int order = timed.lo > first.hi ? -1 : arithmetic_.order(first, timed);
-    if (order < 0) {
-      near_.push_back(timed);
-    } else if (order > 0) {
-      near_.insert(near_.end(), ties_.begin(), ties_.end());
-      ties_.assign(1, timed);
-      first = timed;
-    } else {
-      ties_.push_back(timed);
-    }
-  }
-  for (const TimedEvent& t : near_) put_back(t.event, t.lo);
-  return true;
+void Leader::await_maneuvers() {
+  if (maneuvers_.has_next()) put_back({Moment::at(maneuvers_.next_time()), kManeuvers});
+}
+
+std::vector<ManeuverInput> Leader::take_maneuvers() {
+  const std::vector<ManeuverInput> together = maneuvers_.take();
+  await_maneuvers();
+  return together;
+}
+
+bool Leader::is_tied(const Entry& entry) const {
+  return std::any_of(ties_.begin(), ties_.end(), [&](const FoundEvent& e) {
+    return e.is_contact() && e.i == entry.i && e.j == entry.j;
+  });
 }
 
 // ---- One instant; false if it is the horizon. ----
 bool Leader::step() {
-  if (!next_instant()) return false;
-  const TimedEvent first = ties_.front();
+  if (!next_instant(arithmetic_, *this, ties_, near_)) return false;
+  const FoundEvent& first = ties_.front();
   arithmetic_.begin(ties_);
   is_settled_ = false;
   bool horizon = false, turns = false;
-  for (const TimedEvent& timed : ties_) {
-    (timed.event.kind == FoundEvent::Kind::horizon ? horizon : turns) = true;
-  }
+  for (const FoundEvent& e : ties_) (e.item == kHorizon ? horizon : turns) = true;
   if (!turns) return false;
   turns_->begin_instant();
-  for (const TimedEvent& timed : ties_) {
-    const FoundEvent& e = timed.event;
-    if (e.is_contact()) turns_->add(LedTurns::Contact{e.i, e.j, e.at});
-    if (e.exactly != nullptr) turns_->set_exactly(*e.exactly);
-  }
-  if (!first.tight) {
-    process_contact(first.event.i, first.event.j, true);
-  } else {
-    turns_->last().t = arithmetic_.rounded(first);
-    for (const TimedEvent& timed : ties_) {
-      if (timed.event.is_contact()) due_.insert({timed.event.i, timed.event.j});
-      due_maneuvers_ |= timed.event.kind == FoundEvent::Kind::maneuver;
+  for (const FoundEvent& e : ties_) {
+    if (e.is_contact()) {
+      turns_->add(LedTurns::Contact{e.i, e.j, {e.lo, e.hi}});
+    } else {
+      turns_->set_exactly(e.rational());
     }
   }
-  process_due();
+  tells_time_ = !first.tight;
+  if (first.tight) turns_->last().t = arithmetic_.rounded(first);
+  for (const FoundEvent& e : ties_) {
+    if (e.is_contact()) due_.contacts.insert({e.i, e.j});
+    due_.maneuvers |= e.item == kManeuvers;
+  }
+  process_turns();
   return !horizon;
 }
 
-// Collisions, then maneuvers, then collisions again.
-void Leader::process_due() {
-  for (;;) {
-    if (!due_.empty()) {
-      const auto [i, j] = due_.extract(due_.begin()).value();
-      process_contact(i, j, false);
-      continue;
-    }
-    if (!std::exchange(due_maneuvers_, false)) break;
-    process_maneuvers(maneuvers_.take());
-  }
+void Leader::process_turns() {
+  process_due();
   arithmetic_.after_changes();
   is_settled_ = true;
   for (const GenId g : changed_) renew(g, arithmetic_.now().lo);
   changed_.clear();
 }
 
-void Leader::process_contact(GenId i, GenId j, bool lone) {
-  const Impact impact = arithmetic_.collide(i, j, lone);
+void Leader::tell_collision(GenId i, GenId j, const Impact& impact, bool lone) {
   if (lone) {
     turns_->last().t = impact.t;
     turns_->last().time = impact.time_dd;
@@ -209,29 +161,19 @@ void Leader::process_contact(GenId i, GenId j, bool lone) {
   turns_->add(LedTurn{i, j, motion_.turned(i), motion_.turned(j), impact.first, impact.second,
                       motion_.v_scale()});
   ++work_;
-  collapse_watch_.after_collision(i, j, arithmetic_.now(), maneuvers_.next_down());
-  change(i);
-  change(j);
 }
 
-void Leader::process_maneuvers(const std::vector<ManeuverInput>& together) {
-  arithmetic_.is_at(together.front().t);
-  for (const ManeuverInput& m : together) {
-    const RoundedState rounded = arithmetic_.maneuver(m.disk, m.t, m.vx, m.vy);
-    const TurnedState state = motion_.turned(m.disk);
-    turns_->add(LedTurn{m.disk, m.disk, state, state, rounded, rounded, motion_.v_scale()});
-    ++work_;
-  }
-  for (const ManeuverInput& m : together) change(m.disk);
+void Leader::tell_maneuver(GenId disk, const RoundedState& rounded) {
+  const TurnedState state = motion_.turned(disk);
+  turns_->add(LedTurn{disk, disk, state, state, rounded, rounded, motion_.v_scale()});
+  ++work_;
 }
 
-// A disk has a new velocity. Where nothing else is at the instant it is searched for at once; else
-// what it touches and approaches now is, and all else when the instant's velocities are settled:
-// with some of them most searches would be for nothing, and harder than those that count.
-void Leader::change(GenId g) {
-  if (g == container_id) return;
-  std::erase_if(due_, [g](const auto& pair) { return pair.first == g || pair.second == g; });
-  if (ties_.size() == 1 && ties_.front().event.is_contact()) {
+// Where nothing else is at the instant, the disk is searched for at once; else what it touches and
+// approaches now is, and all else when the instant's velocities are settled: with some of them most
+// searches would be for nothing, and harder than those that count.
+void Leader::look_around(GenId g) {
+  if (ties_.size() == 1 && ties_.front().is_contact()) {
     renew(g, arithmetic_.now().lo);
     return;
   }
@@ -241,7 +183,7 @@ void Leader::change(GenId g) {
     if (arithmetic_.certainly_apart(i, j)) return;
     ++stats_.contact_searches;
     if (arithmetic_.contact_from_now(i, j, horizon_up_).kind == NextContact::Kind::now) {
-      due_.insert({i, j});
+      due_.contacts.insert({i, j});
     }
   };
   if (cells_.is_near_wall(g)) look(container_id);
@@ -294,7 +236,7 @@ void Leader::search(GenId g, GenId other) {
   } else if (is_settled_) {
     throw Undecided("a contact was not foreseen", i, j);
   } else {
-    due_.insert({i, j});
+    due_.contacts.insert({i, j});
   }
 }
 

@@ -8,21 +8,21 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include "engine/certified.h"
 #include "engine/engine.h"
-#include "engine/inelastic_collapse.h"
+#include "engine/instant_order.h"
 #include "engine/led_turns.h"
 #include "engine/near_cells.h"
 #include "engine/waiting_queue.h"
 
 namespace voroproof::internal {
 
-class Leader {
+class Leader : OwnMotion, Turning<Leader, Certified> {
  public:
   Leader(MotionInput input, std::vector<ManeuverInput> maneuvers, const MotionOptions& options);
   Leader(const Leader&) = delete;
@@ -48,54 +48,60 @@ class Leader {
   // InelasticCollapse::pasts().
   const std::vector<InelasticCollapse::Past>& collapses() const { return collapse_watch_.pasts(); }
 
+  // ---- What next_instant() asks of a source (engine/instant_order.h). ----
+  bool advance() { return is_near(std::numeric_limits<double>::infinity()); }
+  bool is_near(double bound);
+  std::optional<FoundEvent> take();
+  void put_back(const FoundEvent& event);
+
  private:
+  friend Turning;
+
   // An item of the queue: a contact of i < j in [lo, hi] while both are in the states of these ids,
-  // or, with j = kLeaves, the time at which i leaves its square, while stays_[i] is state_j. The
-  // queue has the next contact of any two disks whose squares share a corner.
+  // or, with j = kLeaves, the time at which i leaves its square, while stays_[i] is state_j; or the
+  // next maneuvers, or the horizon, with such a j. The queue has the next contact of any two disks
+  // whose squares share a corner.
   struct Entry {
     double key, lo, hi;
     GenId i, j;
     int state_i, state_j;
     bool operator<(const Entry& o) const { return key > o.key; }  // the least is the heap's head
   };
-  static constexpr GenId kLeaves = -2;
+  static constexpr GenId kLeaves = -2, kManeuvers = -3, kHorizon = -4;
 
   void start();
   bool step();
-  bool next_instant();
-  std::optional<FoundEvent> take(double bound);
-  void put_back(const FoundEvent& event, double key);
-  bool is_tied(const FoundEvent& event) const;
+  bool is_tied(const Entry& entry) const;
   const Entry* head();
-  double next_key();
   bool is_stale(const Entry& e) const;
-  void process_due();
-  void process_contact(GenId i, GenId j, bool lone);
-  void process_maneuvers(const std::vector<ManeuverInput>& together);
-  void change(GenId g);
+  void process_turns();
+  // ---- What Turning asks for. ----
+  void tell_collision(GenId i, GenId j, const Impact& impact, bool lone);
+  void tell_maneuver(GenId disk, const RoundedState& state);
+  void look_around(GenId g);
+  std::vector<ManeuverInput> take_maneuvers();
+  double quiet_until() const { return maneuvers_.next_down(); }
+
   void renew(GenId g, double t);
   void leave(GenId g, double t);
+  void await_maneuvers();
   void await_leaving(GenId g, double t);
   void search_near(GenId g, int before);
   void search(GenId g, GenId other);
 
   EngineStats stats_;
-  Motion motion_;
   Certified arithmetic_;
   Maneuvers maneuvers_;
   Rational horizon_;
   double horizon_up_;
-  InelasticCollapse collapse_watch_;
   NearCells cells_;
   WaitingQueue<Entry> queue_;
   std::vector<int> stays_;  // by disk: how often the time was found at which it leaves
   bool started_ = false;
   std::uint64_t work_ = 0;  // changes so far of a motion or of a square
   // The present instant.
-  std::vector<TimedEvent> ties_, near_;
-  bool has_maneuvers_ = false, has_horizon_ = false;  // among what was taken for it
-  std::set<std::pair<GenId, GenId>> due_;
-  bool due_maneuvers_ = false;
+  std::vector<FoundEvent> ties_, near_;
+  DueTurns due_;
   bool is_settled_ = false;  // all of it is processed
   std::vector<GenId> changed_;
   std::vector<GenId> near_disks_;  // the memory of search_near()

@@ -6,9 +6,10 @@
 #include <deque>
 #include <vector>
 
-#include "engine/event.h"
+#include "exact/enclosure.h"
 #include "exact/rational.h"
 #include "filtered/motion/motion.h"
+#include "filtered/search/moment.h"
 
 namespace voroproof::internal {
 
@@ -27,7 +28,8 @@ class LedTurns {
   // A pair that comes into contact at the instant, in its motion before.
   struct Contact {
     GenId i, j;
-    IsolatingInterval at;
+    Enclosure at;
+    Moment moment() const { return Moment::of(i, j, at.lo, at.hi); }
   };
   struct Instant {
     double t = 0;   // rounded to nearest

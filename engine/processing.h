@@ -1,4 +1,4 @@
-// The engine over any arithmetic: what is done at each instant.
+// The engine over any arithmetic: a run from its start or from where it was kept.
 #pragma once
 
 #include <algorithm>
@@ -13,37 +13,29 @@
 #include <vector>
 
 #include "engine/engine.h"
-#include "engine/fetch.h"
-#include "engine/flipping.h"
-#include "engine/inelastic_collapse.h"
-#include "engine/instant_record.h"
+#include "engine/instant_order.h"
 #include "engine/kept_run.h"
 #include "engine/meetings.h"
-#include "engine/schedule.h"
-#include "engine/static_diagram.h"
+#include "engine/run.h"
 #include "exact/patience.h"
 
 namespace voroproof::internal {
 
-// The paper's Algorithm 2. `Arithmetic` is Certified (engine/certified.h) or a class with the same
-// members.
+// A run that finds its collisions along V-edges.
 template <class Arithmetic>
-class EngineOver {
+class EngineOver : OwnMotion,
+                   public Run<EngineOver<Arithmetic>, Arithmetic>,
+                   Turning<EngineOver<Arithmetic>, Arithmetic> {
+  using Base = Run<EngineOver, Arithmetic>;
+  using Turns = Turning<EngineOver, Arithmetic>;
+
  public:
   EngineOver(MotionInput input, std::vector<ManeuverInput> maneuvers, EngineOptions options)
-      : options_(std::move(options)),
-        motion_(std::move(input), options_.motion),
-        diagram_(motion_.size()),
-        arithmetic_(motion_, stats_),
-        schedule_(diagram_, arithmetic_, stats_, options_.profile, std::move(maneuvers),
-                  motion_.input().horizon),
-        instant_(options_.max_events),
-        flipping_(diagram_, motion_, arithmetic_, schedule_, instant_, stats_),
-        collapse_watch_(motion_),
-        meetings_(motion_),
-        fetch_(diagram_, motion_) {}
-  EngineOver(const EngineOver&) = delete;
-  EngineOver& operator=(const EngineOver&) = delete;
+      : OwnMotion{Motion(std::move(input), options.motion)},
+        Base(OwnMotion::motion_, std::move(maneuvers), options.profile, options.max_events),
+        Turns(OwnMotion::motion_, arithmetic_, schedule_.due_turns(), stats_, options.profile),
+        options_(std::move(options)),
+        meetings_(OwnMotion::motion_) {}
 
   // Does what Engine::run() says.
   Outcome run(EventSink& sink) {
@@ -55,12 +47,15 @@ class EngineOver {
     return run_from(sink, [&] { take_up(kept, told); });
   }
 
-  const EngineStats& stats() const { return stats_; }
-  const Diagram& diagram() const { return diagram_; }
   Motion& motion() { return motion_; }
 
  private:
+  friend Base;
+  friend Turns;
   using HalfEdge = Diagram::HalfEdge;
+  using Base::arithmetic_, Base::diagram_, Base::flipping_, Base::instant_, Base::motion_;
+  using Base::schedule_, Base::stats_, Base::ties_;
+  using Turns::collapse_watch_, Turns::tells_time_;
 
   template <class Start>
   Outcome run_from(EventSink& sink, const Start& start) {
@@ -144,14 +139,12 @@ class EngineOver {
   // ---- The start: t = 0. ----
   void start() {
     const Stopwatch watch(options_.profile, stats_.initial_seconds);
-    arithmetic_.is_at(0);
-    diagram_ = static_diagram(motion_, 0, stats_.tiers);
-    flipping_.start();
+    this->construct(0);
     schedule_.start(first_window(motion_), motion_.size());
     for (int e = 0; e < schedule_.slots(); ++e) schedule_.search_contact(e);
     // Events of the motion at t = 0 come before the diagram at 0+.
     schedule_.make_first_maneuvers_due();
-    process_motion_events();
+    process_turns();
     stats_.settling_flips = arithmetic_.settle(diagram_);
     sink_->begin(diagram_.quads());
     begun_ = true;
@@ -185,16 +178,13 @@ class EngineOver {
       throw OtherRun("the last collisions are not those of each disk");
     }
     collapse_watch_.go_on_with(kept.collapses);
-    resumed_at_ = to_rational(kept.t0);
-    FoundEvent here(FoundEvent::Kind::maneuver, 0);
-    here.exactly = &resumed_at_;
-    arithmetic_.begin({arithmetic_.tight(here)});
+    arithmetic_.begin({{Moment::at(kept.t0), 0}});
     flipping_.start();
     flipping_.begin();
-    schedule_.start(first_window(motion_), motion_.size(), round_down(resumed_at_));
+    schedule_.start(first_window(motion_), motion_.size(), kept.t0);
     flipping_.search_all();
     search_contacts();
-    if (schedule_.take_due_flip() || schedule_.take_due_contact()) {
+    if (schedule_.take_due_flip() || !schedule_.due_turns().contacts.empty()) {
       throw OtherRun("something that is not told happens before the run can go on");
     }
   }
@@ -219,169 +209,59 @@ class EngineOver {
 
   // ---- One instant; false if it is the horizon and has no event, or there is none. ----
   bool step() {
-    if (!schedule_.next_instant(ties_)) return false;
-    const TimedEvent& first = ties_.front();
-    meetings_.require_none_until(first.hi);
-    if ((++steps_ & 0x0f) == 0) look_up();
-    is_between_ = false;
-    if (diagram_.edges() > 0) {
-      if (first.event.exactly == nullptr) fetch_.around_edge(first.event.item & ~1);
-      schedule_.fetch_ahead(fetch_);
-    }
     const int records = motion_.records();
-    arithmetic_.begin(ties_);
-    bool horizon = false;
-    if (!first.tight) {
-      process_contact(first.event.i, first.event.j, true);
-    } else {
-      instant_.set_time(arithmetic_.rounded(first));
-      horizon = process_simultaneous();
-      if (horizon && ties_.size() == 1) return false;
-    }
-    process_motion_events();
-    while (const std::optional<int> edge = schedule_.take_due_flip()) process_flip(*edge);
+    if (!Base::step()) return false;
     const double before = instant_.told_time();
     instant_.tell(*sink_);
     if (instant_.told_time() == before && motion_.records() > records)
       divisions_.push_back(records);
-    if (horizon) schedule_.pass_horizon();
+    for (const FoundEvent& event : ties_) {
+      if (schedule_.is_horizon(event)) schedule_.pass_horizon();
+    }
     is_between_ = true;
     return true;
   }
 
-  // The events of ties_: a single flip or contact at once, all else in its order. Returns whether
-  // the horizon is one of them.
-  bool process_simultaneous() {
-    const FoundEvent& first = ties_.front().event;
-    if (ties_.size() == 1 && first.is_flip()) {
-      process_flip(first.item / 2);
-      return false;
-    }
-    if (ties_.size() == 1 && first.is_contact()) {
-      process_contact(first.i, first.j, false);
-      return false;
-    }
-    bool horizon = false;
-    for (const TimedEvent& timed : ties_) {
-      schedule_.make_due(timed.event);
-      horizon |= timed.event.kind == FoundEvent::Kind::horizon;
-    }
-    return horizon;
+  // ---- What Run asks for. ----
+  void begin_instant() {
+    meetings_.require_none_until(ties_.front().hi);
+    if ((++steps_ & 0x0f) == 0) look_up();
+    is_between_ = false;
+    tells_time_ = !ties_.front().tight;
+  }
+  bool tells_time() const { return tells_time_; }
+  void process_turns() {
+    this->process_due();
+    this->settle_turns();
   }
 
-  // Collisions, then maneuvers, then collisions again.
-  void process_motion_events() {
-    for (;;) {
-      if (const auto pair = schedule_.take_due_contact()) {
-        process_contact(pair->first, pair->second, false);
-        continue;
-      }
-      const std::vector<ManeuverInput> together = schedule_.take_due_maneuvers();
-      if (together.empty()) break;
-      process_maneuvers(together);
-    }
-    arithmetic_.after_changes();
-    if (arithmetic_.has_points()) {
-      for (const GenId g : changed_) require_areas(g);
-    }
-    // The searches are made only now: with some of the instant's velocities most would be for
-    // nothing, and harder than those that count.
-    flipping_.next_change();
-    for (const GenId g : changed_) search_around(g);
-    changed_.clear();
-  }
-
-  // `lone`: nothing else is at the instant, and the collision tells its time.
-  void process_contact(GenId i, GenId j, bool lone) {
-    Impact impact;
-    {
-      const Stopwatch watch(options_.profile, stats_.move_seconds);
-      impact = arithmetic_.collide(i, j, lone);
-    }
+  // ---- What Turning asks for. ----
+  void tell_collision(GenId i, GenId j, const Impact& impact, bool lone) {
     if (lone) instant_.set_time(impact.t);
     instant_.add_collision(i, j, impact);
     ++(i == container_id ? stats_.wall_collisions : stats_.disk_collisions);
-    collapse_watch_.after_collision(i, j, arithmetic_.now(), schedule_.quiet_until());
-    change(i);
-    change(j);
   }
-
-  // All of one instant.
-  void process_maneuvers(const std::vector<ManeuverInput>& together) {
-    arithmetic_.is_at(together.front().t);
-    for (const ManeuverInput& m : together) {
-      const Stopwatch watch(options_.profile, stats_.move_seconds);
-      instant_.add_maneuver(m.disk, arithmetic_.maneuver(m.disk, m.t, m.vx, m.vy));
-      ++stats_.maneuvers;
-    }
-    for (const ManeuverInput& m : together) change(m.disk);
+  void tell_maneuver(GenId disk, const RoundedState& state) {
+    instant_.add_maneuver(disk, state);
+    ++stats_.maneuvers;
   }
-
-  // A disk has a new velocity: which of its neighbours does it touch and approach now?
-  void change(GenId g) {
-    if (g == container_id) return;
-    schedule_.forget_contacts_of(g);
-    if (std::find(changed_.begin(), changed_.end(), g) == changed_.end()) changed_.push_back(g);
-    for_each_half_edge_of(g, [this](HalfEdge h) {
+  void look_around(GenId g) {
+    this->note_turn(g);
+    this->for_each_half_edge_of(g, [this](HalfEdge h) {
       const auto [i, j] = schedule_.pair_of(h / 2);
       if (!arithmetic_.certainly_apart(i, j)) schedule_.search_contact(h / 2);
     });
   }
+  auto take_maneuvers() { return schedule_.take_maneuvers(); }
+  double quiet_until() const { return schedule_.quiet_until(); }
 
-  // The cells of the disk, if it is a point, and of its neighbours that are points.
-  void require_areas(GenId g) const {
-    const std::vector<GenId> near = diagram_.neighbours(g);
-    arithmetic_.require_area(g, near);
-    for (const GenId n : near) arithmetic_.require_area(n, diagram_.neighbours(n));
-  }
-
-  // The disk's motion and that of its neighbours is settled for the instant.
-  void search_around(GenId g) {
-    const HalfEdge first = diagram_.anchor(g);
-    if (first >= 0) fetch_.around_cell(first);
-    for_each_half_edge_of(g, [&](HalfEdge h) {
-      search_contact(h / 2);
-      if (first < 0) return;
-      flipping_.search_once(h / 2);
-      flipping_.search_once(diagram_.next(h) / 2);
-    });
-  }
-  // The half-edges of the disk's cell, counterclockwise; half-edge 0 for a lone disk.
-  template <class Visit>
-  void for_each_half_edge_of(GenId g, Visit&& visit) const {
-    const HalfEdge first = diagram_.anchor(g);
-    if (first < 0) return visit(0);
-    HalfEdge h = first;
-    do {
-      visit(h);
-      h = diagram_.rotate(h);
-    } while (h != first);
-  }
-
-  void process_flip(int edge) {
-    flipping_.process(edge);
-    search_contact(edge);
-  }
-
-  EngineStats stats_;
   EngineOptions options_;
-  Motion motion_;
-  Diagram diagram_;
-  Arithmetic arithmetic_;
-  Schedule<Arithmetic> schedule_;
-  InstantRecord instant_;
-  Flipping<Arithmetic> flipping_;
-  InelasticCollapse collapse_watch_;
   Meetings meetings_;
-  Fetch fetch_;
   EventSink* sink_ = nullptr;
   bool begun_ = false;       // the sink has the first diagram
   bool is_between_ = false;  // all of the last instant is told, and nothing of the next is done
   bool wants_to_keep_ = false;
-  Rational resumed_at_;           // time at which the run was taken up
-  std::vector<int> divisions_;    // see KeptRun
-  std::vector<GenId> changed_;    // disks with new velocities at the present instant
-  std::vector<TimedEvent> ties_;  // the events of the present instant
+  std::vector<int> divisions_;  // see KeptRun
   std::uint64_t steps_ = 0;
 };
 

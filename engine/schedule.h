@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -16,9 +15,11 @@
 #include "engine/engine_stats.h"
 #include "engine/event.h"
 #include "engine/fetch.h"
+#include "engine/instant_order.h"
 #include "engine/look_ahead.h"
 #include "engine/maneuvers.h"
 #include "engine/queue.h"
+#include "exact/enclosure.h"
 #include "exact/patience.h"
 #include "exact/topology/diagram.h"
 #include "filtered/search/collapse.h"
@@ -78,21 +79,21 @@ class Schedule {
   double quiet_until() const { return quiet_until_; }
   // The horizon, rounded up.
   double horizon_up() const { return horizon_up_; }
-  // Every event before this time has been told by next_instant(), or is due.
+  // Every event before this time has been taken, or is due.
   double frontier() const { return frontier_; }
 
   // In a run that is told its collisions and maneuvers: the next instant that has any is that of
   // `turn`, which outlives it; null if there is none.
-  void announce(const FoundEvent* turn) {
+  void announce(const Moment* turn) {
     turn_ = turn;
     const int item = maneuver_item();
     found_[item] = turn != nullptr ? is_event : 0;
-    set_key(item, turn == nullptr            ? infinity
-                  : turn->exactly != nullptr ? round_down(*turn->exactly)
-                                             : turn->at.lo);
+    set_key(item, turn == nullptr ? infinity : turn->lo);
   }
-  // Whether the event is the one that was announced.
+  // The item of maneuvers, or of the turn that was announced: those before it are of edges.
+  int maneuver_item() const { return 2 * slots_; }
   bool is_turn(const FoundEvent& event) const { return event.item == maneuver_item(); }
+  bool is_horizon(const FoundEvent& event) const { return event.item == horizon_item(); }
 
   // ---- Searches. The edge's state of knowledge is replaced. ----
   void search_flip_from_now(int edge) {
@@ -113,84 +114,53 @@ class Schedule {
     record_contact(edge, arithmetic_.contact_from_now(i, j, horizon_up_));
   }
 
-  // ---- The next instant. ----
-  // The next event and all that are simultaneous with it; false if there are no more.
-  bool next_instant(std::vector<TimedEvent>& ties) {
-    ties.clear();
-    if (!advance_to_event()) return false;
-    // A contact that nothing is near needs no refinement: its collision computes it.
-    TimedEvent first = arithmetic_.rough(event_of(queue_.top()));
-    ties.push_back(first);
-    queue_.set(first.event.item, infinity);
-    near_.clear();
+  // ---- The next instant: what next_instant() (engine/instant_order.h) asks of a source. ----
+  // Works on until the head of the queue is an event; false if there is none.
+  bool advance() {
     for (;;) {
+      const int item = queue_.top();
+      if (queue_.key(item) == infinity) return false;
+      frontier_ = queue_.key(item);
       Patience::ask();
-      const int other = queue_.top();
-      if (queue_.key(other) > first.hi) break;
-      if (!first.tight) {
-        first = arithmetic_.tight(first.event);
-        ties.assign(1, first);
-        continue;
-      }
-      if (!is(is_event, other)) {
-        extend(other);
-        continue;
-      }
-      const TimedEvent timed = arithmetic_.tight(event_of(other));
-      if (timed.lo > queue_.key(other)) {
-        queue_.set(other, timed.lo);
-        continue;
-      }
-      queue_.set(other, infinity);
-      const int order = arithmetic_.order(first, timed);
-      if (order < 0) {
-        near_.push_back(timed);
-      } else if (order > 0) {
-        near_.insert(near_.end(), ties.begin(), ties.end());
-        ties.assign(1, timed);
-        first = timed;
-      } else {
-        ties.push_back(timed);
-      }
+      if (is(is_event, item)) return true;
+      extend(item);
     }
-    for (const TimedEvent& t : near_) queue_.set(t.event.item, t.lo);
-    return true;
   }
+  bool is_near(double bound) { return queue_.key(queue_.top()) <= bound; }
+  std::optional<FoundEvent> take() {
+    const int item = queue_.top();
+    if (!is(is_event, item)) {
+      extend(item);
+      return std::nullopt;
+    }
+    queue_.set(item, infinity);
+    return event_of(item);
+  }
+  void put_back(const FoundEvent& event) { queue_.set(event.item, event.lo); }
   // The horizon itself is over once its events are.
   void pass_horizon() { set_key(horizon_item(), horizon_up_); }
 
   // ---- What is due at the present instant. ----
+  DueTurns& due_turns() { return due_turns_; }
   void make_due(const FoundEvent& event) {
-    switch (event.kind) {
-      case FoundEvent::Kind::flip:
-        // Kept with its isolating interval: what follows the flip starts beyond it.
-        found_[event.item] |= is_due;
-        due_flips_.insert({canonical(event.quad), event.item / 2});
-        queue_.set(event.item, infinity);
-        break;
-      case FoundEvent::Kind::contact:
-        due_contacts_.insert({event.i, event.j});
-        queue_.set(event.item, infinity);
-        break;
-      case FoundEvent::Kind::maneuver:
-        due_maneuvers_ = true;
-        break;
-      case FoundEvent::Kind::horizon:
-        break;
+    if (event.item >= maneuver_item()) {
+      due_turns_.maneuvers |= !is_horizon(event);
+      return;
     }
+    if (event.is_flip()) {
+      // Kept with its isolating interval: what follows the flip starts beyond it.
+      found_[event.item] |= is_due;
+      due_flips_.insert({canonical(event.quad), event.item / 2});
+    } else {
+      due_turns_.contacts.insert({event.i, event.j});
+    }
+    queue_.set(event.item, infinity);
   }
   void make_first_maneuvers_due() {
-    due_maneuvers_ = maneuvers_.has_next() && sgn(maneuvers_.next_time()) == 0;
+    due_turns_.maneuvers = maneuvers_.has_next() && sgn(maneuvers_.next_time()) == 0;
   }
-  std::optional<std::pair<GenId, GenId>> take_due_contact() {
-    if (due_contacts_.empty()) return std::nullopt;
-    return due_contacts_.extract(due_contacts_.begin()).value();
-  }
-  // The maneuvers that are due, all of one instant, in the order of their disks. Empty if none is
-  // due.
-  std::vector<ManeuverInput> take_due_maneuvers() {
-    if (!due_maneuvers_) return {};
-    due_maneuvers_ = false;
+  // The maneuvers of one instant, in the order of their disks. Precondition: they are due.
+  std::vector<ManeuverInput> take_maneuvers() {
     std::vector<ManeuverInput> together = maneuvers_.take();
     queue_maneuver();
     return together;
@@ -203,12 +173,6 @@ class Schedule {
   std::optional<int> take_due_flip() {
     if (due_flips_.empty()) return std::nullopt;
     return due_flips_.extract(due_flips_.begin()).value().second;
-  }
-  // A disk's motion changes: contacts due now are looked for anew.
-  void forget_contacts_of(GenId g) {
-    if (g == container_id || due_contacts_.empty()) return;
-    std::erase_if(due_contacts_,
-                  [g](const auto& pair) { return pair.first == g || pair.second == g; });
   }
   // The edge's flip may be due no more: it is to be searched anew.
   void forget_flip_of(int edge) {
@@ -246,7 +210,6 @@ class Schedule {
 
   static int flip_item(int edge) { return 2 * edge; }
   static int contact_item(int edge) { return 2 * edge + 1; }
-  int maneuver_item() const { return 2 * slots_; }
   int horizon_item() const { return 2 * slots_ + 1; }
   int items() const { return 2 * slots_ + 2; }
 
@@ -257,31 +220,14 @@ class Schedule {
   }
 
   FoundEvent event_of(int item) const {
-    if (item == horizon_item()) {
-      FoundEvent event(FoundEvent::Kind::horizon, item);
-      event.exactly = &horizon_;
-      return event;
-    }
-    if (item == maneuver_item() && turn_ != nullptr) {
-      FoundEvent event = *turn_;
-      event.item = item;
-      return event;
-    }
+    if (item == horizon_item()) return {Moment::at(horizon_), item};
     if (item == maneuver_item()) {
-      FoundEvent event(FoundEvent::Kind::maneuver, item);
-      event.exactly = &maneuvers_.next_time();
-      return event;
+      return {turn_ != nullptr ? *turn_ : Moment::at(maneuvers_.next_time()), item};
     }
-    const bool flip = (item & 1) == 0;
-    FoundEvent event(flip ? FoundEvent::Kind::flip : FoundEvent::Kind::contact, item);
-    event.at = isolating_[item];
-    if (flip) {
-      event.quad = quad_of(item / 2);
-      event.fine = fine_of(item);
-    } else {
-      std::tie(event.i, event.j) = pair_of(item / 2);
-    }
-    return event;
+    const auto [lo, hi] = isolating_[item];
+    if ((item & 1) == 0) return {Moment::of(quad_of(item / 2), lo, hi, fine_of(item)), item};
+    const auto [i, j] = pair_of(item / 2);
+    return {Moment::of(i, j, lo, hi), item};
   }
 
   void set_key(int item, double key) {
@@ -332,7 +278,7 @@ class Schedule {
         break;
       case NextContact::Kind::now:
         ++stats_.predicted_collisions;
-        due_contacts_.insert(pair_of(edge));
+        due_turns_.contacts.insert(pair_of(edge));
         set_key(item, infinity);
         break;
     }
@@ -342,17 +288,6 @@ class Schedule {
 
   // Looks further ahead for an item of which only a bound is known.
   void extend(int item) { search_flip_after(item / 2, queue_.key(item), nullptr); }
-  // Works on until the head of the queue is an event; false if there is none.
-  bool advance_to_event() {
-    for (;;) {
-      const int item = queue_.top();
-      if (queue_.key(item) == infinity) return false;
-      frontier_ = queue_.key(item);
-      Patience::ask();
-      if (is(is_event, item)) return true;
-      extend(item);
-    }
-  }
 
   const Diagram& diagram_;
   Arithmetic& arithmetic_;
@@ -362,18 +297,16 @@ class Schedule {
   Rational horizon_;
   double horizon_up_;
   EventQueue queue_;
-  const FoundEvent* turn_ = nullptr;  // see announce()
+  const Moment* turn_ = nullptr;  // see announce()
   int slots_ = 0;
-  std::vector<std::uint8_t> found_;           // by item
-  std::vector<IsolatingInterval> isolating_;  // for flips and contacts that were found
+  std::vector<std::uint8_t> found_;   // by item
+  std::vector<Enclosure> isolating_;  // for flips and contacts that were found
   std::unordered_map<int, std::shared_ptr<const RootInterval>> fine_;  // by edge
   double quiet_until_ = 0;
   LookAhead look_ahead_;
   double frontier_ = 0;
   std::set<std::pair<Quad, int>> due_flips_;
-  std::set<std::pair<GenId, GenId>> due_contacts_;
-  bool due_maneuvers_ = false;
-  std::vector<TimedEvent> near_;  // the memory of next_instant()
+  DueTurns due_turns_;
 };
 
 }  // namespace voroproof::internal

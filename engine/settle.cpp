@@ -9,7 +9,7 @@
 
 namespace voroproof::internal {
 
-long settle(Diagram& diagram, Motion& motion, const Instant& now, TierCounts& counts) {
+long settle(Diagram& diagram, Motion& motion, const Moment& now, TierCounts& counts) {
   CollapseSearch search(motion, counts);
   std::set<std::pair<Quad, Diagram::HalfEdge>> illegal;
   const DoubleBall t = DoubleBall::hull(now.lo, now.hi);

@@ -355,14 +355,4 @@ Diagram static_diagram(const Motion& motion, const Rational& t, TierCounts& coun
   return Construction(motion, t, counts).build(insertion_order(motion, round_nearest(t)));
 }
 
-Instant instant_at(const Rational& t) {
-  Instant now;
-  now.lo = round_down(t);
-  now.hi = round_up(t);
-  const double nearest = round_nearest(t);
-  now.dd = DdBall(nearest, 0, std::fabs(round_nearest(Rational(t - to_rational(nearest)))) * 1.01);
-  now.exact = [t](ExactMotion&) { return ExactTime(t); };
-  return now;
-}
-
 }  // namespace voroproof::internal

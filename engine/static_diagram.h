@@ -24,12 +24,9 @@ namespace voroproof::internal {
 // Precondition: the states of `motion` are in force at t, the disks do not overlap.
 Diagram static_diagram(const Motion& motion, const Rational& t, TierCounts& counts);
 
-// The instant of an exact time.
-Instant instant_at(const Rational& t);
-
 // Turns a diagram that is right at the instant into the one just after it: flips
 // edges with cotangent generators, smallest quadruplet first, until all are legal.
 // Returns the number of flips.
-long settle(Diagram& diagram, Motion& motion, const Instant& now, TierCounts& counts);
+long settle(Diagram& diagram, Motion& motion, const Moment& now, TierCounts& counts);
 
 }  // namespace voroproof::internal

@@ -30,7 +30,7 @@ void require_meaningful(const CertifyOptions& options, const HistoryHeader& head
 std::vector<Quad> construct_initial(Motion& motion) {
   TierCounts counts;
   Diagram diagram = static_diagram(motion, 0, counts);
-  settle(diagram, motion, instant_at(0), counts);
+  settle(diagram, motion, Moment::at(0), counts);
   return diagram.quads();
 }
 

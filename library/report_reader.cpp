@@ -184,7 +184,7 @@ Certificate read_certificate(const JsonField& report) {
   c.maneuvers = read_count(proved["maneuvers"]);
   c.edge_lives = read_count(proved["edge_lives"]);
   c.pair_lives = read_count(proved["pair_lives"]);
-  c.beyond_filter = read_count(proved["beyond_first_filter"]);
+  c.tiers.beyond_filter = read_count(proved["beyond_first_filter"]);
   c.simultaneous = read_count(proved["simultaneous"]);
   const JsonField lenient = report["leniency"];
   c.swaps = read_count(lenient["swaps"]);

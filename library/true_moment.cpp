@@ -27,7 +27,7 @@ std::unique_ptr<Engine> run_to(const Scene& scene, const Rational& t,
 Diagram diagram_at(Motion& motion, const Rational& t) {
   TierCounts counts;
   Diagram diagram = static_diagram(motion, t, counts);
-  settle(diagram, motion, instant_at(t), counts);
+  settle(diagram, motion, Moment::at(t), counts);
   return diagram;
 }
 

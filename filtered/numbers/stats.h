@@ -22,6 +22,9 @@ struct TierCounts {
   std::array<std::array<std::uint64_t, static_cast<int>(Tier::count)>,
              static_cast<int>(Predicate::count)>
       decided{};
+  // Comparisons of times that took more than double-doubles, and the certifier's questions of lives
+  // and flips that its first filter leaves open.
+  std::int64_t beyond_filter = 0;
   void count(Predicate p, Tier t, std::uint64_t decisions = 1) {
     decided[static_cast<int>(p)][static_cast<int>(t)] += decisions;
   }
@@ -29,6 +32,7 @@ struct TierCounts {
     for (std::size_t p = 0; p < decided.size(); ++p) {
       for (std::size_t t = 0; t < decided[p].size(); ++t) decided[p][t] += o.decided[p][t];
     }
+    beyond_filter += o.beyond_filter;
     return *this;
   }
 };

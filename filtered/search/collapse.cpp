@@ -26,16 +26,6 @@ Site<double> plain_site(const Motion& motion, GenId g, double t) {
 
 }  // namespace
 
-ExactTime time_of(const Tower& t) {
-  if (t.is_rational()) return ExactTime(t.rational());
-  // The root of x - t, between binary64 neighbours made distinct.
-  const auto [lo, hi] = double_interval(t);
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  return ExactTime(
-      Polynomial<Tower>{-t, Tower(1)},
-      RootInterval{to_rational(std::nextafter(lo, -inf)), to_rational(std::nextafter(hi, inf))});
-}
-
 double time_scale(const Motion& motion, const Quad& q, double t) {
   const Site<double> l = plain_site(motion, q.l, t);
   const DoubleMotion& m = motion.doubles(q.l);
@@ -240,7 +230,7 @@ Collapse CollapseSearch::beyond(const Quad& q, const RootInterval& root, double 
   return slow(q, root.hi, nullptr, end);
 }
 
-Collapse CollapseSearch::from(const Quad& q, const Instant& now, double end) {
+Collapse CollapseSearch::from(const Quad& q, const Moment& now, double end) {
   if (q.s == q.e) return Collapse::none_until(kInfinity);
   if (at_relative_rest(q)) return at_rest(q, now);
   if (now.lo < end && motion_.options().filters) {

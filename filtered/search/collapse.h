@@ -11,35 +11,17 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
-#include "exact/algebraic.h"
-#include "filtered/motion/exact_motion.h"
 #include "filtered/motion/motion.h"
 #include "filtered/numbers/stats.h"
 #include "filtered/search/bernstein.h"
-#include "filtered/search/symmetry.h"
+#include "filtered/search/moment.h"
 
 namespace voroproof::internal {
-
-using ExactTime = AlgebraicNumber<Tower>;
-
-// An element of the tower as a time.
-ExactTime time_of(const Tower& t);
-
-// An instant, as tightly as doubles can say and exactly on demand.
-struct Instant {
-  double lo = 0, hi = 0;  // lo <= instant <= hi: neighbours, or equal when exact
-  DdBall dd;
-  // The instant as an algebraic number over the field of an ExactMotion.
-  std::function<ExactTime(ExactMotion&)> exact;
-  // The proved facts of that instant; may be empty.
-  std::function<Coincidence()> known;
-};
 
 struct Collapse {
   enum class Kind {
@@ -53,6 +35,10 @@ struct Collapse {
   // Where neighbouring doubles do not isolate the root.
   std::shared_ptr<const RootInterval> fine;
 
+  // The interval that isolates the root.
+  RootInterval root() const {
+    return fine ? *fine : RootInterval{to_rational(lo), to_rational(hi)};
+  }
   static Collapse none_until(double t);
   static Collapse at_root(const Rational& lo, const Rational& hi);
 };
@@ -78,7 +64,7 @@ class CollapseSearch {
   // before it, or its motion changes there. Answers `now` when the four generators are
   // cotangent at the instant and the edge is illegal just after it; where the four
   // stay cotangent by the rule of the largest id (docs/formats.md).
-  Collapse from(const Quad& q, const Instant& now, double end);
+  Collapse from(const Quad& q, const Moment& now, double end);
 
   // One step of the interval Newton method for the flip polynomial in double-doubles: its root in
   // [lo, hi], if there is one; an enclosure inside [lo, hi] proves that there is one and no other.
@@ -124,15 +110,15 @@ class CollapseSearch {
                                  double end) const;
   Collapse beyond(const Quad& q, const RootInterval& root, double end);
   bool at_relative_rest(const Quad& q) const;
-  Collapse at_rest(const Quad& q, const Instant& now);
+  Collapse at_rest(const Quad& q, const Moment& now);
   // Answers for q while its four generators stay cotangent, perhaps only with the circle of the
   // other kind: both in-circle signs `s` tell, at a time t of the interval. nullopt: not decided.
   std::optional<Collapse> while_cotangent(const Quad& q, const std::array<Sign, 2>& s,
                                           const Ball& t) const;
-  std::optional<Collapse> by_symmetry(const Quad& q, const Rational& start, const Instant* now,
+  std::optional<Collapse> by_symmetry(const Quad& q, const Rational& start, const Moment* now,
                                       double end);
-  Collapse slow(const Quad& q, const Rational& start, const Instant* now, double end);
-  Collapse exactly(const Quad& q, const Rational& start, const Instant* now, double end);
+  Collapse slow(const Quad& q, const Rational& start, const Moment* now, double end);
+  Collapse exactly(const Quad& q, const Rational& start, const Moment* now, double end);
 
   Motion& motion_;
   TierCounts& counts_;

@@ -76,7 +76,7 @@ std::array<Sign, 2> exact_incircles(const Quad& q, const Rational& t, ExactMotio
 
 // Four generators at rest relative to each other: the edge is legal for good unless
 // they are cotangent now and the rule of the largest id is against it.
-Collapse CollapseSearch::at_rest(const Quad& q, const Instant& now) {
+Collapse CollapseSearch::at_rest(const Quad& q, const Moment& now) {
   const Collapse legal = Collapse::none_until(std::numeric_limits<double>::infinity());
   if (legal_while_cotangent(q)) return legal;
   if (sign(flip_value(motion_, q, DoubleBall::hull(now.lo, now.hi), false)) != Sign::unknown) {
@@ -118,7 +118,7 @@ class EdgeRoots {
  public:
   // `scale`: the edge's time scale.
   EdgeRoots(const Motion& motion, const Quad& q, ExactMotion& exact, const Polynomial<Tower>& phi,
-            const Rational& start, const Rational& end, const Rational& scale, const Instant* now)
+            const Rational& start, const Rational& end, const Rational& scale, const Moment* now)
       : motion_(motion),
         q_(q),
         exact_(exact),
@@ -188,7 +188,7 @@ class EdgeRoots {
 
 }  // namespace
 
-Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Instant* now,
+Collapse CollapseSearch::exactly(const Quad& q, const Rational& start, const Moment* now,
                                  double end) {
   ExactMotion exact(motion_);
   const Polynomial<Tower> phi = flip_polynomial(q, exact);

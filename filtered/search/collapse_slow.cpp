@@ -51,7 +51,7 @@ struct Attempt {
 // exact tier. `max_halvings` bounds the depth.
 template <class T, class Make>
 Attempt search_in(const Motion& motion, const Quad& q, const Rational& start, const Rational& end,
-                  const Instant* now, int max_halvings, const Make& make) {
+                  const Moment* now, int max_halvings, const Make& make) {
   const bool cocircular = flip_polynomial_is_cocircularity(motion, q);
   struct Part {
     Rational a, b;
@@ -129,8 +129,7 @@ std::optional<Collapse> CollapseSearch::while_cotangent(const Quad& q, const std
   return illegal;
 }
 
-Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Instant* now,
-                              double end) {
+Collapse CollapseSearch::slow(const Quad& q, const Rational& start, const Moment* now, double end) {
   const Rational finish =
       std::max<Rational>(to_rational(end), start + least_window(motion_, q, start));
   // Generators that look cotangent at the instant mostly are. Nothing but the exact tier can say
@@ -215,7 +214,7 @@ Judgement departs(const Motion& motion, const Quad& q, const Ball& hull, bool ev
 
 // The answer where symmetry proves that the four are cotangent for good, or at the present instant.
 std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rational& start,
-                                                    const Instant* now, double end) {
+                                                    const Moment* now, double end) {
   if (has_rational_motion(q)) return std::nullopt;
   const Symmetry symmetry(motion_);
   const Rational t = now != nullptr ? to_rational(now->hi) : start;
@@ -226,8 +225,9 @@ std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rationa
     const Ball at = now != nullptr ? make.hull(to_rational(now->lo), t) : make(t);
     return while_cotangent(q, {Sign::zero, Sign::zero}, at);
   }
-  if (now == nullptr || !now->known) return std::nullopt;
-  const auto proved = symmetry.cotangency(symmetry.states(q), now->known(), now->lo, now->hi);
+  if (now == nullptr || now->present == nullptr) return std::nullopt;
+  const auto proved =
+      symmetry.cotangency(symmetry.states(q), now->present->known(), now->lo, now->hi);
   if (proved == Symmetry::Cotangency::unknown) return std::nullopt;
   const bool every_circle =
       proved == Symmetry::Cotangency::every_circle || flip_polynomial_is_cocircularity(motion_, q);

@@ -114,7 +114,7 @@ double up(double x) { return x * (1 + 0x1p-51); }
 
 // Whether [lo, hi] will do as the enclosure of a contact: one does that is short beside the delay,
 // or as short as doubles are there; one that reaches the present does not.
-bool is_answer(const Instant& now, double lo, double hi) {
+bool is_answer(const Moment& now, double lo, double hi) {
   return lo > now.hi && hi - lo < std::fmax(0x1p-20 * (lo - now.hi), 0x1p-40 * hi);
 }
 
@@ -126,7 +126,7 @@ Ball hull_of(double lo, double hi, int bits) {
 
 }  // namespace
 
-NextContact ContactSearch::from(GenId i, GenId j, const Instant& now, double end) {
+NextContact ContactSearch::from(GenId i, GenId j, const Moment& now, double end) {
   // Two disks of the same collision leave each other, or stay at rest in contact.
   const bool wall = i == container_id;
   if (!wall && motion_.state_id(i) > 0 && motion_.state_id(i) == motion_.state_id(j)) return {};
@@ -166,7 +166,7 @@ std::array<double, 2> enclosure(const Ball& t) {
 // The contact by numbers of one kind; `t`: now.lo. Returns nothing where they do not tell it from
 // the present, or tell it badly.
 template <class T>
-std::optional<NextContact> ContactSearch::in(GenId i, GenId j, const Instant& now, double end,
+std::optional<NextContact> ContactSearch::in(GenId i, GenId j, const Moment& now, double end,
                                              const T& t, const T& zero) const {
   const Contact<T> k(motion_.moving_site(i, t), motion_.moving_site(j, t));
   const auto d = delay(k, i == container_id, are_points(motion_, i, j), zero);
@@ -178,7 +178,7 @@ std::optional<NextContact> ContactSearch::in(GenId i, GenId j, const Instant& no
   return NextContact{NextContact::Kind::at, lo, hi};
 }
 
-NextContact ContactSearch::slow(GenId i, GenId j, const Instant& now, double end) {
+NextContact ContactSearch::slow(GenId i, GenId j, const Moment& now, double end) {
   Ladder<NextContact> ladder(counts_, Predicate::contact_search);
   if (motion_.options().filters) {
     const Rung doubles{Tier::filter,
@@ -202,15 +202,15 @@ NextContact ContactSearch::slow(GenId i, GenId j, const Instant& now, double end
 
 // The answer where symmetry proves that neither moves; or that the pair touches now, and the signs
 // say that it approaches, or that two disks part.
-std::optional<NextContact> ContactSearch::by_symmetry(GenId i, GenId j, const Instant& now) const {
+std::optional<NextContact> ContactSearch::by_symmetry(GenId i, GenId j, const Moment& now) const {
   const bool wall = i == container_id;
   if (motion_.is_rational(i) && motion_.is_rational(j)) return std::nullopt;
   const Symmetry symmetry(motion_);
   if (at_rest(motion_, symmetry.state(i)) && at_rest(motion_, symmetry.state(j))) {
     return NextContact{};
   }
-  if (!now.known) return std::nullopt;
-  if (!symmetry.touch(symmetry.states(i, j), now.known())) return std::nullopt;
+  if (now.present == nullptr) return std::nullopt;
+  if (!symmetry.touch(symmetry.states(i, j), now.present->known())) return std::nullopt;
   const Ball t = hull_of(now.lo, now.hi, motion_.goal_bits() + 32);
   const Sign b = sign(Contact<Ball>(motion_.moving_site(i, t), motion_.moving_site(j, t)).b);
   const Sign approach = wall ? Sign::positive : Sign::negative;
@@ -219,7 +219,7 @@ std::optional<NextContact> ContactSearch::by_symmetry(GenId i, GenId j, const In
   return NextContact{NextContact::Kind::now, now.lo, now.hi};
 }
 
-NextContact ContactSearch::exactly(GenId i, GenId j, const Instant& now, double end) {
+NextContact ContactSearch::exactly(GenId i, GenId j, const Moment& now, double end) {
   const bool wall = i == container_id;
   ExactMotion exact(motion_);
   const Rational near = to_rational(now.lo);
@@ -252,7 +252,7 @@ NextContact ContactSearch::exactly(GenId i, GenId j, const Instant& now, double 
   return {NextContact::Kind::at, lo, hi};
 }
 
-bool ContactSearch::certainly_apart(GenId i, GenId j, const Instant& now) const {
+bool ContactSearch::certainly_apart(GenId i, GenId j, const Moment& now) const {
   const Sign apart = i == container_id ? Sign::negative : Sign::positive;
   if (motion_.options().filters) {
     if (i != container_id) {
@@ -267,7 +267,7 @@ bool ContactSearch::certainly_apart(GenId i, GenId j, const Instant& now) const 
   return apart_by_balls(i, j, now);
 }
 
-bool ContactSearch::apart_by_balls(GenId i, GenId j, const Instant& now) const {
+bool ContactSearch::apart_by_balls(GenId i, GenId j, const Moment& now) const {
   const Ball t = hull_of(now.lo, now.hi, motion_.goal_bits() + 32);
   return sign(Contact<Ball>(motion_.moving_site(i, t), motion_.moving_site(j, t)).c) ==
          (i == container_id ? Sign::negative : Sign::positive);

@@ -29,12 +29,12 @@ class ContactSearch {
   // The next contact of i < j at or after `now`, no later than `end`. They do not
   // overlap at `now`. Throws Undecided when a disk slides along the container, which
   // the model does not cover.
-  NextContact from(GenId i, GenId j, const Instant& now, double end);
+  NextContact from(GenId i, GenId j, const Moment& now, double end);
 
   // Whether the two certainly do not touch at `now`, nor overlap: as far as doubles tell, where
   // filters are on, and as far as balls do.
-  bool certainly_apart(GenId i, GenId j, const Instant& now) const;
-  bool apart_by_balls(GenId i, GenId j, const Instant& now) const;
+  bool certainly_apart(GenId i, GenId j, const Moment& now) const;
+  bool apart_by_balls(GenId i, GenId j, const Moment& now) const;
 
   // The contact that lies next to t, tightly; radius infinite where not known.
   DdBall refine(GenId i, GenId j, double t) const;
@@ -45,12 +45,12 @@ class ContactSearch {
 
  private:
   // The ladder beneath the first filter.
-  NextContact slow(GenId i, GenId j, const Instant& now, double end);
+  NextContact slow(GenId i, GenId j, const Moment& now, double end);
   template <class T>
-  std::optional<NextContact> in(GenId i, GenId j, const Instant& now, double end, const T& t,
+  std::optional<NextContact> in(GenId i, GenId j, const Moment& now, double end, const T& t,
                                 const T& zero) const;
-  std::optional<NextContact> by_symmetry(GenId i, GenId j, const Instant& now) const;
-  NextContact exactly(GenId i, GenId j, const Instant& now, double end);
+  std::optional<NextContact> by_symmetry(GenId i, GenId j, const Moment& now) const;
+  NextContact exactly(GenId i, GenId j, const Moment& now, double end);
 
   Motion& motion_;
   TierCounts& counts_;

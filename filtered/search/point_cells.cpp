@@ -30,14 +30,14 @@ bool PointCells::is_point(GenId g) const {
 }
 
 // A line meets a circle at single times: whoever has another velocity leaves.
-bool PointCells::certainly_leaves(GenId point, GenId other, const Instant& now) const {
+bool PointCells::certainly_leaves(GenId point, GenId other, const Moment& now) const {
   return differ(motion_, point, other, DoubleBall::hull(now.lo, now.hi)) ||
          differ(motion_, point, other, now.dd) ||
          differ(motion_, point, other, Ball(now.lo, motion_.goal_bits() + 32));
 }
 
 void PointCells::require_area(GenId point, const std::vector<GenId>& neighbours,
-                              const Instant& now) const {
+                              const Moment& now) const {
   int touched = 0;
   for (const GenId other : neighbours) {
     const auto [i, j] = std::minmax(point, other);

@@ -23,10 +23,10 @@ class PointCells {
   // To be called for a point whose motion, or that of a neighbour, has changed at `now`, with its
   // neighbours. Throws Undecided where the point may touch two of them at `now`, or may go on
   // touching one. Tried in doubles, double-doubles and balls: what these do not exclude may be.
-  void require_area(GenId point, const std::vector<GenId>& neighbours, const Instant& now) const;
+  void require_area(GenId point, const std::vector<GenId>& neighbours, const Moment& now) const;
 
  private:
-  bool certainly_leaves(GenId point, GenId other, const Instant& now) const;
+  bool certainly_leaves(GenId point, GenId other, const Moment& now) const;
 
   const Motion& motion_;
   const ContactSearch& contacts_;

@@ -40,7 +40,7 @@ class Sites {
   Diagram just_after(const Rational& t) {
     Diagram d = at(t);
     TierCounts counts;
-    settle(d, motion_, instant_at(t), counts);
+    settle(d, motion_, Moment::at(t), counts);
     return d;
   }
   std::optional<InitialFault> fault(const Diagram& d, const Rational& t = 0) {

@@ -21,7 +21,7 @@ CertifyOptions options(Truth truth, double tolerance = 1e-6) {
   o.propose_initial = [](Motion& motion) {
     TierCounts counts;
     Diagram diagram = static_diagram(motion, 0, counts);
-    settle(diagram, motion, instant_at(0), counts);
+    settle(diagram, motion, Moment::at(0), counts);
     return diagram.quads();
   };
   return o;

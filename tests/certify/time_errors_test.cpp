@@ -55,7 +55,7 @@ TEST(TimeErrors, NothingElseDependsOnWhetherTheyAreToldOf) {
   EXPECT_EQ(without.flips, with.flips);
   EXPECT_EQ(without.edge_lives, with.edge_lives);
   EXPECT_EQ(without.pair_lives, with.pair_lives);
-  EXPECT_EQ(without.beyond_filter, with.beyond_filter);
+  EXPECT_EQ(without.tiers.beyond_filter, with.tiers.beyond_filter);
   EXPECT_EQ(without.highest_bits, with.highest_bits);
 }
 

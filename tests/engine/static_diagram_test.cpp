@@ -213,7 +213,7 @@ TEST(StaticDiagram, SettlingIsUnique) {
     scene.disks.push_back(disk(4 * (k % 4) - 6, 4 * (k / 4) - 6, 1, 0, 0));
   Motion motion(motion_input(scene), {});
   TierCounts counts;
-  const Instant now = instant_at(0);
+  const Moment now = Moment::at(0);
   Diagram reference = static_diagram(motion, 0, counts);
   settle(reference, motion, now, counts);
   Random random(6);

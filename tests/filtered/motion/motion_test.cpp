@@ -87,7 +87,7 @@ struct Contact2 {
 };
 
 // The first contact of all pairs after `now`.
-Contact2 first_contact(Motion& motion, const Instant& now) {
+Contact2 first_contact(Motion& motion, const Moment& now) {
   TierCounts unused;
   ContactSearch search(motion, unused);
   Contact2 first{{NextContact::Kind::none, 1e300, 1e300}, 0, 0};
@@ -103,7 +103,7 @@ Contact2 first_contact(Motion& motion, const Instant& now) {
 // Runs `count` collisions; returns what is written of each.
 std::vector<Impact> collide(Motion& motion, int count, bool check) {
   std::vector<Impact> impacts;
-  Instant now = instant_at(0);
+  Moment now = Moment::at(0);
   for (int k = 0; k < count; ++k) {
     const Contact2 c = first_contact(motion, now);
     if (c.when.kind != NextContact::Kind::at) break;
@@ -116,9 +116,7 @@ std::vector<Impact> collide(Motion& motion, int count, bool check) {
     now.lo = std::nextafter(impact.t, 0);
     now.hi = std::nextafter(impact.t, 1e300);
     now.dd = impact.time_dd;
-    const int id = motion.state_id(c.j);
-    const GenId j = c.j;
-    now.exact = [id, j](ExactMotion& exact) { return time_of(exact.start(id, j)); };
+    now.collided(c.i, c.j, motion.state_id(c.j));
   }
   return impacts;
 }

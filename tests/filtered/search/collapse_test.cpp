@@ -101,7 +101,7 @@ void expect_right(const Scene& scene, const MotionOptions& options, bool at_star
   const Rational t = at_start ? Rational(0) : Rational(free_until(motion, all, end)) / 3;
   TierCounts unused;
   const Diagram diagram = static_diagram(motion, t, unused);
-  const Instant now = instant_at(t);
+  const Moment now = Moment::at(t);
   for (Diagram::HalfEdge h = 0; h < 2 * diagram.edges(); h += 2) {
     const Quad q = diagram.quad(h);
     if (q.s == q.e) {
@@ -315,9 +315,9 @@ TEST(CollapseSearch, AtTheInstantOfTheCollapse) {
       TierCounts tiers;
       CollapseSearch search(motion, tiers);
       const Quad q = edge_between(motion, 0, 2, 3);
-      EXPECT_EQ(search.from(q, instant_at(1), 4).kind, Collapse::Kind::now);
+      EXPECT_EQ(search.from(q, Moment::at(1), 4).kind, Collapse::Kind::now);
       // The edge that the flip leaves has a root there too, and stays.
-      EXPECT_EQ(search.from(flipped(q), instant_at(1), 4).kind, Collapse::Kind::none);
+      EXPECT_EQ(search.from(flipped(q), Moment::at(1), 4).kind, Collapse::Kind::none);
       EXPECT_EQ(searches(tiers, Tier::exact), 2u);
     }
   }
@@ -339,12 +339,12 @@ TEST(CollapseSearch, CotangentForGood) {
         const Quad q{2, 3, 0, 1}, r{2, 3, 1, 0};
         // One of the two is the edge; either is judged by the rule.
         for (const Quad& edge : {q, r}) {
-          EXPECT_EQ(search.from(edge, instant_at(1), 4).kind, Collapse::Kind::none);
+          EXPECT_EQ(search.from(edge, Moment::at(1), 4).kind, Collapse::Kind::none);
         }
         const Quad between = edge_between(motion, 0, 2, 3).l == 2
                                  ? edge_between(motion, 0, 2, 3)
                                  : flipped(edge_between(motion, 0, 0, 1));
-        EXPECT_EQ(search.from(flipped(between), instant_at(1), 4).kind, Collapse::Kind::now);
+        EXPECT_EQ(search.from(flipped(between), Moment::at(1), 4).kind, Collapse::Kind::now);
       }
     }
   }
@@ -365,7 +365,7 @@ TEST(CollapseSearch, FourOnALineLater) {
     TierCounts tiers;
     CollapseSearch search(motion, tiers);
     for (const Quad& edge : {q, flipped(q)}) {
-      const Collapse c = search.from(edge, instant_at(0), 4);
+      const Collapse c = search.from(edge, Moment::at(0), 4);
       if (c.kind == Collapse::Kind::now) continue;  // one of the two is illegal from 0 on
       EXPECT_EQ(c.kind, Collapse::Kind::none);
       EXPECT_GT(c.lo, 1);

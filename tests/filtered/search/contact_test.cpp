@@ -60,7 +60,7 @@ void expect_contact(const Scene& scene, GenId i, GenId j, const Rational& now,
     TierCounts counts;
     ContactSearch search(motion, counts);
     const auto truth = true_contact(motion.input(), i, j, now);
-    const NextContact c = search.from(i, j, instant_at(now), end);
+    const NextContact c = search.from(i, j, Moment::at(now), end);
     if (tiers != nullptr) *tiers += counts;
     if (!options.filters) {
       EXPECT_EQ(searches(counts, Tier::filter) + searches(counts, Tier::dd), 0u);
@@ -84,7 +84,7 @@ void expect_contact(const Scene& scene, GenId i, GenId j, const Rational& now,
     ASSERT_EQ(ContactSearch::exact_time(i, j, to_rational(c.lo), exact), *truth);
     // An end before it.
     const Rational early = now + (to_rational(c.lo) - now) / 2;
-    EXPECT_EQ(search.from(i, j, instant_at(now), round_down(early)).kind, Kind::none);
+    EXPECT_EQ(search.from(i, j, Moment::at(now), round_down(early)).kind, Kind::none);
   }
 }
 
@@ -123,7 +123,7 @@ TEST(ContactSearch, AfterCollisions) {
         const bool wall = i == container_id;
         const bool meet =
             wall || (sign(k.b) == Sign::negative && sign(discriminant) == Sign::positive);
-        const NextContact c = search.from(i, j, instant_at(to_rational(now)), end);
+        const NextContact c = search.from(i, j, Moment::at(to_rational(now)), end);
         ASSERT_EQ(c.kind, meet ? Kind::at : Kind::none) << i << " " << j;
         ++(meet ? contacts : none);
         if (!meet) continue;
@@ -171,7 +171,7 @@ TEST(ContactSearch, TouchingAtTheStart) {
       expect_contact(scene, 0, 1, 0);
       Motion motion(motion_input(scene), {});
       TierCounts tiers;
-      EXPECT_EQ(ContactSearch(motion, tiers).from(0, 1, instant_at(0), 50).kind,
+      EXPECT_EQ(ContactSearch(motion, tiers).from(0, 1, Moment::at(0), 50).kind,
                 speed > 0 ? Kind::now : Kind::none);
     }
   }
@@ -193,7 +193,7 @@ TEST(ContactSearch, Container) {
   expect_contact(scene_of(10, 50, {disk(9, 0, 1, 0, 0)}), container_id, 0, 0);
   Motion motion(motion_input(scene_of(10, 50, {disk(9, 0, 1, 0, 1)})), {});
   TierCounts tiers;
-  EXPECT_THROW(ContactSearch(motion, tiers).from(container_id, 0, instant_at(0), 50), Undecided);
+  EXPECT_THROW(ContactSearch(motion, tiers).from(container_id, 0, Moment::at(0), 50), Undecided);
 }
 
 TEST(ContactSearch, EqualVelocities) {
@@ -216,7 +216,7 @@ TEST(ContactSearch, Points) {
           motion_input(scene_of(100, 50, {disk(0, 0, 0, 1, 0, 1), disk(x, 0, 0, 0, 0, 1)})),
           options);
       TierCounts tiers;
-      const NextContact c = ContactSearch(motion, tiers).from(0, 1, instant_at(0), 50);
+      const NextContact c = ContactSearch(motion, tiers).from(0, 1, Moment::at(0), 50);
       ASSERT_EQ(c.kind, Kind::at) << x;
       EXPECT_LE(to_rational(c.lo), x);
       EXPECT_GE(to_rational(c.hi), x);

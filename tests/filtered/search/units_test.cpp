@@ -62,7 +62,7 @@ std::vector<Collapse::Kind> answers(const Scene& scene, bool filters) {
   Motion motion(motion_input(scene), options);
   TierCounts counts;
   CollapseSearch search(motion, counts);
-  const Instant now = instant_at(0);
+  const Moment now = Moment::at(0);
   std::array<GenId, 4> ids{container_id, 0, 1, 2};
   std::vector<Collapse::Kind> kinds;
   do {
@@ -101,11 +101,8 @@ TEST(CollapseSearch, CotangentForGoodFromAnInstantOn) {
     Motion motion(input, {});
     TierCounts counts;
     CollapseSearch search(motion, counts);
-    Instant now;
-    now.lo = 1;
+    Moment now = Moment::at(1);
     now.hi = std::nextafter(1, 2);
-    now.dd = DdBall(1);
-    now.exact = [](ExactMotion&) { return ExactTime(Rational(1)); };
     std::array<GenId, 4> ids{0, 1, 2, 3};
     std::vector<Collapse::Kind> found;
     do {

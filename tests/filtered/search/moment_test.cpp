@@ -1,9 +1,14 @@
-// Instants as the searches take them.
-#include "certify/moment.h"
+// Instants as the searches take them, their order and their rounding.
+#include "filtered/search/moment.h"
 
 #include <gtest/gtest.h>
 
-#include "library/maneuver_input.h"
+#include <cmath>
+
+#include "corpus/generate.h"
+#include "filtered/search/collapse.h"
+#include "filtered/search/contact.h"
+#include "history/scene_motion.h"
 #include "tests/certify/near_collisions.h"
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/scene_run.h"
@@ -32,13 +37,12 @@ TEST(Moment, AnInstantIsNarrowHoweverWideItsFlipIsIsolated) {
   TierCounts tiers;
   CollapseSearch collapses(motion, tiers);
   ContactSearch contacts(motion, tiers);
-  std::int64_t beyond = 0;
-  Chronology chronology(motion, collapses, contacts, beyond, tiers);
+  Chronology chronology(motion, collapses, contacts, tiers);
   Collapse wide;
   wide.kind = Collapse::Kind::root;
   wide.lo = 1 - 1e-6;
   wide.hi = 1 + 1e-6;
-  const Instant now = chronology.instant(Moment::of({0, 1, 3, 2}, wide));
+  const Moment now = chronology.instant(Moment::of({0, 1, 3, 2}, wide));
   EXPECT_LE(now.lo, 1);
   EXPECT_GE(now.hi, 1);
   EXPECT_LT(now.hi - now.lo, 1e-14);
@@ -58,9 +62,8 @@ TEST(Moment, AnOrderThatTakesMoreBitsIsNotKnownYet) {
     TierCounts tiers;
     CollapseSearch collapses(motion, tiers);
     ContactSearch contacts(motion, tiers);
-    std::int64_t beyond = 0;
-    Chronology chronology(motion, collapses, contacts, beyond, tiers);
-    const Instant start = chronology.instant(Moment::at(0.0));
+    Chronology chronology(motion, collapses, contacts, tiers);
+    const Moment start = chronology.instant(Moment::at(0));
     const auto contact = [&](GenId i, GenId j) {
       return Moment::of(i, j, contacts.from(i, j, start, 2));
     };
@@ -75,6 +78,47 @@ TEST(Moment, AnOrderThatTakesMoreBitsIsNotKnownYet) {
     EXPECT_EQ(chronology.compare(b, a), 1);
     EXPECT_EQ(motion.goal_bits() > before, !irrational);
   }
+}
+
+// Each of these scenes has a flip whose enclosure is narrow, and still has the boundary between two
+// doubles inside, before it is narrowed once more.
+TEST(Moment, DoubleDoublesRoundWhatTheyCan) {
+  struct Choice {
+    int n;
+    std::uint64_t seed;
+    double horizon;
+  };
+  for (const auto& [n, seed, horizon] :
+       {Choice{20, 25, 3000}, Choice{50, 17, 2000}, Choice{100, 17, 1500}}) {
+    ReferenceOptions options;
+    options.n = n;
+    options.seed = seed;
+    options.horizon = horizon;
+    const RecordedRun r = run(generate_reference(options));
+    const auto& rounded = r.stats.tiers.decided[static_cast<int>(Predicate::round_time)];
+    EXPECT_GT(rounded[static_cast<int>(Tier::dd)], 4000u);
+    EXPECT_EQ(rounded[static_cast<int>(Tier::ball)], 0u) << n;
+  }
+}
+
+// A rational that is no double ties with itself, and is rounded exactly.
+TEST(Moment, ARationalIsKnownExactly) {
+  const Scene scene = near_collisions();
+  Motion motion(motion_input(scene), {});
+  TierCounts tiers;
+  CollapseSearch collapses(motion, tiers);
+  ContactSearch contacts(motion, tiers);
+  Chronology chronology(motion, collapses, contacts, tiers);
+  const Rational third(1, 3);
+  const Moment m = Moment::at(third);
+  EXPECT_TRUE(m.tight);
+  EXPECT_EQ(m.hi, std::nextafter(m.lo, 1));
+  EXPECT_EQ(m.rational(), third);
+  EXPECT_EQ(chronology.compare(m, Moment::at(third)), 0);
+  EXPECT_EQ(chronology.compare(m, Moment::at(Rational(third + Rational(1, Integer(1) << 200)))),
+            -1);
+  EXPECT_EQ(chronology.rounded(m), 1.0 / 3);
+  EXPECT_EQ(tiers.beyond_filter, 0);
 }
 
 }  // namespace
