@@ -44,7 +44,7 @@ bool DuePairs::is_due(const States& states) {
   const Rung balls{Tier::ball, [&] { return by_balls(i, j); }};
   const Rung symmetry{Tier::symmetry, [&]() -> std::optional<bool> {
                         const PairStates pair{DiskState{i, states[2]}, DiskState{j, states[3]}};
-                        if (!approaching || !Symmetry(s_.motion).touch(pair, now_.known())) {
+                        if (!approaching || !s_.motion.symmetry()->touch(pair, now_.known())) {
                           return std::nullopt;
                         }
                         return true;

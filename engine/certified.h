@@ -19,7 +19,7 @@ namespace voroproof::internal {
 // against.
 class Certified {
  public:
-  Certified(Motion& motion, EngineStats& stats)
+  Certified(ComputedMotion& motion, EngineStats& stats)
       : motion_(motion),
         stats_(stats),
         collapses_(motion, stats.tiers),
@@ -87,7 +87,7 @@ class Certified {
   }
 
  private:
-  Motion& motion_;
+  ComputedMotion& motion_;
   EngineStats& stats_;
   CollapseSearch collapses_;
   ContactSearch contacts_;

@@ -93,14 +93,14 @@ bool EventTimes::is_rational(const FoundEvent& event) const {
 // Tried where arithmetic is expensive.
 bool EventTimes::same_by_symmetry(const FoundEvent& a, const FoundEvent& b) const {
   if (is_rational(a) && is_rational(b)) return false;
-  const Symmetry symmetry(motion_);
+  const auto symmetry = motion_.symmetry();
   if (a.is_contact() && b.is_contact()) {
-    return symmetry.same_contact(symmetry.states(a.i, a.j), symmetry.states(b.i, b.j));
+    return symmetry->same_contact(states_of(motion_, a.i, a.j), states_of(motion_, b.i, b.j));
   }
   if (!a.is_flip() || !b.is_flip()) return false;
   const auto same = [&](const FoundEvent& x, const FoundEvent& y) {
-    return symmetry.same_flip(symmetry.states(x.quad), ball(x, bits()), symmetry.states(y.quad),
-                              y.root());
+    return symmetry->same_flip(states_of(motion_, x.quad), ball(x, bits()),
+                               states_of(motion_, y.quad), y.root());
   };
   return same(a, b) || same(b, a);
 }

@@ -20,7 +20,7 @@ double mean_speed(const Motion& motion) {
 
 }  // namespace
 
-Follower::Follower(Motion& motion, double begin, bool profile)
+Follower::Follower(ComputedMotion& motion, double begin, bool profile)
     : motion_(motion),
       begin_(begin),
       profile_(profile),

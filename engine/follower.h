@@ -21,7 +21,7 @@ class Follower {
  public:
   // `motion` follows the leader's and is as that is at the slice's begin, at which nothing turns
   // unless it is 0. It outlives this object.
-  Follower(Motion& motion, double begin, bool profile);
+  Follower(ComputedMotion& motion, double begin, bool profile);
   Follower(const Follower&) = delete;
   Follower& operator=(const Follower&) = delete;
 
@@ -57,7 +57,7 @@ class Follower {
   void search_around(GenId g);
 
   EngineStats stats_;
-  Motion& motion_;
+  ComputedMotion& motion_;
   double begin_;
   bool profile_;
   Diagram diagram_;

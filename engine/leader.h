@@ -42,8 +42,8 @@ class Leader {
   // lead(), as the disks move then.
   double work_ahead() const;
 
-  const Motion& motion() const { return motion_; }
-  Motion& motion() { return motion_; }
+  const ComputedMotion& motion() const { return motion_; }
+  ComputedMotion& motion() { return motion_; }
   const EngineStats& stats() const { return stats_; }
   // InelasticCollapse::pasts().
   const std::vector<InelasticCollapse::Past>& collapses() const { return collapse_watch_.pasts(); }
@@ -80,7 +80,7 @@ class Leader {
   void search(GenId g, GenId other);
 
   EngineStats stats_;
-  Motion motion_;
+  ComputedMotion motion_;
   Certified arithmetic_;
   Maneuvers maneuvers_;
   Rational horizon_;

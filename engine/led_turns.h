@@ -8,7 +8,7 @@
 
 #include "engine/event.h"
 #include "exact/rational.h"
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 
 namespace voroproof::internal {
 

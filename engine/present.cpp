@@ -1,7 +1,6 @@
 #include "engine/present.h"
 
 #include "engine/static_diagram.h"
-#include "filtered/search/carry.h"
 #include "filtered/search/contact.h"
 
 namespace voroproof::internal {
@@ -26,7 +25,7 @@ void Present::begin(const std::vector<TimedEvent>& events) {
     if (event.is_flip()) {
       note_flip(event.quad);
     } else if (event.is_contact()) {
-      known_.contacts.push_back(Symmetry(motion_).states(event.i, event.j));
+      known_.contacts.push_back(states_of(motion_, event.i, event.j));
     }
   }
 }
@@ -75,6 +74,6 @@ void Present::after_collision(GenId j, const Impact* narrower) {
   now_.exact = [id, j](ExactMotion& exact) { return time_of(exact.start(id, j)); };
 }
 
-void Present::after_changes() { note_relations(motion_, known_.records, now_.lo, now_.hi); }
+void Present::after_changes() { motion_.note_relations(known_.records, now_.lo, now_.hi); }
 
 }  // namespace voroproof::internal

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/event.h"
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 #include "filtered/search/collapse.h"
 #include "filtered/search/symmetry.h"
 
@@ -28,7 +28,7 @@ class Present {
   void is_at(const Rational& t);
 
   // An edge that collapses at this instant and whose flip no search has isolated.
-  void note_flip(const Quad& q) { known_.flips.push_back(Symmetry(motion_).states(q)); }
+  void note_flip(const Quad& q) { known_.flips.push_back(states_of(motion_, q)); }
   // States are about to change: what happens at the instant is noted as they are before.
   void before_change();
   // The pair with j as its larger generator has collided. `narrower`: the time of the instant as

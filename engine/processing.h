@@ -57,7 +57,7 @@ class EngineOver {
 
   const EngineStats& stats() const { return stats_; }
   const Diagram& diagram() const { return diagram_; }
-  Motion& motion() { return motion_; }
+  ComputedMotion& motion() { return motion_; }
 
  private:
   using HalfEdge = Diagram::HalfEdge;
@@ -365,7 +365,7 @@ class EngineOver {
 
   EngineStats stats_;
   EngineOptions options_;
-  Motion motion_;
+  ComputedMotion motion_;
   Diagram diagram_;
   Arithmetic arithmetic_;
   Schedule<Arithmetic> schedule_;

@@ -161,7 +161,7 @@ PaperCheckResult paper_check(const Scene& scene, const std::string& history_path
   HistoryReader history(history_path, disks, scene.sha256);
   const HistoryHeader& header = history.header();
   Diagram initial = initial_diagram(header, disks, history_path, [&] {
-    Motion motion(motion_input(scene), options.motion);
+    ComputedMotion motion(motion_input(scene), options.motion);
     return diagram_of(disks, construct_initial(motion));
   });
   Follower follower(scene, history_path, NamedDiagram(std::move(initial)), options);

@@ -46,7 +46,7 @@ class PredictionCounter {
   bool flips_within(const Quad& edge, double start, double end);
 
   double horizon_;
-  Motion motion_;
+  ComputedMotion motion_;
   TierCounts tiers_;
   CollapseSearch collapses_;
   ContactSearch contacts_;

@@ -125,7 +125,7 @@ TEST(Predictions, AskOfEveryEdgeThatIsNew) {
   const Scene scene = generate_reference(options);
   const ExperimentRun run = run_experiment(scene, true);
   const testing::RecordedRun record = testing::run(scene);
-  Motion motion(motion_input(scene), {});
+  ComputedMotion motion(motion_input(scene), {});
   TierCounts counts;
   CollapseSearch search(motion, counts);
   NamedDiagram diagram(diagram_of(motion.size(), record.initial));

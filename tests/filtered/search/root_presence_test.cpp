@@ -54,7 +54,7 @@ void expect_presence(const RandomScene& family, Tally& tally) {
   Random random(7);
   for (int k = 0; k < 8; ++k) {
     const Scene scene = random_scene(family, random);
-    Motion motion(motion_input(scene), {});
+    ComputedMotion motion(motion_input(scene), {});
     for (const Quad& q : construct_initial(motion)) {
       if (q.s == q.e) continue;
       const SturmSequence<Rational> sturm(flip_polynomial(scene, q));
@@ -88,7 +88,7 @@ TEST(RootPresence, StartsNextToARoot) {
   Tally tally;
   for (int k = 0; k < 8; ++k) {
     const Scene scene = random_scene({}, random);
-    Motion motion(motion_input(scene), {});
+    ComputedMotion motion(motion_input(scene), {});
     for (const Quad& q : construct_initial(motion)) {
       if (q.s == q.e) continue;
       const P f = flip_polynomial(scene, q);
@@ -115,7 +115,7 @@ TEST(RootPresence, AGrazedCircleIsARoot) {
   const Scene scene = scene_of(1000, 100,
                                {disk(10, 0, 1, 0, 0), disk(-10, 0, 1, 0, 0), disk(0, -10, 1, 0, 0),
                                 disk(-20, 11, 2, 1, 0), disk(-20, 12, 2, 1, 0)});
-  const Motion motion(motion_input(scene), {});
+  const ComputedMotion motion(motion_input(scene), {});
   EXPECT_TRUE(flip_polynomial_has_root(motion, {0, 1, 2, 3}, 15, 25));
   EXPECT_FALSE(flip_polynomial_has_root(motion, {0, 1, 2, 3}, 21, 22));
   EXPECT_FALSE(flip_polynomial_has_root(motion, {0, 1, 2, 4}, 15, 25));
@@ -125,7 +125,7 @@ TEST(RootPresence, ACommonVelocityHasNone) {
   const Scene scene = scene_of(100, 50,
                                {disk(10, 0, 1, 1, 0), disk(-10, 0, 1, 1, 0), disk(0, -10, 1, 1, 0),
                                 disk(0, 10, 1, 1, 0), disk(0, 15, 2, 1, 0)});
-  const Motion motion(motion_input(scene), {});
+  const ComputedMotion motion(motion_input(scene), {});
   EXPECT_FALSE(flip_polynomial_has_root(motion, {0, 1, 2, 3}, 0, 50));  // zero throughout
   EXPECT_FALSE(flip_polynomial_has_root(motion, {0, 1, 2, 4}, 0, 50));  // a constant
 }
