@@ -25,7 +25,7 @@ void certified(benchmark::State& state, const std::string& name) {
   run_paired(
       state, hits.size(),
       [&] {
-        const std::unique_ptr<Motion> motion = motion_of(set.scene);
+        const std::unique_ptr<ComputedMotion> motion = motion_of(set.scene);
         const double seconds = seconds_of([&] {
           for (const Hit& h : hits) benchmark::DoNotOptimize(motion->collide(h.i, h.j, h.t));
         });
@@ -33,7 +33,7 @@ void certified(benchmark::State& state, const std::string& name) {
         return seconds;
       },
       [&] {
-        const std::unique_ptr<Motion> motion = motion_of(set.scene);
+        const std::unique_ptr<ComputedMotion> motion = motion_of(set.scene);
         PlainMotion plain(*motion);
         return seconds_of([&] {
           for (const Hit& h : hits) {

@@ -52,8 +52,8 @@ DataSet make(const std::string& name) {
 
 }  // namespace
 
-std::unique_ptr<Motion> motion_of(const Scene& scene) {
-  return std::make_unique<Motion>(motion_input(scene), MotionOptions{});
+std::unique_ptr<ComputedMotion> motion_of(const Scene& scene) {
+  return std::make_unique<ComputedMotion>(motion_input(scene), MotionOptions{});
 }
 
 const DataSet& data_set(const std::string& name) {

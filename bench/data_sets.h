@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "exact/generators.h"
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 #include "history/scene.h"
 
 namespace voroproof::internal::bench {
@@ -16,7 +16,7 @@ namespace voroproof::internal::bench {
 struct DataSet {
   std::string name;
   Scene scene;
-  std::unique_ptr<Motion> motion;
+  std::unique_ptr<ComputedMotion> motion;
   std::vector<Quad> quads;
 };
 
@@ -33,6 +33,6 @@ inline const std::vector<std::string> data_set_names{"reference", "equal", "near
 const DataSet& data_set(const std::string& name);
 
 // A fresh motion of the scene at t = 0.
-std::unique_ptr<Motion> motion_of(const Scene& scene);
+std::unique_ptr<ComputedMotion> motion_of(const Scene& scene);
 
 }  // namespace voroproof::internal::bench

@@ -1,7 +1,7 @@
 // Dense scenes: whole runs beside what GMP takes for the long products of their collisions alone.
 //
 // A collision takes 5 squares, 9 products, a quotient and a root of numbers as long as its states
-// (filtered/motion/fixed_collision.cpp; all other operands are short), and a state needs the bits
+// (filtered/computed/fixed_collision.cpp; all other operands are short), and a state needs the bits
 // that the collisions to come will lose. The bound is the time of these operations, on random
 // numbers, of that many bits for each collision: nothing is read, bounded or kept.
 #include <gmp.h>

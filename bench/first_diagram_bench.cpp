@@ -32,7 +32,7 @@ using Graph = CGAL::Apollonius_graph_2<Traits>;
 // All have the disks in memory; neither of the peers knows the container.
 nlohmann::ordered_json bench(const SceneChoice& choice, int repeats, int graph_up_to) {
   const Scene scene = scene_of(choice);
-  const Motion motion(motion_input(scene), {});
+  const ComputedMotion motion(motion_input(scene), {});
   std::vector<Kernel::Point_2> points;
   std::vector<Graph::Site_2> sites;
   for (GenId g = 0; g < motion.size(); ++g) {

@@ -62,14 +62,14 @@ void count_contacts(const DataSet& set) {
 
 void count_collisions(const DataSet& set) {
   const std::vector<Hit> hits = hits_of(set.scene, 30);
-  const std::unique_ptr<Motion> motion = motion_of(set.scene);
+  const std::unique_ptr<ComputedMotion> motion = motion_of(set.scene);
   count("collide/" + set.name, hits.size(), [&] {
     for (const Hit& h : hits) use(motion->collide(h.i, h.j, h.t));
   });
 }
 
 void count_static_diagrams(const DataSet& set) {
-  const std::unique_ptr<Motion> motion = motion_of(set.scene);
+  const std::unique_ptr<ComputedMotion> motion = motion_of(set.scene);
   TierCounts counts;
   count("static_diagram/" + set.name, set.scene.disks.size(),
         [&] { use(static_diagram(*motion, 0, counts)); });

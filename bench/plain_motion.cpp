@@ -37,6 +37,13 @@ Judgement judge_cocircular(const std::array<Site<double>, 4>& at, Sign after) {
                                                                    : Judgement::stays;
 }
 
+// A motion whose doubles may be set without any proof.
+struct Unproved : Motion {
+  static void overwrite(Motion& motion, GenId g, const DoubleMotion& m) {
+    (motion.*&Unproved::doubles_)[g + 1] = m;
+  }
+};
+
 void advance(DoubleMotion& m, double t) {
   m.x += m.vx * (t - m.t);
   m.y += m.vy * (t - m.t);
@@ -121,9 +128,9 @@ Impact PlainMotion::collide(GenId i, GenId j, double t) {
     b.vx -= k * mi * nx;
     b.vy -= k * mi * ny;
     last_change_[i + 1] = changes_;
-    motion_.overwrite(i, a);
+    Unproved::overwrite(motion_, i, a);
   }
-  motion_.overwrite(j, b);
+  Unproved::overwrite(motion_, j, b);
   return {t, DoubleBall(t), DdBall(t), {a.x, a.y, a.vx, a.vy}, {b.x, b.y, b.vx, b.vy}};
 }
 
@@ -132,7 +139,7 @@ RoundedState PlainMotion::maneuver(GenId g, double t, double vx, double vy) {
   advance(m, t);
   m.vx = vx;
   m.vy = vy;
-  motion_.overwrite(g, m);
+  Unproved::overwrite(motion_, g, m);
   last_change_[g + 1] = ++changes_;
   return {m.x, m.y, vx, vy};
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 #include "filtered/search/collapse.h"
 #include "filtered/search/contact.h"
 

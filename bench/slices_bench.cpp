@@ -58,8 +58,8 @@ double one_thread(const Scene& scene, const EngineOptions& options) {
 std::vector<Cost> costs_of(const Scene& scene, const EngineOptions& options, int threads) {
   Leader leader(motion_input(scene), maneuver_input(scene), options.motion);
   if (!leader.possible()) throw std::runtime_error("the scene is none for slices");
-  const Motion& leaders = leader.motion();
-  Motion motion(leaders.input(), leaders.options(), leaders.log());
+  const ComputedMotion& leaders = leader.motion();
+  ComputedMotion motion(leaders.input(), leaders.options(), leaders.log());
   std::vector<Cost> costs;
   double begin = 0;
   for (bool is_last = false; !is_last;) {

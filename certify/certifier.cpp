@@ -1,111 +1,22 @@
 #include "certify/certifier.h"
 
-#include <algorithm>
-#include <stdexcept>
+#include <memory>
 
 #include "certify/checker.h"
-#include "certify/parts.h"
-#include "history/error.h"
-#include "history/scene_motion.h"
+#include "certify/exact_turns.h"
 
 namespace voroproof::internal {
 
-namespace {
-
-// With --strict a horizon other than the scene's is a fault.
-Certificate refuted_for(const std::array<Rational, 2>& horizons) {
-  Certificate c;
-  c.verdict = Verdict::refuted;
-  c.divergence.emplace();
-  c.divergence->fault = Fault::other_horizon;
-  c.divergence->line = 1;
-  c.divergence->truth = "the horizon of the scene is " + horizons[1].get_str();
-  c.other_horizon = horizons;
-  return c;
-}
-
-// A missing flip may be claimed, as one that is none.
-void name_shadow(Certificate& c, HistorySource& history, double tolerance) {
-  if (!c.divergence || c.divergence->fault != Fault::missing_event || !c.divergence->true_flip) {
-    return;
-  }
-  Divergence& d = *c.divergence;
-  const double far = mistimed_tolerances * tolerance;
-  // The file has been read as far as the checkers came: on to the end of what is asked for.
-  try {
-    while (const auto event = history.next()) {
-      if (time(*event) > (*d.true_time)[1] + far) break;
-    }
-  } catch (const InputError&) {
-    // Where it cannot be read it says nothing.
-  }
-  const auto line =
-      history.shadow_line(*d.true_flip, (*d.true_time)[0] - far, (*d.true_time)[1] + far);
-  if (!line) return;
-  d.line = *line;
-  d.truth += ", which the file takes for a shadow flip";
-}
-
-CertifyOptions options_for(const HistorySource& history, const CertifyOptions& asked) {
-  CertifyOptions options = asked;
-  options.unoriented = !asked.strict && (asked.unoriented || !history.header().oriented);
-  return options;
-}
-
-// Adds what is not known from the claims alone.
-void complete(Certificate& c, const std::optional<std::array<Rational, 2>>& other,
-              HistorySource& history, const CertifyOptions& options) {
-  c.other_horizon = other;
-  const auto told = history.remarks();
-  c.remarks.insert(c.remarks.begin(), told.begin(), told.end());
-  name_shadow(c, history, round_up(options.tolerance));
-}
-
-}  // namespace
-
-std::optional<std::array<Rational, 2>> other_horizon(const Scene& scene,
-                                                     const HistoryHeader& header) {
-  if (abs(Rational(header.horizon - scene.horizon)) <= header.horizon_error) return std::nullopt;
-  return std::array{header.horizon, scene.horizon};
-}
-
 Certificate certify(const Scene& scene, HistorySource& history, const CertifyOptions& asked) {
-  const CertifyOptions options = options_for(history, asked);
-  const std::optional<std::array<Rational, 2>> other = other_horizon(scene, history.header());
-  if (other && asked.strict) return refuted_for(*other);
-  const MotionInput input = motion_input(scene);
-  Certificate c;
-  if (options.truth == Truth::recorded && options.judges_flips()) {
-    c = certify_in_parts(scene, input, history, options);
-  } else {
-    Motion motion(checked_input(input, history.header()), options.motion);
-    c = Checker(scene, motion, history, options, Replay(scene, options)).run();
-  }
-  complete(c, other, history, options);
-  return c;
-}
-
-Shard certify_shard(const Scene& scene, HistorySource& history, const CertifyOptions& asked,
-                    const ShardTask& asked_task) {
-  if (asked.truth != Truth::recorded || !asked.judges_flips()) {
-    throw std::invalid_argument("shards are of the recorded truth, and of all events");
-  }
-  const CertifyOptions options = options_for(history, asked);
-  const std::optional<std::array<Rational, 2>> other = other_horizon(scene, history.header());
-  const MotionInput input = motion_input(scene);
-  if (other && asked.strict) {
-    return {start_of(scene, input, history, options), std::nullopt, refuted_for(*other)};
-  }
-  ShardTask task = asked_task;
-  if (asked_task.proved) {
-    task.proved = [&](Shard so_far) {
-      complete(so_far.certificate, other, history, options);
-      asked_task.proved(std::move(so_far));
-    };
-  }
-  Shard shard = certify_in_parts(scene, input, history, options, task);
-  complete(shard.certificate, other, history, options);
-  return shard;
+  if (asked.truth == Truth::recorded) return certify_recorded(scene, history, asked);
+  return certify_by(scene, history, asked,
+                    [&](const MotionInput& input, const CertifyOptions& options) {
+                      ComputedMotion motion(checked_input(input, history.header()), options.motion);
+                      const auto make = [&motion](const ExactTruth::Parts& parts) {
+                        return std::make_unique<ExactTurns>(motion, parts);
+                      };
+                      return Checker(scene, motion, history, options, make).run();
+                    });
 }
 
 }  // namespace voroproof::internal

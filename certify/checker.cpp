@@ -37,22 +37,34 @@ MotionInput checked_input(MotionInput input, const HistoryHeader& header) {
   return input;
 }
 
-Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
+Checker::Checker(const Scene& scene, Motion& motion, GivenMotion* given, HistorySource& history,
                  const CertifyOptions& options, Replay replay, std::optional<double> begin,
                  std::vector<Replay::Place> places)
-    : s_(scene, motion, history.header(), options, std::move(replay)),
+    : s_(scene, motion, given, history.header(), options, std::move(replay)),
       begin_(begin),
       claims_(history, s_.tolerance_up, options.most_near, options.events, std::move(places)),
       refuter_(s_, claims_, front_),
       edges_(s_, front_, refuter_),
-      order_(s_, front_, refuter_),
-      pairs_(s_, front_, refuter_, order_),
-      instants_(s_, claims_, front_, refuter_, edges_, pairs_, order_),
+      pairs_(s_, front_, refuter_),
+      instants_(s_, claims_, front_, refuter_, edges_, pairs_),
       around_(s_, front_, edges_, pairs_),
-      flips_(s_, claims_, front_, refuter_, edges_, pairs_, order_, instants_),
-      turns_(s_, claims_, front_, refuter_, pairs_, around_, order_, instants_),
-      claim_order_(s_, claims_, front_, refuter_, edges_, pairs_, instants_),
-      first_divergence_(s_, claims_, front_, refuter_, edges_, pairs_, order_) {}
+      flips_(s_, claims_, front_, refuter_, edges_, pairs_, instants_),
+      turns_(s_, claims_, front_, refuter_, pairs_, around_, instants_),
+      claim_order_(s_, claims_, front_, refuter_, edges_, instants_),
+      first_divergence_(s_, claims_, front_, refuter_, edges_, pairs_) {}
+
+Checker::Checker(const Scene& scene, GivenMotion& motion, HistorySource& history,
+                 const CertifyOptions& options, Replay replay, std::optional<double> begin,
+                 std::vector<Replay::Place> places)
+    : Checker(scene, motion, &motion, history, options, std::move(replay), begin,
+              std::move(places)) {}
+
+Checker::Checker(const Scene& scene, Motion& motion, HistorySource& history,
+                 const CertifyOptions& options, const ExactTruth::Make& exact)
+    : Checker(scene, motion, nullptr, history, options, Replay(scene, options), {}, {}) {
+  exact_ = exact({s_, claims_, front_, refuter_, pairs_, around_, instants_});
+  s_.exact = exact_.get();
+}
 
 Certificate Checker::run(const PartEnd* end) {
   Certificate& c = s_.certificate;
@@ -162,7 +174,7 @@ void Checker::start() {
   // A turn that is missing is told of as such: without it the diagram at 0+ is another.
   const auto* stop =
       claims_.near().empty() ? std::get_if<HistoryStop>(&claims_.history().ending()) : nullptr;
-  order_.require_order(stop == nullptr);
+  if (s_.exact != nullptr) s_.exact->require_order(stop == nullptr);
   if (stop != nullptr && stop->t == 0) {
     throw Undecided("the history stops at t = 0, perhaps before it has told of all turns then");
   }
@@ -218,7 +230,7 @@ void Checker::take_initial_diagram() {
 
 // Goes on from what the part before has proved to be right up to t.
 void Checker::resume(double t) {
-  s_.replay.move(s_.motion);
+  s_.replay.move(*s_.given);
   front_.moment = Moment::at(t);
   s_.chronology.begin_present();
   ++front_.instant;
@@ -273,7 +285,7 @@ void Checker::finish() {
   if (stop == nullptr) {
     instants_.leave();
   } else {
-    order_.require_order(false);
+    if (s_.exact != nullptr) s_.exact->require_order(false);
     if (s_.chronology.compare(m, front_.moment) > 0) instants_.begin_pending_lives();
   }
   end_all_lives(m, stop == nullptr);

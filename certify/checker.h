@@ -7,20 +7,22 @@
 //   Claims, Front    what has been read; where the truth has come to
 //   Refuter          what a refutation says
 //   EdgeLives        lives of edges
-//   PairLives        lives of pairs, by ExactPairs and RecordedPairs
-//   TurnOrder        the order of what one instant changes
+//   PairLives        lives of pairs, by RecordedPairs or the exact truth
 //   Instants         from one instant to the next
 //   CellsAround      the lives around disks that turn
 //   Flips, Turns     the claims, by Responses
 //   ClaimOrder       which claim is next
 //   FirstDivergence  what a history that is false lacks first
+//   ExactTruth       pairs and turns under the exact truth
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "certify/cells_around.h"
 #include "certify/claim_order.h"
+#include "certify/exact_truth.h"
 #include "certify/first_divergence.h"
 #include "certify/flips.h"
 #include "certify/turns.h"
@@ -41,12 +43,17 @@ MotionInput checked_input(MotionInput input, const HistoryHeader& header);
 
 class Checker {
  public:
-  // `motion` is that of checked_input(), new or as an earlier part of the history has left it. The
-  // other references outlive the checker. `replay` is that of the claims before the history, or
-  // before the part of it that begins at `begin`; before the whole it may hold the diagram that the
-  // header gives, so that it need not be put together again. `places`: as Claims takes them.
+  // Recorded truth: `motion` is that of checked_input(), new or as an earlier part of the history
+  // has left it. The other references outlive the checker. `replay` is that of the claims before
+  // the history, or before the part of it that begins at `begin`; before the whole it may hold the
+  // diagram that the header gives, so that it need not be put together again. `places`: as Claims
+  // takes them.
+  Checker(const Scene& scene, GivenMotion& motion, HistorySource& history,
+          const CertifyOptions& options, Replay replay, std::optional<double> begin = {},
+          std::vector<Replay::Place> places = {});
+  // Exact truth: `motion` is new, and turns as `exact` has it.
   Checker(const Scene& scene, Motion& motion, HistorySource& history, const CertifyOptions& options,
-          Replay replay, std::optional<double> begin = {}, std::vector<Replay::Place> places = {});
+          const ExactTruth::Make& exact);
 
   // The whole history, or the part of it up to `end`: the verdict of a part that is not the last
   // is `certified` where all is right up to there and the diagram is the one given. Once only.
@@ -54,6 +61,10 @@ class Checker {
   Certificate run(const PartEnd* end = nullptr);
 
  private:
+  Checker(const Scene& scene, Motion& motion, GivenMotion* given, HistorySource& history,
+          const CertifyOptions& options, Replay replay, std::optional<double> begin,
+          std::vector<Replay::Place> places);
+
   void prove(const PartEnd* end);
   bool refill();
   void process();
@@ -73,7 +84,6 @@ class Checker {
   Claims claims_;
   Refuter refuter_;
   EdgeLives edges_;
-  TurnOrder order_;
   PairLives pairs_;
   Instants instants_;
   CellsAround around_;
@@ -81,6 +91,7 @@ class Checker {
   Turns turns_;
   ClaimOrder claim_order_;
   FirstDivergence first_divergence_;
+  std::unique_ptr<ExactTruth> exact_;
 };
 
 }  // namespace voroproof::internal

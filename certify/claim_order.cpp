@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "certify/exact_truth.h"
 #include "certify/wording.h"
 #include "history/json_text.h"
 
@@ -181,9 +182,7 @@ std::optional<Moment> ClaimOrder::probe(const Event& event) {
   if (s_.options.truth == Truth::recorded) return Moment::at(exact_time(event));
   if (const auto* c = std::get_if<CollideEvent>(&event)) {
     if (s_.options.judges_flips() && s_.replay.adjacency(c->i, c->j) < 0) return std::nullopt;
-    const NextContact next = pairs_.exact().next_contact(c->i, c->j);
-    if (next.kind == NextContact::Kind::none) return std::nullopt;
-    return pairs_.exact().moment_of(c->i, c->j, next);
+    return s_.exact->next_contact(c->i, c->j);
   }
   const auto& m = std::get<ManeuverEvent>(event);
   const auto k = s_.replay.scheduled(m, exact_time(event));
@@ -200,9 +199,8 @@ bool ClaimOrder::turns_at_start(const Event& event) {
     return k && s_.scene.maneuvers[*k].t == 0;
   }
   const auto& claim = std::get<CollideEvent>(event);
-  const NextContact c = pairs_.exact().next_contact(claim.i, claim.j);
-  return c.kind != NextContact::Kind::none &&
-         s_.chronology.compare(pairs_.exact().moment_of(claim.i, claim.j, c), front_.moment) <= 0;
+  const auto contact = s_.exact->next_contact(claim.i, claim.j);
+  return contact && s_.chronology.compare(*contact, front_.moment) <= 0;
 }
 
 void ClaimOrder::take_next() {

@@ -10,7 +10,6 @@
 #include "certify/edge_lives.h"
 #include "certify/front.h"
 #include "certify/instants.h"
-#include "certify/pair_lives.h"
 #include "certify/refuter.h"
 #include "certify/setting.h"
 
@@ -21,13 +20,12 @@ class ClaimOrder {
   using HalfEdge = Diagram::HalfEdge;
 
   ClaimOrder(Setting& s, Claims& claims, const Front& front, const Refuter& refuter,
-             EdgeLives& edges, PairLives& pairs, Instants& instants)
+             EdgeLives& edges, Instants& instants)
       : s_(s),
         claims_(claims),
         front_(front),
         refuter_(refuter),
         edges_(edges),
-        pairs_(pairs),
         instants_(instants),
         concerned_(s.scene.disks.size()) {}
 
@@ -56,7 +54,6 @@ class ClaimOrder {
   const Front& front_;
   const Refuter& refuter_;
   EdgeLives& edges_;
-  PairLives& pairs_;
   Instants& instants_;
   std::int64_t ties_ = 0;                // ties numbered so far
   std::int64_t taken_ = 0;               // claims taken so far

@@ -24,7 +24,7 @@ namespace voroproof::internal {
   const auto turning = [&](GenId g) {
     if (g == container_id) return;
     s.replay.prefetch(g);
-    s.motion.prefetch_restart(g);
+    if (s.given != nullptr) s.given->prefetch_restart(g);
     s.law.prefetch(g);
   };
   if (const HalfEdge h = claims.place_ahead(8).half; h >= 0) {

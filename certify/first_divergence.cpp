@@ -4,6 +4,7 @@
 
 #include "certify/contact_proof.h"
 #include "certify/edge_proof.h"
+#include "certify/exact_truth.h"
 
 namespace voroproof::internal {
 
@@ -58,9 +59,8 @@ void FirstDivergence::look_for_contacts(Earliest& first) {
         proved_apart(s_.motion, i, j, since, limit())) {
       continue;
     }
-    const Moment begin = s_.options.truth == Truth::exact
-                             ? pairs_.exact().since(i, j)
-                             : s_.chronology.instant(Moment::at(since));
+    const Moment begin =
+        s_.exact != nullptr ? s_.exact->since(i, j) : s_.chronology.instant(Moment::at(since));
     NextContact c = s_.contacts.from(i, j, begin, limit());
     if (c.kind == NextContact::Kind::none) continue;
     if (c.kind == NextContact::Kind::at) {
@@ -78,7 +78,7 @@ void FirstDivergence::look_for_contacts(Earliest& first) {
 // Recorded truth: whether the overlap that the contact begins may be a rounding, or left out at the
 // horizon.
 bool FirstDivergence::may_be_left_out(const PairLives::Open& life, const NextContact& c) {
-  if (s_.options.truth == Truth::exact) return false;
+  if (s_.exact != nullptr) return false;
   if (c.hi >= s_.horizon_window_down) return true;
   const RecordedContacts::Lines lines = pairs_.recorded().lines(life.i, life.j, life.since);
   const auto overlaps =
@@ -159,7 +159,8 @@ Divergence FirstDivergence::before(const Divergence& refuted) {
 // A collision that should have come before the claim at its instant. Where any order is accepted it
 // may still come behind the claim.
 std::optional<Divergence> FirstDivergence::due_before() {
-  auto due = order_.due_before();
+  if (s_.exact == nullptr) return std::nullopt;
+  auto due = s_.exact->due_before();
   if (!due || !s_.options.accepts_other_orders()) return due;
   const auto is_it = [&](const Event& event) {
     const auto* c = std::get_if<CollideEvent>(&event);

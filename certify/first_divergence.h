@@ -11,21 +11,14 @@
 #include "certify/pair_lives.h"
 #include "certify/refuter.h"
 #include "certify/setting.h"
-#include "certify/turn_order.h"
 
 namespace voroproof::internal {
 
 class FirstDivergence {
  public:
   FirstDivergence(Setting& s, Claims& claims, const Front& front, const Refuter& refuter,
-                  EdgeLives& edges, PairLives& pairs, const TurnOrder& order)
-      : s_(s),
-        claims_(claims),
-        front_(front),
-        refuter_(refuter),
-        edges_(edges),
-        pairs_(pairs),
-        order_(order) {}
+                  EdgeLives& edges, PairLives& pairs)
+      : s_(s), claims_(claims), front_(front), refuter_(refuter), edges_(edges), pairs_(pairs) {}
 
   // The first event or maneuver that the history lacks before what was refuted, or that.
   Divergence before(const Divergence& refuted);
@@ -57,7 +50,6 @@ class FirstDivergence {
   const Refuter& refuter_;
   EdgeLives& edges_;
   PairLives& pairs_;
-  const TurnOrder& order_;
 };
 
 }  // namespace voroproof::internal

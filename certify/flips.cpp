@@ -70,7 +70,7 @@ void Flips::flip(const FlipEvent& claim) {
   ++s_.certificate.flips;
   edges_.note_flip(m);
   const EdgeRing ring(s_.diagram, h);
-  order_.note_flip(ring.q);
+  instants_.note_flip(ring.q);
   pairs_.end(edge, m, PairEnd::flip);
   edges_.end_beside(ring, m);
   s_.diagram.flip(h);

@@ -10,7 +10,6 @@
 #include "certify/pair_lives.h"
 #include "certify/refuter.h"
 #include "certify/setting.h"
-#include "certify/turn_order.h"
 
 namespace voroproof::internal {
 
@@ -19,14 +18,13 @@ class Flips {
   using HalfEdge = Diagram::HalfEdge;
 
   Flips(Setting& s, const Claims& claims, Front& front, const Refuter& refuter, EdgeLives& edges,
-        PairLives& pairs, TurnOrder& order, Instants& instants)
+        PairLives& pairs, Instants& instants)
       : s_(s),
         claims_(claims),
         front_(front),
         refuter_(refuter),
         edges_(edges),
         pairs_(pairs),
-        order_(order),
         instants_(instants) {}
 
   // Proves the claim being checked, or throws Refuted or Undecided.
@@ -65,7 +63,6 @@ class Flips {
   const Refuter& refuter_;
   EdgeLives& edges_;
   PairLives& pairs_;
-  TurnOrder& order_;
   Instants& instants_;
   double ulps_sum_ = 0;
   std::int64_t ulps_count_ = 0;

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "certify/exact_truth.h"
 #include "certify/initial_proof.h"
 #include "certify/wording.h"
 
@@ -39,7 +40,8 @@ void Instants::advance(const Moment& m) {
     if (front_.instant == std::numeric_limits<int>::max())
       throw Undecided("too many instants to number");
     ++front_.instant;
-    order_.clear();
+    flipped_.clear();
+    if (s_.exact != nullptr) s_.exact->begin_instant();
     s_.chronology.begin_present();
     s_.chronology.note_present(m);
     return;
@@ -51,7 +53,7 @@ void Instants::advance(const Moment& m) {
 }
 
 void Instants::leave() {
-  order_.require_order(true);
+  if (s_.exact != nullptr) s_.exact->require_order(true);
   begin_pending_lives();
   edges_.require_none_illegal();
 }
@@ -120,6 +122,18 @@ void Instants::prove_hidden_anew(std::vector<int>& edges) {
   for (const auto& pair : hidden) {
     ++s_.certificate.proved_anew;
     recorded.reveal(pair, revealed);
+  }
+}
+
+void Instants::require_no_flip_yet(GenId i, GenId j) const {
+  for (const GenId g : {i, j}) {
+    if (g == container_id || std::find(flipped_.begin(), flipped_.end(), g) == flipped_.end()) {
+      continue;
+    }
+    refuter_.refute(Fault::wrong_order,
+                    "disk " + std::to_string(g) +
+                        " turns at the same instant as an edge of it flips, and comes "
+                        "before that");
   }
 }
 

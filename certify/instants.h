@@ -12,21 +12,14 @@
 #include "certify/pair_lives.h"
 #include "certify/refuter.h"
 #include "certify/setting.h"
-#include "certify/turn_order.h"
 
 namespace voroproof::internal {
 
 class Instants {
  public:
   Instants(Setting& s, const Claims& claims, Front& front, const Refuter& refuter, EdgeLives& edges,
-           PairLives& pairs, TurnOrder& order)
-      : s_(s),
-        claims_(claims),
-        front_(front),
-        refuter_(refuter),
-        edges_(edges),
-        pairs_(pairs),
-        order_(order) {}
+           PairLives& pairs)
+      : s_(s), claims_(claims), front_(front), refuter_(refuter), edges_(edges), pairs_(pairs) {}
 
   // The event of the claim being checked happens at m: the front moves there. Throws Refuted where
   // it has moved on already, or where something is missing before m.
@@ -35,6 +28,11 @@ class Instants {
   void leave();
   // Begins the lives that wait for the end of the instant's turns.
   void begin_pending_lives();
+
+  // The edge q has flipped at the present instant.
+  void note_flip(const Quad& q) { flipped_.insert(flipped_.end(), {q.l, q.r, q.s, q.e}); }
+  // No flip at this instant has been claimed of a generator that turns at it, now. Throws Refuted.
+  void require_no_flip_yet(GenId i, GenId j) const;
 
   // Whether the event of the claim being checked, which happens at m, is claimed in time.
   bool in_time(const Moment& m);
@@ -54,7 +52,7 @@ class Instants {
   const Refuter& refuter_;
   EdgeLives& edges_;
   PairLives& pairs_;
-  TurnOrder& order_;
+  std::vector<GenId> flipped_;  // generators of the edges that have flipped at this instant
   std::int64_t tie_ = 0;        // tie of the claims that are simultaneous with the front
   std::vector<int> beginning_;  // edges whose lives begin
   // Up to here a generator lay inside another at the last such moment, if there was one.

@@ -71,7 +71,7 @@ class Four {
   }
 
   std::array<GenId, 4> ids_;
-  Motion motion_;
+  GivenMotion motion_;
   Rational since_ = 0;
 };
 

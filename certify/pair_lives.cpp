@@ -34,7 +34,7 @@ void PairLives::end(GenId i, GenId j, double since, int edge, const Moment& m, P
                     bool apart) {
   const bool partners = s_.replay.partners(i, j);
   if (!partners) ++s_.certificate.pair_lives;
-  if (s_.options.truth == Truth::recorded) {
+  if (s_.exact == nullptr) {
     if (!recorded_.contacts().carries({i, j}) &&
         (partners ? recorded_.certainly_part(i, j, since)
                   : recorded_.certainly_clear(i, j, since, m, apart))) {
@@ -46,11 +46,11 @@ void PairLives::end(GenId i, GenId j, double since, int edge, const Moment& m, P
     return;
   }
   if (apart || (!partners && proved_apart(s_.motion, i, j, since, m.hi))) return;
-  if (why == PairEnd::turn) order_.note_near(i, j);
+  if (why == PairEnd::turn) s_.exact->note_near(i, j);
   if (partners) return;
   ++s_.certificate.tiers.beyond_filter;
   require_no_meeting(i, j, m);
-  exact_.require_no_contact(i, j, m, why);
+  s_.exact->require_no_contact(i, j, m, why);
 }
 
 // In the life of i and j, which doubles do not prove to be apart, no point of the two meets another
@@ -61,8 +61,8 @@ void PairLives::require_no_meeting(GenId i, GenId j, const Moment& m) {
   const auto require = [&](GenId a, GenId b) {
     if (a == b || !s_.points.is_point(a) || !s_.points.is_point(b)) return;
     const auto [first, second] = std::minmax(a, b);
-    if (s_.options.truth == Truth::exact) {
-      exact_.require_no_meeting(first, second, m);
+    if (s_.exact != nullptr) {
+      s_.exact->require_no_meeting(first, second, m);
     } else {
       recorded_.require_no_meeting(first, second, m);
     }
@@ -160,8 +160,8 @@ void PairLives::check_contact(const CollideEvent& claim, int edge, const BallPai
 
 std::string PairLives::standing(const CollideEvent& claim) const {
   const Rational t = exact_time(claim);
-  return s_.options.truth == Truth::exact ? exact_.standing(claim.i, claim.j, t)
-                                          : recorded_.standing(claim.i, claim.j, t);
+  return s_.exact != nullptr ? s_.exact->standing(claim.i, claim.j, t)
+                             : recorded_.standing(claim.i, claim.j, t);
 }
 
 // Two generators may be neighbours along several V-edges: the one that has been there for longest

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certify/contact_proof.h"
-#include "certify/exact_pairs.h"
+#include "certify/exact_truth.h"
 #include "certify/front.h"
 #include "certify/near_pairs.h"
 #include "certify/recorded_pairs.h"
@@ -20,17 +20,14 @@ namespace voroproof::internal {
 
 class PairLives {
  public:
-  PairLives(Setting& s, const Front& front, const Refuter& refuter, TurnOrder& order)
+  PairLives(Setting& s, const Front& front, const Refuter& refuter)
       : s_(s),
         front_(front),
-        order_(order),
-        exact_(s, front, refuter, order),
         recorded_(s, front, refuter),
         refuter_(refuter),
         apart_(s.motion),
         near_(s.motion, s.search_end) {}
 
-  ExactPairs& exact() { return exact_; }
   RecordedPairs& recorded() { return recorded_; }
   const RecordedPairs& recorded() const { return recorded_; }
 
@@ -98,8 +95,6 @@ class PairLives {
 
   Setting& s_;
   const Front& front_;
-  TurnOrder& order_;
-  ExactPairs exact_;
   RecordedPairs recorded_;
   const Refuter& refuter_;
   std::vector<double> since_;  // by edge

@@ -184,7 +184,7 @@ void PartReader::begin_history() {
 void PartReader::take_initial_diagram() {
   if (replay_.disks() < 2) return;
   if (!header_.initial && options_.propose_initial) {
-    Motion motion(input_, options_.motion);
+    GivenMotion motion(input_, options_.motion);
     replay_.move(motion);  // collisions at t = 0
     header_.initial = options_.propose_initial(motion);
     remarks_.push_back(constructed_initial_remark);

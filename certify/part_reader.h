@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/certifier.h"
 #include "certify/checker.h"
+#include "certify/options.h"
 #include "certify/read_ahead.h"
 #include "certify/replay.h"
 #include "certify/shard.h"

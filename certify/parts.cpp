@@ -131,14 +131,14 @@ class PartwiseCertifier {
     if (number > first_bad_) return;
     // The motion of the last part that this thread proved, none at first. A disk that has moved by
     // the end of an earlier part is restarted by every later one.
-    std::optional<Motion>& motion = motions_.local();
+    std::optional<GivenMotion>& motion = motions_.local();
     try {
       CertifyOptions options = options_;
       options.monitor = [this, number](double t, std::int64_t events) {
         return report(number, t, events);
       };
       // More bits than at first are forgotten, so that no part depends on those before it.
-      if (!motion || motion->replays() > 0)
+      if (!motion || motion->is_raised())
         motion.emplace(checked_input(input_, reader_.header()), options.motion);
       Part& part = work.part;
       Checker checker(scene_, *motion, *part.claims, options, std::move(part.replay), part.begin,
@@ -184,7 +184,7 @@ class PartwiseCertifier {
   std::exception_ptr unreadable_;
   // The first part that is not proved right: later ones do not matter.
   std::atomic<std::size_t> first_bad_ = kNone;
-  oneapi::tbb::enumerable_thread_specific<std::optional<Motion>> motions_;
+  oneapi::tbb::enumerable_thread_specific<std::optional<GivenMotion>> motions_;
   bool over_ = false;  // a part was not proved right, and is the last in total_
   std::exception_ptr error_;
   std::size_t first_ = 0;     // the number of the first part to be proved

@@ -6,8 +6,7 @@
 // on the file only, not on the number of threads.
 #pragma once
 
-#include "certify/certifier.h"
-#include "certify/shard.h"
+#include "certify/recorded_certifier.h"
 
 namespace voroproof::internal {
 

@@ -91,7 +91,7 @@ void Replay::turn(GenId g, const Event& claim) {
   }
 }
 
-void Replay::move(Motion& motion, GenId g) const {
+void Replay::move(GivenMotion& motion, GenId g) const {
   const Path& path = paths_[g];
   const Velocity& v = path.velocity();
   if (const auto s = path.start()) {
@@ -103,7 +103,7 @@ void Replay::move(Motion& motion, GenId g) const {
   motion.restart(g, t, p[0], p[1], w[0], w[1]);
 }
 
-void Replay::move(Motion& motion) const {
+void Replay::move(GivenMotion& motion) const {
   for (GenId g = 0; g < disks(); ++g) {
     if (moved(g)) move(motion, g);
   }

@@ -9,17 +9,19 @@
 #include <utility>
 #include <vector>
 
-#include "certify/certifier.h"
 #include "certify/collision_law.h"
+#include "certify/options.h"
 #include "certify/path.h"
+#include "certify/shard.h"
 #include "exact/prefetch.h"
 #include "exact/topology/diagram.h"
+#include "filtered/motion/given_motion.h"
 
 namespace voroproof::internal {
 
 class JsonReader;
 
-class Replay : public GivenMotion {
+class Replay : public GivenStates {
  public:
   using HalfEdge = Diagram::HalfEdge;
 
@@ -88,8 +90,8 @@ class Replay : public GivenMotion {
   void turn(GenId g, const Event& claim);
   // Recorded truth: gives `motion`, the scene's, the present line of the disk, and of all disks.
   // This replay must be at hand as long as the motion.
-  void move(Motion& motion, GenId g) const;
-  void move(Motion& motion) const;
+  void move(GivenMotion& motion, GenId g) const;
+  void move(GivenMotion& motion) const;
   void state(GenId g, DiskInput& disk) const override;
   // Recorded truth, for a claim without velocities: by the law with the centres that it gives, else
   // with those of the paths; rounded to binary64. Throws Undecided, as CollisionLaw does.

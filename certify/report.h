@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "certify/certifier.h"
+#include "certify/certificate.h"
+#include "certify/options.h"
 
 namespace voroproof::internal {
 

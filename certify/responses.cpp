@@ -32,46 +32,6 @@ bool Responses::certainly_near(const CollideEvent& claim, int side, const BallVe
          Sign::negative;
 }
 
-// Exact truth: claimed values against the true ones, which are correctly rounded. A contact that is
-// off by the tolerance in time turns its normal by what the two cover meanwhile, over their reach,
-// and the velocities by twice that; where the reach is too short for that to say much, by no more
-// than a part in 1024.
-void Responses::check_state(const CollideEvent& claim, int side, const RoundedState& truth) {
-  const GenId g = side == 0 ? claim.i : claim.j;
-  const auto true_velocity = [&] {
-    return ExactVec2{to_rational(truth.vx), to_rational(truth.vy)};
-  };
-  if (claim.v[side] && !certainly_equal(claim, side, truth)) {
-    const ExactVec2 v = *exact_velocity(claim, side), true_v = true_velocity();
-    const ExactPair before = s_.replay.velocities(claim.i, claim.j);
-    Rational speed = length_bound(before[1]);
-    if (claim.i != container_id) speed += length_bound(before[0]);
-    const Rational turned =
-        4 * s_.options.tolerance * speed * speed / s_.law.reach(claim.i, claim.j);
-    const Rational allowed =
-        s_.options.law_tolerance * speed + std::min(turned, Rational(speed / 1024));
-    if (norm2(minus(v, true_v)) > square(allowed)) {
-      refuter_.refute(Fault::wrong_response,
-                      "the velocity of disk " + std::to_string(g) + " is (" +
-                          number_text(true_v[0].get_d()) + ", " + number_text(true_v[1].get_d()) +
-                          "), and the claimed one is " + off(v, true_v, allowed) +
-                          " (--tolerance, --law-tolerance)");
-    }
-  }
-  if (claim.p[side] && !certainly_near(claim, side, ball(Vec2{truth.px, truth.py}))) {
-    check_center(g, exact_center(claim, side), true_velocity(),
-                 {to_rational(truth.px), to_rational(truth.py)});
-  }
-}
-
-// Whether a claimed velocity is the true one, but for a rounding or two.
-bool Responses::certainly_equal(const CollideEvent& claim, int side, const RoundedState& truth) {
-  if (claim.exact) return false;
-  const auto near = [](double x, double y) { return std::fabs(x - y) <= 0x1p-51 * std::fabs(y); };
-  const Vec2& v = *claim.v[side];
-  return near(v[0], truth.vx) && near(v[1], truth.vy);
-}
-
 void Responses::check_center(GenId g, const std::optional<ExactVec2>& p, const ExactVec2& after,
                              const ExactVec2& true_p) {
   if (!p) return;

@@ -18,8 +18,6 @@ class Responses {
   Responses(Setting& s, const Claims& claims, const Refuter& refuter)
       : s_(s), claims_(claims), refuter_(refuter) {}
 
-  // Exact truth: a claimed state against the true one, correctly rounded.
-  void check_state(const CollideEvent& claim, int side, const RoundedState& truth);
   // A claimed centre, if any, against the true one, of a disk that has the velocity `after` just
   // after.
   void check_center(GenId g, const std::optional<ExactVec2>& p, const ExactVec2& after,
@@ -35,7 +33,6 @@ class Responses {
 
  private:
   Rational allowed_distance(GenId g, const ExactVec2& after, const ExactVec2& at) const;
-  static bool certainly_equal(const CollideEvent& claim, int side, const RoundedState& truth);
 
   Setting& s_;
   const Claims& claims_;

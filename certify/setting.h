@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "certify/certifier.h"
 #include "certify/collision_law.h"
+#include "certify/options.h"
 #include "certify/replay.h"
 #include "filtered/search/moment.h"
 #include "filtered/search/point_cells.h"
@@ -13,10 +13,13 @@
 
 namespace voroproof::internal {
 
+class ExactTruth;
+
 struct Setting {
-  // `of_motion` is that of checked_input(). All but the replay outlive the setting.
-  Setting(const Scene& of_scene, Motion& of_motion, const HistoryHeader& of_history,
-          const CertifyOptions& asked, Replay known)
+  // `of_motion` is that of checked_input(); under the recorded truth `is_given` is the same, else
+  // null. All but the replay outlive the setting.
+  Setting(const Scene& of_scene, Motion& of_motion, GivenMotion* is_given,
+          const HistoryHeader& of_history, const CertifyOptions& asked, Replay known)
       : scene(of_scene),
         header(of_history),
         options(asked),
@@ -28,6 +31,7 @@ struct Setting {
         tolerance_up(round_up(options.tolerance)),
         near_tolerance(ball(options.tolerance)),
         motion(of_motion),
+        given(is_given),
         replay(std::move(known)),
         diagram(replay.diagram()),
         collapses(motion, certificate.tiers),
@@ -49,7 +53,9 @@ struct Setting {
   double tolerance_up;
   DoubleBall near_tolerance;
   Motion& motion;
-  Replay replay;  // after the claims proved so far
+  GivenMotion* const given;     // recorded truth: the motion
+  ExactTruth* exact = nullptr;  // exact truth: what only that knows
+  Replay replay;                // after the claims proved so far
   Diagram& diagram;
   Certificate certificate;
   CollapseSearch collapses;

@@ -225,18 +225,6 @@ class InstantReplay {
 
 }  // namespace
 
-void TurnOrder::require_no_flip_yet(GenId i, GenId j) const {
-  for (const GenId g : {i, j}) {
-    if (g == container_id || std::find(flipped_.begin(), flipped_.end(), g) == flipped_.end()) {
-      continue;
-    }
-    refuter_.refute(Fault::wrong_order,
-                    "disk " + std::to_string(g) +
-                        " turns at the same instant as an edge of it flips, and comes "
-                        "before that");
-  }
-}
-
 void TurnOrder::note_due(GenId i, GenId j, Divergence missing) {
   // A lattice that touches everywhere at once would fill the memory with witnesses.
   if (due_.size() >= kMostWitnesses) missing.witness = {};

@@ -33,15 +33,9 @@ class TurnOrder {
     turns_.clear();
     near_.clear();
     due_.clear();
-    flipped_.clear();
     begun_.reset();
   }
-  // The edge q has flipped at the present instant.
-  void note_flip(const Quad& q) { flipped_.insert(flipped_.end(), {q.l, q.r, q.s, q.e}); }
-  // No flip at this instant has been claimed of a generator that turns at it, now. Throws Refuted.
-  void require_no_flip_yet(GenId i, GenId j) const;
-
-  // Exact truth: the claim of a line, a collision (i < j) or maneuver (i = j), is about to turn its
+  // The claim of a line, a collision (i < j) or maneuver (i = j), is about to turn its
   // disks at the present instant.
   void begin(GenId i, GenId j, std::int64_t line, Event claim);
   // They turn as it was claimed.
@@ -52,10 +46,10 @@ class TurnOrder {
   // The claim that has begun, and not ended, is false: what should have come before it at the same
   // instant, if that is known.
   std::optional<Divergence> due_before() const;
-  // Exact truth: the two touch and approach at the present instant, and one of them turns now
+  // The two touch and approach at the present instant, and one of them turns now
   // without colliding with the other.
   void note_due(GenId i, GenId j, Divergence missing);
-  // Exact truth: one of the two turns now, and they are not proved to be apart.
+  // One of the two turns now, and they are not proved to be apart.
   void note_near(GenId i, GenId j) { near_.emplace_back(i, j); }
   // i and j turn at t = 0, where no pair has a life. Notes of all their other pairs what
   // note_near() and note_due() do.
@@ -80,7 +74,6 @@ class TurnOrder {
   std::optional<Turn> begun_;
   std::vector<std::pair<GenId, GenId>> near_;
   std::vector<DuePair> due_;
-  std::vector<GenId> flipped_;  // generators of the edges that have flipped
 };
 
 }  // namespace voroproof::internal

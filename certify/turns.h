@@ -11,21 +11,19 @@
 #include "certify/refuter.h"
 #include "certify/responses.h"
 #include "certify/setting.h"
-#include "certify/turn_order.h"
 
 namespace voroproof::internal {
 
 class Turns {
  public:
   Turns(Setting& s, const Claims& claims, Front& front, const Refuter& refuter, PairLives& pairs,
-        CellsAround& around, TurnOrder& order, Instants& instants)
+        CellsAround& around, Instants& instants)
       : s_(s),
         claims_(claims),
         front_(front),
         refuter_(refuter),
         pairs_(pairs),
         around_(around),
-        order_(order),
         instants_(instants),
         responses_(s, claims, refuter) {}
 
@@ -34,10 +32,9 @@ class Turns {
   void maneuver(const ManeuverEvent& claim);
 
  private:
-  Moment contact_of(const CollideEvent& claim);
-  void collide_exactly(const CollideEvent& claim);
   void collide_as_recorded(const CollideEvent& claim, int edge);
   std::optional<ExactPair> recorded_response(const CollideEvent& claim, const BallPair& at);
+  void maneuver_as_recorded(const ManeuverEvent& claim, std::size_t k, const Rational& t);
   void require_as_scheduled(const ManeuverEvent& claim, const Maneuver& due, const Rational& t);
   void turn(GenId g);
 
@@ -47,7 +44,6 @@ class Turns {
   const Refuter& refuter_;
   PairLives& pairs_;
   CellsAround& around_;
-  TurnOrder& order_;
   Instants& instants_;
   Responses responses_;
 };

@@ -20,7 +20,7 @@ namespace voroproof::internal {
 // against.
 class Certified {
  public:
-  Certified(Motion& motion, EngineStats& stats)
+  Certified(ComputedMotion& motion, EngineStats& stats)
       : motion_(motion),
         stats_(stats),
         collapses_(motion, stats.tiers),
@@ -104,7 +104,7 @@ class Certified {
     now_.collided(i, j, motion_.state_id(j));
   }
 
-  Motion& motion_;
+  ComputedMotion& motion_;
   EngineStats& stats_;
   CollapseSearch collapses_;
   ContactSearch contacts_;

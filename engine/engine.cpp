@@ -64,7 +64,7 @@ class Engine::Implementation {
 
   const EngineStats& stats() const { return sliced_ ? sliced_->stats() : whole_->stats(); }
   const Diagram& diagram() const { return sliced_ ? sliced_->diagram() : whole_->diagram(); }
-  Motion& motion() { return sliced_ ? sliced_->motion() : whole_->motion(); }
+  ComputedMotion& motion() { return sliced_ ? sliced_->motion() : whole_->motion(); }
 
  private:
   void make_whole() {
@@ -114,7 +114,7 @@ Outcome Engine::resume(const KeptRun& kept, const std::function<void(EventSink&)
 }
 const EngineStats& Engine::stats() const { return implementation_->stats(); }
 const Diagram& Engine::diagram() const { return implementation_->diagram(); }
-const Motion& Engine::motion() const { return implementation_->motion(); }
-Motion& Engine::motion() { return implementation_->motion(); }
+const ComputedMotion& Engine::motion() const { return implementation_->motion(); }
+ComputedMotion& Engine::motion() { return implementation_->motion(); }
 
 }  // namespace voroproof::internal

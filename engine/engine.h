@@ -25,7 +25,7 @@
 #include "engine/event_sink.h"
 #include "engine/maneuvers.h"
 #include "exact/topology/diagram.h"
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 
 namespace voroproof::internal {
 
@@ -109,8 +109,8 @@ class Engine {
   const EngineStats& stats() const;
   // The diagram and the motion at the end of the run.
   const Diagram& diagram() const;
-  const Motion& motion() const;
-  Motion& motion();
+  const ComputedMotion& motion() const;
+  ComputedMotion& motion();
 
  private:
   class Implementation;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "exact/generators.h"
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 
 namespace voroproof::internal {
 

@@ -16,7 +16,7 @@ class Follower : public Run<Follower, Certified> {
  public:
   // `motion` follows the leader's and is as that is at the slice's begin, at which nothing turns
   // unless it is 0. It outlives this object.
-  Follower(Motion& motion, double begin, bool profile)
+  Follower(ComputedMotion& motion, double begin, bool profile)
       : Run(motion, {}, profile, 0), begin_(begin), profile_(profile) {}
 
   // Makes a diagram that is right at the slice's begin.

@@ -58,7 +58,7 @@ bool next_instant(Arithmetic& arithmetic, Source& source, std::vector<FoundEvent
 
 // The base that a class has before those that refer to its motion.
 struct OwnMotion {
-  Motion motion_;
+  ComputedMotion motion_;
 };
 
 // The pairs and maneuvers that are due at the present instant.

@@ -9,7 +9,6 @@
 #include "exact/patience.h"
 #include "filtered/motion/enclosures.h"
 #include "filtered/numbers/next_double.h"
-#include "filtered/search/carry.h"
 
 namespace voroproof::internal {
 
@@ -41,7 +40,7 @@ TurnedState turned_of(double t, const DdBall& x, const DdBall& y, const DdBall& 
 
 }  // namespace
 
-void keep_motion(Motion& motion, KeptRun& kept) {
+void keep_motion(ComputedMotion& motion, KeptRun& kept) {
   const MotionStates::Snapshot full = motion.snapshot().full;
   kept.goal_bits = full.goal_bits;
   kept.bits_per_time = full.slope;
@@ -56,7 +55,7 @@ void keep_motion(Motion& motion, KeptRun& kept) {
   }
 }
 
-ReturnOfMotion::ReturnOfMotion(Motion& motion, const KeptRun& kept,
+ReturnOfMotion::ReturnOfMotion(ComputedMotion& motion, const KeptRun& kept,
                                std::function<std::vector<ManeuverInput>()> maneuvers)
     : motion_(motion),
       kept_(kept),
@@ -104,7 +103,7 @@ void ReturnOfMotion::begin_turn(double t) {
 }
 
 void ReturnOfMotion::end_instant() {
-  note_relations(motion_, begin_, next_below(t_), next_above(t_));
+  motion_.note_relations(begin_, next_below(t_), next_above(t_));
   begin_ = motion_.records();
 }
 

@@ -10,7 +10,7 @@
 #include "engine/inelastic_collapse.h"
 #include "engine/maneuvers.h"
 #include "exact/ball.h"
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 
 namespace voroproof::internal {
 
@@ -43,7 +43,7 @@ struct KeptRun {
 
 // Sets what is kept of a motion. Throws Undecided where the motion's last states cannot be had, and
 // GivenUp.
-void keep_motion(Motion& motion, KeptRun& kept);
+void keep_motion(ComputedMotion& motion, KeptRun& kept);
 
 // Makes a motion, which is as at its start, that which was kept, from the collisions and maneuvers
 // of the history, which are told to it in their order. None of them is computed: each is noted in
@@ -53,7 +53,7 @@ void keep_motion(Motion& motion, KeptRun& kept);
 class ReturnOfMotion final : public EventSink {
  public:
   // Both outlive this; so does what `maneuvers` refers to, which gives the next ones of the scene.
-  ReturnOfMotion(Motion& motion, const KeptRun& kept,
+  ReturnOfMotion(ComputedMotion& motion, const KeptRun& kept,
                  std::function<std::vector<ManeuverInput>()> maneuvers);
 
   void begin(const std::vector<Quad>&) override {}
@@ -70,7 +70,7 @@ class ReturnOfMotion final : public EventSink {
   void end_instant();
   TurnedState turned(GenId g, double t, const RoundedState& told);
 
-  Motion& motion_;
+  ComputedMotion& motion_;
   const KeptRun& kept_;
   std::function<std::vector<ManeuverInput>()> next_maneuvers_;
   std::vector<ManeuverInput> together_;  // maneuvers of one instant, not told yet

@@ -15,7 +15,7 @@ constexpr double kPart = 0.6180339887;
 
 Leader::Leader(MotionInput input, std::vector<ManeuverInput> maneuvers,
                const MotionOptions& options)
-    : OwnMotion{Motion(std::move(input), options)},
+    : OwnMotion{ComputedMotion(std::move(input), options)},
       Turning(motion_, arithmetic_, due_, stats_, false),
       arithmetic_(motion_, stats_),
       maneuvers_(std::move(maneuvers), motion_.input().horizon),

@@ -42,8 +42,8 @@ class Leader : OwnMotion, Turning<Leader, Certified> {
   // lead(), as the disks move then.
   double work_ahead() const;
 
-  const Motion& motion() const { return motion_; }
-  Motion& motion() { return motion_; }
+  const ComputedMotion& motion() const { return motion_; }
+  ComputedMotion& motion() { return motion_; }
   const EngineStats& stats() const { return stats_; }
   // InelasticCollapse::pasts().
   const std::vector<InelasticCollapse::Past>& collapses() const { return collapse_watch_.pasts(); }

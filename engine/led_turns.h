@@ -8,7 +8,7 @@
 
 #include "exact/enclosure.h"
 #include "exact/rational.h"
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 #include "filtered/search/moment.h"
 
 namespace voroproof::internal {

@@ -31,7 +31,7 @@ class EngineOver : OwnMotion,
 
  public:
   EngineOver(MotionInput input, std::vector<ManeuverInput> maneuvers, EngineOptions options)
-      : OwnMotion{Motion(std::move(input), options.motion)},
+      : OwnMotion{ComputedMotion(std::move(input), options.motion)},
         Base(OwnMotion::motion_, std::move(maneuvers), options.profile, options.max_events),
         Turns(OwnMotion::motion_, arithmetic_, schedule_.due_turns(), stats_, options.profile),
         options_(std::move(options)),
@@ -47,7 +47,7 @@ class EngineOver : OwnMotion,
     return run_from(sink, [&] { take_up(kept, told); });
   }
 
-  Motion& motion() { return motion_; }
+  ComputedMotion& motion() { return motion_; }
 
  private:
   friend Base;

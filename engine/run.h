@@ -37,7 +37,7 @@ class Run {
   using HalfEdge = Diagram::HalfEdge;
 
   // The motion outlives this object. `max_events`: see InstantRecord.
-  Run(Motion& motion, std::vector<ManeuverInput> maneuvers, bool profile, std::uint64_t max_events)
+  Run(ComputedMotion& motion, std::vector<ManeuverInput> maneuvers, bool profile, std::uint64_t max_events)
       : motion_(motion),
         diagram_(motion.size()),
         arithmetic_(motion, stats_),
@@ -109,7 +109,7 @@ class Run {
   }
 
   EngineStats stats_;
-  Motion& motion_;
+  ComputedMotion& motion_;
   Diagram diagram_;
   Arithmetic arithmetic_;
   Schedule<Arithmetic> schedule_;

@@ -14,7 +14,7 @@
 #include "engine/inelastic_collapse.h"
 #include "engine/led_turns.h"
 #include "exact/topology/diagram.h"
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 
 namespace voroproof::internal {
 

@@ -63,7 +63,7 @@ void SlicedRun::end() {
 
 void SlicedRun::work() {
   const Patience patience([this] { return !ending_; });
-  std::unique_ptr<Motion> motion;
+  std::unique_ptr<ComputedMotion> motion;
   for (;;) {
     if (options_.slice_hooks.pause) options_.slice_hooks.pause();
     Slice* slice = nullptr;
@@ -78,9 +78,10 @@ void SlicedRun::work() {
       if (work == SliceWork::Kind::lead) {
         lead(*slice);
       } else {
-        const Motion& leaders = leader_.motion();
+        const ComputedMotion& leaders = leader_.motion();
         if (!motion)
-          motion = std::make_unique<Motion>(leaders.input(), leaders.options(), leaders.log());
+          motion =
+              std::make_unique<ComputedMotion>(leaders.input(), leaders.options(), leaders.log());
         follow(*slice, *motion);
       }
     } catch (...) {
@@ -116,7 +117,7 @@ SliceWork::Kind SlicedRun::find_work(std::unique_lock<std::mutex>& lock, Slice*&
 
 // The slice that is led into has its begin; there is another after it unless it is the last.
 void SlicedRun::lead(Slice& slice) {
-  Motion& motion = leader_.motion();
+  ComputedMotion& motion = leader_.motion();
   const SliceHooks& hooks = options_.slice_hooks;
   const std::uint64_t work = hooks.work ? hooks.work(slice.number)
                                         : work_of_slice(slice.number, leader_.work_ahead(),
@@ -144,7 +145,7 @@ void SlicedRun::lead(Slice& slice) {
   changed_.notify_all();
 }
 
-void SlicedRun::follow(Slice& slice, Motion& motion) {
+void SlicedRun::follow(Slice& slice, ComputedMotion& motion) {
   motion.follow(slice.start);
   slice.start = {};
   Follower follower(motion, slice.begin, options_.profile);
@@ -229,7 +230,7 @@ Outcome SlicedRun::outcome(Outcome::Kind kind) {
   stats_.add(leader_.stats());
   stats_.add(present_);
   stats_.end = outcome.t;
-  const Motion& motion = leader_.motion();
+  const ComputedMotion& motion = leader_.motion();
   stats_.replays += motion.replays();
   stats_.highest_bits = std::max(stats_.highest_bits, motion.highest_bits());
   stats_.goal_bits = std::max(stats_.goal_bits, motion.goal_bits());
@@ -295,8 +296,8 @@ void SlicedRun::keep(const Slice& slice) {
   kept.diagram = slice.last;
   kept.divisions = divisions_;
   kept.collapses = next->collapses;
-  const Motion& leaders = leader_.motion();
-  Motion motion(leaders.input(), leaders.options(), leaders.log());
+  const ComputedMotion& leaders = leader_.motion();
+  ComputedMotion motion(leaders.input(), leaders.options(), leaders.log());
   motion.follow(*next->kept);
   keep_motion(motion, kept);
   options_.keep(std::move(kept));

@@ -46,13 +46,13 @@ class SlicedRun {
   const EngineStats& stats() const { return stats_; }
   // The diagram at the end of a complete one.
   const Diagram& diagram() const { return diagram_; }
-  Motion& motion() { return leader_.motion(); }
+  ComputedMotion& motion() { return leader_.motion(); }
 
  private:
   void work();
   SliceWork::Kind find_work(std::unique_lock<std::mutex>& lock, Slice*& slice);
   void lead(Slice& slice);
-  void follow(Slice& slice, Motion& motion);
+  void follow(Slice& slice, ComputedMotion& motion);
   void publish(Slice& slice, Chunk& chunk, const EngineStats& stats);
   void end();
 

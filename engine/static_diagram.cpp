@@ -257,9 +257,9 @@ class Construction {
     const Motion& motion = predicates_.motion();
     const bool rational = motion.is_rational(q.l) && motion.is_rational(q.r) &&
                           motion.is_rational(q.s) && motion.is_rational(q.e);
-    const Symmetry symmetry(motion);
+    if (rational) return std::nullopt;
     const DoubleBall t = DoubleBall::hull(round_down(predicates_.t()), round_up(predicates_.t()));
-    if (rational || !symmetry.always_cotangent(symmetry.states(q), t)) return std::nullopt;
+    if (!motion.symmetry()->always_cotangent(states_of(motion, q), t)) return std::nullopt;
     return false;
   }
 

@@ -33,9 +33,9 @@ Diagram diagram_at(Motion& motion, const Rational& t) {
 
 TrueMoment true_moment(const Scene& scene, const std::string& history_path, const Rational& t,
                        const EngineOptions& options) {
-  Motion motion = history_path.empty()
-                      ? std::move(run_to(scene, t, options)->motion())
-                      : replayed_motion(scene, history_path, t, options.motion).motion;
+  ComputedMotion motion = history_path.empty()
+                              ? std::move(run_to(scene, t, options)->motion())
+                              : replayed_motion(scene, history_path, t, options.motion).motion;
   Diagram diagram = diagram_at(motion, t);
   return {std::move(motion), std::move(diagram)};
 }

@@ -6,7 +6,7 @@
 
 #include "engine/engine.h"
 #include "exact/topology/diagram.h"
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 #include "history/scene.h"
 
 namespace voroproof::internal {
@@ -19,7 +19,7 @@ std::unique_ptr<Engine> run_to(const Scene& scene, const Rational& t, const Engi
 Diagram diagram_at(Motion& motion, const Rational& t);
 
 struct TrueMoment {
-  Motion motion;  // in force at t
+  ComputedMotion motion;  // in force at t
   Diagram diagram;
 };
 

@@ -35,7 +35,8 @@ check() {
 check exact exact
 check filtered/numbers exact filtered/numbers
 check filtered/motion exact filtered/numbers filtered/motion
-check filtered/search exact filtered
+check filtered/search exact filtered/numbers filtered/motion filtered/search
+check filtered/computed exact filtered
 check exact/topology exact exact/topology
 check history exact history
 check engine exact exact/topology filtered engine

@@ -3,11 +3,12 @@
 
 usage: scripts/trusted-core.py [--check] [--objects BUILD]
 
-The core is the closure of what a certificate rests on: the certifier (certify/certifier.h) and the
-readers (history/claim.h). A file belongs to it if a file of it includes it; and a .cpp belongs to the
-header that it includes first. With --check nothing is written: it fails where the document has other
-counts. With --objects the closure of linked symbols is computed as well, from the object files of a
-build: each object that the certifier's need must be of a file of the core.
+The core is the closure of what a certificate rests on: the readers (history/claim.h) and the
+certifier, under the recorded truth certify/recorded_certifier.h; what certify/certifier.h adds is of
+the exact truth. A file belongs to it if a file of it includes it; and a .cpp belongs to the header
+that it includes first. With --check nothing is written: it fails where the document has other counts.
+With --objects the closure of linked symbols is computed as well, from the object files of a build:
+each object that the certifier's need must be of a file of the core, for either truth.
 """
 import argparse
 import collections
@@ -18,14 +19,17 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 DOCUMENT = ROOT / "docs" / "certificate.md"
-ENTRIES = ["certify/certifier.h", "history/claim.h"]
-ROOMS = ["certify", "exact", "filtered/numbers", "filtered/motion", "filtered/search", "exact/topology", "history"]
+CERTIFIERS = ["certify/recorded_certifier", "certify/certifier"]
+READERS = "history/claim"
+ROOMS = ["certify", "exact", "filtered/numbers", "filtered/motion", "filtered/search", "filtered/computed",
+         "exact/topology", "history"]
 SUBJECTS = {
     "certify": "the checker and its proofs",
     "exact": "numbers and predicates",
     "filtered/numbers": "enclosures in doubles and double-doubles",
     "filtered/motion": "the motion",
-    "filtered/search": "where doubles fail: searches, roots, ties proved by symmetry",
+    "filtered/search": "searches, roots",
+    "filtered/computed": "collisions, ties",
     "exact/topology": "the diagram as incidences",
     "history": "the readers",
 }
@@ -49,16 +53,16 @@ def sources():
     return by_header
 
 
-def core():
+def core(certifier):
     by_header = sources()
-    found, waiting = set(), list(ENTRIES)
+    found, waiting = set(), [f"{certifier}.h", f"{READERS}.h"]
     while waiting:
         file = waiting.pop()
         if file in found:
             continue
         found.add(file)
         waiting += includes(file) + by_header[file]
-    return sorted(found)
+    return found
 
 
 def room_of(file):
@@ -68,14 +72,16 @@ def room_of(file):
     return room
 
 
-def table(files):
-    lines, count = collections.Counter(), collections.Counter()
-    for file in files:
-        lines[room_of(file)] += (ROOT / file).read_bytes().count(b"\n")
-        count[room_of(file)] += 1
-    rows = ["| room | what | files | lines |", "|---|---|---|---|"]
-    rows += [f"| `{room}/` | {SUBJECTS[room]} | {count[room]} | {lines[room]:,} |" for room in ROOMS]
-    rows.append(f"| all | | {len(files)} | {sum(lines.values()):,} |")
+def table(cores):
+    parts = [cores[0], cores[1] - cores[0]]
+    lines = collections.Counter()
+    for k, files in enumerate(parts):
+        for file in files:
+            for room in (room_of(file), "all"):
+                lines[room, k] += (ROOT / file).read_bytes().count(b"\n")
+    rows = ["| room | what | lines | exact |", "|---|---|---|---|"]
+    rows += [f"| `{room}/` | {SUBJECTS[room]} | {lines[room, 0]:,} | {lines[room, 1]:,} |" for room in ROOMS]
+    rows.append(f"| all | | {lines['all', 0]:,} | {lines['all', 1]:,} |")
     return "\n".join(rows)
 
 
@@ -92,8 +98,8 @@ def symbols(objects):
     return defined, needed
 
 
-def linked(build):
-    """The files whose objects a program gets that calls the entries."""
+def linked(build, certifier):
+    """The files whose objects a program gets that calls this certifier and the readers."""
     objects = {}
     for room in ROOMS:
         top, _, inner = room.partition("/")
@@ -101,7 +107,7 @@ def linked(build):
             objects[str(path)] = f"{room}/{path.name[:-2]}"
     defined, needed = symbols(objects)
     by_symbol = {name: path for path, names in defined.items() for name in names}
-    waiting = [path for path, file in objects.items() if file in ("certify/certifier.cpp", "history/claim.cpp")]
+    waiting = [path for path, file in objects.items() if file in (f"{certifier}.cpp", f"{READERS}.cpp")]
     if len(waiting) != 2:
         sys.exit(f"{build}: no objects of the certifier")
     found = set()
@@ -118,13 +124,13 @@ def main():
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--objects", type=Path)
     arguments = parser.parse_args()
-    files = core()
-    if arguments.objects:
-        strangers = linked(arguments.objects) - set(files)
+    cores = [core(certifier) for certifier in CERTIFIERS]
+    for certifier, files in zip(CERTIFIERS, cores):
+        strangers = linked(arguments.objects, certifier) - files if arguments.objects else None
         if strangers:
-            sys.exit("linked by the certifier, and not in the core by its includes: " + " ".join(sorted(strangers)))
+            sys.exit(f"linked by {certifier}, and not in its core by its includes: " + " ".join(sorted(strangers)))
     old = DOCUMENT.read_text()
-    new, changes = re.subn(r"^\| room \| what \|.*?^\| all \|[^\n]*$", lambda _: table(files), old, flags=re.M | re.S)
+    new, changes = re.subn(r"^\| room \| what \|.*?^\| all \|[^\n]*$", lambda _: table(cores), old, flags=re.M | re.S)
     if changes != 1:
         sys.exit(f"{DOCUMENT.name}: no table of the trusted core")
     if not arguments.check:

@@ -55,10 +55,4 @@ DdBall dd_of(const Ball& b) {
   return r;
 }
 
-DdBall dd_of(const FixedView& a, std::int64_t unit) {
-  DdBall r;
-  a.to_double_double(unit, r.hi, r.lo, r.rad);
-  return r;
-}
-
 }  // namespace voroproof::internal

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <unordered_map>
+#include <utility>
 
 #include "exact/generators.h"
 #include "exact/predicates.h"
@@ -12,9 +13,8 @@
 namespace voroproof::internal {
 
 // Exact states of the disks of a Motion as it stands, in a tower of quadratic
-// fields over the rationals: what proves equalities. Follows a disk's causal past
-// through the log; throws BudgetExceeded where the tower would need more radicals
-// or larger coefficients than the budget allows. Valid until the Motion changes.
+// fields over the rationals: what proves equalities. Throws BudgetExceeded where the tower would
+// need more radicals or larger coefficients than the budget allows. Valid until the Motion changes.
 class ExactMotion {
  public:
   struct State {
@@ -34,21 +34,22 @@ class ExactMotion {
   MovingSite<Tower> moving_site(GenId g, const Rational& t);
   Site<Tower> site(GenId g, const Tower& t);
 
+  // For Motion::compute_exactly(): what is known, and another state.
+  bool knows(int id, GenId g) const { return memo_.contains(key(id, g)); }
+  void note(int id, GenId g, State state, Tower start) {
+    memo_[key(id, g)] = {std::move(state), std::move(start)};
+  }
+
  private:
   struct Entry {
     State state;
     Tower start;
   };
+  long key(int id, GenId g) const;
   const Entry& entry(int id, GenId g);
-  void compute(int record);
   const Motion& motion_;
   RadicalField field_;
   std::unordered_map<long, Entry> memo_;
 };
-
-// The exact time, within the tower, of the next contact of two moving sites given
-// at time t (see Contact): the root at which they begin to overlap, or the exit of
-// a disk from the container. Precondition: that root exists.
-Tower contact_delay(const Contact<Tower>& contact, bool with_container, RadicalField& field);
 
 }  // namespace voroproof::internal

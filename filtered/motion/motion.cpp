@@ -2,42 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
-#include "exact/collision_response.h"
 #include "filtered/motion/enclosures.h"
-#include "filtered/motion/exact_motion.h"
 
 namespace voroproof::internal {
 
 namespace {
 
+// The bits by which a state must be known below the scale of the scene: enough for
+// the double-double filter to be limited by its own arithmetic.
+constexpr int kInitialGoal = 112;
+
 bool is_double(const DdBall& b) { return b.lo == 0 && b.rad == 0; }
+
+// How far the leading double may be from the truth.
+double error_of_leading(double second, double rad) {
+  return (std::fabs(second) + rad) * (1 + 0x1p-50);
+}
 
 }  // namespace
 
-Motion::Motion(MotionInput input, MotionOptions options, std::shared_ptr<MotionLog> log)
-    : options_(options),
-      states_(std::make_unique<MotionStates>(std::move(input), options, std::move(log))) {
-  const std::size_t n = this->input().disks.size();
+Motion::Motion(MotionInput input, MotionOptions options)
+    : input_(std::make_unique<MotionInput>(about_center(std::move(input)))), options_(options) {
+  const std::size_t n = input_->disks.size();
   state_.resize(n + 1);
   doubles_.resize(n + 1);
   seconds_.resize(n + 1);
   for (GenId g = container_id; g < size(); ++g) {
     state_[g + 1] = -1 - g;
-    set_radius(g, states_->radius_dd(g));
-    refresh(g);
+    set_radius(
+        g, g == container_id ? -dd_of(input_->container_radius) : dd_of(input_->disks[g].radius));
+    Motion::set_initial_state(g);
   }
   for (const int axis : {0, 1}) {
-    origin_[axis] = dd_of(this->input().origin[axis]);
-    moved_ = moved_ || sgn(this->input().origin[axis]) != 0;
+    origin_[axis] = dd_of(input_->origin[axis]);
+    moved_ = moved_ || sgn(input_->origin[axis]) != 0;
   }
-}
-
-const MotionStates& Motion::full_states() const {
-  states_->apply_rest();
-  return *states_;
 }
 
 Ball Motion::radius_ball(GenId g, Ball::Precision bits) const {
@@ -48,20 +49,14 @@ Ball Motion::radius_ball(GenId g, Ball::Precision bits) const {
       bits);
 }
 
-// Makes double-doubles and doubles, with their error bounds, from the state in force.
-void Motion::refresh(GenId g) {
-  const MotionStates::State<DdBall> s = states_->double_doubles(g);
-  set_state(g, s.x, s.y, s.vx, s.vy);
+void Motion::set_initial_state(GenId g) {
+  if (g == container_id) {
+    set_state(g, {});
+  } else {
+    const DiskInput& d = initial_state(g);
+    set_state(g, {dd_of(d.x), dd_of(d.y), dd_of(d.vx), dd_of(d.vy)});
+  }
 }
-
-namespace {
-
-// How far the leading double may be from the truth.
-double error_of_leading(double second, double rad) {
-  return (std::fabs(second) + rad) * (1 + 0x1p-50);
-}
-
-}  // namespace
 
 void Motion::set_radius(GenId g, const DdBall& r) {
   doubles_[g + 1].r = r.hi;
@@ -70,8 +65,8 @@ void Motion::set_radius(GenId g, const DdBall& r) {
   radii_are_doubles_ = radii_are_doubles_ && r.lo == 0 && r.rad == 0;
 }
 
-void Motion::set_state(GenId g, const DdBall& x, const DdBall& y, const DdBall& vx,
-                       const DdBall& vy) {
+void Motion::set_state(GenId g, const MotionState<DdBall>& of) {
+  const auto& [x, y, vx, vy] = of;
   DoubleMotion& m = doubles_[g + 1];
   SecondMotion& s = seconds_[g + 1];
   m.x = x.hi;
@@ -120,7 +115,7 @@ MovingSite<DdBall> Motion::moving_site(GenId g, const DdBall& t) const {
 }
 
 MovingSite<Ball> Motion::moving_site(GenId g, const Ball& t) const {
-  const MotionStates::State<Ball>& m = full_states().balls(g, doubles(g).t);
+  const MotionState<Ball>& m = balls(g);
   // Short exact numbers are held in few bits: everything at the precision of the time.
   const auto bits = t.precision();
   const Ball dt = t - Ball(doubles(g).t, bits);
@@ -138,139 +133,26 @@ bool Motion::same_velocity(GenId a, GenId b) const {
   return m.ev == 0 && o.ev == 0 && m.vx == o.vx && m.vy == o.vy;
 }
 
-bool Motion::is_rational(GenId g) const {
-  int id = state_[g + 1];
-  while (id > 0) {
-    const Record& r = states_->record(id - 1);
-    if (r.maneuver < 0) return false;
-    id = r.before_i;
-  }
+BitSupply::BitSupply(const MotionOptions& options, double horizon)
+    : most(options.max_bits),
+      goal(std::min(kInitialGoal, std::max(options.max_bits - headroom, 64))),
+      horizon(horizon) {
+  // A smaller or larger start is a larger or smaller first supply per time.
+  const double supply = options.start_bits - goal - headroom;
+  if (supply > 0 && horizon > 0) slope = supply / horizon;
+}
+
+int BitSupply::at(double t) const {
+  const double ahead = std::max(0.0, horizon - t) * slope + reserve;
+  const double bits = std::min<double>(goal + headroom + ahead, static_cast<double>(most));
+  // Whole limbs: the balls at hand keep their memory from one collision to the next.
+  return (static_cast<int>(bits) + 63) / 64 * 64;
+}
+
+bool BitSupply::raise_goal() {
+  if (at(horizon) >= most) return false;
+  goal = std::min(2 * goal, most - headroom);
   return true;
-}
-
-Motion::Origin Motion::origin(GenId g, int id) const {
-  const Record& r = states_->record(id - 1);
-  if (r.maneuver >= 0) return {r.before_i, &states_->maneuver(r.maneuver), g, 0};
-  if (g == r.i) return {r.before_i, nullptr, r.j, r.before_j};
-  return {r.before_j, nullptr, r.i, r.before_i};
-}
-
-bool Motion::raise_precision() {
-  if (!states_->raise_goal()) return false;
-  for (GenId g = container_id; g < size(); ++g) refresh(g);
-  return true;
-}
-
-void Motion::append(const Record& r) {
-  states_->append(r);
-  for (const GenId g : {r.i, r.j}) {
-    if (g == container_id) continue;
-    state_[g + 1] = records();
-    doubles_[g + 1].t = r.t_ref;
-  }
-}
-
-Impact Motion::collide(GenId i, GenId j, double t_near) {
-  const auto is_point = [&](GenId g) {
-    return g != container_id && sgn(input().disks[g].radius) == 0;
-  };
-  if (is_point(i) && is_point(j)) {
-    throw Undecided("two points meet: a contact without a normal, which the model does not cover",
-                    i, j);
-  }
-  const Record r{i, j, state_[i + 1], state_[j + 1], doubles(i).t, doubles(j).t, t_near, -1};
-  append(r);
-  states_->apply_rest();
-  if (i != container_id) refresh(i);
-  refresh(j);
-  const auto round_all = [&] {
-    Impact out{};
-    out.time_dd = states_->last_time();
-    double lo = 0, hi = 0;
-    enclose(out.time_dd, lo, hi);
-    out.time = DoubleBall::hull(lo, hi);
-    out.t = round_coordinate(out.time_dd, j, 4);
-    const DdBall delay = states_->last_delay();
-    const auto state = [&](GenId g) {
-      const DdMotion m = double_doubles(g);
-      return RoundedState{round_coordinate(m.x + m.vx * delay, g, 0),
-                          round_coordinate(m.y + m.vy * delay, g, 1), round_coordinate(m.vx, g, 2),
-                          round_coordinate(m.vy, g, 3)};
-    };
-    if (i != container_id) out.first = state(i);
-    out.second = state(j);
-    return out;
-  };
-  for (;;) {
-    try {
-      return round_all();
-    } catch (const BudgetExceeded& budget) {
-      // Not provably on a boundary: more bits will tell, up to the limit.
-      if (!raise_precision()) {
-        throw Undecided(std::string("a coordinate after the collision may lie on a rounding "
-                                    "boundary: ") +
-                        budget.what());
-      }
-    }
-  }
-}
-
-RoundedState Motion::maneuver(GenId g, const Rational& t, const Rational& vx, const Rational& vy) {
-  const double t_ref = round_nearest(t);
-  const int maneuver = states_->append({t, vx, vy});
-  RoundedState out{0, 0, round_nearest(vx), round_nearest(vy)};
-  for (;;) {
-    const Ball::Precision bits = states_->bits_at(t_ref);
-    const Site<Ball> at = site(g, Ball(t, bits));
-    const std::array<Rational, 2>& o = input().origin;
-    if ((at.x + Ball(o[0], bits)).round_to_double(out.px) &&
-        (at.y + Ball(o[1], bits)).round_to_double(out.py)) {
-      break;
-    }
-    try {
-      ExactMotion exact(*this);
-      const Site<Tower> s = exact.site(g, Tower(t));
-      out.px = round_nearest(s.x + Tower(o[0]));
-      out.py = round_nearest(s.y + Tower(o[1]));
-      break;
-    } catch (const BudgetExceeded& budget) {
-      if (!raise_precision()) {
-        throw Undecided(std::string("the position at the maneuver may lie on a rounding "
-                                    "boundary: ") +
-                        budget.what());
-      }
-    }
-  }
-  append({g, g, state_[g + 1], state_[g + 1], doubles(g).t, doubles(g).t, t_ref, maneuver});
-  states_->apply_rest();
-  refresh(g);
-  return out;
-}
-
-void Motion::restart(GenId g, const Rational& t, const Rational& x, const Rational& y,
-                     const Rational& vx, const Rational& vy) {
-  if (state_[g + 1] > 0) throw std::logic_error("restart after a computed motion");
-  const double start = round_nearest(t);
-  const Rational ahead = to_rational(start) - t;
-  if (sgn(ahead) == 0) {
-    states_->restart(g, start, x, y, vx, vy);
-  } else {
-    states_->restart(g, start, x + vx * ahead, y + vy * ahead, vx, vy);
-  }
-  doubles_[g + 1].t = start;
-  refresh(g);
-}
-
-void Motion::restart(GenId g, double t, const DdBall& x, const DdBall& y, double vx, double vy,
-                     const GivenMotion& given) {
-  if (state_[g + 1] > 0) throw std::logic_error("restart after a computed motion");
-  states_->restart(g, t, given);
-  doubles_[g + 1].t = t;
-  if (moved_) {
-    set_state(g, x - origin_[0], y - origin_[1], DdBall(vx), DdBall(vy));
-  } else {
-    set_state(g, x, y, DdBall(vx), DdBall(vy));
-  }
 }
 
 }  // namespace voroproof::internal

@@ -31,12 +31,4 @@ class Undecided : public std::runtime_error {
   std::optional<std::pair<GenId, GenId>> contact;
 };
 
-// Tells the exact states of disks whose motion is given and not computed.
-class GivenMotion {
- public:
-  virtual ~GivenMotion() = default;
-  // Centre and velocity of disk g when it was last restarted: sets x, y, vx and vy.
-  virtual void state(GenId g, DiskInput& disk) const = 0;
-};
-
 }  // namespace voroproof::internal

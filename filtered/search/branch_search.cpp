@@ -33,9 +33,10 @@ class Branch {
   }
   // Whether the zero of this function in [a, b] is the one of the conjugate, too.
   bool shares_its_zero(double a, double b) const {
-    const Symmetry symmetry(motion_);
-    return is_certain(sign(conjugate(moving_sites(motion_, q_, DoubleBall::hull(a, b))).slope)) &&
-           symmetry.mirrored_between(symmetry.states(q_), a, b);
+    const auto symmetry = motion_.symmetry();
+    return symmetry != nullptr &&
+           is_certain(sign(conjugate(moving_sites(motion_, q_, DoubleBall::hull(a, b))).slope)) &&
+           symmetry->mirrored_between(states_of(motion_, q_), a, b);
   }
   // The zero of a function that has one in [a, b], by two steps of the interval Newton method: the
   // error of the first is that of the slope. The radius is infinite where that cannot say.

@@ -216,18 +216,18 @@ Judgement departs(const Motion& motion, const Quad& q, const Ball& hull, bool ev
 std::optional<Collapse> CollapseSearch::by_symmetry(const Quad& q, const Rational& start,
                                                     const Moment* now, double end) {
   if (has_rational_motion(q)) return std::nullopt;
-  const Symmetry symmetry(motion_);
+  const auto symmetry = motion_.symmetry();
+  const QuadStates states = states_of(motion_, q);
   const Rational t = now != nullptr ? to_rational(now->hi) : start;
   const DoubleBall about =
       DoubleBall::hull(voroproof::internal::round_down(t), voroproof::internal::round_up(t));
-  if (symmetry.always_cotangent(symmetry.states(q), about)) {
+  if (symmetry->always_cotangent(states, about)) {
     const MakeBall make{motion_.goal_bits() + 32};
     const Ball at = now != nullptr ? make.hull(to_rational(now->lo), t) : make(t);
     return while_cotangent(q, {Sign::zero, Sign::zero}, at);
   }
   if (now == nullptr || now->present == nullptr) return std::nullopt;
-  const auto proved =
-      symmetry.cotangency(symmetry.states(q), now->present->known(), now->lo, now->hi);
+  const auto proved = symmetry->cotangency(states, now->present->known(), now->lo, now->hi);
   if (proved == Symmetry::Cotangency::unknown) return std::nullopt;
   const bool every_circle =
       proved == Symmetry::Cotangency::every_circle || flip_polynomial_is_cocircularity(motion_, q);

@@ -205,12 +205,11 @@ NextContact ContactSearch::slow(GenId i, GenId j, const Moment& now, double end)
 std::optional<NextContact> ContactSearch::by_symmetry(GenId i, GenId j, const Moment& now) const {
   const bool wall = i == container_id;
   if (motion_.is_rational(i) && motion_.is_rational(j)) return std::nullopt;
-  const Symmetry symmetry(motion_);
-  if (at_rest(motion_, symmetry.state(i)) && at_rest(motion_, symmetry.state(j))) {
-    return NextContact{};
-  }
+  const auto symmetry = motion_.symmetry();
+  const PairStates states = states_of(motion_, i, j);
+  if (symmetry->at_rest(states[0]) && symmetry->at_rest(states[1])) return NextContact{};
   if (now.present == nullptr) return std::nullopt;
-  if (!symmetry.touch(symmetry.states(i, j), now.present->known())) return std::nullopt;
+  if (!symmetry->touch(states, now.present->known())) return std::nullopt;
   const Ball t = hull_of(now.lo, now.hi, motion_.goal_bits() + 32);
   const Sign b = sign(Contact<Ball>(motion_.moving_site(i, t), motion_.moving_site(j, t)).b);
   const Sign approach = wall ? Sign::positive : Sign::negative;

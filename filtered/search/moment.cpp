@@ -111,11 +111,11 @@ void Chronology::begin_present() {
 
 void Chronology::note_present(const Moment& m) {
   if (m.is_flip()) note_flip(m.quad);
-  if (m.is_contact()) present_.contacts.push_back(Symmetry(motion_).states(m.i, m.j));
+  if (m.is_contact()) present_.contacts.push_back(states_of(motion_, m.i, m.j));
 }
 
 void Chronology::note_collisions(const Moment& m) {
-  note_relations(motion_, present_.records, m.lo, m.hi);
+  motion_.note_relations(present_.records, m.lo, m.hi);
 }
 
 Moment Chronology::present(const Moment& m) const {
@@ -126,27 +126,26 @@ Moment Chronology::present(const Moment& m) const {
 
 // Whether symmetry proves two moments equal: tried where exact arithmetic is expensive.
 bool Chronology::same_by_symmetry(const Moment& a, const Moment& b) const {
-  const Symmetry symmetry(motion_);
+  const auto symmetry = motion_.symmetry();
+  if (symmetry == nullptr) return false;
   if (a.is_flip() && b.is_flip()) {
     if (collapses_.has_rational_motion(a.quad) && collapses_.has_rational_motion(b.quad)) {
       return false;
     }
     const auto same = [&](const Moment& x, const Moment& y) {
-      return symmetry.same_flip(symmetry.states(x.quad), ball(x), symmetry.states(y.quad),
-                                y.root());
+      return symmetry->same_flip(states_of(motion_, x.quad), ball(x), states_of(motion_, y.quad),
+                                 y.root());
     };
     return same(a, b) || same(b, a);
   }
   // The pair whose contact it is.
   const auto pair = [&](const Moment& m) -> std::optional<PairStates> {
-    if (m.is_contact()) return symmetry.states(m.i, m.j);
-    if (m.kind != Moment::Kind::state || m.state <= 0) return std::nullopt;
-    const Motion::Origin from = motion_.origin(m.j, m.state);
-    if (from.maneuver != nullptr) return std::nullopt;
-    return PairStates{DiskState{m.j, from.before}, DiskState{from.partner, from.partner_before}};
+    if (m.is_contact()) return states_of(motion_, m.i, m.j);
+    if (m.kind != Moment::Kind::state) return std::nullopt;
+    return symmetry->collision_before({m.j, m.state});
   };
   const auto pair_a = pair(a), pair_b = pair(b);
-  return pair_a && pair_b && symmetry.same_contact(*pair_a, *pair_b);
+  return pair_a && pair_b && symmetry->same_contact(*pair_a, *pair_b);
 }
 
 std::optional<int> Chronology::known_order(const Moment& a, const Moment& b, std::string* why_not) {

@@ -132,7 +132,7 @@ class Chronology {
   // the motion changes.
   void begin_present();
   void note_present(const Moment& m);
-  void note_flip(const Quad& q) { present_.flips.push_back(Symmetry(motion_).states(q)); }
+  void note_flip(const Quad& q) { present_.flips.push_back(states_of(motion_, q)); }
   // Notes what the collisions of the instant have to do with each other, after they have happened.
   void note_collisions(const Moment& m);
   // A moment at the present instant as the searches take it, with what is known to happen at it.

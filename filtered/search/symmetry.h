@@ -14,14 +14,34 @@
 // false.
 #pragma once
 
-#include <span>
+#include <array>
+#include <optional>
 #include <vector>
 
+#include "exact/ball.h"
 #include "exact/roots.h"
 #include "filtered/motion/motion.h"
-#include "filtered/search/carry.h"
 
 namespace voroproof::internal {
+
+// A state of a generator: the motion since a record of the log, or the initial one
+// (Motion::state_id). The container has only the initial one.
+struct DiskState {
+  GenId g;
+  int id;
+  bool operator==(const DiskState&) const = default;
+};
+using QuadStates = std::array<DiskState, 4>;
+using PairStates = std::array<DiskState, 2>;
+
+inline DiskState state_of(const Motion& motion, GenId g) { return {g, motion.state_id(g)}; }
+inline QuadStates states_of(const Motion& motion, const Quad& q) {
+  return {state_of(motion, q.l), state_of(motion, q.s), state_of(motion, q.r),
+          state_of(motion, q.e)};
+}
+inline PairStates states_of(const Motion& motion, GenId i, GenId j) {
+  return {state_of(motion, i), state_of(motion, j)};
+}
 
 // The proved facts about one instant. States are those in force just before it, or since an earlier
 // event of the same instant.
@@ -37,20 +57,7 @@ struct Coincidence {
 
 class Symmetry {
  public:
-  explicit Symmetry(const Motion& motion) : motion_(motion) {}
-
-  // The states in force.
-  DiskState state(GenId g) const { return {g, motion_.state_id(g)}; }
-  QuadStates states(const Quad& q) const {
-    return {state(q.l), state(q.s), state(q.r), state(q.e)};
-  }
-  PairStates states(GenId i, GenId j) const { return {state(i), state(j)}; }
-
-  // Calls carry() of filtered/search/carry.h.
-  std::vector<Isometry> carry(std::span<const DiskState> from,
-                              std::span<const DiskState> to) const {
-    return voroproof::internal::carry(motion_, from, to);
-  }
+  virtual ~Symmetry() = default;
 
   // Whether the four certainly touch one circle as long as they move like this, namely
   // every circle that three of them touch; `t` is some time at which they are where the states in
@@ -60,46 +67,36 @@ class Symmetry {
   //     own image and touches the fourth as it touches the third; or
   //   - isometries that fix one point carry one onto the others, of the same radius: their
   //     centres have the same distance from that point, and three points lie on one circle.
-  bool always_cotangent(const QuadStates& q, const DoubleBall& t) const;
+  virtual bool always_cotangent(const QuadStates& q, const DoubleBall& t) const = 0;
 
   // Whether the four generators, with their states in force, certainly touch one circle at
   // the instant, which lies between lo and hi: some circle that touches three of them, or
   // every such circle.
   enum class Cotangency { unknown, some_circle, every_circle };
-  Cotangency cotangency(const QuadStates& q, const Coincidence& known, double lo, double hi) const;
+  virtual Cotangency cotangency(const QuadStates& q, const Coincidence& known, double lo,
+                                double hi) const = 0;
 
   // Whether the four certainly are mirror images of each other two by two at some time between lo
   // and hi, so that then every circle that touches three of them touches the fourth. Two pairs that
   // isometries carry onto each other for good are such when the diagonals between them are equal.
-  bool mirrored_between(const QuadStates& q, double lo, double hi) const;
+  virtual bool mirrored_between(const QuadStates& q, double lo, double hi) const = 0;
 
   // Whether two generators, with their states in force, certainly touch at the instant.
-  bool touch(const PairStates& pair, const Coincidence& known) const;
+  virtual bool touch(const PairStates& pair, const Coincidence& known) const = 0;
 
   // Whether the next contacts of two pairs are certainly simultaneous.
-  bool same_contact(const PairStates& a, const PairStates& b) const;
+  virtual bool same_contact(const PairStates& a, const PairStates& b) const = 0;
 
   // Whether two flips are certainly simultaneous, both of states in force: `time` encloses the
   // first, and [root.lo, root.hi] isolates the root of the second's flip polynomial.
-  bool same_flip(const QuadStates& a, const Ball& time, const QuadStates& b,
-                 const RootInterval& root) const;
+  virtual bool same_flip(const QuadStates& a, const Ball& time, const QuadStates& b,
+                         const RootInterval& root) const = 0;
 
- private:
-  Rational radius(const DiskState& s) const;  // signed
-  bool mirrored_in_pairs(const QuadStates& q, const DoubleBall& t) const;
-  bool turned_about_a_point(const QuadStates& q) const;
-  DiskState before(DiskState s, const Coincidence& known) const {
-    return state_before(motion_, s, known.records);
-  }
-  bool carried_into(const QuadStates& q, const std::vector<DiskState>& others,
-                    const DoubleBall& now) const;
-  std::vector<DiskState> near_circle(const QuadStates& flip, const Coincidence& known,
-                                     const DoubleBall& now) const;
-  bool is_image(const DiskState& x, const std::vector<DiskState>& circle,
-                const DoubleBall& now) const;
-  bool joins(const DiskState& x, const QuadStates& cluster, const DoubleBall& now) const;
+  // Whether a generator in this state certainly is at rest.
+  virtual bool at_rest(const DiskState& s) const = 0;
 
-  const Motion& motion_;
+  // The pair, in its states before, whose collision began a state of g; nothing for others.
+  virtual std::optional<PairStates> collision_before(const DiskState& s) const = 0;
 };
 
 }  // namespace voroproof::internal

@@ -53,7 +53,7 @@ P Lines::vertex(const Triple& v, const Rational& probe) const {
 
 std::vector<Lines::Fit> Lines::along(const Quad& q, const Rational& t,
                                      const Rational& probe) const {
-  const Motion motion(input_, {});
+  const ComputedMotion motion(input_, {});
   TierCounts counts;
   InstantPredicates predicates(motion, Rational(t - start_), counts, {probe});
   const Quad own{local_.at(q.l), local_.at(q.r), local_.at(q.s), local_.at(q.e)};
@@ -73,7 +73,7 @@ std::vector<Lines::Fit> Lines::along(const Quad& q, const Rational& t,
 }
 
 bool Lines::fits(const Triple& v, const Rational& t, const Rational& probe) const {
-  const Motion motion(input_, {});
+  const ComputedMotion motion(input_, {});
   TierCounts counts;
   InstantPredicates predicates(motion, Rational(t - start_), counts, {probe});
   const Triple own{local_.at(v[0]), local_.at(v[1]), local_.at(v[2])};

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "exact/polynomial.h"
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 #include "library/queries/clearance.h"
 #include "library/queries/paths.h"
 

@@ -23,7 +23,7 @@ class Replay {
       : scene_(scene),
         path_(path),
         t_(t),
-        out_{Motion(motion_input(scene), options), {}},
+        out_{ComputedMotion(motion_input(scene), options), {}},
         contacts_(out_.motion, counts_),
         next_maneuver_(scene.disks.size(), 0) {}
 

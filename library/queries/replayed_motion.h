@@ -5,14 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 #include "history/events.h"
 #include "history/scene.h"
 
 namespace voroproof::internal {
 
 struct ReplayedMotion {
-  Motion motion;  // in force at the exact time t
+  ComputedMotion motion;  // in force at the exact time t
   // The flips that the history records within a unit in the last place of t, in its order, and
   // whether at t or before it: rounding may have put them on the other side of t than the true
   // motion does.

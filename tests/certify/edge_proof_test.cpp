@@ -13,6 +13,7 @@
 #include "certify/edge_circles.h"
 #include "certify/edge_signs.h"
 #include "certify/rootless.h"
+#include "filtered/computed/computed_motion.h"
 #include "filtered/search/bernstein.h"
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
@@ -167,7 +168,7 @@ void prove_edges(int edges, double unit, Tally& tally) {
     const auto bad =
         std::find_if(times.begin(), times.end(), [&](double t) { return disks.at(q, t).illegal; });
     tally.collapsing += bad != times.end();
-    const Motion motion(disks.input(), {});
+    const ComputedMotion motion(disks.input(), {});
     RootlessBatch batch(motion);
     batch.add(q, a, b);
     batch.prove();
@@ -250,7 +251,7 @@ TEST(EdgeProof, GeneratorsAreSeparatedWhereThatIsSaid) {
     const double b = a + std::ldexp(uniform(random, 1, 2), static_cast<int>(random() % 12) - 6);
     const bool separated = disks.separated(a, b);
     truly += separated;
-    const Motion motion(disks.input(), {});
+    const ComputedMotion motion(disks.input(), {});
     bool all = true;
     // Each pair at least once.
     for (const Quad& q : {Quad{0, 1, 2, 3}, {0, 1, 2, container_id}, {container_id, 3, 0, 1}}) {
@@ -275,7 +276,7 @@ TEST(EdgeProof, CirclesSideBySide) {
     const Quad q{ids[0], ids[1], ids[2], ids[3]};
     const double t = uniform(random, 0, 20);
     const auto [f, truth] = disks.signs(q, t);
-    const Motion motion(disks.input(), {});
+    const ComputedMotion motion(disks.input(), {});
     const EdgeCircles circles(motion, q, DoubleBall(t));
     const auto same = [&](Sign found, Sign expected) {
       ++asked;
@@ -301,7 +302,7 @@ TEST(ContactProof, ManyPairsAtOnce) {
   int proved = 0, made = 0, touching = 0;
   for (int k = 0; k < 400; ++k) {
     const FourDisks disks(k % 2 == 0 ? 40 : 4, k % 5 == 0, random);
-    const Motion motion(disks.input(), {});
+    const ComputedMotion motion(disks.input(), {});
     const double a = uniform(random, 0, 20), b = a + uniform(random, 0, 40);
     ApartBatch batch(motion);
     std::vector<std::array<GenId, 2>> pairs;
@@ -337,7 +338,7 @@ TEST(EdgeProof, IllegalEdges) {
   int illegal = 0, legal = 0;
   for (int k = 0; k < 300; ++k) {
     const FourDisks disks(10, k % 2 == 0, random);
-    const Motion motion(disks.input(), {});
+    const ComputedMotion motion(disks.input(), {});
     const double t = uniform(random, 0, 10);
     for (const Quad& q : {Quad{0, 1, 2, 3}, Quad{0, 2, 1, 3}, Quad{container_id, 1, 2, 3}}) {
       const auto [f, signs] = disks.signs(q, t);

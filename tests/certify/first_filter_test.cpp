@@ -8,6 +8,7 @@
 
 #include "certify/path.h"
 #include "certify/rootless.h"
+#include "filtered/computed/computed_motion.h"
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
 
@@ -67,7 +68,7 @@ TEST(RootlessBatch, NoRootIsLost) {
        {std::tuple{100.0, 60.0, 1}, {100.0, 10.0, 1}, {100.0, 60.0, 3}, {1000.0, 900.0, 1}}) {
     for (int k = 0; k < 40; ++k) {
       const MotionInput in = random_input(extent, radius, unit, random);
-      const Motion motion(in, {});
+      const ComputedMotion motion(in, {});
       Quad q{0, 1, 2, 3};
       if (k % 3 == 0) q.s = container_id;
       const auto root = some_root(in, q, random);
@@ -126,7 +127,7 @@ TEST(RootlessBatch, AroundAFlip) {
   for (int k = 0; k < 300; ++k) {
     const auto [in, q, outer] =
         EightDisks(k % 2 == 0 ? 40 : 5, k % 3 == 0 ? 3 : 1, k % 4 == 0, random);
-    const Motion motion(in, {});
+    const ComputedMotion motion(in, {});
     std::array<double, 4> from{};
     const double b = uniform(random, 1, 20);
     for (double& a : from)
@@ -175,7 +176,7 @@ TEST(RootlessBatch, NoRootIsLostBesideAFlip) {
   int with_root = 0;
   for (int k = 0; k < 60; ++k) {
     const auto [in, q, outer] = EightDisks(40, 1, k % 4 == 0, random);
-    const Motion motion(in, {});
+    const ComputedMotion motion(in, {});
     const std::array<Quad, 4> flipped{Quad{q.r, q.e, outer[0], q.s},
                                       {q.e, q.l, outer[1], q.s},
                                       {q.l, q.s, outer[2], q.e},

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/static_diagram.h"
+#include "filtered/computed/computed_motion.h"
 #include "history/scene_motion.h"
 #include "tests/support/lattice_scene.h"
 #include "tests/support/random_scenes.h"
@@ -59,7 +60,7 @@ class Sites {
     return options;
   }
   Scene scene_;
-  Motion motion_;
+  ComputedMotion motion_;
 };
 
 std::string told(const std::optional<InitialFault>& fault) { return fault ? fault->truth : "none"; }

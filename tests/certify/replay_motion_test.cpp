@@ -156,7 +156,7 @@ TEST(Replay, GivesTheMotionItsPaths) {
   Begun b(scene_of(1000, 100, {disk(0, 0, 1, 1, 2), disk(20, 0, 1, 0, 0), disk(0, 30, 1, 0, 1)}));
   ASSERT_FALSE(b.replay.take(collision(0.1, container_id, 0, {}, {0.2, -1})).is_none());
   ASSERT_FALSE(b.replay.take(exact_collision(Rational(1, 3), 1, {Rational(1, 3), 1})).is_none());
-  Motion motion(motion_input(b.scene), {});
+  GivenMotion motion(motion_input(b.scene), {});
   b.replay.move(motion);
   const Rational t(5, 2);
   for (GenId g = 0; g < 3; ++g) {

@@ -27,7 +27,7 @@ oracle::ExactCircle moved(const DiskInput& d, const Rational& t) {
 // whether more than three generators touched one empty circle.
 bool expect_diagram(const Scene& scene, const Rational& t = 0, TierCounts* tiers = nullptr) {
   TierCounts counts;
-  const Motion motion(motion_input(scene), {});
+  const ComputedMotion motion(motion_input(scene), {});
   const Diagram diagram = static_diagram(motion, t, counts);
   if (tiers != nullptr) *tiers += counts;
   std::string why;
@@ -153,7 +153,7 @@ TEST(StaticDiagram, CellsOfManyEdges) {
     }
     std::shuffle(scene.disks.begin(), scene.disks.end(), random);
     TierCounts counts;
-    const Motion motion(motion_input(scene), {});
+    const ComputedMotion motion(motion_input(scene), {});
     const Diagram diagram = static_diagram(motion, 0, counts);
     EXPECT_TRUE(diagram.is_valid());
     std::uint64_t decided = 0;
@@ -211,7 +211,7 @@ TEST(StaticDiagram, SettlingIsUnique) {
   Scene scene = scene_of(30, 0, {});
   for (int k = 0; k < 16; ++k)
     scene.disks.push_back(disk(4 * (k % 4) - 6, 4 * (k / 4) - 6, 1, 0, 0));
-  Motion motion(motion_input(scene), {});
+  ComputedMotion motion(motion_input(scene), {});
   TierCounts counts;
   const Moment now = Moment::at(0);
   Diagram reference = static_diagram(motion, 0, counts);

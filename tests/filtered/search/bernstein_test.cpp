@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "filtered/computed/computed_motion.h"
 #include "tests/filtered/search/flip_polynomials.h"
 #include "tests/support/compact_arithmetic.h"
 #include "tests/support/random_scenes.h"
@@ -20,7 +21,7 @@ struct Tally {
 };
 
 void expect_enclosed(const MotionInput& in, const Quad& q, double a, double b, Tally& tally) {
-  const Motion motion(in, {});
+  const ComputedMotion motion(in, {});
   bool equal =
       q.l != container_id && q.r != container_id && q.s != container_id && q.e != container_id;
   for (const GenId g : {q.r, q.s, q.e}) {
@@ -139,7 +140,7 @@ TEST(Bernstein, UncertifiedForm) {
   Random random(6);
   int formed = 0;
   for (int k = 0; k < 100; ++k) {
-    const Motion motion(random_input({}, random), {});
+    const ComputedMotion motion(random_input({}, random), {});
     const Quad q = random_quad(random, k % 2 == 0);
     BernsteinForm certified{}, plain{};
     if (form_flip_polynomial<true>(motion, q, 5, 25, certified)) continue;
@@ -186,14 +187,14 @@ TEST(Bernstein, RadiiOfOneDoubleAreNotEqualForThat) {
     for (DiskInput& d : in.disks) d.radius = common;
     const auto degree = [&] {
       BernsteinForm form{};
-      form_flip_polynomial<true>(Motion(in, {}), q, 0, 1, form);
+      form_flip_polynomial<true>(ComputedMotion(in, {}), q, 0, 1, form);
       return form.degree;
     };
-    EXPECT_TRUE(flip_polynomial_is_cocircularity(Motion(in, {}), q));
+    EXPECT_TRUE(flip_polynomial_is_cocircularity(ComputedMotion(in, {}), q));
     EXPECT_EQ(degree(), 4);
     for (int odd = 0; odd < 4; ++odd) {
       in.disks[odd].radius = Rational(common + hair);
-      EXPECT_FALSE(flip_polynomial_is_cocircularity(Motion(in, {}), q)) << odd;
+      EXPECT_FALSE(flip_polynomial_is_cocircularity(ComputedMotion(in, {}), q)) << odd;
       EXPECT_EQ(degree(), 8) << odd;
       in.disks[odd].radius = common;
     }

@@ -22,7 +22,7 @@ struct Tally {
 // Looks at all roots of f of every edge of the diagram at the start, most of which lie beyond the
 // end of the edge, isolated in intervals of about that width.
 void expect_the_root(const Scene& scene, const Rational& width, Tally& tally) {
-  const Motion motion(motion_input(scene), {});
+  const ComputedMotion motion(motion_input(scene), {});
   TierCounts counts;
   const Diagram diagram = static_diagram(motion, Rational(0), counts);
   for (Diagram::HalfEdge h = 0; h < 2 * diagram.edges(); h += 2) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "filtered/computed/computed_motion.h"
 #include "filtered/search/bernstein.h"
 #include "tests/filtered/search/flip_polynomials.h"
 #include "tests/support/compact_arithmetic.h"
@@ -31,7 +32,7 @@ TEST(Bernstein, OfNearlyEqualRadiiCTellsWhereFIsNegative) {
     const auto truth = true_coefficients(in, q, to_rational(a), to_rational(b), true);
     const double difference = std::ldexp(1.0, -14 - static_cast<int>(random() % 40));
     for (DiskInput& d : in.disks) d.radius = Rational(5 + uniform(random, 0, difference));
-    const Motion motion(in, {});
+    const ComputedMotion motion(in, {});
     BernsteinForm form{};
     const bool free = form_for_collapse(motion, q, a, b, form);
     if (form.spread == 0) continue;
@@ -92,7 +93,7 @@ TEST(Bernstein, GrowingBounds) {
     const MotionInput in = random_input(family, random);
     const Quad q = random_quad(random, k % 4 == 0);
     const double a = uniform(random, 0, 30), b = a + std::ldexp(500.0, -static_cast<int>(k % 10));
-    const Motion motion(in, {});
+    const ComputedMotion motion(in, {});
     BernsteinForm form{};
     if (form_for_collapse(motion, q, a, b, form) || form.degree != 8) continue;
     if (!(form.bound.first < form.err)) continue;
@@ -126,7 +127,7 @@ TEST(Bernstein, NoBoundIsFiniteWhereCoefficientsOverflow) {
     for (DiskInput& d : in.disks) {
       d = {d.x * scale, d.y * scale, d.radius * scale, d.vx * scale, d.vy * scale, 1};
     }
-    const Motion motion(in, {});
+    const ComputedMotion motion(in, {});
     BernsteinForm form{};
     if (form_for_collapse(motion, {0, 1, 2, 3}, 0, 200, form) || form.degree != 8) continue;
     const bool all =

@@ -16,7 +16,7 @@ TEST(RefinedCollapse, DoubleDoublesReachItFromTheWidestIntervals) {
   Random random(2);
   int all = 0, refined = 0, wide = 0;
   for (int k = 0; k < 6; ++k) {
-    Motion motion(motion_input(random_scene({.n = 8, .rmin = 2, .rmax = 8}, random)), {});
+    ComputedMotion motion(motion_input(random_scene({.n = 8, .rmin = 2, .rmax = 8}, random)), {});
     TierCounts tiers;
     CollapseSearch search(motion, tiers);
     const Diagram diagram = static_diagram(motion, 0, tiers);

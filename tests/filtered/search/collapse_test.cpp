@@ -93,7 +93,7 @@ struct Tally {
 // beyond contacts of the generators, as the engine's do; what they find there does not matter.
 void expect_right(const Scene& scene, const MotionOptions& options, bool at_start, Tally& tally) {
   const double end = 12;
-  Motion motion(motion_input(scene), options);
+  ComputedMotion motion(motion_input(scene), options);
   CollapseSearch search(motion, tally.tiers);
   std::vector<GenId> all(scene.disks.size() + 1);
   std::iota(all.begin(), all.end(), container_id);
@@ -181,7 +181,7 @@ TEST(CollapseSearch, NearlyEqualRadii) {
 // Counts, for the edges between the disks of a scene of four, the answers that are double roots;
 // all must be the true ones.
 int expect_double_roots(const Scene& scene, TierCounts& tiers) {
-  Motion motion(motion_input(scene), {});
+  ComputedMotion motion(motion_input(scene), {});
   CollapseSearch search(motion, tiers);
   TierCounts unused;
   const Diagram diagram = static_diagram(motion, 0, unused);
@@ -285,8 +285,8 @@ Quad edge_between(const Motion& motion, const Rational& t, GenId a, GenId b) {
 TEST(CollapseSearch, ARootAtARationalTime) {
   for (const double end : {1, 2}) {
     for (const Rational& other : {Rational(1, 2), Rational(1, 4)}) {
-      Motion motion(motion_input(rhombus(Rational(1, 2), other, Rational(1, 8))),
-                    without_filters());
+      ComputedMotion motion(motion_input(rhombus(Rational(1, 2), other, Rational(1, 8))),
+                            without_filters());
       TierCounts tiers;
       CollapseSearch search(motion, tiers);
       const Quad q = edge_between(motion, 0, 2, 3);
@@ -311,7 +311,7 @@ TEST(CollapseSearch, ARootAtARationalTime) {
 TEST(CollapseSearch, AtTheInstantOfTheCollapse) {
   for (const MotionOptions& options : {MotionOptions{}, without_filters()}) {
     for (const Rational& other : {Rational(1, 2), Rational(1, 4)}) {
-      Motion motion(motion_input(rhombus(Rational(1, 2), other, Rational(1, 8))), options);
+      ComputedMotion motion(motion_input(rhombus(Rational(1, 2), other, Rational(1, 8))), options);
       TierCounts tiers;
       CollapseSearch search(motion, tiers);
       const Quad q = edge_between(motion, 0, 2, 3);
@@ -333,7 +333,7 @@ TEST(CollapseSearch, CotangentForGood) {
         d.vy = d.y / 8;
       }
       for (const Scene& scene : {rhombus(Rational(1, 2), other, 0), growing}) {
-        Motion motion(motion_input(scene), options);
+        ComputedMotion motion(motion_input(scene), options);
         TierCounts tiers;
         CollapseSearch search(motion, tiers);
         const Quad q{2, 3, 0, 1}, r{2, 3, 1, 0};
@@ -361,7 +361,7 @@ TEST(CollapseSearch, FourOnALineLater) {
                                 disk(29, Rational(57, 2), 1, speed(-27), speed(57))});
   const Quad q{0, 1, 2, 3};
   for (const MotionOptions& options : {MotionOptions{}, without_filters()}) {
-    Motion motion(motion_input(scene), options);
+    ComputedMotion motion(motion_input(scene), options);
     TierCounts tiers;
     CollapseSearch search(motion, tiers);
     for (const Quad& edge : {q, flipped(q)}) {

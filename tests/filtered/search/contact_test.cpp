@@ -56,7 +56,7 @@ void expect_contact(const Scene& scene, GenId i, GenId j, const Rational& now,
                     TierCounts* tiers = nullptr) {
   const double end = 1000;
   for (const MotionOptions& options : both_paths()) {
-    Motion motion(motion_input(scene), options);
+    ComputedMotion motion(motion_input(scene), options);
     TierCounts counts;
     ContactSearch search(motion, counts);
     const auto truth = true_contact(motion.input(), i, j, now);
@@ -169,7 +169,7 @@ TEST(ContactSearch, TouchingAtTheStart) {
     for (const Rational& side : {Rational(0), Rational(1), Rational(1, 7)}) {
       const Scene scene = scene_of(100, 50, {disk(3, 4, 2, speed, side), disk(8, 4, 3, 0, 0)});
       expect_contact(scene, 0, 1, 0);
-      Motion motion(motion_input(scene), {});
+      ComputedMotion motion(motion_input(scene), {});
       TierCounts tiers;
       EXPECT_EQ(ContactSearch(motion, tiers).from(0, 1, Moment::at(0), 50).kind,
                 speed > 0 ? Kind::now : Kind::none);
@@ -191,7 +191,7 @@ TEST(ContactSearch, Container) {
   }
   // At rest: never. Along the wall: not in this model.
   expect_contact(scene_of(10, 50, {disk(9, 0, 1, 0, 0)}), container_id, 0, 0);
-  Motion motion(motion_input(scene_of(10, 50, {disk(9, 0, 1, 0, 1)})), {});
+  ComputedMotion motion(motion_input(scene_of(10, 50, {disk(9, 0, 1, 0, 1)})), {});
   TierCounts tiers;
   EXPECT_THROW(ContactSearch(motion, tiers).from(container_id, 0, Moment::at(0), 50), Undecided);
 }
@@ -212,7 +212,7 @@ TEST(ContactSearch, EqualVelocities) {
 TEST(ContactSearch, Points) {
   for (const MotionOptions& options : both_paths()) {
     for (const Rational& x : {Rational(6), Rational(1, 3)}) {
-      Motion motion(
+      ComputedMotion motion(
           motion_input(scene_of(100, 50, {disk(0, 0, 0, 1, 0, 1), disk(x, 0, 0, 0, 0, 1)})),
           options);
       TierCounts tiers;

@@ -56,7 +56,7 @@ TEST(Ladder, MoreBitsUntilTheMostThereMayBe) {
   options.start_bits = 128;
   options.max_bits = 1024;
   TierCounts counts;
-  Motion enough(motion_input(scene), options);
+  ComputedMotion enough(motion_input(scene), options);
   Ladder<int> ladder(counts, Predicate::compare);
   const auto told_with = [](const Motion& motion, int bits) {
     return Rung{Tier::ball,
@@ -64,7 +64,7 @@ TEST(Ladder, MoreBitsUntilTheMostThereMayBe) {
   };
   EXPECT_EQ(ladder.with_more_bits(enough, told_with(enough, 500)), 1);
   EXPECT_LT(enough.goal_bits(), 1024);
-  Motion too_few(motion_input(scene), options);
+  ComputedMotion too_few(motion_input(scene), options);
   EXPECT_EQ(ladder.with_more_bits(too_few, told_with(too_few, 5000)), std::nullopt);
   EXPECT_EQ(count(counts, Tier::ball), 1u);
 }

@@ -33,7 +33,7 @@ Scene nearly_together(const Rational& later) {
 
 TEST(Moment, AnInstantIsNarrowHoweverWideItsFlipIsIsolated) {
   const Scene scene = nearly_together(Rational(1, 10'000'000));
-  Motion motion(motion_input(scene), {});
+  ComputedMotion motion(motion_input(scene), {});
   TierCounts tiers;
   CollapseSearch collapses(motion, tiers);
   ContactSearch contacts(motion, tiers);
@@ -58,7 +58,7 @@ TEST(Moment, AnOrderThatTakesMoreBitsIsNotKnownYet) {
   for (const bool irrational : {true, false}) {
     MotionOptions options;
     if (!irrational) options.max_radicals = 0;
-    Motion motion(motion_input(scene), options);
+    ComputedMotion motion(motion_input(scene), options);
     TierCounts tiers;
     CollapseSearch collapses(motion, tiers);
     ContactSearch contacts(motion, tiers);

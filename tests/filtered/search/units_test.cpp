@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/static_diagram.h"
+#include "filtered/computed/computed_motion.h"
 #include "filtered/search/collapse.h"
 #include "filtered/search/contact.h"
 #include "history/scene_motion.h"
@@ -59,7 +60,7 @@ Scene scene_of(const std::array<Disk, 3>& disks, int length, int time, const Rat
 std::vector<Collapse::Kind> answers(const Scene& scene, bool filters) {
   MotionOptions options;
   options.filters = filters;
-  Motion motion(motion_input(scene), options);
+  ComputedMotion motion(motion_input(scene), options);
   TierCounts counts;
   CollapseSearch search(motion, counts);
   const Moment now = Moment::at(0);
@@ -98,7 +99,7 @@ TEST(CollapseSearch, CotangentForGoodFromAnInstantOn) {
       input.disks.push_back({Rational(side * (2 + v)), 0, 1, Rational(-side * v), 0, 1});
       input.disks.push_back({Rational(side * 3), 5, 1, 0, 0, 1});
     }
-    Motion motion(input, {});
+    ComputedMotion motion(input, {});
     TierCounts counts;
     CollapseSearch search(motion, counts);
     Moment now = Moment::at(1);
@@ -140,8 +141,8 @@ TEST(CollapseSearch, AnyPlace) {
 // origin, and no bit of a distance is lost for it.
 TEST(Motion, IsAboutTheCentreOfTheContainer) {
   const Rational far = power_of_two(100);
-  Motion near(motion_input(scene_of(ties[0], 0, 0)), {});
-  Motion moved(motion_input(scene_of(ties[0], 0, 0, far, far)), {});
+  ComputedMotion near(motion_input(scene_of(ties[0], 0, 0)), {});
+  ComputedMotion moved(motion_input(scene_of(ties[0], 0, 0, far, far)), {});
   for (GenId g = container_id; g < 3; ++g) {
     EXPECT_EQ(moved.doubles(g).x, near.doubles(g).x);
     EXPECT_EQ(moved.doubles(g).ex, near.doubles(g).ex);

@@ -1,14 +1,14 @@
 // How one motion follows another: by its enclosures, by its states at some time, and by the log of
 // what has changed them since. States beyond double-doubles are computed from these when they are
 // asked for, which is seldom.
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 
 namespace voroproof::internal {
 
 MotionStates::Snapshot MotionStates::snapshot() {
   apply_rest();
   are_shared_ = true;
-  return {fixed_, balls_, size_, goal_bits_, slope_, reserve_, v_scale_};
+  return {fixed_, balls_, size_, bits_.goal, bits_.slope, bits_.reserve, v_scale_};
 }
 
 void MotionStates::follow(const Snapshot& then) {
@@ -16,37 +16,39 @@ void MotionStates::follow(const Snapshot& then) {
   fixed_ = then.fixed;
   balls_ = then.balls;
   size_ = applied_ = then.records;
-  goal_bits_ = then.goal_bits;
-  slope_ = then.slope;
-  reserve_ = then.reserve;
+  bits_.goal = then.goal_bits;
+  bits_.slope = then.slope;
+  bits_.reserve = then.reserve;
   v_scale_ = then.v_scale;
   failure_ = nullptr;
   set_laws();
 }
 
-MotionSnapshot Motion::snapshot() { return {state_, doubles_, seconds_, states_->snapshot()}; }
+MotionSnapshot ComputedMotion::snapshot() {
+  return {state_, doubles_, seconds_, states_->snapshot()};
+}
 
-TurnedState Motion::turned(GenId g) const {
+TurnedState ComputedMotion::turned(GenId g) const {
   const DoubleMotion& m = doubles(g);
   const SecondMotion& s = seconds(g);
   return {m.t, m.x, m.y, m.vx, m.vy, s.x, s.y, s.vx, s.vy, s.ex, s.ev};
 }
 
-void Motion::follow(const MotionSnapshot& then) {
+void ComputedMotion::follow(const MotionSnapshot& then) {
   state_ = then.states;
   doubles_ = then.doubles;
   seconds_ = then.seconds;
   states_->follow(then.full);
 }
 
-void Motion::take(GenId g, const TurnedState& s) {
+void ComputedMotion::take(GenId g, const TurnedState& s) {
   state_[g + 1] = records();
   doubles_[g + 1].t = s.t;
-  set_state(g, {s.x, s.x2, s.ex}, {s.y, s.y2, s.ex}, {s.vx, s.vx2, s.ev}, {s.vy, s.vy2, s.ev});
+  set_state(g, {{s.x, s.x2, s.ex}, {s.y, s.y2, s.ex}, {s.vx, s.vx2, s.ev}, {s.vy, s.vy2, s.ev}});
 }
 
-void Motion::follow(GenId i, const TurnedState& first, GenId j, const TurnedState& second,
-                    std::int64_t v_scale) {
+void ComputedMotion::follow(GenId i, const TurnedState& first, GenId j, const TurnedState& second,
+                            std::int64_t v_scale) {
   states_->follow(v_scale);
   if (i != container_id) take(i, first);
   if (j != i) take(j, second);

@@ -1,6 +1,6 @@
 // The states of the disks at every precision against the exact ones, through collisions and
 // maneuvers.
-#include "filtered/motion/motion.h"
+#include "filtered/computed/computed_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -101,7 +101,7 @@ Contact2 first_contact(Motion& motion, const Moment& now) {
 }
 
 // Runs `count` collisions; returns what is written of each.
-std::vector<Impact> collide(Motion& motion, int count, bool check) {
+std::vector<Impact> collide(ComputedMotion& motion, int count, bool check) {
   std::vector<Impact> impacts;
   Moment now = Moment::at(0);
   for (int k = 0; k < count; ++k) {
@@ -134,11 +134,11 @@ TEST(Motion, InitialStates) {
   Random random(1);
   for (int k = 0; k < 10; ++k) {
     Scene scene = random_scene({.n = 6}, random);
-    expect_enclosed(Motion(motion_input(scene), {}));
-    expect_enclosed(Motion(motion_input(thirds(scene)), {}));
+    expect_enclosed(ComputedMotion(motion_input(scene), {}));
+    expect_enclosed(ComputedMotion(motion_input(thirds(scene)), {}));
     // What a double holds has no error.
     scene.cx = scene.cy = 0;
-    EXPECT_EQ(Motion(motion_input(scene), {}).doubles(0).ex, 0);
+    EXPECT_EQ(ComputedMotion(motion_input(scene), {}).doubles(0).ex, 0);
   }
 }
 
@@ -150,7 +150,7 @@ TEST(Motion, CollisionsOfEveryLaw) {
     if (k % 3 != 0) scene.restitution = Rational(2, 3);
     if (k % 3 != 0) scene.container_restitution = Rational(1, 3);
     if (k % 3 == 2) scene.law = ContainerLaw::whole;
-    Motion motion(motion_input(scene), {});
+    ComputedMotion motion(motion_input(scene), {});
     EXPECT_EQ(collide(motion, 3, true).size(), 3u);
   }
 }
@@ -189,7 +189,7 @@ TEST(Motion, OutputsDoNotDependOnThePrecision) {
     const Scene scene = thirds(random_scene({.n = 5, .rmin = 10, .rmax = 20}, random));
     MotionOptions generous;
     generous.start_bits = 2000;
-    Motion few(motion_input(scene), {}), many(motion_input(scene), generous);
+    ComputedMotion few(motion_input(scene), {}), many(motion_input(scene), generous);
     const auto a = collide(few, 8, false), b = collide(many, 8, false);
     ASSERT_EQ(a.size(), 8u);
     ASSERT_EQ(b.size(), 8u);
@@ -205,8 +205,8 @@ TEST(Motion, RaisingThePrecisionKeepsTheStates) {
   Random random(4);
   MotionOptions options;
   options.max_bits = 1024;
-  Motion motion(motion_input(thirds(random_scene({.n = 3, .rmin = 15, .rmax = 20}, random))),
-                options);
+  ComputedMotion motion(
+      motion_input(thirds(random_scene({.n = 3, .rmin = 15, .rmax = 20}, random))), options);
   collide(motion, 2, false);
   motion.maneuver(0, Rational(1000, 3), Rational(1, 3), 0);
   std::vector<DoubleMotion> before;
@@ -227,7 +227,8 @@ TEST(Motion, RaisingThePrecisionKeepsTheStates) {
 }
 
 TEST(Motion, Maneuver) {
-  Motion motion(motion_input(scene_of(100, 50, {disk(0, 0, 1, 1, 2), disk(9, 0, 1, 0, 1)})), {});
+  ComputedMotion motion(motion_input(scene_of(100, 50, {disk(0, 0, 1, 1, 2), disk(9, 0, 1, 0, 1)})),
+                        {});
   EXPECT_FALSE(motion.same_velocity(0, 1));
   const RoundedState s = motion.maneuver(0, Rational(1, 3), 0, 1);
   EXPECT_EQ(s.px, 1.0 / 3);

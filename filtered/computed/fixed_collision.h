@@ -7,15 +7,10 @@
 #include "exact/ball.h"
 #include "exact/fixed_ball.h"
 #include "exact/motion_input.h"
+#include "filtered/motion/motion.h"
 #include "filtered/numbers/dd_ball.h"
 
 namespace voroproof::internal {
-
-// Centre and velocity at a reference time that is known from elsewhere.
-template <class T>
-struct MotionState {
-  T x, y, vx, vy;
-};
 
 // A state as a computation left it: centres in units of 2^x_scale, velocities in 2^v_scale.
 struct FixedState {
@@ -32,6 +27,9 @@ struct CollisionFactors {
   Ball disks, wall, wall_keep;
   bool whole_container_law = false;
 };
+
+// A fixed-point number times 2^unit as a double-double.
+DdBall dd_of(const FixedView& a, std::int64_t unit);
 
 // Computes one collision after the other, in memory of its own.
 class FixedCollision {

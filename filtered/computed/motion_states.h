@@ -13,11 +13,10 @@
 
 #include "exact/ball.h"
 #include "exact/generators.h"
-#include "exact/prefetch.h"
 #include "exact/rational.h"
-#include "filtered/motion/fixed_collision.h"
-#include "filtered/motion/motion_log.h"
-#include "filtered/motion/options.h"
+#include "filtered/computed/fixed_collision.h"
+#include "filtered/computed/motion_log.h"
+#include "filtered/motion/motion.h"
 #include "filtered/numbers/dd_ball.h"
 
 namespace voroproof::internal {
@@ -26,30 +25,12 @@ namespace voroproof::internal {
 // somebody asks. What tells of states is of the records applied so far.
 class MotionStates {
  public:
-  // `log`: empty and nobody else's, or that of other states of the same input, which these
-  // follow().
-  MotionStates(MotionInput input, const MotionOptions& options, std::shared_ptr<MotionLog> log);
+  // `input`: about the container's centre; outlives these states. `log`: empty and nobody else's,
+  // or that of other states of the same input, which these follow().
+  MotionStates(const MotionInput& input, const MotionOptions& options,
+               std::shared_ptr<MotionLog> log);
   MotionStates(const MotionStates&) = delete;
   MotionStates& operator=(const MotionStates&) = delete;
-  ~MotionStates();
-
-  // The input, about the container's centre. Where the motion of a disk is given, its centre and
-  // velocity here may be those of another time: see initial_state().
-  const MotionInput& input() const { return input_; }
-  int size() const { return static_cast<int>(input_.disks.size()); }
-  // Disk g with the centre and the velocity of its initial state, or of its last restart().
-  const DiskInput& initial_state(GenId g) const;
-  // When the initial state of a disk holds: 0 unless it was restarted.
-  double initial_time(GenId g) const { return restarts_.empty() ? 0 : restarts_[g].t; }
-  // Asks for the memory of what restart() changes.
-  [[gnu::always_inline]] void prefetch_restart(GenId g) const {
-    if (!restarts_.empty()) internal::prefetch(&restarts_[g]);
-    internal::prefetch(&balls_[g + 1]);
-  }
-  // Does what Motion::restart() does; the state is one at time t.
-  void restart(GenId g, double t, const Rational& x, const Rational& y, const Rational& vx,
-               const Rational& vy);
-  void restart(GenId g, double t, const GivenMotion& given);
 
   using Maneuver = MotionLog::Maneuver;
   using Record = MotionLog::Record;
@@ -90,8 +71,8 @@ class MotionStates {
 
   // The present goal: every state is known to at least this many bits below the scale of the
   // scene.
-  int goal_bits() const { return goal_bits_; }
-  int bits_at(double t) const;
+  int goal_bits() const { return bits_.goal; }
+  int bits_at(double t) const { return bits_.at(t); }
   // The scales of lengths and of speeds are 2 to these powers.
   std::int64_t x_scale() const { return x_scale_; }
   std::int64_t v_scale() const { return v_scale_; }
@@ -101,8 +82,6 @@ class MotionStates {
   // The state of g, whose reference time is t_ref; its balls have the precision of that time.
   const State<Ball>& balls(GenId g, double t_ref) const;
   State<DdBall> double_doubles(GenId g) const;
-  // Negative for the container.
-  DdBall radius_dd(GenId g) const;
   // The time of the collision applied last, and its delay after the reference time.
   DdBall last_time() const { return collision_.time(); }
   DdBall last_delay() const { return collision_.delay(); }
@@ -113,7 +92,9 @@ class MotionStates {
   int integer_limbs() const;
   void begin();
   void set_laws();
-  State<Ball> initial_balls(GenId g, Ball::Precision bits) const;
+  const DiskInput& initial_state(GenId g) const {
+    return g == container_id ? container_ : input_.disks[g];
+  }
   FixedCollision::Side side_of(GenId g, double t_ref) const;
   void apply(const Record& r);
   void apply_maneuver(const Record& r);
@@ -122,21 +103,9 @@ class MotionStates {
   void replay();
   bool raise_for(double t);
 
-  // The last restart of a disk, at 0 where there was none.
-  struct Restart {
-    double t = 0;
-    const GivenMotion* given = nullptr;  // where its state is yet to be taken over from
-  };
-  Restart& restart_of(GenId g);
-
-  mutable MotionInput input_;
-  mutable std::vector<Restart> restarts_;  // per disk; empty as long as none was restarted
-  DiskInput container_;                    // at rest; its radius is positive here
-  int max_bits_;
-  int goal_bits_;
-  double slope_ = 0;  // further bits per unit of time before the horizon
-  int reserve_ = 0;   // further bits at all times
-  double horizon_ = 0;
+  const MotionInput& input_;
+  DiskInput container_;  // at rest; its radius is positive here
+  BitSupply bits_;
   std::int64_t x_scale_ = 0, v_scale_ = 0;  // exponents
   std::int64_t reach_scale_ = 0;            // exponent of the least reach
   std::uint64_t replays_ = 0;

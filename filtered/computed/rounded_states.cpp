@@ -1,16 +1,16 @@
 // The rounded numbers that leave a motion: times, velocities and centres rounded to nearest,
 // centres in the scene's coordinates.
+#include "filtered/computed/computed_motion.h"
 #include "filtered/motion/exact_motion.h"
-#include "filtered/motion/motion.h"
 
 namespace voroproof::internal {
 
 // A coordinate of disk g just after the last collision, its own, known roughly: 0 and 1 its centre,
 // 2 and 3 its velocity, 4 the time.
-double Motion::round_coordinate(const DdBall& rough, GenId g, int which) {
+double ComputedMotion::round_coordinate(const DdBall& rough, GenId g, int which) {
   const DdBall near = which < 2 ? in_scene(rough, which) : rough;
   if (options_.filters && rounds_to_leading(near)) return near.hi;
-  const MotionStates::State<Ball>& b = full_states().balls(g, doubles(g).t);
+  const MotionState<Ball>& b = balls(g);
   const auto placed = [&](const Ball& x) {
     return moved_ ? x + Ball(input().origin[which], states_->bits_at(0)) : x;
   };

@@ -1,4 +1,4 @@
-#include "filtered/search/carry.h"
+#include "filtered/computed/carry.h"
 
 #include <algorithm>
 #include <optional>
@@ -14,7 +14,7 @@ constexpr std::size_t kMaxPairs = std::size_t{1} << 18;
 
 // The state p of a disk before all that its collision with this id, which follows at the same
 // instant, does not depend on.
-DiskState independent(const Motion& motion, DiskState p, int id) {
+DiskState independent(const ComputedMotion& motion, DiskState p, int id) {
   while (p.id > 0 && motion.relations().right_angle(id, p.id) != 0)
     p.id = motion.origin(p.g, p.id).before;
   return p;
@@ -32,10 +32,10 @@ struct Blow {
   std::vector<DiskState> partners;
 };
 
-Blow blow_of(const Motion& motion, const DiskState& s) {
+Blow blow_of(const ComputedMotion& motion, const DiskState& s) {
   const Cradle* c = motion.relations().cradle(s.id);
   if (c == nullptr || last_of(*c, s.g) != s.id) {
-    const Motion::Origin o = motion.origin(s.g, s.id);
+    const ComputedMotion::Origin o = motion.origin(s.g, s.id);
     return {s.id, {independent(motion, {o.partner, o.partner_before}, s.id)}};
   }
   Blow out{s.id, {}};
@@ -58,12 +58,12 @@ struct Past {
 
 // The past with as many blows as there are, going back, before a maneuver or a collision that is
 // not at right angles to them. nullopt: that happens within a cradle.
-std::optional<Past> past_by_blows(const Motion& motion, const DiskState& s) {
+std::optional<Past> past_by_blows(const ComputedMotion& motion, const DiskState& s) {
   Past past;
   DiskState& now = past.before;
   std::vector<const Cradle*> cradles;
   for (now = s; now.id > 0;) {
-    const Motion::Origin o = motion.origin(now.g, now.id);
+    const ComputedMotion::Origin o = motion.origin(now.g, now.id);
     const Cradle* c = motion.relations().cradle(now.id);
     if (c == nullptr || std::find(cradles.begin(), cradles.end(), c) == cradles.end()) {
       if (o.maneuver != nullptr ||
@@ -89,8 +89,8 @@ std::optional<Past> past_by_blows(const Motion& motion, const DiskState& s) {
   return past;
 }
 
-Past past_of(const Motion& motion, const DiskState& s) {
-  const Motion::Origin o = motion.origin(s.g, s.id);
+Past past_of(const ComputedMotion& motion, const DiskState& s) {
+  const ComputedMotion::Origin o = motion.origin(s.g, s.id);
   if (o.maneuver != nullptr) return {{s.g, o.before}, o.maneuver, {}};
   if (auto past = past_by_blows(motion, s)) return *std::move(past);
   return {{s.g, o.before}, nullptr, {{s.id, {{o.partner, o.partner_before}}}}};
@@ -104,7 +104,7 @@ struct Equations {
 };
 
 // The equations for an isometry that reflects, or for one that does not. nullopt: the pasts differ.
-std::optional<Equations> equations(const Motion& motion, std::span<const DiskState> from,
+std::optional<Equations> equations(const ComputedMotion& motion, std::span<const DiskState> from,
                                    std::span<const DiskState> to, bool reflects) {
   using Pair = std::array<int, 4>;
   const MotionInput& in = motion.input();
@@ -128,12 +128,9 @@ std::optional<Equations> equations(const Motion& motion, std::span<const DiskSta
     }
     if ((ida > 0) != (idb > 0)) return std::nullopt;
     if (ida <= 0) {
-      const DiskInput& a = motion.initial_state(ga);
-      const DiskInput& b = motion.initial_state(gb);
-      if (a.radius != b.radius || a.mass != b.mass ||
-          motion.initial_time(ga) != motion.initial_time(gb)) {
-        return std::nullopt;
-      }
+      const DiskInput& a = in.disks[ga];
+      const DiskInput& b = in.disks[gb];
+      if (a.radius != b.radius || a.mass != b.mass) return std::nullopt;
       out.points.push_back({{a.x, a.y}, {b.x, b.y}});
       out.vectors.push_back({{a.vx, a.vy}, {b.vx, b.vy}});
       continue;
@@ -161,7 +158,7 @@ std::optional<Equations> equations(const Motion& motion, std::span<const DiskSta
 
 }  // namespace
 
-std::vector<Isometry> carry(const Motion& motion, std::span<const DiskState> from,
+std::vector<Isometry> carry(const ComputedMotion& motion, std::span<const DiskState> from,
                             std::span<const DiskState> to) {
   std::vector<Isometry> out;
   for (const bool reflects : {false, true}) {
@@ -175,7 +172,7 @@ std::vector<Isometry> carry(const Motion& motion, std::span<const DiskState> fro
   return out;
 }
 
-bool at_rest(const Motion& motion, DiskState s) {
+bool at_rest(const ComputedMotion& motion, DiskState s) {
   while (s.id > 0) {
     const Past past = past_of(motion, s);
     if (past.maneuver != nullptr) {
@@ -185,11 +182,11 @@ bool at_rest(const Motion& motion, DiskState s) {
     s = past.before;
   }
   if (s.g == container_id) return true;
-  const DiskInput& d = motion.initial_state(s.g);
+  const DiskInput& d = motion.input().disks[s.g];
   return sgn(d.vx) == 0 && sgn(d.vy) == 0;
 }
 
-DiskState state_before(const Motion& motion, DiskState s, int records) {
+DiskState state_before(const ComputedMotion& motion, DiskState s, int records) {
   while (s.id > records) s.id = motion.origin(s.g, s.id).before;
   return s;
 }
@@ -198,7 +195,8 @@ namespace {
 
 // The turn, by a right angle, from the direction from disk g to a onto that from g to b, where a
 // quarter turn carries one pair onto the other: 1 to the left, -1 to the right, 0 none proved.
-int quarter_turn(const Motion& motion, const DiskState& g, const DiskState& a, const DiskState& b) {
+int quarter_turn(const ComputedMotion& motion, const DiskState& g, const DiskState& a,
+                 const DiskState& b) {
   for (const bool swapped : {false, true}) {
     const PairStates to = swapped ? PairStates{b, g} : PairStates{g, b};
     for (const Isometry& f : carry(motion, PairStates{g, a}, to)) {
@@ -211,7 +209,8 @@ int quarter_turn(const Motion& motion, const DiskState& g, const DiskState& a, c
 
 // Whether the directions from disk g to a and b may be at right angles, as far as doubles tell.
 // False where a is g itself, as for a maneuver of g, or the container: these are not looked at.
-bool may_be_right_angle(const Motion& motion, GenId g, GenId a, GenId b, const DoubleBall& now) {
+bool may_be_right_angle(const ComputedMotion& motion, GenId g, GenId a, GenId b,
+                        const DoubleBall& now) {
   if (a == container_id || a == g || a == b) return false;
   const Site<DoubleBall> at = motion.site(g, now), at_a = motion.site(a, now),
                          at_b = motion.site(b, now);
@@ -219,14 +218,16 @@ bool may_be_right_angle(const Motion& motion, GenId g, GenId a, GenId b, const D
 }
 
 // Whether a half turn about disk g certainly carries a onto b.
-bool half_turn(const Motion& motion, const DiskState& g, const DiskState& a, const DiskState& b) {
+bool half_turn(const ComputedMotion& motion, const DiskState& g, const DiskState& a,
+               const DiskState& b) {
   const auto found = carry(motion, PairStates{g, a}, PairStates{g, b});
   return std::any_of(found.begin(), found.end(),
                      [](const Isometry& f) { return !f.reflects && f.a == -1; });
 }
 
 // The cradle in the middle of which is g and which ends with the collision of this id.
-std::optional<Cradle> cradle_ending_with(const Motion& motion, int id, GenId g, int records) {
+std::optional<Cradle> cradle_ending_with(const ComputedMotion& motion, int id, GenId g,
+                                         int records) {
   const auto last_before = [&](GenId x, int k) {
     return independent(motion, {x, motion.origin(x, k).before}, k).id;
   };
@@ -253,7 +254,7 @@ std::optional<Cradle> cradle_ending_with(const Motion& motion, int id, GenId g, 
 
 }  // namespace
 
-void note_relations(Motion& motion, int records, double lo, double hi) {
+void note_relations(ComputedMotion& motion, int records, double lo, double hi) {
   if (motion.records() - records < 2) return;
   const DoubleBall now = DoubleBall::hull(lo, hi);
   const auto before = [&](GenId g) {
@@ -265,7 +266,7 @@ void note_relations(Motion& motion, int records, double lo, double hi) {
     for (const GenId g : {i, j}) {
       const GenId b = g == i ? j : i;
       for (int first = motion.origin(g, id).before; first > records;) {
-        const Motion::Origin o = motion.origin(g, first);
+        const ComputedMotion::Origin o = motion.origin(g, first);
         if (may_be_right_angle(motion, g, o.partner, b, now)) {
           const int turn = quarter_turn(motion, before(g), before(o.partner), before(b));
           if (turn != 0) motion.relations().note_right_angle(first, id, turn);

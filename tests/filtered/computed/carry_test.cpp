@@ -1,5 +1,5 @@
 // Outcomes of collisions that share a disk: which are carried onto each other, and which are not.
-#include "filtered/search/carry.h"
+#include "filtered/computed/carry.h"
 
 #include <gtest/gtest.h>
 
@@ -35,8 +35,9 @@ struct Pair {
 };
 
 // The motion after these collisions, near t.
-Motion after(const std::vector<DiskInput>& disks, const std::vector<Pair>& collisions, double t) {
-  Motion motion(motion_input(scene_of(30, 10, disks)), {});
+ComputedMotion after(const std::vector<DiskInput>& disks, const std::vector<Pair>& collisions,
+                     double t) {
+  ComputedMotion motion(motion_input(scene_of(30, 10, disks)), {});
   for (const Pair& c : collisions) motion.collide(c.i, c.j, t);
   return motion;
 }
@@ -44,9 +45,9 @@ Motion after(const std::vector<DiskInput>& disks, const std::vector<Pair>& colli
 // The order of the law for simultaneous collisions.
 const std::vector<Pair> kLawful{{0, 1}, {0, 3}, {1, 2}, {2, 3}};
 
-void note(Motion& motion, double t) { note_relations(motion, 0, t - 1e-9, t + 1e-9); }
+void note(ComputedMotion& motion, double t) { note_relations(motion, 0, t - 1e-9, t + 1e-9); }
 
-std::vector<Isometry> carried(const Motion& motion, std::vector<GenId> from,
+std::vector<Isometry> carried(const ComputedMotion& motion, std::vector<GenId> from,
                               std::vector<GenId> to) {
   const auto states = [&](const std::vector<GenId>& ids) {
     std::vector<DiskState> out;
@@ -60,7 +61,7 @@ TEST(Carry, ARingOfCollisionsWhereverItBegins) {
   const double t = meeting(kSpin);
   for (const auto& order :
        {kLawful, {{2, 3}, {1, 2}, {0, 1}, {0, 3}}, {{0, 1}, {2, 3}, {1, 2}, {0, 3}}}) {
-    Motion motion = after(ring(kSpin), order, t);
+    ComputedMotion motion = after(ring(kSpin), order, t);
     // One after the other, the pasts differ, but not what came of them.
     EXPECT_TRUE(carried(motion, {0, 1, 2, 3}, {1, 2, 3, 0}).empty());
     note(motion, t);
@@ -83,7 +84,7 @@ TEST(Carry, ARingOfCollisionsWhereverItBegins) {
 
 TEST(Carry, AReflectionTurnsLeftIntoRight) {
   const double t = meeting(0);
-  Motion motion = after(ring(0), kLawful, t);
+  ComputedMotion motion = after(ring(0), kLawful, t);
   note(motion, t);
   const auto kinds = [&](std::vector<GenId> to) {
     const auto found = carried(motion, {0, 1, 2, 3}, std::move(to));
@@ -98,7 +99,7 @@ TEST(Carry, AReflectionTurnsLeftIntoRight) {
 // Turns noted between two collisions, numbered from 1.
 int noted(const std::vector<DiskInput>& disks, const std::vector<Pair>& collisions, double t, int a,
           int b) {
-  Motion motion = after(disks, collisions, t);
+  ComputedMotion motion = after(disks, collisions, t);
   note(motion, t);
   EXPECT_EQ(motion.relations().right_angle(b, a), -motion.relations().right_angle(a, b));
   return motion.relations().right_angle(a, b);
@@ -122,7 +123,7 @@ TEST(Carry, NoRightAngleBesideATinyFault) {
     // With disk 1 no angle is known to be right, the one opposite it is.
     EXPECT_EQ(noted(disks, kLawful, t, 1, 2), 0) << what;
     EXPECT_EQ(noted(disks, kLawful, t, 1, 3), 0) << what;
-    Motion motion = after(disks, kLawful, t);
+    ComputedMotion motion = after(disks, kLawful, t);
     note(motion, t);
     EXPECT_TRUE(carried(motion, {0}, {1}).empty()) << what;
     EXPECT_TRUE(carried(motion, {0, 1, 2, 3}, {1, 2, 3, 0}).empty()) << what;
@@ -164,7 +165,7 @@ TEST(Carry, NearlyAQuarterTurnOrAHalf) {
     EXPECT_EQ(noted(turned(a, large), two, t, 1, 2), 0);
   }
   const auto is_cradle = [&](const Rational& a, const Rational& b) {
-    Motion motion = after(turned(a, b), three, t);
+    ComputedMotion motion = after(turned(a, b), three, t);
     note(motion, t);
     return motion.relations().cradle(1) != nullptr;
   };
@@ -184,7 +185,7 @@ double hit() { return (4 - std::sqrt(16 - 12 * (1 + kSpin * kSpin))) / (1 + kSpi
 const std::vector<Pair> kCradle{{0, 1}, {0, 2}, {0, 1}};
 
 TEST(Carry, ACradle) {
-  Motion motion = after(row(), kCradle, hit());
+  ComputedMotion motion = after(row(), kCradle, hit());
   EXPECT_TRUE(carried(motion, {1, 2}, {2, 1}).empty());
   EXPECT_FALSE(at_rest(motion, {0, motion.state_id(0)}));
   note(motion, hit());
@@ -206,14 +207,14 @@ TEST(Carry, ACradleThatMoves) {
   for (const Rational& v : {Rational(0), kTiny}) {
     std::vector<DiskInput> disks = row();
     for (DiskInput& d : disks) d.vx += v;
-    Motion motion = after(disks, kCradle, hit());
+    ComputedMotion motion = after(disks, kCradle, hit());
     note(motion, hit());
     EXPECT_EQ(at_rest(motion, {0, motion.state_id(0)}), v == 0);
   }
 }
 
 TEST(Carry, ACradleThatIsNotOver) {
-  Motion motion = after(row(), {{0, 1}, {0, 2}}, hit());
+  ComputedMotion motion = after(row(), {{0, 1}, {0, 2}}, hit());
   note(motion, hit());
   EXPECT_EQ(motion.relations().cradle(1), nullptr);
   EXPECT_TRUE(carried(motion, {1}, {2}).empty());
@@ -227,7 +228,7 @@ TEST(Carry, NoCradleBesideATinyFault) {
     if (what == 2) disks[0].vx += kTiny;
     if (what == 3) disks[0].mass += kTiny;  // all orders of collisions end differently
     if (what == 4) disks[1].mass += kTiny;
-    Motion motion = after(disks, kCradle, hit());
+    ComputedMotion motion = after(disks, kCradle, hit());
     note(motion, hit());
     EXPECT_EQ(motion.relations().cradle(1), nullptr) << what;
     EXPECT_FALSE(at_rest(motion, {0, motion.state_id(0)})) << what;
@@ -235,7 +236,7 @@ TEST(Carry, NoCradleBesideATinyFault) {
   }
   Scene soft = scene_of(30, 10, row());
   soft.restitution = 1 - kTiny;
-  Motion motion(motion_input(soft), {});
+  ComputedMotion motion(motion_input(soft), {});
   for (const Pair& c : kCradle) motion.collide(c.i, c.j, hit());
   note(motion, hit());
   EXPECT_EQ(motion.relations().cradle(1), nullptr);
@@ -246,7 +247,7 @@ TEST(Carry, TwoCradlesAtRightAngles) {
   std::vector<DiskInput> disks = row();
   disks.push_back(disk(0, 4, 1, -kSpin, -1));
   disks.push_back(disk(0, -4, 1, kSpin, 1));
-  Motion motion = after(disks, {{0, 1}, {0, 3}, {0, 2}, {0, 1}, {0, 4}, {0, 3}}, hit());
+  ComputedMotion motion = after(disks, {{0, 1}, {0, 3}, {0, 2}, {0, 1}, {0, 4}, {0, 3}}, hit());
   EXPECT_TRUE(carried(motion, {1, 3, 2, 4}, {3, 2, 4, 1}).empty());
   note(motion, hit());
   const auto found = carried(motion, {0, 1, 3, 2, 4}, {0, 3, 2, 4, 1});

@@ -1,4 +1,4 @@
-#include "filtered/motion/fixed_collision.h"
+#include "filtered/computed/fixed_collision.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +18,12 @@ std::int64_t exponent_above(const CompactRational& x) {
 }
 
 }  // namespace
+
+DdBall dd_of(const FixedView& a, std::int64_t unit) {
+  DdBall r;
+  a.to_double_double(unit, r.hi, r.lo, r.rad);
+  return r;
+}
 
 void FixedCollision::compute(const std::array<Side, 2>& sides, double t_ref, const Format& format,
                              const CollisionFactors& laws) {

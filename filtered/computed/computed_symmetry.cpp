@@ -1,4 +1,4 @@
-#include "filtered/search/symmetry.h"
+#include "filtered/computed/computed_symmetry.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace voroproof::internal {
 
-Rational Symmetry::radius(const DiskState& s) const {
+Rational ComputedSymmetry::radius(const DiskState& s) const {
   const MotionInput& in = motion_.input();
   return s.g == container_id ? Rational(-in.container_radius) : in.disks[s.g].radius.value();
 }
@@ -25,11 +25,11 @@ T squared_distance(const Site<T>& a, const Site<T>& b) {
 
 }  // namespace
 
-bool Symmetry::always_cotangent(const QuadStates& q, const DoubleBall& t) const {
+bool ComputedSymmetry::always_cotangent(const QuadStates& q, const DoubleBall& t) const {
   return mirrored_in_pairs(q, t) || turned_about_a_point(q);
 }
 
-bool Symmetry::mirrored_in_pairs(const QuadStates& q, const DoubleBall& t) const {
+bool ComputedSymmetry::mirrored_in_pairs(const QuadStates& q, const DoubleBall& t) const {
   std::array<Site<DoubleBall>, 4> at;
   for (int k = 0; k < 4; ++k) at[k] = motion_.site(q[k].g, t);
   const auto as_far = [&](int a, int b, int c, int d) {
@@ -48,7 +48,7 @@ bool Symmetry::mirrored_in_pairs(const QuadStates& q, const DoubleBall& t) const
   return false;
 }
 
-bool Symmetry::mirrored_between(const QuadStates& q, double lo, double hi) const {
+bool ComputedSymmetry::mirrored_between(const QuadStates& q, double lo, double hi) const {
   std::array<Site<DoubleBall>, 4> at;
   std::array<Site<DdBall>, 4> at_lo, at_hi;
   for (int k = 0; k < 4; ++k) {
@@ -82,7 +82,7 @@ bool Symmetry::mirrored_between(const QuadStates& q, double lo, double hi) const
   return false;
 }
 
-bool Symmetry::turned_about_a_point(const QuadStates& q) const {
+bool ComputedSymmetry::turned_about_a_point(const QuadStates& q) const {
   std::array<std::vector<Isometry>, 3> onto;
   for (int k = 0; k < 3; ++k) {
     if (radius(q[k + 1]) != radius(q[0])) return false;
@@ -103,8 +103,8 @@ bool Symmetry::turned_about_a_point(const QuadStates& q) const {
 
 // Whether an isometry certainly carries q onto four of the others. Sites at the instant tell
 // which four, and in which order, can be meant.
-bool Symmetry::carried_into(const QuadStates& q, const std::vector<DiskState>& others,
-                            const DoubleBall& now) const {
+bool ComputedSymmetry::carried_into(const QuadStates& q, const std::vector<DiskState>& others,
+                                    const DoubleBall& now) const {
   std::array<Site<DoubleBall>, 4> from, to;
   for (int k = 0; k < 4; ++k) from[k] = motion_.site(q[k].g, now);
   std::vector<Site<DoubleBall>> sites;
@@ -142,8 +142,9 @@ std::array<DoubleBall, 3> circle_touching(const Motion& motion, const DiskState&
 
 // The generators that, as far as doubles can tell, touch the circle of the flip at the instant,
 // with their states before it.
-std::vector<DiskState> Symmetry::near_circle(const QuadStates& flip, const Coincidence& known,
-                                             const DoubleBall& now) const {
+std::vector<DiskState> ComputedSymmetry::near_circle(const QuadStates& flip,
+                                                     const Coincidence& known,
+                                                     const DoubleBall& now) const {
   const std::array<DoubleBall, 3> circle = circle_touching(motion_, flip[0], flip[1], flip[2], now);
   std::vector<DiskState> out;
   for (GenId g = container_id; g < motion_.size(); ++g) {
@@ -151,14 +152,15 @@ std::vector<DiskState> Symmetry::near_circle(const QuadStates& flip, const Coinc
     // |c - c_g| = rho + r_g; for the container, R - rho.
     const DoubleBall reach = circle[2] + s.r;
     if (may_vanish(squared_distance(s, {circle[0], circle[1], s.r}) - reach * reach)) {
-      out.push_back(before(state(g), known));
+      out.push_back(before(state_of(motion_, g), known));
     }
   }
   return out;
 }
 
 // Whether x certainly touches the circle on which the cluster has its contact points.
-bool Symmetry::joins(const DiskState& x, const QuadStates& cluster, const DoubleBall& now) const {
+bool ComputedSymmetry::joins(const DiskState& x, const QuadStates& cluster,
+                             const DoubleBall& now) const {
   for (int left_out = 0; left_out < 4; ++left_out) {
     QuadStates q = cluster;
     q[left_out] = x;
@@ -170,8 +172,8 @@ bool Symmetry::joins(const DiskState& x, const QuadStates& cluster, const Double
 // Whether an isometry that certainly carries the circle onto itself carries one of the generators
 // that touch it onto x: one, say, that carries three of them onto three, their contact points in
 // the same order (a reflection: in the opposite one). `circle` begins with three in their order.
-bool Symmetry::is_image(const DiskState& x, const std::vector<DiskState>& circle,
-                        const DoubleBall& now) const {
+bool ComputedSymmetry::is_image(const DiskState& x, const std::vector<DiskState>& circle,
+                                const DoubleBall& now) const {
   const auto touched = circle_touching(motion_, circle[0], circle[1], circle[2], now);
   std::vector<std::array<DoubleBall, 2>> contacts;
   std::vector<Site<DoubleBall>> at;
@@ -264,8 +266,8 @@ std::vector<DiskState> circle_of(const std::vector<QuadStates>& flips, std::size
 
 }  // namespace
 
-Symmetry::Cotangency Symmetry::cotangency(const QuadStates& q, const Coincidence& known, double lo,
-                                          double hi) const {
+Symmetry::Cotangency ComputedSymmetry::cotangency(const QuadStates& q, const Coincidence& known,
+                                                  double lo, double hi) const {
   QuadStates b = q;
   for (DiskState& s : b) s = before(s, known);
   const DoubleBall now = DoubleBall::hull(lo, hi);
@@ -294,12 +296,12 @@ Symmetry::Cotangency Symmetry::cotangency(const QuadStates& q, const Coincidence
   return Cotangency::unknown;
 }
 
-bool Symmetry::same_contact(const PairStates& a, const PairStates& b) const {
+bool ComputedSymmetry::same_contact(const PairStates& a, const PairStates& b) const {
   return !carry(a, b).empty() || !carry(a, PairStates{b[1], b[0]}).empty();
 }
 
-bool Symmetry::same_flip(const QuadStates& a, const Ball& time, const QuadStates& b,
-                         const RootInterval& root) const {
+bool ComputedSymmetry::same_flip(const QuadStates& a, const Ball& time, const QuadStates& b,
+                                 const RootInterval& root) const {
   const auto bits = time.precision();
   if (sign(time - Ball(root.lo, bits)) != Sign::positive ||
       sign(Ball(root.hi, bits) - time) != Sign::positive) {
@@ -310,7 +312,14 @@ bool Symmetry::same_flip(const QuadStates& a, const Ball& time, const QuadStates
   return cotangency(b, {{a}, {}, motion_.records()}, lo, hi) != Cotangency::unknown;
 }
 
-bool Symmetry::touch(const PairStates& pair, const Coincidence& known) const {
+std::optional<PairStates> ComputedSymmetry::collision_before(const DiskState& s) const {
+  if (s.id <= 0) return std::nullopt;
+  const ComputedMotion::Origin from = motion_.origin(s.g, s.id);
+  if (from.maneuver != nullptr) return std::nullopt;
+  return PairStates{DiskState{s.g, from.before}, DiskState{from.partner, from.partner_before}};
+}
+
+bool ComputedSymmetry::touch(const PairStates& pair, const Coincidence& known) const {
   const PairStates b{before(pair[0], known), before(pair[1], known)};
   return std::any_of(known.contacts.begin(), known.contacts.end(), [&](const PairStates& c) {
     return same_contact(b, {before(c[0], known), before(c[1], known)});

@@ -1,4 +1,4 @@
-#include "filtered/motion/motion_states.h"
+#include "filtered/computed/motion_states.h"
 
 #include <algorithm>
 #include <bit>
@@ -15,13 +15,6 @@ namespace voroproof::internal {
 
 namespace {
 
-// The bits by which a state must be known below the scale of the scene: enough for
-// the double-double filter to be limited by its own arithmetic.
-constexpr int kInitialGoal = 112;
-// Bits of the balls beyond the goal: what the last few collisions before the
-// horizon may lose.
-constexpr int kHeadroom = 48;
-
 // The exponent of zero.
 constexpr std::int64_t kNoExponent = -1000;
 
@@ -32,27 +25,21 @@ std::int64_t exponent_of(const Rational& q) { return exponent_of(round_nearest(q
 
 }  // namespace
 
-MotionStates::MotionStates(MotionInput input, const MotionOptions& options,
+MotionStates::MotionStates(const MotionInput& input, const MotionOptions& options,
                            std::shared_ptr<MotionLog> log)
-    : input_(about_center(std::move(input))),
+    : input_(input),
       container_{0, 0, input_.container_radius, 0, 0, 0},
-      max_bits_(options.max_bits),
+      bits_(options, round_up(input_.horizon)),
       log_(std::move(log)) {
-  horizon_ = round_up(input_.horizon);
-  goal_bits_ = std::min(kInitialGoal, std::max(max_bits_ - kHeadroom, 64));
-  // A smaller or larger start is a larger or smaller first supply per time.
-  const double supply = options.start_bits - goal_bits_ - kHeadroom;
-  slope_ = supply > 0 && horizon_ > 0 ? supply / horizon_ : 0;
   x_scale_ = exponent_of(input_.container_radius);
   v_scale_ = kNoExponent;
   reach_scale_ = x_scale_;
-  const double container = radius_dd(container_id).hi;
-  for (GenId g = 0; g < size(); ++g) {
-    const DiskInput& d = input_.disks[g];
+  const double container = dd_of(input_.container_radius).hi;
+  for (const DiskInput& d : input_.disks) {
     v_scale_ = std::max({v_scale_, exponent_of(dd_of(d.vx).hi), exponent_of(dd_of(d.vy).hi)});
     const double radius = dd_of(d.radius).hi;
     if (sgn(d.radius) > 0) reach_scale_ = std::min(reach_scale_, exponent_of(radius));
-    const double rest = -container - radius;
+    const double rest = container - radius;
     if (rest > 0x1p-20 * radius) {
       reach_scale_ = std::min(reach_scale_, exponent_of(rest));
     } else if (const Rational exact = input_.container_radius - d.radius.value(); sgn(exact) > 0) {
@@ -63,16 +50,6 @@ MotionStates::MotionStates(MotionInput input, const MotionOptions& options,
   fixed_.resize(n + 1);
   balls_.resize(n + 1);
   begin();
-}
-
-MotionStates::~MotionStates() = default;
-
-int MotionStates::bits_at(double t) const {
-  const double ahead = std::max(0.0, horizon_ - t) * slope_ + reserve_;
-  const double bits =
-      std::min<double>(goal_bits_ + kHeadroom + ahead, static_cast<double>(max_bits_));
-  // Whole limbs: the balls at hand keep their memory from one collision to the next.
-  return (static_cast<int>(bits) + 63) / 64 * 64;
 }
 
 // All generators in their initial states, of which balls are made when they are asked for.
@@ -91,38 +68,6 @@ void MotionStates::set_laws() {
            dyadic_or_rounded(wall, bits), dyadic_or_rounded(Rational(e - 1), bits), whole};
 }
 
-const DiskInput& MotionStates::initial_state(GenId g) const {
-  DiskInput& d = input_.disks[g];
-  if (!restarts_.empty() && restarts_[g].given != nullptr) {
-    std::exchange(restarts_[g].given, nullptr)->state(g, d);
-    d.x = Rational(d.x.value() - input_.origin[0]);
-    d.y = Rational(d.y.value() - input_.origin[1]);
-  }
-  return d;
-}
-
-MotionStates::Restart& MotionStates::restart_of(GenId g) {
-  if (restarts_.empty()) restarts_.resize(input_.disks.size());
-  return restarts_[g];
-}
-
-void MotionStates::restart(GenId g, double t, const Rational& x, const Rational& y,
-                           const Rational& vx, const Rational& vy) {
-  DiskInput& d = input_.disks[g];
-  d.x = Rational(x - input_.origin[0]);
-  d.y = Rational(y - input_.origin[1]);
-  d.vx = vx;
-  d.vy = vy;
-  v_scale_ = std::max({v_scale_, exponent_of(vx), exponent_of(vy)});
-  restart_of(g) = {t, nullptr};
-  balls_[g + 1].reset();
-}
-
-void MotionStates::restart(GenId g, double t, const GivenMotion& given) {
-  restart_of(g) = {t, &given};
-  balls_[g + 1].reset();
-}
-
 int MotionStates::append(Maneuver m) {
   v_scale_ = std::max({v_scale_, exponent_of(m.vx), exponent_of(m.vy)});
   return log_->append(std::move(m));
@@ -133,7 +78,7 @@ int MotionStates::append(Maneuver m) {
 // become faster than any is at first.
 int MotionStates::integer_limbs() const {
   constexpr std::int64_t kFaster = 16;
-  const std::int64_t last = horizon_ > 0 ? std::ilogb(horizon_) + 1 : kNoExponent;
+  const std::int64_t last = bits_.horizon > 0 ? std::ilogb(bits_.horizon) + 1 : kNoExponent;
   const std::int64_t largest =
       std::max({last + v_scale_ - x_scale_, x_scale_ - reach_scale_, std::int64_t{0}});
   return static_cast<int>((largest + 2 + kFaster) / 64) + 1;
@@ -144,12 +89,12 @@ int MotionStates::integer_limbs() const {
 FixedCollision::Side MotionStates::side_of(GenId g, double t_ref) const {
   FixedCollision::Side side;
   side.t_ref = t_ref;
-  const DiskInput& d = g == container_id ? container_ : input_.disks[g];
+  const DiskInput& d = initial_state(g);
   side.radius = &d.radius;
   if (g != container_id) side.mass = &d.mass;
   const FixedState* fixed = fixed_[g + 1].get();
   if (fixed == nullptr && balls_[g + 1] == nullptr) {
-    side.given = g == container_id ? &container_ : &initial_state(g);
+    side.given = &d;
   } else if (fixed != nullptr && fixed->v_scale == v_scale_) {
     side.fixed = fixed;
   } else {
@@ -203,7 +148,7 @@ bool MotionStates::is_accurate_enough(const Record& r) const {
     const FixedState& s = *fixed_[g + 1];
     for (std::size_t k = 0; k < 4; ++k) {
       const FixedView view = s.numbers.view(k);
-      if (!view.is_exact() && -view.exponent_of_radius() < goal_bits_) return false;
+      if (!view.is_exact() && -view.exponent_of_radius() < bits_.goal) return false;
     }
   }
   return true;
@@ -225,11 +170,15 @@ void MotionStates::replay() {
 // by what has been lost so far, and where this gives little, near the horizon, that at all times.
 bool MotionStates::raise_for(double t) {
   const int before = bits_at(0);
-  if (before >= max_bits_) return false;
-  const double lost = before - goal_bits_;
+  if (before >= bits_.most) return false;
+  const double lost = before - bits_.goal;
   const double rate = t > 0 ? lost / t : 0;
-  if (horizon_ > 0) slope_ = std::max({1.1 * rate, 1.4 * slope_, 32 / horizon_});
-  if ((horizon_ - t) * slope_ < kHeadroom) reserve_ = std::max(2 * reserve_, 64);
+  if (bits_.horizon > 0) {
+    bits_.slope = std::max({1.1 * rate, 1.4 * bits_.slope, 32 / bits_.horizon});
+  }
+  if ((bits_.horizon - t) * bits_.slope < BitSupply::headroom) {
+    bits_.reserve = std::max(2 * bits_.reserve, 64);
+  }
   return true;
 }
 
@@ -245,7 +194,7 @@ void MotionStates::apply_rest() {
         replay();
       } else {
         throw Undecided("the state after the collision needs more than " +
-                        std::to_string(max_bits_) + " bits");
+                        std::to_string(bits_.most) + " bits");
       }
     }
   } catch (...) {
@@ -256,17 +205,9 @@ void MotionStates::apply_rest() {
 
 bool MotionStates::raise_goal() {
   apply_rest();
-  if (bits_at(horizon_) >= max_bits_) return false;
-  goal_bits_ = std::min(2 * goal_bits_, max_bits_ - kHeadroom);
+  if (!bits_.raise_goal()) return false;
   replay();
   return true;
-}
-
-MotionStates::State<Ball> MotionStates::initial_balls(GenId g, Ball::Precision bits) const {
-  const auto ball = [bits](const Rational& q) { return dyadic_or_rounded(q, bits); };
-  if (g == container_id) return {Ball(2), Ball(2), Ball(2), Ball(2)};
-  const DiskInput& d = initial_state(g);
-  return {ball(d.x), ball(d.y), ball(d.vx), ball(d.vy)};
 }
 
 const MotionStates::State<Ball>& MotionStates::balls(GenId g, double t_ref) const {
@@ -279,7 +220,10 @@ const MotionStates::State<Ball>& MotionStates::balls(GenId g, double t_ref) cons
     };
     balls = std::make_shared<State<Ball>>(State<Ball>{at(0), at(1), at(2), at(3)});
   } else {
-    balls = std::make_shared<State<Ball>>(initial_balls(g, bits));
+    const DiskInput& d = initial_state(g);
+    const auto ball = [bits](const Rational& q) { return dyadic_or_rounded(q, bits); };
+    balls =
+        std::make_shared<State<Ball>>(State<Ball>{ball(d.x), ball(d.y), ball(d.vx), ball(d.vy)});
   }
   return *balls;
 }
@@ -294,13 +238,8 @@ MotionStates::State<DdBall> MotionStates::double_doubles(GenId g) const {
   if (const State<Ball>* s = balls_[g + 1].get()) {
     return {dd_of(s->x), dd_of(s->y), dd_of(s->vx), dd_of(s->vy)};
   }
-  if (g == container_id) return {};
   const DiskInput& d = initial_state(g);
   return {dd_of(d.x), dd_of(d.y), dd_of(d.vx), dd_of(d.vy)};
-}
-
-DdBall MotionStates::radius_dd(GenId g) const {
-  return g == container_id ? -dd_of(input_.container_radius) : dd_of(input_.disks[g].radius);
 }
 
 }  // namespace voroproof::internal

@@ -1,5 +1,5 @@
 // Proofs by symmetry: what they must see, and what they must not.
-#include "filtered/search/symmetry.h"
+#include "filtered/computed/computed_symmetry.h"
 
 #include <gtest/gtest.h>
 
@@ -27,59 +27,66 @@ Scene mirrored_pairs(const Rational& fault) {
 }
 
 // Lets both pairs collide.
-Motion after_collisions(const Scene& scene) {
-  Motion motion(motion_input(scene), {});
+ComputedMotion after_collisions(const Scene& scene) {
+  ComputedMotion motion(motion_input(scene), {});
   motion.collide(0, 1, 1.8);
   motion.collide(2, 3, 1.8);
   return motion;
 }
 
 TEST(Symmetry, CarriesStatesAcrossCollisions) {
-  const Motion motion = after_collisions(mirrored_pairs(0));
-  const Symmetry s(motion);
-  const auto found = s.carry(s.states(0, 1), s.states(2, 3));
+  const ComputedMotion motion = after_collisions(mirrored_pairs(0));
+  const ComputedSymmetry s(motion);
+  const auto found = carry(motion, states_of(motion, 0, 1), states_of(motion, 2, 3));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(found[0].reflects);
   EXPECT_TRUE(found[0]({5, 7}) == (Vector{-5, 7}));
-  EXPECT_TRUE(s.carry(s.states(0, 1), s.states(3, 2)).empty());
-  EXPECT_TRUE(s.same_contact(s.states(0, 1), s.states(3, 2)));
+  EXPECT_TRUE(carry(motion, states_of(motion, 0, 1), states_of(motion, 3, 2)).empty());
+  EXPECT_TRUE(s.same_contact(states_of(motion, 0, 1), states_of(motion, 3, 2)));
 }
 
 TEST(Symmetry, SeesAnyDifferenceInThePast) {
   // The fault is below what any binary64 filter could tell.
   const Rational fault(1, Integer(1) << 200);
-  const Motion motion = after_collisions(mirrored_pairs(fault));
-  const Symmetry s(motion);
-  EXPECT_TRUE(s.carry(s.states(0, 1), s.states(2, 3)).empty());
-  EXPECT_FALSE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}, DoubleBall(0)));
+  const ComputedMotion motion = after_collisions(mirrored_pairs(fault));
+  const ComputedSymmetry s(motion);
+  EXPECT_TRUE(carry(motion, states_of(motion, 0, 1), states_of(motion, 2, 3)).empty());
+  EXPECT_FALSE(s.always_cotangent(
+      {state_of(motion, 0), state_of(motion, 1), state_of(motion, 2), state_of(motion, 3)},
+      DoubleBall(0)));
   for (const int what : {0, 1}) {
     Scene other = mirrored_pairs(0);
     (what == 0 ? other.disks[3].mass : other.disks[3].radius) += fault;
-    const Motion changed = after_collisions(other);
-    const Symmetry t(changed);
-    EXPECT_TRUE(t.carry(t.states(0, 1), t.states(2, 3)).empty());
+    const ComputedMotion changed = after_collisions(other);
+    EXPECT_TRUE(carry(changed, states_of(changed, 0, 1), states_of(changed, 2, 3)).empty());
   }
 }
 
 TEST(Symmetry, TheContainerStaysWhereItIs) {
   // Images of each other by a translation; the wall is not.
   Scene scene = scene_of(30, 10, {disk(-3, 0, 1, 0, 1), disk(3, 0, 1, 0, 1)});
-  Motion motion(motion_input(scene), {});
-  const Symmetry s(motion);
-  EXPECT_EQ(s.carry(s.states(0, 1), s.states(1, 0)).size(), 1u);
-  const DiskState wall = s.state(container_id);
-  EXPECT_FALSE(s.carry(PairStates{wall, s.state(0)}, PairStates{wall, s.state(1)}).empty());
+  ComputedMotion motion(motion_input(scene), {});
+  EXPECT_EQ(carry(motion, states_of(motion, 0, 1), states_of(motion, 1, 0)).size(), 1u);
+  const DiskState wall = state_of(motion, container_id);
+  EXPECT_FALSE(
+      carry(motion, PairStates{wall, state_of(motion, 0)}, PairStates{wall, state_of(motion, 1)})
+          .empty());
   scene.disks[1].x += 1;
-  Motion moved(motion_input(scene), {});
-  const Symmetry t(moved);
-  EXPECT_TRUE(t.carry(PairStates{wall, t.state(0)}, PairStates{wall, t.state(1)}).empty());
+  ComputedMotion moved(motion_input(scene), {});
+  EXPECT_TRUE(
+      carry(moved, PairStates{wall, state_of(moved, 0)}, PairStates{wall, state_of(moved, 1)})
+          .empty());
 }
 
 TEST(Symmetry, PairsOfMirrorImagesStayCotangent) {
-  const Motion motion = after_collisions(mirrored_pairs(0));
-  const Symmetry s(motion);
-  EXPECT_TRUE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}, DoubleBall(0)));
-  EXPECT_TRUE(s.always_cotangent({s.state(3), s.state(0), s.state(1), s.state(2)}, DoubleBall(0)));
+  const ComputedMotion motion = after_collisions(mirrored_pairs(0));
+  const ComputedSymmetry s(motion);
+  EXPECT_TRUE(s.always_cotangent(
+      {state_of(motion, 0), state_of(motion, 1), state_of(motion, 2), state_of(motion, 3)},
+      DoubleBall(0)));
+  EXPECT_TRUE(s.always_cotangent(
+      {state_of(motion, 3), state_of(motion, 0), state_of(motion, 1), state_of(motion, 2)},
+      DoubleBall(0)));
   // Numbers agree at any time.
   for (const int t : {2, 5, 9}) {
     const Ball now(Rational(t), 400);
@@ -93,7 +100,7 @@ TEST(Symmetry, PairsOfMirrorImagesStayCotangent) {
 Diagram diagram_after_collisions(const Rational& fault, TierCounts& counts) {
   MotionOptions options;
   options.max_radicals = 0;
-  Motion motion(motion_input(mirrored_pairs(fault)), options);
+  ComputedMotion motion(motion_input(mirrored_pairs(fault)), options);
   motion.collide(0, 1, 1.8);
   motion.collide(2, 3, 1.8);
   return static_diagram(motion, 5, counts);
@@ -115,25 +122,34 @@ TEST(Symmetry, FourOnACircleAboutAFixedPoint) {
                     {disk(4, 1, 1, 2, 3), disk(-1, 4, 1, -3, 2), disk(-4, -1, 1, -2, -3),
                      disk(1, -4, 1, 3, Rational(-2) + fault)});
   };
-  const Motion motion(motion_input(turned(0)), {});
-  const Symmetry s(motion);
-  EXPECT_TRUE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}, DoubleBall(0)));
-  const Motion other(motion_input(turned(Rational(1, Integer(1) << 200))), {});
-  const Symmetry t(other);
-  EXPECT_FALSE(t.always_cotangent({t.state(0), t.state(1), t.state(2), t.state(3)}, DoubleBall(0)));
+  const ComputedMotion motion(motion_input(turned(0)), {});
+  const ComputedSymmetry s(motion);
+  EXPECT_TRUE(s.always_cotangent(
+      {state_of(motion, 0), state_of(motion, 1), state_of(motion, 2), state_of(motion, 3)},
+      DoubleBall(0)));
+  const ComputedMotion other(motion_input(turned(Rational(1, Integer(1) << 200))), {});
+  const ComputedSymmetry t(other);
+  EXPECT_FALSE(t.always_cotangent(
+      {state_of(other, 0), state_of(other, 1), state_of(other, 2), state_of(other, 3)},
+      DoubleBall(0)));
 }
 
 TEST(Symmetry, AParallelogramIsNoCircle) {
   // Half a turn carries the pairs onto each other; the four are not cotangent.
-  const Motion motion(motion_input(scene_of(30, 10,
-                                            {disk(5, 1, 1, 1, 0), disk(-5, -1, 1, -1, 0),
-                                             disk(2, 3, 1, 0, 1), disk(-2, -3, 1, 0, -1)})),
-                      {});
-  const Symmetry s(motion);
-  EXPECT_FALSE(s.carry(QuadStates{s.state(0), s.state(1), s.state(2), s.state(3)},
-                       QuadStates{s.state(1), s.state(0), s.state(3), s.state(2)})
+  const ComputedMotion motion(motion_input(scene_of(30, 10,
+                                                    {disk(5, 1, 1, 1, 0), disk(-5, -1, 1, -1, 0),
+                                                     disk(2, 3, 1, 0, 1), disk(-2, -3, 1, 0, -1)})),
+                              {});
+  const ComputedSymmetry s(motion);
+  EXPECT_FALSE(carry(motion,
+                     QuadStates{state_of(motion, 0), state_of(motion, 1), state_of(motion, 2),
+                                state_of(motion, 3)},
+                     QuadStates{state_of(motion, 1), state_of(motion, 0), state_of(motion, 3),
+                                state_of(motion, 2)})
                    .empty());
-  EXPECT_FALSE(s.always_cotangent({s.state(0), s.state(1), s.state(2), s.state(3)}, DoubleBall(0)));
+  EXPECT_FALSE(s.always_cotangent(
+      {state_of(motion, 0), state_of(motion, 1), state_of(motion, 2), state_of(motion, 3)},
+      DoubleBall(0)));
 }
 
 // Swarms that are their own images, long after exact arithmetic would have given up: right by the
