@@ -15,6 +15,7 @@
 #include "bench/plain_engine.h"
 #include "bench/statistics.h"
 #include "corpus/generate.h"
+#include "history/history_writer.h"
 #include "library/maneuver_input.h"
 
 namespace voroproof::internal::bench {

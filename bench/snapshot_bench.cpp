@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/statistics.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
 #include "library/snapshot.h"
 
 namespace voroproof::internal::bench {

@@ -1,4 +1,5 @@
 #include "certify/fingerprint.h"
+#include "history/scene_writer.h"
 
 #include <sstream>
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "history/history_file.h"
+#include "history/history_reader.h"
 #include "history/scene.h"
 #include "history/sha256.h"
 

@@ -9,7 +9,7 @@
 #include "certify/replay.h"
 #include "filtered/search/moment.h"
 #include "filtered/search/point_cells.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
 
 namespace voroproof::internal {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "certify/certificate.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
 
 namespace voroproof::internal {
 

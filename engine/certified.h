@@ -66,8 +66,9 @@ class Certified {
     if (points_.is_point(g)) points_.require_area(g, neighbours, now());
   }
 
-  // ---- The times of events, as those of Chronology. ----
-  void tighten(Moment& m) const { chronology_.tighten(m); }
+  // ---- The times of events. ----
+  // Makes the moment tight; balls are asked where double-doubles leave much open.
+  void tighten(Moment& m) const;
   int order(const Moment& a, const Moment& b) {
     if (a.is_contact() && b.is_contact() && a.i == b.i && a.j == b.j) return 0;
     std::string budget;
@@ -76,7 +77,8 @@ class Certified {
     if (*order == 0) ++stats_.ties;
     return *order;
   }
-  double rounded(const Moment& m) { return chronology_.rounded(m); }
+  // The moment rounded to nearest. Throws Undecided where the bits do not suffice.
+  double rounded(const Moment& m);
 
   // ---- What happens now. ----
   // The diagram at the start, right at the instant, becomes that just after it; returns the number

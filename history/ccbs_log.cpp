@@ -1,5 +1,7 @@
 // The log of a continuous-time multi-agent path finder: root/log/agent/path/section, a section with
 // start_i, start_j, goal_i, goal_j and duration.
+#include "history/paths_file.h"
+
 #include <expat.h>
 
 #include <limits>
@@ -7,7 +9,6 @@
 #include <utility>
 
 #include "history/error.h"
-#include "history/paths_file.h"
 
 namespace voroproof::internal {
 

@@ -4,7 +4,7 @@
 
 #include "history/disk_file.h"
 #include "history/error.h"
-#include "history/evtsq_file.h"
+#include "history/evtsq_reader.h"
 #include "history/json_text.h"
 
 namespace voroproof::internal {

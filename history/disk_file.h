@@ -4,8 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <iosfwd>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,14 +22,5 @@ bool is_disk_file(const std::string& path);
 
 // Reads and checks a disk file as read_scene does a scene. Throws InputError.
 DiskFile read_disk_file(const std::string& path);
-
-// Writes the disks under their own ids. Throws UnsuitableScene where the scene has what a disk file
-// cannot say: a value that is no binary64, a mass other than the radius squared.
-void write_disk_file(std::ostream& out, const Scene& scene);
-
-class UnsuitableScene : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 }  // namespace voroproof::internal

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "history/history_file.h"
+#include "history/history_reader.h"
 
 namespace voroproof::internal {
 

@@ -1,3 +1,5 @@
+#include "history/evtsq_reader.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -5,7 +7,6 @@
 
 #include "history/error.h"
 #include "history/event_limit.h"
-#include "history/evtsq_file.h"
 #include "history/file_bytes.h"
 
 namespace voroproof::internal {

@@ -1,5 +1,10 @@
+#include "history/evtsq_writer.h"
+
+#include <bit>
+#include <cstdio>
+
 #include "history/error.h"
-#include "history/evtsq_file.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 
@@ -12,6 +17,14 @@ std::string two_decimals(const Rational& q) {
   std::string digits = hundredths.get_str();
   if (digits.size() < 3) digits.insert(0, 3 - digits.size(), '0');
   return digits.insert(digits.size() - 2, ".");
+}
+
+// The decimal with 15 digits after the point that is nearest.
+std::string fixed_text(double x) {
+  std::string text(400, '\0');
+  const int length = std::snprintf(text.data(), text.size(), "%.15f", x);
+  text.resize(static_cast<std::size_t>(length));
+  return text;
 }
 
 class Lines {
@@ -66,6 +79,17 @@ class Lines {
 };
 
 }  // namespace
+
+std::string hexadecimal_text(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  std::string text;
+  for (int byte = 0; byte < 8; ++byte) {
+    const auto value = static_cast<unsigned>(bits >> (8 * byte) & 0xff);
+    text += "0123456789abcdef"[value >> 4];
+    text += "0123456789abcdef"[value & 15];
+  }
+  return text;
+}
 
 void write_evtsq(OutputFile& file, HistorySource& history, const HistoryCounts& totals,
                  const EvtsqSource& source, const EvtsqFormat& format) {

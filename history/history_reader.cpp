@@ -1,3 +1,5 @@
+#include "history/history_reader.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -6,7 +8,6 @@
 #include "history/error.h"
 #include "history/event_limit.h"
 #include "history/format_version.h"
-#include "history/history_file.h"
 #include "history/json_reader.h"
 #include "history/plain_line.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "history/history_file.h"
+#include "history/history_reader.h"
 
 namespace voroproof::internal {
 

@@ -1,3 +1,5 @@
+#include "history/history_writer.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -6,8 +8,9 @@
 
 #include "history/byte_source.h"
 #include "history/error.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
 #include "history/json_text.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 namespace {

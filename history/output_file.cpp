@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "history/compressor.h"
 #include "history/descriptor.h"
 #include "history/error.h"
 

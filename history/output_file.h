@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "history/atomic_file.h"
-#include "history/compression.h"
+#include "history/compressor.h"
 #include "history/sha256.h"
 
 namespace voroproof::internal {

@@ -1,8 +1,9 @@
+#include "history/plan_file.h"
+
 #include "history/error.h"
 #include "history/file_bytes.h"
 #include "history/format_version.h"
 #include "history/json_reader.h"
-#include "history/plan_file.h"
 #include "history/scene_value.h"
 
 namespace voroproof::internal {

@@ -59,9 +59,4 @@ Scene read_scene(const std::string& path);
 // Reads and checks a scene file's bytes as read_scene() does; `file_name` is for messages.
 Scene parse_scene(std::string_view bytes, const std::string& file_name);
 
-// Writes the scene so that reading it gives the same values, one disk a line. Values that are
-// exactly a binary64 become JSON numbers, others strings "p/q". Masses equal to the default are
-// left out, and so are other defaults.
-void write_scene(std::ostream& out, const Scene& scene);
-
 }  // namespace voroproof::internal

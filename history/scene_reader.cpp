@@ -1,3 +1,5 @@
+#include "history/scene.h"
+
 #include <set>
 
 #include "history/error.h"
@@ -5,7 +7,6 @@
 #include "history/format_version.h"
 #include "history/json_reader.h"
 #include "history/placement.h"
-#include "history/scene.h"
 #include "history/scene_value.h"
 #include "history/sha256.h"
 

@@ -1,3 +1,5 @@
+#include "history/scene_writer.h"
+
 #include <ostream>
 
 #include "history/json_text.h"

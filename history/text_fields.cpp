@@ -89,22 +89,4 @@ bool is_hexadecimal(std::string_view text) {
          std::all_of(text.begin(), text.end(), [](char c) { return digit_value(c) >= 0; });
 }
 
-std::string hexadecimal_text(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  std::string text;
-  for (int byte = 0; byte < 8; ++byte) {
-    const auto value = static_cast<unsigned>(bits >> (8 * byte) & 0xff);
-    text += "0123456789abcdef"[value >> 4];
-    text += "0123456789abcdef"[value & 15];
-  }
-  return text;
-}
-
-std::string fixed_text(double x) {
-  std::string text(400, '\0');
-  const int length = std::snprintf(text.data(), text.size(), "%.15f", x);
-  text.resize(static_cast<std::size_t>(length));
-  return text;
-}
-
 }  // namespace voroproof::internal

@@ -48,8 +48,4 @@ class FieldLines {
 // Whether the text has the form that FieldLines::hexadecimal reads.
 bool is_hexadecimal(std::string_view text);
 
-// A binary64 in that form, and as the decimal with 15 digits after the point that is nearest.
-std::string hexadecimal_text(double x);
-std::string fixed_text(double x);
-
 }  // namespace voroproof::internal

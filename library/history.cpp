@@ -10,7 +10,8 @@
 #include <type_traits>
 
 #include "history/error.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
+#include "history/history_writer.h"
 #include "history/sha256.h"
 #include "library/values.h"
 

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "history/output_file.h"
+#include "history/scene_writer.h"
 #include "history/sha256.h"
 #include "library/values.h"
 

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <system_error>
 
-#include "history/compression.h"
+#include "history/compressor.h"
 #include "history/descriptor.h"
 #include "history/error.h"
 #include "history/scene.h"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "history/compression.h"
+#include "history/compressor.h"
 #include "history/descriptor.h"
 #include "history/output_file.h"
 

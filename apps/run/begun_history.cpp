@@ -8,7 +8,9 @@
 #include "engine/engine.h"
 #include "history/atomic_file.h"
 #include "history/error.h"
+#include "history/history_writer.h"
 #include "history/json_text.h"
+#include "history/output_file.h"
 #include "history/sha256.h"
 
 namespace voroproof::internal {

@@ -7,7 +7,8 @@
 
 #include "apps/run/kept_file.h"
 #include "engine/event_sink.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 

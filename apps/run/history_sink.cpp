@@ -1,4 +1,5 @@
 #include "apps/run/history_sink.h"
+#include "history/history_writer.h"
 
 #include <utility>
 

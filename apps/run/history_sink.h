@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "engine/engine.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
+#include "history/history_writer.h"
 
 namespace voroproof::internal {
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "history/error.h"
+#include "history/history_writer.h"
 
 namespace voroproof::internal {
 

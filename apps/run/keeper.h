@@ -13,7 +13,9 @@
 #include "apps/run/history_sink.h"
 #include "apps/run/partial_file.h"
 #include "engine/engine.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
+#include "history/history_writer.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 

@@ -28,7 +28,8 @@
 #include <string>
 
 #include "engine/kept_run.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 

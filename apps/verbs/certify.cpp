@@ -20,6 +20,7 @@
 #include "history/descriptor.h"
 #include "history/error.h"
 #include "history/json_text.h"
+#include "history/output_file.h"
 #include "library/certification.h"
 #include "library/history_index.h"
 #include "library/maneuver_input.h"

@@ -13,6 +13,7 @@
 #include "corpus/paper_sets.h"
 #include "history/error.h"
 #include "history/output_file.h"
+#include "history/scene_writer.h"
 
 namespace voroproof::internal {
 namespace {

@@ -13,6 +13,7 @@
 #include "history/error.h"
 #include "history/json_text.h"
 #include "history/output_file.h"
+#include "history/scene_writer.h"
 #include "history/sha256.h"
 #include "library/planning/assignment.h"
 #include "library/planning/planner.h"

@@ -16,7 +16,7 @@
 #include "apps/verbs/verbs.h"
 #include "history/error.h"
 #include "history/event_limit.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
 #include "library/true_moment.h"
 
 namespace voroproof::internal {

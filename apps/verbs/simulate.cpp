@@ -19,7 +19,9 @@
 #include "apps/verbs/verbs.h"
 #include "history/descriptor.h"
 #include "history/error.h"
+#include "history/history_writer.h"
 #include "history/json_text.h"
+#include "history/output_file.h"
 #include "library/maneuver_input.h"
 
 namespace voroproof::internal {

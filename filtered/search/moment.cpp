@@ -11,12 +11,6 @@ namespace voroproof::internal {
 
 namespace {
 
-// Relative width below which balls are not asked for a time before it is compared and rounded:
-// both nearly always succeed then.
-constexpr double fine_width = 1e-20;
-
-bool is_fine(const DdBall& t) { return t.rad <= fine_width * t.hi || rounds_to_leading(t); }
-
 // Negative or positive where what encloses the two tells, else 0.
 int by_enclosures(const Moment& a, const Moment& b) {
   if (a.hi < b.lo) return -1;
@@ -82,17 +76,6 @@ void Moment::give_up(const std::string& reason) const {
   if (is_flip()) throw Undecided(reason, quad);
   if (is_contact()) throw Undecided(reason, i, j);
   throw Undecided(reason);
-}
-
-void Chronology::tighten(Moment& m) const {
-  if (m.tight) return;
-  DdBall t(0, 0, std::numeric_limits<double>::infinity());
-  if (motion_.options().filters) {
-    t = m.is_flip() ? collapses_.refine_until(m.quad, m.lo, m.hi, rounds_to_leading)
-                    : contacts_.refine(m.i, m.j, m.middle());
-  }
-  if (!is_fine(t)) ball(m).to_double_double(t.hi, t.lo, t.rad);
-  m.narrow_to(t);
 }
 
 // A flip is isolated in an interval as wide as the tolerance at most, in which other events may
@@ -201,26 +184,6 @@ std::optional<int> Chronology::by_balls(const Moment& a, const Moment& b) const 
 bool Chronology::within(const Rational& tolerance, const Moment& m, const Rational& t) {
   return compare(m, Moment::at(Rational(t - tolerance))) >= 0 &&
          compare(m, Moment::at(Rational(t + tolerance))) <= 0;
-}
-
-double Chronology::rounded(const Moment& m) {
-  Ladder<double> ladder(counts_, Predicate::round_time);
-  const Rung dd{Tier::dd, [&] {
-                  return motion_.options().filters && rounds_to_leading(m.dd)
-                             ? std::optional<double>(m.dd.hi)
-                             : std::nullopt;
-                }};
-  const Rung balls{Tier::ball, [&] {
-                     double t = 0;
-                     return ball(m).round_to_double(t) ? std::optional<double>(t) : std::nullopt;
-                   }};
-  const Rung exactly{Tier::exact, [&]() -> std::optional<double> {
-                       ExactMotion exact(motion_);
-                       return round_nearest(m.exact(exact));
-                     }};
-  if (const auto t = ladder.climb(dd, balls, exactly)) return *t;
-  if (const auto t = ladder.with_more_bits(motion_, balls)) return *t;
-  m.give_up("an event time may lie on a rounding boundary: " + ladder.budget());
 }
 
 DdBall Chronology::narrow(const Moment& m) const {

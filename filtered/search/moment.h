@@ -119,11 +119,6 @@ class Chronology {
   // Whether a moment is no further than the tolerance from the time. Throws Undecided.
   bool within(const Rational& tolerance, const Moment& m, const Rational& t);
 
-  // The moment rounded to nearest. Throws Undecided where the bits do not suffice.
-  double rounded(const Moment& m);
-
-  // Makes the moment tight; balls are asked where double-doubles leave much open.
-  void tighten(Moment& m) const;
   // The moment as double-doubles tell: tight.
   Moment instant(const Moment& m) const;
 

@@ -8,7 +8,7 @@
 
 #include "exact/topology/named_diagram.h"
 #include "history/events.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
 #include "history/history_source.h"
 #include "history/scene.h"
 

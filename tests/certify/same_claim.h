@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "history/history_file.h"
+#include "history/history_reader.h"
 
 namespace voroproof::internal::testing {
 

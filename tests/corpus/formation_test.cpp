@@ -12,6 +12,7 @@
 
 #include "corpus/formations.h"
 #include "corpus/generate.h"
+#include "history/scene_writer.h"
 #include "history/sha256.h"
 
 namespace voroproof::internal {

@@ -15,6 +15,7 @@
 #include <string>
 
 #include "corpus/paper_sets.h"
+#include "history/scene_writer.h"
 #include "history/sha256.h"
 #include "tests/support/compact_arithmetic.h"
 

@@ -18,7 +18,7 @@
 
 #include "exact/topology/diagram.h"
 #include "history/diagram_file.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
 #include "history/scene.h"
 #include "tests/support/history_check.h"
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/certifier.h"
 #include "history/claim.h"
 #include "library/certification.h"
 #include "library/maneuver_input.h"

@@ -17,6 +17,7 @@
 #include "filtered/motion/options.h"
 #include "history/claim.h"
 #include "history/error.h"
+#include "history/history_writer.h"
 #include "library/certification.h"
 #include "library/explanation.h"
 #include "library/history_index.h"

@@ -1,5 +1,6 @@
 // Disk files of the paper's authors: what is read, what is refused, and that writing loses nothing.
 #include "history/disk_file.h"
+#include "history/disk_writer.h"
 
 #include <gtest/gtest.h>
 

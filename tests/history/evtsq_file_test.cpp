@@ -1,10 +1,12 @@
 // Event sequences of the paper's authors: both ways to write numbers, both versions, every kind of
 // line.
-#include "history/evtsq_file.h"
+#include "history/evtsq_reader.h"
+#include "history/evtsq_writer.h"
 
 #include <gtest/gtest.h>
 
 #include "history/error.h"
+#include "history/output_file.h"
 #include "history/validate.h"
 #include "tests/history/temporary_directory.h"
 

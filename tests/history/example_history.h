@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "history/error.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
 #include "tests/history/temporary_directory.h"
 
 namespace voroproof::internal::testing {

@@ -7,9 +7,11 @@
 
 #include "history/diagram_file.h"
 #include "history/error.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
+#include "history/history_writer.h"
 #include "history/plan_file.h"
 #include "history/scene.h"
+#include "history/scene_writer.h"
 #include "tests/history/temporary_directory.h"
 
 namespace voroproof::internal {

@@ -16,7 +16,8 @@
 #include <vector>
 
 #include "history/error.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
+#include "history/history_writer.h"
 #include "tests/history/example_history.h"
 #include "tests/history/temporary_directory.h"
 

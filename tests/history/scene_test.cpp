@@ -1,4 +1,5 @@
 #include "history/scene.h"
+#include "history/scene_writer.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

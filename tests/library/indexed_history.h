@@ -12,6 +12,8 @@
 #include "certify/fingerprint.h"
 #include "certify/report.h"
 #include "history/error.h"
+#include "history/history_writer.h"
+#include "history/scene_writer.h"
 #include "library/certification.h"
 #include "library/history_index.h"
 #include "library/index_format.h"

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "history/history_file.h"
+#include "history/history_reader.h"
 #include "tests/oracle/circle.h"
 #include "tests/queries/brute_moment.h"
 #include "tests/queries/watched.h"

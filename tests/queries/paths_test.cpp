@@ -10,7 +10,7 @@
 #include "certify/replay.h"
 #include "exact/topology/diagram.h"
 #include "history/error.h"
-#include "history/history_file.h"
+#include "history/history_reader.h"
 #include "tests/queries/watched.h"
 
 namespace voroproof::internal::testing {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "apps/run/history_sink.h"
-#include "history/history_file.h"
+#include "history/history_writer.h"
 #include "history/scene.h"
 #include "library/maneuver_input.h"
 #include "tests/history/temporary_directory.h"

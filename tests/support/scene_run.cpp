@@ -6,6 +6,7 @@
 
 #include "engine/kept_run.h"
 #include "history/error.h"
+#include "history/scene_writer.h"
 #include "library/maneuver_input.h"
 
 namespace voroproof::internal::testing {

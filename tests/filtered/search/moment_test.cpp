@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "corpus/generate.h"
+#include "engine/certified.h"
 #include "filtered/search/collapse.h"
 #include "filtered/search/contact.h"
 #include "history/scene_motion.h"
@@ -104,7 +105,7 @@ TEST(Moment, DoubleDoublesRoundWhatTheyCan) {
 // A rational that is no double ties with itself, and is rounded exactly.
 TEST(Moment, ARationalIsKnownExactly) {
   const Scene scene = near_collisions();
-  Motion motion(motion_input(scene), {});
+  ComputedMotion motion(motion_input(scene), {});
   TierCounts tiers;
   CollapseSearch collapses(motion, tiers);
   ContactSearch contacts(motion, tiers);
@@ -117,7 +118,8 @@ TEST(Moment, ARationalIsKnownExactly) {
   EXPECT_EQ(chronology.compare(m, Moment::at(third)), 0);
   EXPECT_EQ(chronology.compare(m, Moment::at(Rational(third + Rational(1, Integer(1) << 200)))),
             -1);
-  EXPECT_EQ(chronology.rounded(m), 1.0 / 3);
+  EngineStats stats;
+  EXPECT_EQ(Certified(motion, stats).rounded(m), 1.0 / 3);
   EXPECT_EQ(tiers.beyond_filter, 0);
 }
 

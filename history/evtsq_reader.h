@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "history/history_source.h"
-#include "history/output_file.h"
 #include "history/scene.h"
 #include "history/text_fields.h"
 
@@ -45,23 +44,5 @@ using EvtsqIds = std::optional<std::vector<std::int64_t>>;
 // is what the header means. Throws InputError, now or as the events are read.
 std::unique_ptr<HistorySource> open_evtsq(const std::string& path, const EvtsqIds& ids,
                                           const std::optional<Rational>& horizon);
-
-struct EvtsqFormat {
-  bool centers = true;      // version 1.1; else 1.0
-  bool hexadecimal = true;  // numbers without loss; else with 15 digits after the point
-};
-
-// Where the events come from, for the header and for messages.
-struct EvtsqSource {
-  std::string name;     // name of the disk file
-  std::string history;  // the file that `history` reads
-  Rational restitution;
-  Vec2 container_center{};
-};
-
-// Writes the events of `history`, `totals` of them, reading it to its end. Throws InputError where
-// it is not right in form, or has what such a file cannot say: a stop.
-void write_evtsq(OutputFile& file, HistorySource& history, const HistoryCounts& totals,
-                 const EvtsqSource& source, const EvtsqFormat& format);
 
 }  // namespace voroproof::internal
