@@ -42,13 +42,14 @@ bool DuePairs::is_due(const States& states) {
                               return never(sign(k.c) == apart(i) || sign(k.b) == -approach(i));
                             }};
   const Rung balls{Tier::ball, [&] { return by_balls(i, j); }};
-  const Rung symmetry{Tier::symmetry, [&]() -> std::optional<bool> {
-                        const PairStates pair{DiskState{i, states[2]}, DiskState{j, states[3]}};
-                        if (!approaching || !s_.motion.symmetry()->touch(pair, s_.chronology.known())) {
-                          return std::nullopt;
-                        }
-                        return true;
-                      }};
+  const Rung symmetry{
+      Tier::symmetry, [&]() -> std::optional<bool> {
+        const PairStates pair{DiskState{i, states[2]}, DiskState{j, states[3]}};
+        if (!approaching || !s_.motion.symmetry()->touch(pair, s_.chronology.known())) {
+          return std::nullopt;
+        }
+        return true;
+      }};
   const Rung exact{Tier::exact, [&] { return std::optional(exactly(states)); }};
   if (const auto due = ladder.climb(doubles, double_doubles, balls, symmetry, exact)) return *due;
   if (!touch) {
