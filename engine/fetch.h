@@ -58,15 +58,9 @@ class Fetch {
 
   // Fetches the memory for searches of all edges around the cell of `first`'s origin.
   [[gnu::always_inline]] void around_cell(HalfEdge first) const {
-    HalfEdge h = first;
-    do {
-      diagram_.prefetch(diagram_.previous(diagram_.next(h) ^ 1));
-      h = diagram_.rotate(h);
-    } while (h != first);
-    do {
-      beyond(diagram_.next(h));
-      h = diagram_.rotate(h);
-    } while (h != first);
+    const Diagram::Ring ring(diagram_, first);
+    for (const HalfEdge h : ring) diagram_.prefetch(diagram_.previous(diagram_.next(h) ^ 1));
+    for (const HalfEdge h : ring) beyond(diagram_.next(h));
   }
 
  private:

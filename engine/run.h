@@ -37,7 +37,8 @@ class Run {
   using HalfEdge = Diagram::HalfEdge;
 
   // The motion outlives this object. `max_events`: see InstantRecord.
-  Run(ComputedMotion& motion, std::vector<ManeuverInput> maneuvers, bool profile, std::uint64_t max_events)
+  Run(ComputedMotion& motion, std::vector<ManeuverInput> maneuvers, bool profile,
+      std::uint64_t max_events)
       : motion_(motion),
         diagram_(motion.size()),
         arithmetic_(motion, stats_),
@@ -99,13 +100,8 @@ class Run {
   // The half-edges of the disk's cell, counterclockwise; half-edge 0 for a lone disk.
   template <class Visit>
   void for_each_half_edge_of(GenId g, Visit&& visit) const {
-    const HalfEdge first = diagram_.anchor(g);
-    if (first < 0) return visit(0);
-    HalfEdge h = first;
-    do {
-      visit(h);
-      h = diagram_.rotate(h);
-    } while (h != first);
+    if (diagram_.anchor(g) < 0) return visit(0);
+    for (const HalfEdge h : diagram_.ring(g)) visit(h);
   }
 
   EngineStats stats_;

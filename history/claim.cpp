@@ -49,7 +49,7 @@ Claim open_event_sequence(const std::string& scene_path, const std::string& path
     }
   } else {
     claim.scene = read_scene(scene_path);
-    if (abs(Rational(claim.scene.restitution - header.restitution)) > kEvtsqRounding) {
+    if (abs(Rational(claim.scene.restitution - header.restitution)) > evtsq_rounding()) {
       throw InputError(path, 0, "RESTITUTION_COEFFICIENT", "is not that of " + scene_path);
     }
     horizon = claim.scene.horizon;

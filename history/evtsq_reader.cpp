@@ -149,10 +149,10 @@ class EvtsqHistory : public HistorySource {
     header_.producer = h.generator;
     header_.horizon = h.horizon;
     header_.oriented = false;
-    if (horizon && abs(Rational(*horizon - h.horizon)) <= kEvtsqRounding) {
+    if (horizon && abs(Rational(*horizon - h.horizon)) <= evtsq_rounding()) {
       header_.horizon = *horizon;
     } else {
-      header_.horizon_error = kEvtsqRounding;
+      header_.horizon_error = evtsq_rounding();
       remarks_.push_back("the file gives its horizon to two decimals only");
     }
     remarks_.push_back("the file gives no velocities after collisions");
@@ -175,7 +175,7 @@ class EvtsqHistory : public HistorySource {
     while (lines_.next()) {
       const double t = lines_.value(1, "t");
       if (t < last_t_) lines_.fail("t", "earlier than the event before it");
-      if (to_rational(t) > header_.horizon + kEvtsqRounding) lines_.fail("t", "beyond the horizon");
+      if (to_rational(t) > header_.horizon + evtsq_rounding()) lines_.fail("t", "beyond the horizon");
       last_t_ = t;
       switch (lines_.kind()) {
         case 'S':

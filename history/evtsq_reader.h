@@ -24,7 +24,8 @@ struct EvtsqHeader {
   std::int64_t first_line = 0;  // the line of the first event
 };
 
-inline const Rational kEvtsqRounding{1, 200};  // for the horizon and the restitution
+// How far the horizon and the restitution may be off.
+inline Rational evtsq_rounding() { return {1, 200}; }
 
 // Whether the file begins as an event sequence does, with a header that names its version.
 bool is_evtsq_file(const std::string& path);

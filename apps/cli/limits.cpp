@@ -7,6 +7,7 @@
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
+#include "engine/engine.h"
 #include "history/error.h"
 #include "history/json_text.h"
 

@@ -7,9 +7,10 @@
 #include <string>
 
 #include "apps/cli/verb.h"
-#include "engine/engine.h"
 
 namespace voroproof::internal {
+
+struct EngineOptions;
 
 // --time-limit and --max-memory, for every verb of the program.
 void add_process_limits(Verb& program);

@@ -119,7 +119,7 @@ TEST_F(EvtsqTest, ShadowFlipsAreNoEventsButAreFound) {
 TEST_F(EvtsqTest, TheHorizonIsThatOfTheSceneWhereItRoundsToTheHeaders) {
   const std::string text = sequence("0", "");
   EXPECT_EQ(open(text)->header().horizon, 10);
-  EXPECT_EQ(open(text)->header().horizon_error, kEvtsqRounding);
+  EXPECT_EQ(open(text)->header().horizon_error, evtsq_rounding());
   horizon_ = Rational(10001, 1000);
   EXPECT_EQ(open(text)->header().horizon, *horizon_);
   EXPECT_EQ(open(text)->header().horizon_error, 0);
