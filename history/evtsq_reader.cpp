@@ -175,7 +175,8 @@ class EvtsqHistory : public HistorySource {
     while (lines_.next()) {
       const double t = lines_.value(1, "t");
       if (t < last_t_) lines_.fail("t", "earlier than the event before it");
-      if (to_rational(t) > header_.horizon + evtsq_rounding()) lines_.fail("t", "beyond the horizon");
+      if (to_rational(t) > header_.horizon + evtsq_rounding())
+        lines_.fail("t", "beyond the horizon");
       last_t_ = t;
       switch (lines_.kind()) {
         case 'S':
