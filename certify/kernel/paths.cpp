@@ -230,7 +230,10 @@ int Walk::edge_of(const Claim& flip, bool* mirrored) const {
   const auto [l, r, s, e] = flip.quad;
   const int k = diagram->find(flip.quad);
   if (mirrored != nullptr) *mirrored = k < 0;
-  return k < 0 && problem.options.unoriented ? diagram->find({l, r, e, s}) : k;
+  if (!problem.options.unoriented || s == e) return k;
+  const int other = diagram->find({l, r, e, s});
+  if (k >= 0 && other >= 0) undecided("two edges have the generators of the flip");
+  return std::max(k, other);
 }
 
 void Walk::apply(const Claim& claim) {

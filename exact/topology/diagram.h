@@ -127,10 +127,11 @@ class Diagram::Ring {
 
 inline Diagram::Ring Diagram::ring(GenId g) const { return {*this, anchor(g)}; }
 
-// Visits the half-edges from l to r, until `visit` returns true. Precondition: l and r are
-// generators of the diagram.
+// Visits the half-edges from l to r, until `visit` returns true; none in a diagram without edges.
+// Precondition: l and r are generators of the diagram, if it has edges.
 template <class Visit>
 void each_between(const Diagram& diagram, GenId l, GenId r, Visit&& visit) {
+  if (diagram.edges() == 0) return;
   // Around a disk: the container has many neighbours.
   const bool wall = l == container_id;
   const GenId other = wall ? l : r;

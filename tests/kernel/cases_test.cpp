@@ -1,9 +1,11 @@
 // Histories that the kernel once judged wrongly, or that tell a faulty kernel from a right one:
-// cases/NAME.scene.json, NAME.history.jsonl and NAME.verdict, lines "truth tolerance verdict".
+// cases/NAME.scene.json, NAME.history.jsonl and NAME.verdict, lines "truth tolerance verdict
+// [unoriented]".
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <sstream>
 
 #include "tests/kernel/histories.h"
 
@@ -25,9 +27,12 @@ TEST(KernelCases, HaveTheirVerdicts) {
     if (entry.path().extension() != ".verdict") continue;
     const std::string stem = (folder / entry.path().stem()).string();
     std::ifstream expected(entry.path());
-    std::string truth, verdict;
-    Options options;
-    while (expected >> truth >> options.tolerance >> verdict) {
+    for (std::string line; std::getline(expected, line);) {
+      std::istringstream words(line);
+      std::string truth, verdict, unoriented;
+      Options options;
+      words >> truth >> options.tolerance >> verdict >> unoriented;
+      options.unoriented = !unoriented.empty();
       options.truth = truth == "exact" ? Truth::exact : Truth::recorded;
       const Result r =
           check(text_of(stem + ".scene.json"), text_of(stem + ".history.jsonl"), options);

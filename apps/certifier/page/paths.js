@@ -230,7 +230,12 @@ class Walk {
   edgeOf(claim) {
     if (this.diagram === null) return { k: -1, isMirrored: true };
     const [l, r, s, e] = claim.quad, k = this.diagram.find(claim.quad), isMirrored = k < 0;
-    return { k: isMirrored && this.problem.unoriented ? this.diagram.find([l, r, e, s]) : k, isMirrored };
+    if (!this.problem.unoriented || s === e) return { k, isMirrored };
+    const other = this.diagram.find([l, r, e, s]);
+    if (k >= 0 && other >= 0) {
+      undecided("two edges have the generators of the flip", { t: claim.t, quad: claim.quad });
+    }
+    return { k: Math.max(k, other), isMirrored };
   }
 
   // Throws Stop (refuted) where a flip names no edge.
