@@ -210,17 +210,18 @@ class LifeCheck {
     return null;
   }
 
-  // Whether the two of a claimed collision, of which both are turning next, have lain one inside the other before
-  // that time: then nothing is claimed of them from there up to the collision.
-  hides({ kind, ids, t }, { lo }) {
-    if (this.problem.isExact || kind !== "collision") return false;
+  // Whether the two disks of a claimed collision, which are both to turn next, have lain one inside the other before
+  // that time: then nothing is claimed of them from there up to the collision. Two disks overlap once on their legs,
+  // so this is the overlap that the claim answers, and it was entered within the tolerance before. A disk may lie
+  // outside the container twice, at both ends of its way across: there this would excuse the way.
+  hides({ first, ids, t }, at) {
+    const x = at.copy();
+    if (this.problem.isExact || first !== 0 || x.againstTime(t.minus(this.problem.tolerance)) < 0) return false;
     const [i, j] = ids.map((g) => this.walk.leg(g)), gap = new Gap(i, j);
     const inside = i.radius.times(j.radius).scaled(2).negative();  // where one touches the other from inside
-    if (!gap.start.less(lo) || !lo.less(t)) return false;
-    if (ids[0] < 0) return [gap.start, lo].some((at) => inside.less(gap.value(at)));
-    const nearest = gap.a.sign > 0 ? gap.start.minus(gap.b.over(gap.a)) : gap.start;
-    const at = nearest.less(gap.start) ? gap.start : lo.less(nearest) ? lo : nearest;
-    return gap.value(at).less(inside);
+    if (!gap.start.less(x.lo) || !x.lo.less(t)) return false;
+    const nearest = gap.a.sign > 0 ? gap.nearest : gap.start;
+    return gap.value(nearest.less(gap.start) ? gap.start : x.lo.less(nearest) ? x.lo : nearest).less(inside);
   }
 
   unclaimed(k, { at }) {
