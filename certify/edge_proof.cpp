@@ -316,28 +316,39 @@ bool proved_not_legal(const Motion& motion, const Quad& q, const Rational& t) {
   return signs.end_in_start == Sign::negative || signs.start_in_end == Sign::negative;
 }
 
-bool proved_illegal(const Motion& motion, const Quad& q, const Rational& t) {
+namespace {
+
+// The signs at t, if provably none of the four lies in another then.
+std::optional<EdgeSigns> signs_if_separated(const Motion& motion, const Quad& q,
+                                            const Rational& t) {
   const auto at = sites(motion, q, Ball(t, motion.goal_bits() + 32));
   const std::array<GenId, 4> ids{q.l, q.r, q.s, q.e};
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < i; ++j) {
       const bool wall = ids[i] == container_id || ids[j] == container_id;
-      if (sign(tangency(at[i], at[j])) != (wall ? Sign::negative : Sign::positive)) return false;
+      const Sign right = wall ? Sign::negative : Sign::positive;
+      if (sign(tangency(at[i], at[j])) != right) return std::nullopt;
     }
   }
-  const EdgeSigns signs = signs_at(q, at);
-  return signs.end_in_start == Sign::negative && signs.start_in_end == Sign::negative;
+  return signs_at(q, at);
 }
 
-bool proved_no_flip(const Motion& motion, const Quad& q, const Rational& lo, const Rational& hi) {
-  const auto signs = [&](const Rational& time) {
-    return signs_at(q, sites(motion, q, Ball(time, motion.goal_bits() + 32)));
+bool both_are(const EdgeSigns& at, Sign s) { return at.end_in_start == s && at.start_in_end == s; }
+
+}  // namespace
+
+bool proved_illegal(const Motion& motion, const Quad& q, const Rational& t) {
+  const auto at = signs_if_separated(motion, q, t);
+  return at && both_are(*at, Sign::negative);
+}
+
+bool proved_flip(const Motion& motion, const Quad& q, const Rational& lo, const Rational& hi) {
+  const auto is = [&](const Rational& t, Sign legality) {
+    const auto at = signs_if_separated(motion, q, t);
+    return at && at->start_exists == Sign::positive && at->end_exists == Sign::positive &&
+           both_are(*at, legality);
   };
-  const auto is_not = [](const EdgeSigns& at, Sign legality) {
-    return at.start_exists == Sign::negative || at.end_exists == Sign::negative ||
-           at.end_in_start == -legality || at.start_in_end == -legality;
-  };
-  return is_not(signs(lo), Sign::positive) || is_not(signs(hi), Sign::negative);
+  return is(lo, Sign::positive) && is(hi, Sign::negative);
 }
 
 }  // namespace voroproof::internal

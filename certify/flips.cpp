@@ -108,17 +108,16 @@ Flips::Found Flips::collapse_by_search(const FlipEvent& claim, const Quad& q, in
   } else {
     c = edges_.first_collapse(q, std::max(life.from, end), s_.search_end);
   }
-  // Kept on beyond other events, the motion may lead to roots at which q is no longer an edge.
+  // Kept on beyond other events, the motion may lead to roots at which q is no longer an edge. The
+  // search's interval may be wide, and disks may leave each other within it.
   if (c) {
-    // The search's interval may be wide, and disks may have left each other within it.
     const auto [lo, hi] = s_.chronology.enclosure(Moment::of(q, *c));
     if (c->kind == Collapse::Kind::now ||
-        !proved_no_flip(s_.motion, q, to_rational(lo), to_rational(hi))) {
+        proved_flip(s_.motion, q, to_rational(lo), to_rational(hi))) {
       mistimed(q, *c, t);
     }
   }
-  refuter_.refute(Fault::spurious_event,
-                  "edge " + text_of(canonical(q)) + " does not collapse under its present motion",
+  refuter_.refute(Fault::spurious_event, "edge " + text_of(canonical(q)) + " does not flip by then",
                   motion_witness(s_.motion, generators(q), t));
 }
 

@@ -1,7 +1,6 @@
 #include "certify/instants.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <set>
 #include <utility>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "certify/contact_proof.h"
 #include "certify/standing.h"

@@ -2,8 +2,6 @@
 // roundings of the file excuse, and filters in doubles before RecordedContacts is asked.
 #pragma once
 
-#include <optional>
-
 #include "certify/front.h"
 #include "certify/recorded_contacts.h"
 #include "certify/refuter.h"

@@ -1,7 +1,5 @@
 #include "certify/replay.h"
 
-#include <algorithm>
-
 #include "certify/fingerprint.h"
 #include "certify/orientation.h"
 

@@ -1,8 +1,5 @@
 #include "certify/responses.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "certify/standing.h"
 #include "certify/witness.h"
 #include "certify/wording.h"

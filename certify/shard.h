@@ -2,7 +2,6 @@
 // proved so far is a shard, too.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>

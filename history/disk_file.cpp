@@ -7,7 +7,6 @@
 
 #include "history/error.h"
 #include "history/file_bytes.h"
-#include "history/json_text.h"
 #include "history/placement.h"
 #include "history/sha256.h"
 #include "history/text_fields.h"

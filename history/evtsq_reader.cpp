@@ -1,7 +1,6 @@
 #include "history/evtsq_reader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <unordered_map>
 

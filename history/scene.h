@@ -1,7 +1,6 @@
 // The scene: disks in a circular container, and what is to happen to them (docs/formats.md).
 #pragma once
 
-#include <cstdint>
 #include <iosfwd>
 #include <map>
 #include <optional>

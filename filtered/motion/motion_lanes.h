@@ -2,7 +2,6 @@
 // edges or pairs in one evaluation.
 #pragma once
 
-#include <cstddef>
 #include <type_traits>
 
 #include "exact/predicates.h"

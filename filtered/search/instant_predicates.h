@@ -2,10 +2,8 @@
 // the cheapest that can.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>

@@ -36,8 +36,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "exact/rounding.h"
 #include "filtered/motion/motion_lanes.h"
