@@ -318,37 +318,38 @@ bool proved_not_legal(const Motion& motion, const Quad& q, const Rational& t) {
 
 namespace {
 
-// The signs at t, if provably none of the four lies in another then.
-std::optional<EdgeSigns> signs_if_separated(const Motion& motion, const Quad& q,
-                                            const Rational& t) {
-  const auto at = sites(motion, q, Ball(t, motion.goal_bits() + 32));
+// Whether the tangency of some two of the sites of q has a sign that `is(sign, right)`, where
+// `right` is that of two generators of which none lies in the other.
+template <class Is>
+bool any_tangency(const Quad& q, const std::array<Site<Ball>, 4>& at, Is&& is) {
   const std::array<GenId, 4> ids{q.l, q.r, q.s, q.e};
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < i; ++j) {
       const bool wall = ids[i] == container_id || ids[j] == container_id;
-      const Sign right = wall ? Sign::negative : Sign::positive;
-      if (sign(tangency(at[i], at[j])) != right) return std::nullopt;
+      if (is(sign(tangency(at[i], at[j])), wall ? Sign::negative : Sign::positive)) return true;
     }
   }
-  return signs_at(q, at);
+  return false;
 }
-
-bool both_are(const EdgeSigns& at, Sign s) { return at.end_in_start == s && at.start_in_end == s; }
 
 }  // namespace
 
 bool proved_illegal(const Motion& motion, const Quad& q, const Rational& t) {
-  const auto at = signs_if_separated(motion, q, t);
-  return at && both_are(*at, Sign::negative);
+  const auto at = sites(motion, q, Ball(t, motion.goal_bits() + 32));
+  if (any_tangency(q, at, [](Sign s, Sign right) { return s != right; })) return false;
+  const EdgeSigns signs = signs_at(q, at);
+  return signs.end_in_start == Sign::negative && signs.start_in_end == Sign::negative;
 }
 
-bool proved_flip(const Motion& motion, const Quad& q, const Rational& lo, const Rational& hi) {
-  const auto is = [&](const Rational& t, Sign legality) {
-    const auto at = signs_if_separated(motion, q, t);
-    return at && at->start_exists == Sign::positive && at->end_exists == Sign::positive &&
-           both_are(*at, legality);
+bool proved_no_flip(const Motion& motion, const Quad& q, const Rational& lo, const Rational& hi) {
+  const auto is_not = [&](const Rational& t, Sign legality) {
+    const auto at = sites(motion, q, Ball(t, motion.goal_bits() + 32));
+    if (any_tangency(q, at, [](Sign s, Sign right) { return s == -right; })) return true;
+    const EdgeSigns signs = signs_at(q, at);
+    return signs.start_exists == Sign::negative || signs.end_exists == Sign::negative ||
+           signs.end_in_start == -legality || signs.start_in_end == -legality;
   };
-  return is(lo, Sign::positive) && is(hi, Sign::negative);
+  return is_not(lo, Sign::positive) || is_not(hi, Sign::negative);
 }
 
 }  // namespace voroproof::internal

@@ -48,9 +48,10 @@ bool proved_first_collapse(const Motion& motion, const Quad& q, double from, dou
 std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch& search,
                                       const Quad& q, double a, double b);
 
-// Whether q provably flips between lo and hi: at either time its generators are separated and both
-// circles exist, and q is legal at lo and illegal at hi.
-bool proved_flip(const Motion& motion, const Quad& q, const Rational& lo, const Rational& hi);
+// Whether the root of q in [lo, hi] is provably no flip of an edge of a diagram: before or after it
+// a generator lies in another or a circle does not exist, q is illegal before it, or legal after
+// it.
+bool proved_no_flip(const Motion& motion, const Quad& q, const Rational& lo, const Rational& hi);
 
 // Whether q is provably not legal at t: one of its in-circle functions is negative.
 bool proved_not_legal(const Motion& motion, const Quad& q, const Rational& t);

@@ -113,7 +113,7 @@ Flips::Found Flips::collapse_by_search(const FlipEvent& claim, const Quad& q, in
   if (c) {
     const auto [lo, hi] = s_.chronology.enclosure(Moment::of(q, *c));
     if (c->kind == Collapse::Kind::now ||
-        proved_flip(s_.motion, q, to_rational(lo), to_rational(hi))) {
+        !proved_no_flip(s_.motion, q, to_rational(lo), to_rational(hi))) {
       mistimed(q, *c, t);
     }
   }
