@@ -76,7 +76,7 @@ Certificate Checker::run(const PartEnd* end) {
     prove(end);
     conclude(end == nullptr);
   } catch (const GivenUp&) {
-    prefix_until(front_.moment.lo);
+    prefix_until(front_.moment.lo, true);
     throw CertificationInterrupted{c.prefix_events, c.prefix_t};
   } catch (const Refuted& r) {
     c.verdict = Verdict::refuted;
@@ -127,9 +127,7 @@ void Checker::prove(const PartEnd* end) {
     }
     throw Refuted{first};
   } catch (const Undecided&) {
-    first_divergence_.refute_missing_contacts();
-    const double now = claims_.current() ? time(*claims_.current()) : front_.moment.lo;
-    if (const auto d = first_divergence_.maneuver_missing_by(now)) throw Refuted{*d};
+    if (const auto first = first_divergence_.before_undecided()) throw Refuted{*first};
     throw;
   }
 }
@@ -320,9 +318,11 @@ void Checker::conclude(bool whole) {
   c.reason_line = claims_.line();
 }
 
-// The certified prefix ends at t, or with the last event proved.
-void Checker::prefix_until(double t) {
-  s_.certificate.prefix_t = std::min(t, front_.moment.lo);
+// The certified prefix ends at t, with the last event proved, or where something may be missing.
+// `briefly`: as doubles tell.
+void Checker::prefix_until(double t, bool briefly) {
+  t = std::min(t, front_.moment.lo);
+  s_.certificate.prefix_t = front_.begun ? first_divergence_.complete_until(t, briefly) : 0;
   s_.certificate.prefix_events = claims_.proved_before(s_.certificate.prefix_t);
 }
 

@@ -76,7 +76,7 @@ class Checker {
   void end_all_lives(const Moment& m, bool closed);
   void right_until(double t);
   void conclude(bool whole);
-  void prefix_until(double t);
+  void prefix_until(double t, bool briefly = false);
 
   Setting s_;
   std::optional<double> begin_;  // where a part begins that is not the first

@@ -108,6 +108,7 @@ inline void EdgeLives::end_life(int edge, const Moment& m, bool closed, std::siz
   life.clear_end = batch_.rootless(k);
   if (life.illegal || life.due || !life.clear_end) find_end(edge, m, closed, k);
   if (life.tied) require_legal(edge, m);
+  life.from = m.lo;  // also where no other life begins, since something is undecided
 }
 
 // Checks a search's answer to a tie against the signs at the end of the life, where no tie is left.

@@ -311,11 +311,6 @@ std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch
   return root;
 }
 
-bool proved_not_legal(const Motion& motion, const Quad& q, const Rational& t) {
-  const EdgeSigns signs = signs_at(q, sites(motion, q, Ball(t, motion.goal_bits() + 32)));
-  return signs.end_in_start == Sign::negative || signs.start_in_end == Sign::negative;
-}
-
 namespace {
 
 // Whether the tangency of some two of the sites of q has a sign that `is(sign, right)`, where

@@ -1,12 +1,19 @@
 #include "certify/first_divergence.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "certify/contact_proof.h"
 #include "certify/edge_proof.h"
 #include "certify/exact_truth.h"
 
 namespace voroproof::internal {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 // Whether one of these turns just now. (The container, which collides, too, does not.)
 bool FirstDivergence::turns_one_of(std::initializer_list<GenId> generators) const {
@@ -16,17 +23,15 @@ bool FirstDivergence::turns_one_of(std::initializer_list<GenId> generators) cons
   });
 }
 
-void FirstDivergence::refute_missing_contacts() {
-  if (!front_.begun) return;
-  const double now = claims_.settled();
-  for (const PairLives::Open& life : pairs_.open(now)) {
-    if (!(life.since < now) || turns_one_of({life.i, life.j})) continue;
-    try {
-      pairs_.end(life, Moment::at(now), PairEnd::turn);
-    } catch (const Undecided&) {
-      // Another may tell.
-    }
-  }
+std::optional<Divergence> FirstDivergence::before_undecided() {
+  Earliest first{{}, claims_.settled()};
+  first.divergence.fault = Fault::missing_event;
+  if (front_.begun) look_for_contacts(first);
+  const double now = claims_.current() ? time(*claims_.current()) : front_.moment.lo;
+  const bool found = first.divergence.true_contact.has_value();
+  auto maneuver = maneuver_missing_by(found ? first.divergence.t : now);
+  if (!maneuver && found) return first.divergence;
+  return maneuver;
 }
 
 // The earliest event that every open life should have had, up to the refuted claim. Contacts come
@@ -54,25 +59,37 @@ void FirstDivergence::look_for_contacts(Earliest& first) {
     const bool spurious = first.divergence.fault == Fault::spurious_event;
     return std::min(first.limit + (spurious ? s_.tolerance_up : 0), s_.search_end);
   };
-  for (const auto& [i, j, since, edge] : pairs_.open(limit())) {
+  for (const PairLives::Open& life : pairs_.open(limit())) {
+    const auto& [i, j, since, edge] = life;
     if (s_.replay.partners(i, j) || turns_one_of({i, j}) ||
         proved_apart(s_.motion, i, j, since, limit())) {
       continue;
     }
-    const Moment begin =
-        s_.exact != nullptr ? s_.exact->since(i, j) : s_.chronology.instant(Moment::at(since));
-    NextContact c = s_.contacts.from(i, j, begin, limit());
-    if (c.kind == NextContact::Kind::none) continue;
-    if (c.kind == NextContact::Kind::at) {
-      const auto [lo, hi] = s_.chronology.enclosure(Moment::of(i, j, c));
-      c.lo = lo;
-      c.hi = hi;
+    try {
+      const NextContact c = contact_in(life, limit());
+      if (c.kind == NextContact::Kind::none) continue;
+      const bool near = c.hi >= first.limit - margin(first) - s_.tolerance_up;
+      if ((near && !is_never_claimed(i, j, c)) || may_be_left_out(life, c)) continue;
+      first = {refuter_.missing_contact(i, j, c.lo, c.hi), c.lo};
+      if (near) first.divergence.line = std::min(first.divergence.line, claims_.line());
+    } catch (const Undecided&) {
+      // The history is false, or the claim undecided, in any case. Another pair may tell.
     }
-    const bool near = c.hi >= first.limit - margin(first) - s_.tolerance_up;
-    if ((near && !is_never_claimed(i, j, c)) || may_be_left_out({i, j, since, edge}, c)) continue;
-    first = {refuter_.missing_contact(i, j, c.lo, c.hi), c.lo};
-    if (near) first.divergence.line = std::min(first.divergence.line, claims_.line());
   }
+}
+
+// The first contact of the pair in its life, narrowly enclosed. Throws Undecided.
+NextContact FirstDivergence::contact_in(const PairLives::Open& life, double until) {
+  const GenId i = life.i, j = life.j;
+  const Moment begin =
+      s_.exact != nullptr ? s_.exact->since(i, j) : s_.chronology.instant(Moment::at(life.since));
+  NextContact c = s_.contacts.from(i, j, begin, until);
+  if (c.kind == NextContact::Kind::at) {
+    const auto [lo, hi] = s_.chronology.enclosure(Moment::of(i, j, c));
+    c.lo = lo;
+    c.hi = hi;
+  }
+  return c;
 }
 
 // Recorded truth: whether the overlap that the contact begins may be a rounding, or left out at the
@@ -104,47 +121,72 @@ bool FirstDivergence::is_never_claimed(GenId i, GenId j, const NextContact& c) {
       });
 }
 
+// The first collapse of the edge in its life. Throws Undecided.
+std::optional<Collapse> FirstDivergence::collapse_in(int edge, double until) {
+  const EdgeLives::Life& life = edges_.life(edge);
+  if (life.due) return edges_.due(edge);
+  const Quad q = s_.diagram.quad(2 * edge);
+  if (proved_free(s_.motion, q, life.from, until)) return std::nullopt;
+  return edges_.first_collapse(q, life.from, until);
+}
+
 void FirstDivergence::look_for_flips(Earliest& first) {
-  // Where it is undecided whether an edge collapses so early that its flip should have been claimed
-  // by now, the history is false whether it does or not, and the refutation stands.
   bool undecided = false;
-  const auto search = [&](const Quad& q, double from) -> std::optional<Collapse> {
-    try {
-      return edges_.first_collapse(q, from, first.limit);
-    } catch (const Undecided&) {
-      try {
-        const double early = first.limit - margin(first) - 2 * s_.tolerance_up;
-        if (const auto c = edges_.first_collapse(q, from, early)) return c;
-      } catch (const Undecided&) {
-        undecided = true;
-        return std::nullopt;
-      }
-      throw;
-    }
-  };
   for (int e = 0; e < s_.diagram.edges(); ++e) {
     const Quad q = s_.diagram.quad(2 * e);
     const EdgeLives::Life& life = edges_.life(e);
-    if (life.illegal || life.pending || turns_one_of({q.l, q.r, q.s, q.e})) continue;
-    std::optional<Collapse> c;
-    if (life.due) {
-      c = edges_.due(e);
-    } else if (!proved_free(s_.motion, q, life.from, first.limit)) {
-      c = search(q, life.from);
-    }
-    if (!c) continue;
-    const auto [lo, hi] = s_.chronology.enclosure(Moment::of(q, *c));
-    if (!(hi < first.limit - margin(first))) continue;
+    const double limit = first.limit - margin(first);
+    if (!(life.from < limit) || life.illegal || life.pending || turns_one_of({q.l, q.r, q.s, q.e}))
+      continue;
     try {
-      first = {refuter_.missing_flip(q, *c), lo};
+      const auto c = collapse_in(e, limit);
+      if (!c) continue;
+      const auto [lo, hi] = s_.chronology.enclosure(Moment::of(q, *c));
+      if (hi < limit) first = {refuter_.missing_flip(q, *c), lo};
     } catch (const Undecided&) {
-      undecided = true;
+      undecided = true;  // the history is false in any case
     }
   }
   if (undecided) {
     s_.certificate.remarks.push_back(
         "whether a flip is missing before the claim that is refuted is undecided");
   }
+}
+
+double FirstDivergence::complete_until(double t, bool briefly) {
+  double until = t;
+  // A life that began at `since`, and is not clear as doubles tell; `first` gives the time of the
+  // first event in it, or infinity.
+  const auto look = [&until, briefly](double since, const auto& first) {
+    try {
+      until = std::min(until, briefly ? since : first());
+    } catch (const Undecided&) {
+      until = since;
+    }
+  };
+  for (const PairLives::Open& life : pairs_.open(t)) {
+    if (!(life.since < until) || turns_one_of({life.i, life.j})) continue;
+    const Moment end = Moment::at(until);
+    if (pairs_.certainly_clear(life, end)) continue;
+    look(life.since, [&] {
+      if (s_.replay.partners(life.i, life.j)) return s_.exact != nullptr ? infinity : life.since;
+      pairs_.require_no_meeting(life.i, life.j, end);
+      const NextContact c = contact_in(life, until);
+      return c.kind == NextContact::Kind::none || may_be_left_out(life, c) ? infinity : c.lo;
+    });
+  }
+  for (int e = 0; e < s_.diagram.edges(); ++e) {
+    const Quad q = s_.diagram.quad(2 * e);
+    const EdgeLives::Life& life = edges_.life(e);
+    if (!(life.from < until) || life.pending || turns_one_of({q.l, q.r, q.s, q.e})) continue;
+    if (!life.illegal && !life.due && proved_free(s_.motion, q, life.from, until)) continue;
+    look(life.from, [&] {
+      if (life.illegal) return life.from;
+      const auto c = collapse_in(e, until);
+      return c ? c->lo : infinity;
+    });
+  }
+  return until;
 }
 
 // Finds an event or a maneuver that is missing before: what was refuted may be its consequence.

@@ -25,9 +25,12 @@ class FirstDivergence {
   // The first maneuver scheduled by t that the history lacks. Reads on.
   std::optional<Divergence> maneuver_missing_by(double t);
   // Disks that move through each other, since a collision is missing, lead the edges into
-  // degeneracies that may be beyond the budget. Refutes the history where a contact should have
-  // been claimed before the present claim.
-  void refute_missing_contacts();
+  // degeneracies that may be beyond the budget. Where the present claim is undecided: the first
+  // contact or maneuver that should have been claimed before it.
+  std::optional<Divergence> before_undecided();
+  // A time, at most t, before which nothing is missing in the lives that are open: no later than
+  // the beginning of one in which this is undecided. `briefly`: what doubles do not prove is.
+  double complete_until(double t, bool briefly);
 
  private:
   // The earliest so far, and the time before which another would be earlier.
@@ -38,10 +41,12 @@ class FirstDivergence {
   bool turns_one_of(std::initializer_list<GenId> generators) const;
   Divergence first_event_missing(const Divergence& found);
   double margin(const Earliest& first) const;
+  NextContact contact_in(const PairLives::Open& life, double until);
   void look_for_contacts(Earliest& first);
   bool is_never_claimed(GenId i, GenId j, const NextContact& c);
   bool may_be_left_out(const PairLives::Open& life, const NextContact& c);
   std::optional<Divergence> due_before();
+  std::optional<Collapse> collapse_in(int edge, double until);
   void look_for_flips(Earliest& first);
 
   Setting& s_;

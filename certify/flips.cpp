@@ -74,8 +74,8 @@ void Flips::flip(const FlipEvent& claim) {
   pairs_.end(edge, m, PairEnd::flip);
   edges_.end_beside(ring, m);
   s_.diagram.flip(h);
-  edges_.begin_after_flip(edge, ring, m, found.own ? &found.root : nullptr);
   pairs_.begin(edge, m.lo);
+  edges_.begin_after_flip(edge, ring, m, found.own ? &found.root : nullptr);
 }
 
 // When the edge of h flips for this claim, or a refutation.

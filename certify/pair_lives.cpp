@@ -30,22 +30,26 @@ PairLives::Open PairLives::life_of(int edge) const {
   return {i, j, since_[edge], edge};
 }
 
+bool PairLives::certainly_clear(GenId i, GenId j, double since, const Moment& m, bool apart) const {
+  const bool partners = s_.replay.partners(i, j);
+  if (s_.exact != nullptr)
+    return apart || (!partners && proved_apart(s_.motion, i, j, since, m.hi));
+  if (recorded_.contacts().carries({i, j})) return false;
+  return partners ? recorded_.certainly_part(i, j, since)
+                  : recorded_.certainly_clear(i, j, since, m, apart);
+}
+
 void PairLives::end(GenId i, GenId j, double since, int edge, const Moment& m, PairEnd why,
                     bool apart) {
   const bool partners = s_.replay.partners(i, j);
   if (!partners) ++s_.certificate.pair_lives;
+  if (certainly_clear(i, j, since, m, apart)) return;
   if (s_.exact == nullptr) {
-    if (!recorded_.contacts().carries({i, j}) &&
-        (partners ? recorded_.certainly_part(i, j, since)
-                  : recorded_.certainly_clear(i, j, since, m, apart))) {
-      return;
-    }
     if (!partners) ++s_.certificate.tiers.beyond_filter;
     require_no_meeting(i, j, m);
     pass_recorded(i, j, since, edge, Moment(m), why);
     return;
   }
-  if (apart || (!partners && proved_apart(s_.motion, i, j, since, m.hi))) return;
   if (why == PairEnd::turn) s_.exact->note_near(i, j);
   if (partners) return;
   ++s_.certificate.tiers.beyond_filter;

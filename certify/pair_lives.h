@@ -67,9 +67,17 @@ class PairLives {
   };
   // All that are open, and that may end with a contact by t.
   std::vector<Open> open(double t);
+  // Whether the pair has certainly not touched in the life by m, and that is no question of what
+  // may be left out. In doubles: false says nothing.
+  bool certainly_clear(const Open& life, const Moment& m) const {
+    return certainly_clear(life.i, life.j, life.since, m, false);
+  }
   void end(const Open& life, const Moment& m, PairEnd why) {
     end(life.i, life.j, life.since, life.edge, m, why, false);
   }
+  // The two, and the neighbours of one and the other, are not points that meet by m. Also asked of
+  // two whose collision is claimed then: that answers a contact, not a meeting. Throws Undecided.
+  void require_no_meeting(GenId i, GenId j, const Moment& m);
   // All lives end, as the history does, or a part of it.
   void end_all(const Moment& m, PairEnd why);
   // Recorded truth: the claimed collision, of a pair that has an open life, is one, or is refuted.
@@ -83,10 +91,9 @@ class PairLives {
   void prefetch(int edge) const { internal::prefetch(&since_[edge]); }
 
  private:
-  // The life that Open would have of these.
+  // These have the life that Open would have of these; `apart`: they are proved to be apart in it.
+  bool certainly_clear(GenId i, GenId j, double since, const Moment& m, bool apart) const;
   void end(GenId i, GenId j, double since, int edge, const Moment& m, PairEnd why, bool apart);
-  // Also of the two whose collision is claimed then: it answers a contact, not a meeting of points.
-  void require_no_meeting(GenId i, GenId j, const Moment& m);
   int watching(int edge, int besides = -1) const;
   Open life_of(int edge) const;
   void end_near(const std::vector<NearPairs::Pair>& pairs, const Moment& m, PairEnd why);

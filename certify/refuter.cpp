@@ -31,8 +31,9 @@ void Refuter::refute(Fault fault, const std::string& truth, Witness witness) con
 
 Divergence Refuter::missing_flip(const Quad& q, const Collapse& root) const {
   const Moment m = Moment::of(q, root);
-  if (proved_not_legal(s_.motion, q, to_rational(s_.chronology.enclosure(m)[0]))) {
-    throw Undecided("an edge is illegal before it collapses, since generators overlapped", q);
+  const auto [before, after] = s_.chronology.enclosure(m);
+  if (proved_no_flip(s_.motion, q, to_rational(before), to_rational(after))) {
+    throw Undecided("an edge does not flip where it should, since generators overlapped", q);
   }
   Divergence d = missing_flip(q, m);
   const auto [lo, hi] = root.root();

@@ -26,7 +26,7 @@ class Refuter {
   [[noreturn]] void refute(Fault fault, const std::string& truth, Witness witness = {}) const;
 
   // An event that the history lacks. Throws Undecided where two points meet at a contact, and where
-  // an edge is illegal before the root already: then the diagram before it is not proved.
+  // the root is provably no flip: then the diagram before it is not proved.
   Divergence missing_flip(const Quad& q, const Collapse& root) const;
   Divergence missing_flip(const Quad& q, const Moment& m) const;  // illegal just after m
   Divergence missing_contact(GenId i, GenId j, double lo, double hi) const;

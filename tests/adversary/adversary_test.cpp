@@ -172,5 +172,14 @@ TEST(Adversary, SavedCases) {
   EXPECT_GT(replayed, 0);
 }
 
+// Where the last claim that was looked at is undecided, too, the earliest fault is named.
+TEST(Adversary, TheEarliestFaultIsNamed) {
+  const std::string stem = VOROPROOF_ADVERSARY_CASES "/a-point-and-before-it-a-disk-leave";
+  const Judgement j =
+      judge_files(stem + ".scene.json", stem + ".history.jsonl", Truth::recorded, {});
+  EXPECT_NE(j.certifier.reason.find("generators [-1,4] touch"), std::string::npos)
+      << j.certifier.reason;
+}
+
 }  // namespace
 }  // namespace voroproof::internal::adversary
