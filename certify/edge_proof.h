@@ -53,7 +53,6 @@ std::optional<DdBall> newton_collapse(const Motion& motion, const CollapseSearch
 // it.
 bool proved_no_flip(const Motion& motion, const Quad& q, const Rational& lo, const Rational& hi);
 
-
 // Whether q is provably illegal at t, its generators being separated: both in-circle functions are
 // negative.
 bool proved_illegal(const Motion& motion, const Quad& q, const Rational& t);
