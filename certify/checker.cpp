@@ -295,7 +295,10 @@ void Checker::finish() {
   }
   edges_.require_none_after_left_out();
   const bool left_out = s_.certificate.left_out + pairs_.recorded().contacts().left_out() > 0;
-  right_until(left_out ? std::max(0.0, s_.horizon_window_down) : round_down(end));
+  const double last = left_out ? std::max(0.0, s_.horizon_window_down) : round_down(end);
+  // An event before the stop may be claimed after it, within the tolerance.
+  right_until(stop == nullptr ? last
+                              : first_divergence_.complete_until(std::min(last, m.lo), false));
 }
 
 // All claims are proved, and nothing is missing up to t.
@@ -313,8 +316,9 @@ void Checker::conclude(bool whole) {
     return;
   }
   c.verdict = Verdict::undecided;
-  c.reason = "the history stops at t = " + number_text(stop->t) +
-             " and is right up to there: " + stop->reason;
+  const bool whole_way = !(c.prefix_t < next_below(next_below(stop->t)));
+  c.reason = "the history stops at t = " + number_text(stop->t) + " and is right up to " +
+             (whole_way ? "there" : "t = " + number_text(c.prefix_t)) + ": " + stop->reason;
   c.reason_line = claims_.line();
 }
 

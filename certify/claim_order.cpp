@@ -171,8 +171,14 @@ const std::optional<Moment>& ClaimOrder::moment_of(Claims::Claim& claim) {
     known = known && (g == container_id || concerned_[static_cast<std::size_t>(g)] <= claim.probed);
   }
   if (!known) {
-    claim.moment = probe(claim.event);
     claim.probed = taken_;
+    try {
+      claim.moment = probe(claim.event);
+    } catch (const Undecided&) {
+      // Where the motion goes on otherwise before then, it need not be decided.
+      claim.moment.reset();
+      claim.placed = true;
+    }
   }
   return claim.moment;
 }

@@ -39,11 +39,12 @@ Moment ExactTurns::contact_of(const CollideEvent& claim) {
   }
   if (instants_.in_time(m)) return m;
   const bool near = to_rational(c.lo) - claimed() <= mistimed_tolerances * s_.options.tolerance;
+  const auto [lo, hi] = s_.chronology.enclosure(m);
   Divergence d = refuter_.at_claim(near ? Fault::wrong_time : Fault::spurious_event,
-                                   "generators " + text_of(i, j) + " touch " + between(c.lo, c.hi));
+                                   "generators " + text_of(i, j) + " touch " + between(lo, hi));
   d.true_contact = {i, j};
-  d.true_time = {c.lo, c.hi};
-  d.witness = contact_witness(s_.motion, i, j, to_rational(c.lo), to_rational(c.hi));
+  d.true_time = {lo, hi};
+  d.witness = contact_witness(s_.motion, i, j, to_rational(lo), to_rational(hi));
   throw Refuted{d};
 }
 

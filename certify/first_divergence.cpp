@@ -6,6 +6,7 @@
 #include "certify/contact_proof.h"
 #include "certify/edge_proof.h"
 #include "certify/exact_truth.h"
+#include "exact/patience.h"
 
 namespace voroproof::internal {
 
@@ -157,11 +158,14 @@ double FirstDivergence::complete_until(double t, bool briefly) {
   double until = t;
   // A life that began at `since`, and is not clear as doubles tell; `first` gives the time of the
   // first event in it, or infinity.
-  const auto look = [&until, briefly](double since, const auto& first) {
+  const auto look = [&until, &briefly](double since, const auto& first) {
     try {
       until = std::min(until, briefly ? since : first());
     } catch (const Undecided&) {
       until = since;
+    } catch (const GivenUp&) {
+      until = since;
+      briefly = true;
     }
   };
   for (const PairLives::Open& life : pairs_.open(t)) {

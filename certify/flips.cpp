@@ -135,13 +135,14 @@ Flips::Found Flips::present_collapse(const Quad& q, const EdgeLives::Life& life,
 // The edge flips at c, too far from the claimed time.
 void Flips::mistimed(const Quad& q, const Collapse& c, const Rational& claimed) {
   const auto [lo, hi] = c.root();
+  const std::array<double, 2> narrow = s_.chronology.enclosure(Moment::of(q, c));
   const Rational far = mistimed_tolerances * s_.options.tolerance;
   const bool near = lo - claimed <= far && claimed - hi <= far;
-  Divergence d =
-      refuter_.at_claim(near || hi < claimed ? Fault::wrong_time : Fault::spurious_event,
-                        "edge " + text_of(canonical(q)) + " flips " + between(c.lo, c.hi));
+  Divergence d = refuter_.at_claim(
+      near || hi < claimed ? Fault::wrong_time : Fault::spurious_event,
+      "edge " + text_of(canonical(q)) + " flips " + between(narrow[0], narrow[1]));
   d.true_flip = canonical(q);
-  d.true_time = {c.lo, c.hi};
+  d.true_time = narrow;
   // Where the edge is illegal from the instant on, another polynomial may isolate the instant.
   d.witness = c.kind == Collapse::Kind::now ? motion_witness(s_.motion, generators(q), lo)
                                             : collapse_witness(s_.motion, q, lo, hi);

@@ -37,11 +37,11 @@ class DyadicSum {
   DdBall near() const { return {part_[0], part_[1], 2 * std::fabs(part_[2])}; }
   Rational exact() const;
   void add_to(Fingerprint& fingerprint) const;  // the sum as it is held
-  // The same as text, a JSON array, and back. Throws InputError where it is no such sum.
-  void put(std::string& out) const;
+  // From text, a JSON array. Throws InputError where it is no such sum.
   static DyadicSum read(JsonReader& json);
 
  private:
+  friend class ReplayWriter;
   static constexpr int kMax = 4;
   int size() const;
 
@@ -59,8 +59,6 @@ struct Velocity {
   explicit Velocity(const ExactVec2& v) : Velocity(v[0], v[1]) {}
   ExactVec2 value() const;
   void add_to(Fingerprint& fingerprint) const;
-  // As text, two numbers of a history with a comma between.
-  void put(std::string& out) const;
 };
 
 // Two lines of a processor's caches.
@@ -92,12 +90,9 @@ class alignas(64) Path {
   // An enclosure of the position at time t, on such a path.
   std::optional<std::array<DdBall, 2>> near(double t) const;
   void add_to(Fingerprint& fingerprint) const;
-  // As text, but for the velocity: the time of the last turn and both coordinates there, with
-  // commas between. Where the path is one of binary64 values, a number and two sums; else three
-  // strings.
-  void put(std::string& out) const;
 
  private:
+  friend class ReplayWriter;
   struct Exact {
     Rational t;
     ExactVec2 p;

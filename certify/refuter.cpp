@@ -44,12 +44,12 @@ Divergence Refuter::missing_flip(const Quad& q, const Collapse& root) const {
 Divergence Refuter::missing_flip(const Quad& q, const Moment& m) const {
   Divergence d;
   d.fault = Fault::missing_event;
-  d.t = m.lo;
   const auto [lo, hi] = s_.chronology.enclosure(m);
+  d.t = lo;
   d.line = claims_.line_at(middle(lo, hi));
-  d.truth = "edge " + text_of(canonical(q)) + " flips " + between(m.lo, m.hi);
+  d.truth = "edge " + text_of(canonical(q)) + " flips " + between(lo, hi);
   d.true_flip = canonical(q);
-  d.true_time = {m.lo, m.hi};
+  d.true_time = {lo, hi};
   d.witness = motion_witness(s_.motion, generators(q), to_rational(m.lo));
   return d;
 }

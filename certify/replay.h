@@ -113,10 +113,8 @@ class Replay : public GivenStates {
   Place take(const Event& event);
   // Recorded truth: all that this replay knows, and that what comes after it depends on.
   void add_to(Fingerprint& fingerprint) const;
-  // Recorded truth: the same as text, a JSON object (docs/formats.md, section 19).
-  void put(std::string& out) const;
-  // Becomes what that text says. Throws InputError where it is none of this scene, or has not the
-  // hash that the cut names.
+  // Recorded truth: becomes what the text of an index says (docs/formats.md, section 19). Throws
+  // InputError where it is none of this scene, or has not the hash that the cut names.
   void read(const IndexedCut& at);
   // The place of the claim, as far as the present diagram tells.
   Place place_of(const Event& event) const;
@@ -133,6 +131,7 @@ class Replay : public GivenStates {
   [[gnu::always_inline]] void prefetch_turns(GenId g) const { internal::prefetch(&turns_[g + 1]); }
 
  private:
+  friend class ReplayWriter;
   // The half-edge that has flipped, or -1.
   HalfEdge flip(const FlipEvent& claim);
   // The disk has turned with the last change.

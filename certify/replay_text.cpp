@@ -1,4 +1,4 @@
-// A replay as text, as an index beside a history keeps it, and back.
+// A replay from the text that an index beside a history keeps of it.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,33 +13,9 @@
 #include "certify/replay.h"
 #include "history/error.h"
 #include "history/json_reader.h"
-#include "history/json_text.h"
 
 namespace voroproof::internal {
 namespace {
-
-void put(std::string& out, std::int64_t x) {
-  char text[32];
-  out.append(text, put_integer(text, x));
-}
-
-void put(std::string& out, double x) {
-  char text[max_double_text];
-  out.append(text, put_number(text, x));
-}
-
-void put(std::string& out, const Rational& x) { out += '"' + x.get_str() + '"'; }
-
-// Writes `[`, what put_element(k) writes for each k, with commas between, and `]`.
-template <class PutElement>
-void put_array(std::string& out, std::size_t size, PutElement&& put_element) {
-  out += '[';
-  for (std::size_t k = 0; k < size; ++k) {
-    if (k > 0) out += ',';
-    put_element(k);
-  }
-  out += ']';
-}
 
 double read_double(JsonReader& json) {
   const Number x = json.number();
@@ -75,11 +51,6 @@ std::vector<int> read_integers(JsonReader& json, int low, int high) {
 
 }  // namespace
 
-void DyadicSum::put(std::string& out) const {
-  const auto parts = static_cast<std::size_t>(size());
-  put_array(out, parts, [&](std::size_t k) { internal::put(out, part_[parts - 1 - k]); });
-}
-
 DyadicSum DyadicSum::read(JsonReader& json) {
   std::array<double, kMax> parts{};  // smallest first
   int count = 0;
@@ -97,64 +68,6 @@ DyadicSum DyadicSum::read(JsonReader& json) {
   DyadicSum sum;
   std::reverse_copy(parts.begin(), parts.begin() + count, sum.part_.begin());
   return sum;
-}
-
-void Velocity::put(std::string& out) const {
-  const ExactVec2 v = value();
-  out += number_text(v[0]) + ',' + number_text(v[1]);
-}
-
-void Path::put(std::string& out) const {
-  if (exact_) {
-    internal::put(out, exact_->t);
-    out += ',';
-    internal::put(out, exact_->p[0]);
-    out += ',';
-    internal::put(out, exact_->p[1]);
-  } else {
-    internal::put(out, t_);
-    out += ',';
-    x_.put(out);
-    out += ',';
-    y_.put(out);
-  }
-}
-
-void Replay::put(std::string& out) const {
-  const auto halves = static_cast<std::size_t>(2 * diagram_.edges());
-  out += "{\"origins\":";
-  put_array(out, halves, [&](std::size_t h) {
-    internal::put(out, std::int64_t{diagram_.org(static_cast<HalfEdge>(h))});
-  });
-  out += ",\"previous\":";
-  put_array(out, halves, [&](std::size_t h) {
-    internal::put(out, std::int64_t{diagram_.previous(static_cast<HalfEdge>(h))});
-  });
-  out += ",\"anchors\":";
-  put_array(out, turns_.size(), [&](std::size_t g) {
-    internal::put(out, std::int64_t{diagram_.anchor(static_cast<GenId>(g) - 1)});
-  });
-  out += ",\"disks\":";
-  put_array(out, paths_.size(), [&](std::size_t g) {
-    out += '[';
-    internal::put(out, std::int64_t{turns_[g + 1].last});
-    out += ',';
-    internal::put(out, std::int64_t{turns_[g + 1].count});
-    out += turns_[g + 1].at_container ? ",1," : ",0,";
-    velocities_[g].put(out);
-    out += ',';
-    paths_[g].put(out);
-    out += ']';
-  });
-  out += ",\"changes\":";
-  internal::put(out, std::int64_t{changes_});
-  out += ",\"next_maneuver\":";
-  internal::put(out, static_cast<std::int64_t>(next_maneuver_));
-  const std::vector<std::size_t> done(done_maneuvers_.begin(), done_maneuvers_.end());
-  out += ",\"done_maneuvers\":";
-  put_array(out, done.size(),
-            [&](std::size_t k) { internal::put(out, static_cast<std::int64_t>(done[k])); });
-  out += '}';
 }
 
 // One disk: [changed, turns, at container, vx, vy, t, x, y].

@@ -83,9 +83,11 @@ class Explainer {
     const JsonField prefix = report_["certified_prefix"];
     found_.prefix_events = prefix["events"].integer();
     found_.prefix_t = prefix["t"].number();
+    const std::string of = found_.judges_flips ? "event" : "collision or maneuver";
     out_ << (found_.prefix_events == 1
-                 ? "The first event is"
-                 : "The first " + std::to_string(found_.prefix_events) + " events are")
+                 ? "The first " + of + " is"
+                 : "The first " + std::to_string(found_.prefix_events) +
+                       (found_.judges_flips ? " events are" : " collisions and maneuvers are"))
          << " proved right, and nothing is missing before t = " << number_text(found_.prefix_t)
          << ".\n";
     if (report_.has("divergence")) {

@@ -10,6 +10,7 @@
 #include "library/certification.h"
 #include "library/history_index.h"
 #include "library/index_format.h"
+#include "library/replay_writer.h"
 
 namespace voroproof::internal {
 namespace {
@@ -59,7 +60,7 @@ class IndexWriter {
     finish_entry(cut.offset);
     from_ = cut.offset;
     std::string text = std::string(",\"told\":") + (told ? "true" : "false") + ",\"state\":";
-    reader.replay().put(text);
+    ReplayWriter(text).put(reader.replay());
     head_ = "{\"cut\":" + cut_text(cut, reader.digest().state());
     tail_ = std::move(text) + "}\n";
     ++entries_;

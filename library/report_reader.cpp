@@ -174,6 +174,9 @@ Certificate read_certificate(const JsonField& report) {
   Certificate c;
   c.verdict = read_verdict(report["verdict"]);
   if (c.verdict == Verdict::refuted) c.divergence = read_divergence(report["divergence"]);
+  if (c.verdict != Verdict::refuted && report.has("divergence")) {
+    report["divergence"].fail("in a report that refutes nothing");
+  }
   if (c.verdict == Verdict::undecided) read_reason(report["reason"], c);
   const JsonField prefix = report["certified_prefix"];
   c.prefix_events = read_count(prefix["events"]);

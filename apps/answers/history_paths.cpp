@@ -36,7 +36,7 @@ bool is_scheduled(const ManeuverEvent& claim, const Maneuver& m) {
   return !v || (same((*v)[0], m.vx) && same((*v)[1], m.vy));
 }
 
-// Maneuvers of the scene up to the end that the history lacks, or has otherwise.
+// Maneuvers of the scene up to the end that the history lacks, or has otherwise, and others.
 void note_missing_maneuvers(const Scene& scene, const HistoryCursor& history, const Rational& end,
                             std::vector<std::string>& missing) {
   std::vector<std::vector<const ManeuverEvent*>> claims(scene.disks.size());
@@ -53,6 +53,12 @@ void note_missing_maneuvers(const Scene& scene, const HistoryCursor& history, co
     const std::size_t k = next[g]++;
     if (k < claims[g].size() && is_scheduled(*claims[g][k], m)) continue;
     if (count++ == 0) first = std::to_string(m.disk) + " at t = " + number_text(m.t);
+  }
+  for (std::size_t g = 0; g < claims.size(); ++g) {
+    if (claims[g].size() <= next[g]) continue;
+    missing.push_back("the scene has no such maneuver: disk " + std::to_string(g) +
+                      " at t = " + number_text(exact_time(*claims[g][next[g]])));
+    break;
   }
   if (count == 0) return;
   missing.push_back((count == 1 ? "a maneuver" : std::to_string(count) + " maneuvers") +

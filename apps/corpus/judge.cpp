@@ -55,6 +55,11 @@ CaseJudgement from_report(const std::string& path) {
               : verdict == "REFUTED" ? CaseJudgement::Verdict::refuted
                                      : CaseJudgement::Verdict::undecided;
   j.reason = printable(report.at("reason").get<std::string>(), longest_reason);
+  const std::string other = report.at("leniency").at("other_horizon");
+  if (j.verdict == CaseJudgement::Verdict::certified && !other.empty()) {
+    j.verdict = CaseJudgement::Verdict::undecided;
+    j.reason = other;
+  }
   j.prefix_events = report.at("certified_prefix").at("events");
   j.prefix_t = report.at("certified_prefix").at("t");
   if (const auto divergence = report.find("divergence"); divergence != report.end()) {

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "history/error.h"
+#include "history/json_text.h"
 
 namespace voroproof::internal {
 namespace {
@@ -13,8 +14,11 @@ void tell_counts(std::ostream& out, const ShardFile& file, const SecondWords& se
   const Certificate& c = file.shard.certificate;
   out << "c ";
   if (file.options.judges_flips()) out << c.flips << " flips, ";
-  out << c.collisions << " collisions, " << c.maneuvers << " maneuvers proved; certified prefix "
-      << c.prefix_events << " events, t = " << c.prefix_t << "; swaps " << c.swaps << '\n';
+  // Claims behind a fault that nobody saw before them are judged as if there were none.
+  out << c.collisions << " collisions, " << c.maneuvers << " maneuvers "
+      << (c.verdict == Verdict::certified ? "proved" : "judged") << "; certified prefix "
+      << c.prefix_events << " events, t = " << number_text(c.prefix_t) << "; swaps " << c.swaps
+      << '\n';
   for (const std::string& remark : c.remarks)
     out << "c " << printable(remark, longest_shown) << '\n';
   for (const auto& [checker, said] : second) {

@@ -143,7 +143,8 @@ void add_query(Verb& program) {
   add_queries_over_time(query);
   query
       .note(
-          "Answers at an instant are about the true motion. Answers over time (a window, not "
+          "Answers at an instant are about the true motion, if a given history lacks no collision. "
+          "Answers over time (a window, not "
           "--at) are about the paths that the history records, which after collisions are "
           "rounded.")
       .note("Answers are JSON: docs/formats.md, section 12. What is exact: docs/queries.md.");

@@ -42,7 +42,18 @@ class Replay {
     }
   }
 
-  ReplayedMotion take() { return std::move(out_); }
+  // Throws InputError where a maneuver of the scene was not among the events.
+  ReplayedMotion take() {
+    for (std::size_t k = 0; k < scene_.maneuvers.size() && !beyond_; ++k) {
+      const Maneuver& due = scene_.maneuvers[k];
+      if (due.t <= t_ && k >= next_maneuver_[static_cast<std::size_t>(due.disk)]) {
+        throw InputError(path_, 0, "",
+                         "lacks the maneuver of disk " + std::to_string(due.disk) +
+                             " that the scene schedules at t = " + due.t.get_str());
+      }
+    }
+    return std::move(out_);
+  }
 
  private:
   void follow_collision(const CollideEvent& event, bool near_t, std::int64_t line) {

@@ -39,6 +39,7 @@ Answer answer_of(const Certificate& c) {
   if (c.verdict != Verdict::refuted) {
     answer.verdict = c.verdict == Verdict::certified ? "certified" : "undecided";
     answer.reason = c.reason;
+    answer.hidden = c.reason.find("inside another") != std::string::npos;
     return answer;
   }
   const Divergence& d = *c.divergence;

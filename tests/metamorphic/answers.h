@@ -35,6 +35,8 @@ struct Answer {
   bool velocities_by_law = false;
   // Whether claims were taken out of order, within the tolerance.
   bool swapped = false;
+  // Whether it is left open since a generator may lie inside another.
+  bool hidden = false;
 };
 std::string text(const Answer& answer);
 

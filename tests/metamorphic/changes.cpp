@@ -89,7 +89,9 @@ RecordedRun motions(const RecordedRun& run, int from, int to) {
 
 Comparison compared(const std::string& difference, const Case& ours, const RecordedRun& run,
                     const Case& theirs, const RecordedRun& their_run) {
-  if (!difference.empty()) return {true, Contradiction{"simulate: " + difference, ours, theirs}};
+  if (!difference.empty()) {
+    return {true, told("simulate: " + difference, ours, run, theirs, their_run)};
+  }
   if (!run.complete()) return {true};
   return {true, own_verdicts(ours, run, theirs, their_run)};
 }

@@ -166,27 +166,28 @@ std::string diagram_difference(const DiagramFile& ours, const Image& image,
 struct MomentAnswer {
   DiagramFile diagram;
   std::vector<std::pair<int, int>> nearest;
+  std::string left_open{};  // which predicate, where one is
 };
 
-// Nothing where a predicate is left open.
-std::optional<MomentAnswer> at_moment(const Scene& scene, const Rational& t) {
+MomentAnswer at_moment(const Scene& scene, const Rational& t) {
   EngineOptions options;
   options.motion.max_bits = budget().bits;
   try {
     return MomentAnswer{snapshot(scene, t, options), nearest_pairs(scene, t)};
-  } catch (const voroproof::Undecided&) {  // of the library
-    return std::nullopt;
-  } catch (const internal::Undecided&) {
-    return std::nullopt;
+  } catch (const voroproof::Undecided& e) {  // of the library
+    return {{}, {}, e.what()};
+  } catch (const internal::Undecided& e) {
+    return {{}, {}, e.what()};
   }
 }
 
-std::string moment_difference(const std::optional<MomentAnswer>& ours, const Image& image,
-                              const std::optional<MomentAnswer>& theirs) {
-  if (!ours || !theirs) return ours || theirs ? "one is left open" : "";
-  const std::string difference = diagram_difference(ours->diagram, image, theirs->diagram);
+std::string moment_difference(const MomentAnswer& ours, const Image& image,
+                              const MomentAnswer& theirs) {
+  if (ours.left_open.empty() != theirs.left_open.empty()) return "one is left open";
+  if (!ours.left_open.empty()) return "";
+  const std::string difference = diagram_difference(ours.diagram, image, theirs.diagram);
   if (!difference.empty()) return difference;
-  return ours->nearest == theirs->nearest ? "" : "nearest pairs";
+  return ours.nearest == theirs.nearest ? "" : "nearest pairs";
 }
 
 }  // namespace
@@ -202,7 +203,7 @@ Comparison compare_image(const World& world, Relation relation) {
   if (run.endless() || image_run.endless()) return {};
   const std::string difference = run_difference(world, run, *image, image_run);
   if (!difference.empty()) {
-    return {true, Contradiction{"simulate: " + difference, ours, theirs}};
+    return {true, told("simulate: " + difference, ours, run, theirs, image_run)};
   }
   if (!run.complete() && !world.claim) return {true};
   ours.claim = claim_of(world, run);
@@ -235,7 +236,7 @@ Comparison compare_moment(const World& world) {
   const auto image = random_image(world, relation, random);
   auto scene = image ? read_again(testing::image_of(world.scene, *image)) : std::nullopt;
   if (!scene) return {};
-  const Case ours{world.scene, {}, world.tolerance}, theirs{std::move(*scene), {}, {}};
+  Case ours{world.scene, {}, world.tolerance}, theirs{std::move(*scene), {}, {}};
   const RecordedRun run = simulated(ours.scene);
   if (!run.complete()) return {};
   Rational t = world.scene.horizon * Rational(random.integer(0, 64), 64);
@@ -243,10 +244,12 @@ Comparison compare_moment(const World& world) {
     const auto last = static_cast<int>(run.events.size()) - 1;
     t = to_rational(run.events[static_cast<std::size_t>(random.integer(0, last))].t);
   }
-  const auto answer = at_moment(ours.scene, t);
-  const auto image_answer = at_moment(theirs.scene, t * image->time);
+  const MomentAnswer answer = at_moment(ours.scene, t);
+  const MomentAnswer image_answer = at_moment(theirs.scene, t * image->time);
   const std::string difference = moment_difference(answer, *image, image_answer);
-  if (difference.empty()) return {answer.has_value()};
+  if (difference.empty()) return {answer.left_open.empty()};
+  ours.answer = answer.left_open;
+  theirs.answer = image_answer.left_open;
   return {true, Contradiction{"the diagram at " + t.get_str() + ": " + difference, ours, theirs}};
 }
 

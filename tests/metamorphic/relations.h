@@ -48,6 +48,10 @@ struct Comparison {
   bool too_long = false;
 };
 
+// Two runs that differ, with how they ended.
+Contradiction told(const std::string& what, const Case& ours, const testing::RecordedRun& our_run,
+                   const Case& theirs, const testing::RecordedRun& their_run);
+
 // A function of the world and its seed.
 Comparison compare(Relation relation, const World& world);
 

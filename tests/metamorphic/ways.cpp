@@ -206,8 +206,9 @@ Comparison compare_kernel(const World& world) {
     if (theirs == "undecided") continue;
     const Answer a = certified(ours, truth);
     if (a.verdict == theirs || a.verdict == "endless") continue;
-    // It may see a fault beyond the place where the other stops.
-    if (a.verdict == "undecided" && theirs == "refuted") continue;
+    // It may see a fault beyond the place where the other stops, and knows another proof after a
+    // hidden moment.
+    if (a.verdict == "undecided" && (theirs == "refuted" || a.hidden)) continue;
     return {true, told("kernel, " + std::string(name_of(truth)), ours, text(a), theirs)};
   }
   return {true};

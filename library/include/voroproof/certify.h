@@ -105,7 +105,8 @@ struct Report {
   // The first so many events are right, and nothing is missing before t.
   std::int64_t prefix_events = 0;
   double prefix_t = 0;
-  std::int64_t flips = 0, collisions = 0, maneuvers = 0;  // that were proved
+  // Proved; of a history that is not certified, if all before them is as it says.
+  std::int64_t flips = 0, collisions = 0, maneuvers = 0;
   std::int64_t flips_not_judged = 0;  // with EventKinds::collisions: the flips of the history
   std::vector<Leniency> leniency;     // with count > 0
   std::vector<std::string> remarks;

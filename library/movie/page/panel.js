@@ -45,7 +45,7 @@ class Panel {
       words.textContent = `Every event that was judged is right and none is missing: ${judged}.`;
       return;
     }
-    words.textContent = `Judged: ${judged}. Proved up to t = ${Number(report.prefixT.toPrecision(9))} ` +
+    words.textContent = `Judged: ${judged}. Proved up to t = ${report.prefixT} ` +
       `(${plural(report.prefixEvents, "event")}).` +
       (report.fault ? ` Line ${report.fault.line}, ${report.fault.kind}: ${report.fault.truth}.`
         : ` ${report.reason}`);

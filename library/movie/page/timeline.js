@@ -131,8 +131,7 @@ class Timeline {
     const report = data.facts.report;
     stretch(data.begin, data.end, report ? colour("undecided") : colour("line"));
     if (report) {
-      const proved = report.verdict === "CERTIFIED" ? data.end
-        : data.within(report.prefixT);
+      const proved = data.within(report.prefixT);
       if (report.verdict === "REFUTED") stretch(proved, data.end, theme.refuted);
       stretch(data.begin, proved, colour("certified"));
       if (report.fault) this.mark(data.within(report.fault.t), theme.refuted);

@@ -136,7 +136,8 @@ TEST_F(CertifyCli, NoHistoryIsFreeOfWhatItDoesNotTell) {
     {"center":[-6,"1/3"],"radius":2,"velocity":[1,0]},
     {"center":[4,"1/3"],"radius":3,"velocity":[0,0],"mass":4},
     {"center":[5,-11],"radius":1,"velocity":[0,0]}],
-    "maneuvers":[{"t":1.5,"disk":2,"velocity":[1,0]}]})");
+    "maneuvers":[{"t":1.5,"disk":2,"velocity":[1,0]},
+    {"t":20,"disk":2,"velocity":[0,0]}]})");
   const std::string right = file("t.history.jsonl");
   must({"simulate", whole, "-o", right});
   EXPECT_EQ(run({"clearance", whole, right, "--required", "0"}).code, 1);
@@ -169,6 +170,28 @@ TEST_F(CertifyCli, NoHistoryIsFreeOfWhatItDoesNotTell) {
   lacks(judged("4", other.replace(other.find("[1,0]"), 5, "[1,1]"), end("4", "1")), maneuver);
   other = turn;
   lacks(judged("4", other.replace(other.find("1.5"), 3, "2.5"), end("4", "1")), maneuver);
+  other = turn;
+  const Result surplus =
+      judged("12", turn + other.replace(other.find("1.5"), 3, "3.5"), end("12", "2"));
+  EXPECT_NE(surplus.out.find("c missing: the scene has no such maneuver: disk 2 at t = 3.5\n"),
+            std::string::npos)
+      << surplus.out;
+}
+
+// The scene's maneuvers are known: a history without one of them is not that of its true motion.
+TEST_F(CertifyCli, ConstructedDiagramsLackNoManeuver) {
+  std::string text = read_file(reference(12, "20"));
+  text.insert(text.rfind('}'), R"(,"maneuvers":[{"t":1,"disk":3,"velocity":[0,0]}])");
+  const std::string scene = written("m.scene.json", text), path = file("m.history.jsonl");
+  must({"simulate", scene, "-o", path});
+  must({"snapshot", scene, path, "--at", "2", "--construct", "1", "-o", file("d.json")});
+  std::string lacking;
+  for (std::string line : lines_of(read_file(path))) {
+    if (const auto at = line.find("\"maneuvers\":1"); at != std::string::npos) line[at + 12] = '0';
+    if (line.find("\"maneuver\"") == std::string::npos) lacking += line + "\n";
+  }
+  refused({"query", "closest", scene, written("l.history.jsonl", lacking), "--at", "2"},
+          "lacks the maneuver of disk 3 that the scene schedules at t = 1");
 }
 
 constexpr const char* kScene = R"({"format":"voroproof-scene","version":1,

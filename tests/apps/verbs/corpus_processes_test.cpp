@@ -57,6 +57,13 @@ TEST_F(CorpusCli, WhatAProgramLeavesBehindIsKilled) {
   EXPECT_TRUE(dies(process_in(note)));
 }
 
+// A history up to another horizon is right up to there, and not that of the case.
+TEST_F(CorpusCli, AnotherHorizonIsNotCertified) {
+  const Json found = against(simulate() + " --horizon 0.001", "three");
+  EXPECT_EQ(found["outcome"], "undecided");
+  EXPECT_NE(found["reason"].get<std::string>().find("horizon 0.001"), std::string::npos);
+}
+
 // Sessions of their own, and no parent any more.
 std::string leave_the_group(const std::string& note) {
   return "(setsid sh -c 'echo $$ end > " + note + "; exec sleep 1000' &) ; while [ ! -s " + note +
