@@ -5,10 +5,11 @@ usage: doors.py PROGRAM WRITE_WORLDS [--count N] [--seed S] [--out DIRECTORY]
 The histories are those of write_worlds (tests/adversary), right and wrong ones. The doors are the program on plain
 files, on compressed ones, on standard input, with two threads, with the kernel, in shards with and without an index,
 after an interruption, and the Python module. The engine writes each scene's history with two threads, compressed and
-resumed, too. Exit code 1 where two doors differ; the files are then kept in DIRECTORY.
+resumed, too; its events are those of the certified prefix, under the exact truth. Exit code 1 where two doors differ; the files are then kept in DIRECTORY.
 """
 import argparse
 import collections
+import fractions
 import gzip
 import hashlib
 import json
@@ -104,6 +105,37 @@ def sha256(path):
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
+def happenings(lines):
+    """The times of what happens, by its kind and generators."""
+    times = collections.defaultdict(list)
+    for line in lines:
+        event = json.loads(line)
+        if "flip" in event:
+            what = "flip", *sorted(event["flip"][:2]), *sorted(event["flip"][2:])
+        elif "collide" in event:
+            what = "collide", *event["collide"]
+        elif "maneuver" in event:
+            what = "maneuver", event["maneuver"]
+        else:
+            continue
+        t = event["t"]
+        times[what].append(float(t) if not isinstance(t, str) else float.fromhex(t) if "x" in t else
+                           float(fractions.Fraction(t)))
+    return times
+
+
+def beyond_prefix(prefix, claimed, own):
+    """Events that are missing before the end of the certified prefix, and wrong ones in it."""
+    tolerance = 1.0001e-6
+    claims, truth = happenings(claimed), happenings(own)
+    first = happenings(claimed[: prefix["events"]])
+    missing = [(what, t) for what, times in truth.items() for t in times
+               if t < prefix["t"] and all(abs(t - c) > tolerance for c in claims[what])]
+    wrong = [(what, t) for what, times in first.items() for t in times
+             if all(abs(t - c) > tolerance for c in truth[what])]
+    return missing + wrong
+
+
 def differences(doors, scene, history, counts):
     """The doors at which something else is said, with both answers."""
     def compare(door, ours, theirs):
@@ -111,13 +143,14 @@ def differences(doors, scene, history, counts):
         if ours != theirs:
             yield door, ours, theirs
 
+    prefixes = {}
     for truth in ("exact", "recorded"):
         plain = doors.report(scene, history, truth)
         verdict = plain.get("verdict", "invalid")
         yield from compare("standard input", plain, doors.standard_input(scene, history, truth))
         yield from compare("compressed", plain, doors.compressed(scene, history, truth))
         yield from compare("two threads", plain, doors.report(scene, history, truth, "--threads", "2"))
-        prefix = plain.get("certified_prefix", {})
+        prefix = prefixes[truth] = plain.get("certified_prefix", {})
         yield from compare("Python", (verdict, prefix.get("events"), prefix.get("t")) if prefix else "invalid",
                            doors.python(scene, history, truth))
         both = doors.report(scene, history, truth, "--kernel").get("verdict", "invalid")
@@ -131,6 +164,9 @@ def differences(doors, scene, history, counts):
     yield from compare("simulate, two threads", own, doors.simulated(scene, "--threads", "2"))
     yield from compare("simulate, compressed", own, doors.simulated(scene, name="own.jsonl.gz"))
     if own[0] == 0:
+        claimed = history.read_text().splitlines()[1:]
+        if prefixes["exact"]:
+            yield from compare("certified prefix", [], beyond_prefix(prefixes["exact"], claimed, own[1].splitlines()[1:]))
         yield from compare("simulate, resumed", own, doors.resumed(scene))
 
 
