@@ -5,7 +5,8 @@ usage: doors.py PROGRAM WRITE_WORLDS [--count N] [--seed S] [--out DIRECTORY]
 The histories are those of write_worlds (tests/adversary), right and wrong ones. The doors are the program on plain
 files, on compressed ones, on standard input, with two threads, with the kernel, in shards with and without an index,
 after an interruption, and the Python module. The engine writes each scene's history with two threads, compressed and
-resumed, too; its events are those of the certified prefix, under the exact truth. Exit code 1 where two doors differ; the files are then kept in DIRECTORY.
+resumed, too; its events are those of the certified prefix, under the exact truth. Exit code 1 where two doors differ;
+the files are then kept in DIRECTORY.
 """
 import argparse
 import collections
