@@ -25,14 +25,22 @@ bool FirstDivergence::turns_one_of(std::initializer_list<GenId> generators) cons
 }
 
 std::optional<Divergence> FirstDivergence::before_undecided() {
-  Earliest first{{}, claims_.settled()};
-  first.divergence.fault = Fault::missing_event;
-  if (front_.begun) look_for_contacts(first);
+  std::optional<Divergence> first;
+  const double settled = claims_.settled();
+  for (const PairLives::Open& life :
+       front_.begun ? pairs_.open(settled) : std::vector<PairLives::Open>{}) {
+    if (!(life.since < settled) || turns_one_of({life.i, life.j})) continue;
+    try {
+      pairs_.end(life, Moment::at(settled), PairEnd::turn);
+    } catch (const Refuted& r) {
+      if (!first || r.divergence.t < first->t) first = r.divergence;
+    } catch (const Undecided&) {
+      // Another may tell.
+    }
+  }
   const double now = claims_.current() ? time(*claims_.current()) : front_.moment.lo;
-  const bool found = first.divergence.true_contact.has_value();
-  auto maneuver = maneuver_missing_by(found ? first.divergence.t : now);
-  if (!maneuver && found) return first.divergence;
-  return maneuver;
+  const auto maneuver = maneuver_missing_by(first ? first->t : now);
+  return maneuver ? maneuver : first;
 }
 
 // The earliest event that every open life should have had, up to the refuted claim. Contacts come

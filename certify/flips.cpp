@@ -137,9 +137,10 @@ void Flips::mistimed(const Quad& q, const Collapse& c, const Rational& claimed) 
   const auto [lo, hi] = c.root();
   const std::array<double, 2> narrow = s_.chronology.enclosure(Moment::of(q, c));
   const Rational far = mistimed_tolerances * s_.options.tolerance;
-  const bool near = lo - claimed <= far && claimed - hi <= far;
+  const Rational from = to_rational(narrow[0]), to = to_rational(narrow[1]);
+  const bool near = from - claimed <= far && claimed - to <= far;
   Divergence d = refuter_.at_claim(
-      near || hi < claimed ? Fault::wrong_time : Fault::spurious_event,
+      near || to < claimed ? Fault::wrong_time : Fault::spurious_event,
       "edge " + text_of(canonical(q)) + " flips " + between(narrow[0], narrow[1]));
   d.true_flip = canonical(q);
   d.true_time = narrow;
