@@ -118,12 +118,12 @@ void Checker::prove(const PartEnd* end) {
       finish();
     }
   } catch (const Refuted& r) {
-    const bool crowded = claims_.crowded();
+    const bool dependent = claims_.may_depend_on_others();
     const Divergence first = first_divergence_.before(r.divergence);
-    if (crowded && !missed_before(first, claims_.settled())) {
+    if (dependent && !missed_before(first, claims_.settled())) {
       throw Undecided(
-          "the claim is false in its place, and more others lie within the tolerance than are "
-          "looked at: it may depend on one of them");
+          "the claim is false in its place, and may depend on another within the tolerance that is "
+          "not looked at, or undecided");
     }
     throw Refuted{first};
   } catch (const Undecided&) {

@@ -175,7 +175,8 @@ const std::optional<Moment>& ClaimOrder::moment_of(Claims::Claim& claim) {
     try {
       claim.moment = probe(claim.event);
     } catch (const Undecided&) {
-      // Where the motion goes on otherwise before then, it need not be decided.
+      // Where the motion goes on otherwise before then, it need not be decided. What is refuted
+      // meanwhile may depend on it (Claims::may_depend_on_others).
       claim.moment.reset();
       claim.placed = true;
     }

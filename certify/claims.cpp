@@ -75,7 +75,9 @@ void Claims::take(std::size_t k) {
   near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
-bool Claims::crowded() {
+bool Claims::may_depend_on_others() {
+  const auto undecided = [](const Claim& c) { return c.placed && !c.moment; };
+  if (std::any_of(near_.begin(), near_.end(), undecided)) return true;
   if (!full_) return false;
   try {
     return !ended_ && read() && near_.back().overlooked;

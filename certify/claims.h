@@ -93,9 +93,10 @@ class Claims {
   }
   // Makes the k-th of the near claims the one being checked.
   void take(std::size_t k);
-  // Whether more claims were near the one being checked than are looked at together, so that it may
-  // depend on one that has not been read yet. Reads on: no claim is checked after this.
-  bool crowded();
+  // Whether the claim being checked may depend on another near it: on one whose true time is
+  // undecided, or, where more were near than are looked at together, on one that has not been read
+  // yet. Reads on: no claim is checked after this.
+  bool may_depend_on_others();
   // An event before this time is claimed by none but claims that were taken already.
   double settled() const { return next_below(taken_ - tolerance_); }
   // Whether a claim that has not been proved, up to the time `until`, is such a one, or may be for

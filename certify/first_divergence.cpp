@@ -74,16 +74,12 @@ void FirstDivergence::look_for_contacts(Earliest& first) {
         proved_apart(s_.motion, i, j, since, limit())) {
       continue;
     }
-    try {
-      const NextContact c = contact_in(life, limit());
-      if (c.kind == NextContact::Kind::none) continue;
-      const bool near = c.hi >= first.limit - margin(first) - s_.tolerance_up;
-      if ((near && !is_never_claimed(i, j, c)) || may_be_left_out(life, c)) continue;
-      first = {refuter_.missing_contact(i, j, c.lo, c.hi), c.lo};
-      if (near) first.divergence.line = std::min(first.divergence.line, claims_.line());
-    } catch (const Undecided&) {
-      // The history is false, or the claim undecided, in any case. Another pair may tell.
-    }
+    const NextContact c = contact_in(life, limit());
+    if (c.kind == NextContact::Kind::none) continue;
+    const bool near = c.hi >= first.limit - margin(first) - s_.tolerance_up;
+    if ((near && !is_never_claimed(i, j, c)) || may_be_left_out(life, c)) continue;
+    first = {refuter_.missing_contact(i, j, c.lo, c.hi), c.lo};
+    if (near) first.divergence.line = std::min(first.divergence.line, claims_.line());
   }
 }
 
@@ -130,30 +126,41 @@ bool FirstDivergence::is_never_claimed(GenId i, GenId j, const NextContact& c) {
       });
 }
 
-// The first collapse of the edge in its life. Throws Undecided.
-std::optional<Collapse> FirstDivergence::collapse_in(int edge, double until) {
-  const EdgeLives::Life& life = edges_.life(edge);
-  if (life.due) return edges_.due(edge);
-  const Quad q = s_.diagram.quad(2 * edge);
-  if (proved_free(s_.motion, q, life.from, until)) return std::nullopt;
-  return edges_.first_collapse(q, life.from, until);
-}
-
 void FirstDivergence::look_for_flips(Earliest& first) {
+  // Where it is undecided whether an edge collapses so early that its flip should have been claimed
+  // by now, the history is false whether it does or not, and the refutation stands.
   bool undecided = false;
+  const auto search = [&](const Quad& q, double from) -> std::optional<Collapse> {
+    try {
+      return edges_.first_collapse(q, from, first.limit);
+    } catch (const Undecided&) {
+      try {
+        const double early = first.limit - margin(first) - 2 * s_.tolerance_up;
+        if (const auto c = edges_.first_collapse(q, from, early)) return c;
+      } catch (const Undecided&) {
+        undecided = true;
+        return std::nullopt;
+      }
+      throw;
+    }
+  };
   for (int e = 0; e < s_.diagram.edges(); ++e) {
     const Quad q = s_.diagram.quad(2 * e);
     const EdgeLives::Life& life = edges_.life(e);
-    const double limit = first.limit - margin(first);
-    if (!(life.from < limit) || life.illegal || life.pending || turns_one_of({q.l, q.r, q.s, q.e}))
-      continue;
+    if (life.illegal || life.pending || turns_one_of({q.l, q.r, q.s, q.e})) continue;
+    std::optional<Collapse> c;
+    if (life.due) {
+      c = edges_.due(e);
+    } else if (!proved_free(s_.motion, q, life.from, first.limit)) {
+      c = search(q, life.from);
+    }
+    if (!c) continue;
+    const auto [lo, hi] = s_.chronology.enclosure(Moment::of(q, *c));
+    if (!(hi < first.limit - margin(first))) continue;
     try {
-      const auto c = collapse_in(e, limit);
-      if (!c) continue;
-      const auto [lo, hi] = s_.chronology.enclosure(Moment::of(q, *c));
-      if (hi < limit) first = {refuter_.missing_flip(q, *c), lo};
+      first = {refuter_.missing_flip(q, *c), lo};
     } catch (const Undecided&) {
-      undecided = true;  // the history is false in any case
+      undecided = true;
     }
   }
   if (undecided) {
@@ -194,7 +201,8 @@ double FirstDivergence::complete_until(double t, bool briefly) {
     if (!life.illegal && !life.due && proved_free(s_.motion, q, life.from, until)) continue;
     look(life.from, [&] {
       if (life.illegal) return life.from;
-      const auto c = collapse_in(e, until);
+      if (life.due) return edges_.due(e).lo;
+      const auto c = edges_.first_collapse(q, life.from, until);
       return c ? c->lo : infinity;
     });
   }

@@ -46,7 +46,6 @@ class FirstDivergence {
   bool is_never_claimed(GenId i, GenId j, const NextContact& c);
   bool may_be_left_out(const PairLives::Open& life, const NextContact& c);
   std::optional<Divergence> due_before();
-  std::optional<Collapse> collapse_in(int edge, double until);
   void look_for_flips(Earliest& first);
 
   Setting& s_;

@@ -36,7 +36,8 @@ bool is_scheduled(const ManeuverEvent& claim, const Maneuver& m) {
   return !v || (same((*v)[0], m.vx) && same((*v)[1], m.vy));
 }
 
-// Maneuvers of the scene up to the end that the history lacks, or has otherwise, and others.
+// Maneuvers of the scene up to the end that the history lacks or has otherwise, and claims of
+// maneuvers that the scene lacks.
 void note_missing_maneuvers(const Scene& scene, const HistoryCursor& history, const Rational& end,
                             std::vector<std::string>& missing) {
   std::vector<std::vector<const ManeuverEvent*>> claims(scene.disks.size());

@@ -121,6 +121,9 @@ TEST(ConsistentFaults, PointsThatMeet) {
   for (const Truth truth : {Truth::exact, Truth::recorded}) {
     expect(Verdict::undecided, scene, history_of(scene, kTwo, {}), truth);
   }
+  // The true motion ends there: no claim after it is right or wrong.
+  expect(Verdict::undecided, scene,
+         history_of(scene, kTwo, {collision(1.5, container_id, 0, {}, {-1, 0})}), Truth::exact);
 }
 
 // A point passes between two disks at the instant at which these touch, and grazes both: nothing
