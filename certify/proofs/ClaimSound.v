@@ -12,15 +12,58 @@ Proof. intros K H. destruct (K g m H) as [H1 H2]. destruct m as [l r]. simpl in 
 
 Definition on (past : list claim) (u : R) (g : gen) : generator := on_leg P g (last_leg P g past) u.
 
-Lemma collapses_true past s f lo hi : knows P past s -> (lo < hi)%Z -> collapses s f lo hi = Good true ->
+(* The edge f on its lines at a time. *)
+Definition edge_is (past : list claim) (f : edge) (say : generator -> generator -> generator -> generator -> Prop) (u : R) : Prop :=
+  say (on past u (el f)) (on past u (er f)) (on past u (es f)) (on past u (ee f)).
+
+Lemma at_start past g t v : at_z (span g (known_mover P past g) t v) 0 = on past (IZR t) g.
+Proof. apply (span_start P g (known_mover P past g)). reflexivity. Qed.
+
+(* A bracket of one instant. *)
+Lemma instant_true past s f t : knows P past s -> collapses s f t t = Good true ->
+  (forall g, In g [el f; er f; es f; ee f] -> (since (last_leg P g past) <= t)%Z) /\
+  edge_is past f cotangent (IZR t) /\
+  exists u, IZR t < u /\ (forall w, IZR t <= w < u -> edge_is past f passed w) /\
+    (edge_is past f entered u \/ (largest f = false /\ edge_is past f cotangent u)).
+Proof.
+  intros K H. unfold collapses in H. rewrite Z.eqb_refl in H.
+  apply try_good in H as (a & A & H). apply try_good in H as (b & B & H). apply try_good in H as (c & C & H). injection H as H.
+  apply andb_prop in H as [H Hc]. apply andb_prop in H as [Ha Hb]. subst a b c.
+  destruct (four_known P _ _ _ _ _ _ _ _ K A) as [A1 A2]. destruct (four_known P _ _ _ _ _ _ _ _ K B) as [B1 _].
+  destruct (four_known P _ _ _ _ _ _ _ _ K C) as [C1 _]. split; [exact A2|]. split.
+  { apply cotangent_true in A1. rewrite !at_start in A1. exact A1. }
+  exists (IZR (t + soon)). split; [apply IZR_lt; unfold soon; lia|]. split.
+  - intros w Hw. destruct (parameter_pos _ _ _ Hw) as [Z1 Z2]. unfold edge_is, on. apply (passed_unscale _ Z2).
+    assert (E : forall g, scale ((IZR (t + soon) - IZR t) / (IZR (t + soon) - w)) (on_leg P g (last_leg P g past) w) =
+      at_z (span g (known_mover P past g) t (t + soon)) ((w - IZR t) / (IZR (t + soon) - w)))
+      by (intros g; symmetry; apply (span_at P g (known_mover P past g)); [reflexivity|exact Hw]).
+    rewrite !E. unfold by_fan, fan_past_at in B1. cbv zeta in B1.
+    match type of B1 with (if ?w then _ else _) = _ => destruct w end; [apply circles_turn|]; apply (fan_past_true _ _ _ _ B1 _ Z1).
+  - destruct (largest f) eqn:Rule.
+    + left. apply entered_true in C1. rewrite !at_start in C1. exact C1.
+    + assert (E : forall l r s e, by_fan (fun i a b c => fan_entered_at i a b c || fan_tied_at i a b c) l r s e =
+        by_fan fan_entered_at l r s e || by_fan fan_tied_at l r s e) by (intros; unfold by_fan; destruct (mwall _); reflexivity).
+      cbv zeta in C1. rewrite E in C1. apply orb_prop in C1 as [C1|C1]; [left; apply entered_true in C1|right; apply cotangent_true in C1];
+        rewrite !at_start in C1; [|split; [reflexivity|]]; exact C1.
+Qed.
+
+Lemma collapses_true past s f lo hi : knows P past s -> (lo <= hi)%Z -> collapses s f lo hi = Good true ->
   (forall g, In g [el f; er f; es f; ee f] -> (since (last_leg P g past) <= lo)%Z) /\
-  legal (on past (IZR lo) (el f)) (on past (IZR lo) (er f)) (on past (IZR lo) (es f)) (on past (IZR lo) (ee f)) /\
-  (exists o, vertex_circle o (on past (IZR hi) (el f)) (on past (IZR hi) (es f)) (on past (IZR hi) (er f)) /\ ~ empty_of o (on past (IZR hi) (ee f))) /\
-  (exists o, vertex_circle o (on past (IZR hi) (el f)) (on past (IZR hi) (er f)) (on past (IZR hi) (ee f)) /\ ~ empty_of o (on past (IZR hi) (es f))) /\
+  (forall u, IZR lo <= u <= IZR hi -> edge_is past f there u) /\
+  edge_is past f legal (IZR lo) /\
+  ((lo < hi)%Z -> edge_is past f entered (IZR hi)) /\
+  ((lo = hi)%Z -> edge_is past f cotangent (IZR lo) /\
+    exists u, IZR lo < u /\ (forall w, IZR lo <= w < u -> edge_is past f passed w) /\
+      (edge_is past f entered u \/ (largest f = false /\ edge_is past f cotangent u))) /\
   exists (u : R) o, (IZR lo <= u <= IZR hi) /\
     (vertex_circle o (on past u (el f)) (on past u (es f)) (on past u (er f)) /\ touches o (on past u (ee f))).
 Proof.
-  intros K O H. unfold collapses in H.
+  intros K O H. destruct (Z.eq_dec lo hi) as [<-|Ne].
+  { destruct (instant_true past s f lo K H) as (S & T & R). destruct T as [(o & V & X) (o' & V' & X')] eqn:E. split; [exact S|].
+    split; [intros u Hu; replace u with (IZR lo) by lra; split; eauto|].
+    split; [split; [exists o|exists o']; (split; [assumption|unfold touches, empty_of in *; lra])|].
+    split; [lia|]. split; [intros _; split; [exact T|exact R]|]. exists (IZR lo), o. split; [lra|split; assumption]. }
+  assert (O' : (lo < hi)%Z) by lia. unfold collapses in H. apply Z.eqb_neq in Ne as E. rewrite E in H.
   apply try_good in H as (a & A & H). apply try_good in H as (b & B & H). apply try_good in H as (c & C & H). injection H as H.
   apply andb_prop in H as [H Hc]. apply andb_prop in H as [Ha Hb]. subst a b c.
   destruct (four_known P _ _ _ _ _ _ _ _ K A) as [A1 A2]. destruct (four_known P _ _ _ _ _ _ _ _ K B) as [B1 _].
@@ -30,17 +73,20 @@ Proof.
   change (mwall (span (el f) (known_mover P past (el f)) hi (hi + 1))) with (Pos.eqb (el f) container) in B1.
   change (mwall (span (el f) (known_mover P past (el f)) lo (hi + 1))) with (Pos.eqb (el f) container) in C1.
   destruct (Pos.eqb (el f) container).
-  - destruct (bracket P lo hi O (er f) (ee f) (el f) (es f)
+  - destruct (bracket P lo hi O' (er f) (ee f) (el f) (es f)
       (known_mover P past (er f)) (known_mover P past (ee f)) (known_mover P past (el f)) (known_mover P past (es f)) eq_refl eq_refl eq_refl eq_refl A1 B1 C1)
-      as (L & (o1 & V1 & X1) & (o2 & V2 & X2) & _ & (u & o & Hu & V & X)).
-    split; [apply fan_of_edge_r, L|]. split; [exists o2; split; [apply vertex_turn, V2|exact X2]|].
-    split; [exists o1; split; [apply vertex_turn, vertex_turn, V1|exact X1]|].
-    exists u, o. split; [exact Hu|]. split; [apply vertex_turn, V|exact X].
-  - destruct (bracket P lo hi O (el f) (es f) (er f) (ee f)
+      as (L & N & _ & (u & o & Hu & V & X)).
+    pose proof (there_between P lo hi (er f) (ee f) (el f) (es f) (known_mover P past (er f)) (known_mover P past (ee f))
+      (known_mover P past (el f)) (known_mover P past (es f)) eq_refl eq_refl eq_refl eq_refl C1) as T.
+    split; [intros v Hv; apply circles_turn, T, Hv|]. split; [apply circles_turn, L|]. split; [intros _; apply circles_turn, N|].
+    split; [lia|]. exists u, o. split; [exact Hu|]. split; [apply vertex_turn, V|exact X].
+  - destruct (bracket P lo hi O' (el f) (es f) (er f) (ee f)
       (known_mover P past (el f)) (known_mover P past (es f)) (known_mover P past (er f)) (known_mover P past (ee f)) eq_refl eq_refl eq_refl eq_refl A1 B1 C1)
-      as (L & (o1 & V1 & X1) & (o2 & V2 & X2) & (u & o & Hu & V & X) & _).
-    split; [apply fan_of_edge_l, L|]. split; [exists o1; split; [exact V1|exact X1]|].
-    split; [exists o2; split; [exact V2|exact X2]|]. exists u, o. split; [exact Hu|]. split; [exact V|exact X].
+      as (L & N & (u & o & Hu & V & X) & _).
+    pose proof (there_between P lo hi (el f) (es f) (er f) (ee f) (known_mover P past (el f)) (known_mover P past (es f))
+      (known_mover P past (er f)) (known_mover P past (ee f)) eq_refl eq_refl eq_refl eq_refl C1) as T.
+    split; [exact T|]. split; [exact L|]. split; [intros _; exact N|]. split; [lia|].
+    exists u, o. split; [exact Hu|]. split; [exact V|exact X].
 Qed.
 
 (* Contact. *)

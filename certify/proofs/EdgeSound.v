@@ -32,42 +32,80 @@ Section Halving.
   Qed.
 End Halving.
 
-Definition fan_legal (i a b c : generator) : Prop :=
-  (exists k, vertex_circle k i a b /\ empty_of k c) /\ (exists k, vertex_circle k i b c /\ empty_of k a).
-
-Lemma fan_legal_unscale m : 0 < m -> forall i a b c,
-  fan_legal (scale m i) (scale m a) (scale m b) (scale m c) -> fan_legal i a b c.
+(* A fan about i is the edge [i,b,a,c]: what a sign of both in-circle functions says of it. *)
+Lemma fan_says (say : circle -> generator -> Prop) (sign : R -> Prop) i a b c z : fan_there i a b c = true -> 0 <= z ->
+  (forall k x g, (0 <= x -> empty_of k g) -> (x = 0 -> touches k g) -> (x < 0 -> ~ empty_of k g) -> sign x -> say k g) ->
+  sign (incircle (at_z i z) (at_z a z) (at_z b z) (at_z c z)) -> sign (incircle (at_z i z) (at_z b z) (at_z c z) (at_z a z)) ->
+  circles say (at_z i z) (at_z b z) (at_z a z) (at_z c z).
 Proof.
-  intros Hm i a b c [(k & V & E) (k' & V' & E')]. split.
-  - exists (scale_circle (/ m) k). split; [apply vertex_unscale | apply empty_unscale]; assumption.
-  - exists (scale_circle (/ m) k'). split; [apply vertex_unscale | apply empty_unscale]; assumption.
+  intros T Hz H S1 S2. destruct (fan_circles _ _ _ _ T z Hz) as [(k & V & A & B & C & _) (k' & V' & A' & B' & C' & _)].
+  split; [exists k|exists k']; (split; [assumption|eapply H; eassumption]).
 Qed.
 
 Lemma fan_legal_true i a b c : fan_there i a b c && fan_empty i a b c = true ->
-  forall z, 0 <= z -> fan_legal (at_z i z) (at_z a z) (at_z b z) (at_z c z).
+  forall z, 0 <= z -> legal (at_z i z) (at_z b z) (at_z a z) (at_z c z).
 Proof.
-  intros H z Hz. apply andb_prop in H as [H1 H2].
-  destruct (fan_empty_true _ _ _ _ H1 z Hz H2) as [Q1 Q2].
-  destruct (fan_circles _ _ _ _ H1 z Hz) as [(k & V & E & _) (k' & V' & E' & _)]. split; eauto.
-Qed.
-
-(* The fan about r, where l is the container, is the edge seen from its other side. *)
-Lemma fan_of_edge_l l r s e : fan_legal l s r e -> legal l r s e.
-Proof. intros [H1 H2]. split; assumption. Qed.
-
-Lemma fan_of_edge_r l r s e : fan_legal r e l s -> legal l r s e.
-Proof.
-  intros [(k & V & E) (k' & V' & E')]. split.
-  - exists k'. split; [|exact E']. apply vertex_turn, V'.
-  - exists k. split; [|exact E]. apply vertex_turn, vertex_turn, V.
+  intros H z Hz. apply andb_prop in H as [H1 H2]. destruct (fan_empty_true _ _ _ _ H1 z Hz H2) as [Q1 Q2].
+  apply (fan_says _ (fun x => 0 <= x)); auto.
 Qed.
 
 Theorem edge_legal_sound l r s e : edge_legal l r s e = true ->
   forall z, 0 <= z -> legal (at_z l z) (at_z r z) (at_z s z) (at_z e z).
 Proof.
   unfold edge_legal, by_fan. destruct (mwall l); intros H z Hz.
-  - apply fan_of_edge_r. revert z Hz. revert H. apply halving_sound; [exact fan_legal_unscale | exact fan_legal_true].
-  - apply fan_of_edge_l. revert z Hz. revert H. apply halving_sound; [exact fan_legal_unscale | exact fan_legal_true].
+  - apply circles_turn. revert z Hz. revert H.
+    apply (halving_sound _ (fun i a b c => legal i b a c)); [intros m Hm i a b c; apply legal_unscale, Hm | exact fan_legal_true].
+  - revert z Hz. revert H.
+    apply (halving_sound _ (fun i a b c => legal i b a c)); [intros m Hm i a b c; apply legal_unscale, Hm | exact fan_legal_true].
+Qed.
+
+(* An edge that lasts. *)
+Lemma fan_lasts_true i a b c : fan_there i a b c && (fan_empty i a b c || fan_long i a b c) = true ->
+  forall z, 0 <= z -> lasts (at_z i) (at_z b) (at_z a) (at_z c) z.
+Proof.
+  intros H z Hz. apply andb_prop in H as [T H]. split.
+  - destruct (fan_circles _ _ _ _ T z Hz) as [(k & V & _) (k' & V' & _)]. split; [exists k|exists k']; auto.
+  - apply orb_prop in H as [H|H].
+    + right. exists (z + 1). split; [lra|]. intros w Hw. apply fan_legal_true; [rewrite T, H; reflexivity|lra].
+    + left. destruct (fan_circles _ _ _ _ T z Hz) as [(k & V & _ & _ & _ & X) (k' & V' & _ & _ & _ & X')].
+      destruct (fan_long_true _ _ _ _ T z Hz H) as [Q|Q]; [left; exists k|right; exists k']; auto.
+Qed.
+
+Lemma fan_lasts_halving d : forall i a b c,
+  halving (fun i a b c => fan_there i a b c && (fan_empty i a b c || fan_long i a b c)) d i a b c = true ->
+  forall z, 0 <= z -> lasts (at_z i) (at_z b) (at_z a) (at_z c) z.
+Proof.
+  induction d as [|d IH]; intros i a b c; cbn [halving]; destruct (fan_there i a b c && _) eqn:T; intros H z Hz; try discriminate;
+    try (apply fan_lasts_true; assumption).
+  apply andb_prop in H as [HL HR]. destruct (Rlt_or_le z 1) as [H1|H1].
+  - apply (lasts_along _ _ _ _ (at_z (left i)) (at_z (left b)) (at_z (left a)) (at_z (left c)) (fun z => 2 * z / (1 - z))).
+    + intros y Hy. assert (Y : 0 <= 2 * z / (1 - z)) by (apply Rmult_le_pos; [lra|]; apply Rlt_le, Rinv_0_lt_compat; lra).
+      assert (U : forall w, w < 1 -> 2 * w / (1 - w) < y <-> w < y / (2 + y)).
+      { intros w Hw. split; intros Q.
+        - apply (Rmult_lt_reg_r (2 + y)); [lra|]. replace (y / (2 + y) * (2 + y)) with y by (field; lra).
+          apply (Rmult_lt_compat_r (1 - w)) in Q; [|lra]. replace (2 * w / (1 - w) * (1 - w)) with (2 * w) in Q by (field; lra). lra.
+        - apply (Rmult_lt_reg_r (1 - w)); [lra|]. replace (2 * w / (1 - w) * (1 - w)) with (2 * w) by (field; lra).
+          apply (Rmult_lt_compat_r (2 + y)) in Q; [|lra]. replace (y / (2 + y) * (2 + y)) with y in Q by (field; lra). lra. }
+      assert (Y1 : y / (2 + y) < 1).
+      { apply (Rmult_lt_reg_r (2 + y)); [lra|]. replace (y / (2 + y) * (2 + y)) with y by (field; lra). lra. }
+      exists (y / (2 + y)). split; [apply U; assumption|]. intros w Hw. split; [split|].
+      * apply (Rmult_le_reg_r ((1 - z) * (1 - w))); [apply Rmult_lt_0_compat; lra|].
+        replace (2 * z / (1 - z) * ((1 - z) * (1 - w))) with (2 * z * (1 - w)) by (field; lra).
+        replace (2 * w / (1 - w) * ((1 - z) * (1 - w))) with (2 * w * (1 - z)) by (field; lra). lra.
+      * apply U; lra.
+      * exists (2 / (1 - w)). split; [apply Rdiv_lt_0_compat; lra|]. rewrite !left_at by lra. auto.
+    + apply IH; [exact HL|]. apply Rmult_le_pos; [lra|]. apply Rlt_le, Rinv_0_lt_compat. lra.
+  - apply (lasts_along _ _ _ _ (at_z (right_ i)) (at_z (right_ b)) (at_z (right_ a)) (at_z (right_ c)) (fun z => (z - 1) / 2)).
+    + intros y Hy. exists (2 * y + 1). split; [lra|]. intros w Hw. split; [lra|]. exists 1. split; [lra|].
+      rewrite !right_at. unfold scale. rewrite !Rmult_1_l. repeat split; destruct (at_z _ w); reflexivity.
+    + apply IH; [exact HR|lra].
+Qed.
+
+Theorem edge_lasts_sound l r s e : edge_lasts l r s e = true -> forall z, 0 <= z -> lasts (at_z l) (at_z r) (at_z s) (at_z e) z.
+Proof.
+  unfold edge_lasts, by_fan. destruct (mwall l); intros H z Hz.
+  - apply lasts_turn. apply (fan_lasts_halving _ _ _ _ _ H z Hz).
+  - apply (fan_lasts_halving _ _ _ _ _ H z Hz).
 Qed.
 
 (* Pairs. *)
@@ -190,4 +228,54 @@ Proof.
   - right. exists o'. split; [exact V'|]. apply X'. rewrite start_incircle.
     destruct (turned_ints (zrow i a) (zrow i b) (zrow i c)) as (Ea & Eb & Ec). rewrite <- Ea, <- Eb, <- Ec in H.
     apply (sum_positive_at_true _ _ _ _ _ (sqrt_lt_R0 _ G2) N2 (start_product i b c a _ _ G2) H).
+Qed.
+
+Lemma sum_zero_at_true f x y n root : 0 < root ->
+  IZR x * IZR x - root * root * (IZR y * IZR y) = n * IZR f -> sum_zero_at f x y = true -> IZR x + root * IZR y = 0.
+Proof.
+  intros Hr P H. unfold sum_zero_at in H. apply andb_prop in H as [Hf H]. apply Z.eqb_eq in Hf. subst f. rewrite Rmult_0_r in P.
+  assert (Q : (IZR x + root * IZR y) * (IZR x - root * IZR y) = 0) by lra.
+  apply orb_prop in H as [H|H]; [apply orb_prop in H as [H|H]|]; apply andb_prop in H as [H1 H2].
+  - apply Z.eqb_eq in H1, H2. subst. lra.
+  - apply Z.ltb_lt, IZR_lt in H1, H2. pose proof (Rmult_lt_0_compat _ _ Hr H2).
+    apply Rmult_integral in Q as [Q|Q]; lra.
+  - apply Z.ltb_lt, IZR_lt in H1, H2. assert (0 < root * - IZR y) by (apply Rmult_lt_0_compat; lra).
+    apply Rmult_integral in Q as [Q|Q]; lra.
+Qed.
+
+Lemma fan_tied_true i a b c : fan_there i a b c = true -> fan_tied i a b c = true ->
+  incircle (at_z i 0) (at_z a 0) (at_z b 0) (at_z c 0) = 0 /\ incircle (at_z i 0) (at_z b 0) (at_z c 0) (at_z a 0) = 0.
+Proof.
+  intros There H. destruct (fan_parts _ _ _ _ There) as (_ & _ & _ & _ & _ & C1 & C2).
+  pose proof (there_gamma _ _ _ C1 0 (Rle_refl 0)) as G1. pose proof (there_gamma _ _ _ C2 0 (Rle_refl 0)) as G2.
+  unfold fan_tied in H. apply andb_prop in H as [H1 H2]. split.
+  - rewrite start_incircle. apply (sum_zero_at_true _ _ _ _ _ (sqrt_lt_R0 _ G1) (start_product i a b c _ _ G1) H1).
+  - destruct (turned_ints (zrow i a) (zrow i b) (zrow i c)) as (Ea & Eb & Ec). rewrite <- Ea, <- Eb, <- Ec in H2.
+    rewrite start_incircle. apply (sum_zero_at_true _ _ _ _ _ (sqrt_lt_R0 _ G2) (start_product i b c a _ _ G2) H2).
+Qed.
+
+Lemma fan_past_true i a b c : fan_there i a b c && fan_past i a b c = true ->
+  forall z, 0 <= z -> passed (at_z i z) (at_z b z) (at_z a z) (at_z c z).
+Proof.
+  intros H z Hz. apply andb_prop in H as [H1 H2].
+  destruct (fan_sums_true _ _ _ _ H1 sum_not_positive (fun x => x <= 0) true z sum_not_positive_proves Hz H2) as [Q1 Q2].
+  apply (fan_says _ (fun x => x <= 0)); try assumption.
+  intros k x g _ B C S. destruct S as [S|S]; [right; apply C, S|left; apply B, S].
+Qed.
+
+(* At the beginning of the interval. *)
+Lemma entered_true l r s e : by_fan fan_entered_at l r s e = true -> entered (at_z l 0) (at_z r 0) (at_z s 0) (at_z e 0).
+Proof.
+  assert (Fan : forall i a b c, fan_there i a b c && fan_entered i a b c = true -> entered (at_z i 0) (at_z b 0) (at_z a 0) (at_z c 0)).
+  { intros i a b c H. apply andb_prop in H as [T E]. destruct (fan_entered_true _ _ _ _ T E).
+    apply (fan_says _ (fun x => x < 0)); auto; lra. }
+  unfold by_fan, fan_entered_at. destruct (mwall l); intros H; [apply circles_turn|]; apply Fan, H.
+Qed.
+
+Lemma cotangent_true l r s e : by_fan fan_tied_at l r s e = true -> cotangent (at_z l 0) (at_z r 0) (at_z s 0) (at_z e 0).
+Proof.
+  assert (Fan : forall i a b c, fan_there i a b c && fan_tied i a b c = true -> cotangent (at_z i 0) (at_z b 0) (at_z a 0) (at_z c 0)).
+  { intros i a b c H. apply andb_prop in H as [T E]. destruct (fan_tied_true _ _ _ _ T E).
+    apply (fan_says _ (fun x => x = 0)); auto; lra. }
+  unfold by_fan, fan_tied_at. destruct (mwall l); intros H; [apply circles_turn|]; apply Fan, H.
 Qed.

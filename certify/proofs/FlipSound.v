@@ -83,13 +83,23 @@ Section Bracket.
   Hypothesis rc : size_ mc = radius_of P gc.
   Let at_ (g : gen) (m : mover) (t : R) := on_leg P g (path m) t.
 
+  (* The fan's edge at a time. *)
+  Let edge_is (say : generator -> generator -> generator -> generator -> Prop) (u : R) : Prop :=
+    say (at_ gi mi u) (at_ gb mb u) (at_ ga ma u) (at_ gc mc u).
+
+  Lemma there_between : fan_there (span gi mi lo (hi + 1)) (span ga ma lo (hi + 1)) (span gb mb lo (hi + 1)) (span gc mc lo (hi + 1)) = true ->
+    forall u, IZR lo <= u <= IZR hi -> edge_is there u.
+  Proof.
+    intros H u Hu. assert (B : IZR lo <= u < IZR (hi + 1)) by (rewrite plus_IZR; lra).
+    destruct (parameter_pos _ _ _ B) as [Z1 Z2]. unfold edge_is, at_. apply (there_unscale _ Z2). rewrite <- !(span_at P) by assumption.
+    apply (fan_says _ (fun _ => True)); trivial.
+  Qed.
+
   Lemma bracket :
     fan_legal_at (span gi mi lo lo) (span ga ma lo lo) (span gb mb lo lo) (span gc mc lo lo) = true ->
     fan_entered_at (span gi mi hi (hi + 1)) (span ga ma hi (hi + 1)) (span gb mb hi (hi + 1)) (span gc mc hi (hi + 1)) = true ->
     fan_there (span gi mi lo (hi + 1)) (span ga ma lo (hi + 1)) (span gb mb lo (hi + 1)) (span gc mc lo (hi + 1)) = true ->
-    fan_legal (at_ gi mi (IZR lo)) (at_ ga ma (IZR lo)) (at_ gb mb (IZR lo)) (at_ gc mc (IZR lo)) /\
-    (exists o, vertex_circle o (at_ gi mi (IZR hi)) (at_ ga ma (IZR hi)) (at_ gb mb (IZR hi)) /\ ~ empty_of o (at_ gc mc (IZR hi))) /\
-    (exists o, vertex_circle o (at_ gi mi (IZR hi)) (at_ gb mb (IZR hi)) (at_ gc mc (IZR hi)) /\ ~ empty_of o (at_ ga ma (IZR hi))) /\
+    edge_is legal (IZR lo) /\ edge_is entered (IZR hi) /\
     (exists u o, (IZR lo <= u <= IZR hi) /\ vertex_circle o (at_ gi mi u) (at_ ga ma u) (at_ gb mb u) /\ touches o (at_ gc mc u)) /\
     (exists u o, (IZR lo <= u <= IZR hi) /\ vertex_circle o (at_ gi mi u) (at_ gb mb u) (at_ gc mc u) /\ touches o (at_ ga ma u)).
   Proof.
@@ -129,7 +139,7 @@ Section Bracket.
       intros g n Hn. unfold at_. rewrite <- span_at by assumption. f_equal.
       rewrite U0. field. rewrite plus_IZR. split; [|lra]. 
       intros Hx. assert (0 < IZR hi + 1 - IZR lo) by lra. lra. }
-    split; [exact L|]. split; [exists o1; split; [exact V1|exact X1]|]. split; [exists o2; split; [exact V2|exact X2]|]. split.
+    split; [exact L|]. split; [split; [exists o1|exists o2]; split; assumption|]. split.
     - destruct (zero_between _ _ _ (span gc mc lo (hi + 1)) C1 y Z1) as (z & Hz & E).
       + rewrite !(span_start P) by assumption. exact Q1.
       + unfold y. rewrite !(span_at P) by assumption. fold m. rewrite incircle_scaled by exact Z2.

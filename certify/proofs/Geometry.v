@@ -32,15 +32,26 @@ Definition counterclockwise (c : circle) (i j k : generator) : Prop :=
 Definition vertex_circle (c : circle) (i j k : generator) : Prop :=
   touches c i /\ touches c j /\ touches c k /\ counterclockwise c i j k.
 
-(* The edge [l,r,s,e] is legal: its vertices [l,s,r] and [l,r,e] have circles, that of the start is empty of e, that of
-   the end is empty of s. *)
-Definition legal (l r s e : generator) : Prop :=
-  (exists c, vertex_circle c l s r /\ empty_of c e) /\
-  (exists c, vertex_circle c l r e /\ empty_of c s).
+(* The circles of the vertices [l,s,r] and [l,r,e] of an edge [l,r,s,e], and the generator at its other end: e for that of the
+   start, s for that of the end. *)
+Definition circles (say : circle -> generator -> Prop) (l r s e : generator) : Prop :=
+  (exists c, vertex_circle c l s r /\ say c e) /\ (exists c, vertex_circle c l r e /\ say c s).
+
+(* The edge is there; it is legal; both its circles touch all four; they are entered; they touch or are entered. *)
+Definition there : generator -> generator -> generator -> generator -> Prop := circles (fun _ _ => True).
+Definition legal : generator -> generator -> generator -> generator -> Prop := circles empty_of.
+Definition cotangent : generator -> generator -> generator -> generator -> Prop := circles touches.
+Definition entered : generator -> generator -> generator -> generator -> Prop := circles (fun c g => ~ empty_of c g).
+Definition passed : generator -> generator -> generator -> generator -> Prop := circles (fun c g => touches c g \/ ~ empty_of c g).
 
 (* The four of an edge have no common tangent circle where an end of the edge is. *)
 Definition not_cotangent (l r s e : generator) : Prop :=
   (exists c, vertex_circle c l s r /\ ~ touches c e) \/ (exists c, vertex_circle c l r e /\ ~ touches c s).
+
+(* The edge lasts at t, while the four move: it is there, and it has a length, or it is legal for a while from t on. *)
+Definition lasts (l r s e : R -> generator) (t : R) : Prop :=
+  there (l t) (r t) (s t) (e t) /\
+  (not_cotangent (l t) (r t) (s t) (e t) \/ exists u, t < u /\ forall w, t <= w < u -> legal (l w) (r w) (s w) (e w)).
 
 (* Two generators do not overlap: disks are apart or touch, a disk lies within the container. *)
 Definition apart (i j : generator) : Prop :=

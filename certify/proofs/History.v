@@ -27,6 +27,10 @@ Definition edge_eqb (p q : edge) : bool :=
   Pos.eqb (el p) (el q) && Pos.eqb (er p) (er q) && Pos.eqb (es p) (es q) && Pos.eqb (ee p) (ee q).
 Definition reversed (q : edge) : edge := Edge (er q) (el q) (ee q) (es q).
 
+(* Where four generators stay cotangent, the largest is thought of as infinitely little larger: the rule wants the edge that
+   joins it with the one opposite. An edge may have twice the same generator at its ends. *)
+Definition largest (q : edge) : bool := Pos.eqb (es q) (ee q) || Pos.ltb (Pos.max (es q) (ee q)) (Pos.max (el q) (er q)).
+
 Record maneuver := Scheduled { due : Z; who : gen; dvx : Z; dvy : Z }.
 
 Record problem := Problem {
@@ -106,15 +110,25 @@ Definition beside (a b c d : gen) (q : edge) : option edge :=
 
 Definition bind {A B} (a : option A) (f : A -> option B) : option B := match a with Some x => f x | None => None end.
 
+(* Which vertex at an end of the edge k a flip changes: the edge lies between a and b, and [a,b,c] turns into [a,b,d]. *)
+Definition corner (k : positive) (c : claim) : option (gen * gen * gen * gen) :=
+  match c with
+  | Flip _ f _ _ _ k1 k2 k3 k4 =>
+      if Pos.eqb k k1 then Some (el f, es f, er f, ee f)
+      else if Pos.eqb k k2 then Some (es f, er f, el f, ee f)
+      else if Pos.eqb k k3 then Some (er f, ee f, el f, es f)
+      else if Pos.eqb k k4 then Some (ee f, el f, er f, es f)
+      else None
+  | _ => None
+  end.
+(* Whether a flip is of the edge k itself. *)
+Definition own (k : positive) (c : claim) : bool := match c with Flip _ _ _ _ k0 _ _ _ _ => Pos.eqb k k0 | _ => false end.
+
 Definition after_flip (k : positive) (c : claim) (q : edge) : option edge :=
   match c with
-  | Flip _ f _ _ k0 k1 k2 k3 k4 =>
-      if Pos.eqb k k0 then Some (Edge (es f) (ee f) (er f) (el f))
-      else if Pos.eqb k k1 then beside (el f) (es f) (er f) (ee f) q
-      else if Pos.eqb k k2 then beside (es f) (er f) (el f) (ee f) q
-      else if Pos.eqb k k3 then beside (er f) (ee f) (el f) (es f) q
-      else if Pos.eqb k k4 then beside (ee f) (el f) (er f) (es f) q
-      else Some q
+  | Flip _ f _ _ _ _ _ _ _ =>
+      if own k c then Some (Edge (es f) (ee f) (er f) (el f))
+      else match corner k c with Some (a, b, c, d) => beside a b c d q | None => Some q end
   | _ => Some q
   end.
 
@@ -147,6 +161,25 @@ Fixpoint edge_at (k : positive) (past : list claim) (t : R) : option edge :=
 (* t lies in the bracket of a flip of this edge or of one beside it. *)
 Definition bracketed (k : positive) (past : list claim) (t : R) : Prop :=
   exists c lo hi, In c past /\ bracket_of k c = Some (lo, hi) /\ IZR lo <= t < IZR hi.
+
+(* All that the edge of a number may be called at time t: each flip whose bracket t lies in is over, or is not. *)
+Definition renamed (k : positive) (c : claim) (qs : list edge) : list edge :=
+  flat_map (fun q => match after_flip k c q with Some new => [new] | None => [] end) qs.
+Fixpoint names_at (k : positive) (past : list claim) (t : R) : list edge :=
+  match past with
+  | [] => match last_edge k [] with Some q => [q] | None => [] end
+  | c :: earlier =>
+      let olds := names_at k earlier t in
+      match bracket_of k c with
+      | Some (lo, hi) =>
+          if Rle_dec (IZR hi) t then renamed k c olds else if Rle_dec (IZR lo) t then renamed k c olds ++ olds else olds
+      | None => olds
+      end
+  end.
+
+(* t lies in the bracket of a flip of this very edge. *)
+Definition flipping (k : positive) (past : list claim) (t : R) : Prop :=
+  exists c lo hi, In c past /\ own k c = true /\ bracket_of k c = Some (lo, hi) /\ IZR lo <= t < IZR hi.
 
 (* A collision of the two is claimed at a time u within the tolerance of t: not before t, or the two overlap at u. *)
 Definition near_collision (past : list claim) (i j : gen) (t : R) : Prop :=
@@ -208,25 +241,29 @@ Definition centre_true (past : list claim) (c : claim) (t : Z) (gp : gen * (Z * 
   let off := minus p (x_at l t, y_at l t) in
   2 ^ 102 * dot off off <= 2 ^ 102 * (tolerance P * tolerance P * (dot (velocity l) (velocity l) + dot w w)) + dot p p.
 
-(* How wide the bracket of a flip may be: what the rounding of its time to a binary64 asks for, and no more, so that what is
-   right at both its ends by chance, while other edges flip in between, is none. *)
+(* How wide the bracket of a flip may be: what the rounding of its time to a binary64 asks for, and no more. *)
 Definition widest (t : Z) : Z := 2 * Z.max 4 (t / 2 ^ 51).
 
 (* What each claim says, after those of its past. *)
 Definition claim_true (past : list claim) (c : claim) : Prop :=
   match c with
   | Flip t f lo hi k k1 k2 k3 k4 =>
-      (* the edge is there, those beside it are four others; its bracket lies within the tolerance of the claimed time
-         and is narrow *)
+      (* the edge is named, those beside it are four others; its bracket lies within the tolerance of the claimed time
+         and is narrow, or one instant *)
       (last_edge k past = Some f \/ last_edge k past = Some (reversed f)) /\
       NoDup [k; k1; k2; k3; k4] /\
-      (t - tolerance P <= lo < hi /\ hi <= t + tolerance P /\ 0 < lo /\ hi - lo <= widest t) /\
+      (t - tolerance P <= lo <= hi /\ hi <= t + tolerance P /\ 0 < lo /\ hi - lo <= widest t) /\
       let at_ u g := on_leg g (last_leg g past) u in
+      let edge_is say (u : R) := say (at_ u (el f)) (at_ u (er f)) (at_ u (es f)) (at_ u (ee f)) : Prop in
       (forall g, In g [el f; er f; es f; ee f] -> since (last_leg g past) <= lo) /\
-      (* the edge is legal when the bracket begins; when it ends, both circles are entered by the generator opposite *)
-      legal (at_ (IZR lo) (el f)) (at_ (IZR lo) (er f)) (at_ (IZR lo) (es f)) (at_ (IZR lo) (ee f)) /\
-      (exists o, vertex_circle o (at_ (IZR hi) (el f)) (at_ (IZR hi) (es f)) (at_ (IZR hi) (er f)) /\ ~ empty_of o (at_ (IZR hi) (ee f))) /\
-      (exists o, vertex_circle o (at_ (IZR hi) (el f)) (at_ (IZR hi) (er f)) (at_ (IZR hi) (ee f)) /\ ~ empty_of o (at_ (IZR hi) (es f))) /\
+      (* the edge is there, and legal when the bracket begins; when it ends, both circles are entered by the generator opposite *)
+      (forall u, (IZR lo <= u <= IZR hi)%R -> edge_is there u) /\
+      edge_is legal (IZR lo) /\
+      (lo < hi -> edge_is entered (IZR hi)) /\
+      (* a bracket of one instant: then both circles touch all four, from then on they touch or are entered, and soon they are
+         entered, or still touch all four while the rule wants the other edge *)
+      (lo = hi -> edge_is cotangent (IZR lo) /\ exists u, (IZR lo < u)%R /\ (forall w, (IZR lo <= w < u)%R -> edge_is passed w) /\
+        (edge_is entered u \/ (largest f = false /\ edge_is cotangent u))) /\
       (* in between, at some instant, the circle of a vertex touches all four *)
       exists (u : R) o, (IZR lo <= u <= IZR hi)%R /\
         (vertex_circle o (at_ u (el f)) (at_ u (es f)) (at_ u (er f)) /\ touches o (at_ u (ee f)))
@@ -287,10 +324,8 @@ Record true_initial : Prop := {
       forall g, PositiveMap.find g (bodies P) <> None -> empty_of o (place [] 0%R g)
 }.
 
-(* Where four generators stay cotangent, the largest is thought of as infinitely little larger: the edge is there that joins
-   it with the one opposite. [tie_broken]: the four of the edge q, on the lines that they are on at time t, are not always
-   cotangent; or q is that edge; or it has twice the same generator at its ends. *)
-Definition largest (q : edge) : bool := Pos.eqb (es q) (ee q) || Pos.ltb (Pos.max (es q) (ee q)) (Pos.max (el q) (er q)).
+(* The four of the edge q, on the lines that they are on at time t, are not always cotangent; or q is the edge that the rule
+   wants where they are. *)
 Definition tie_broken (past : list claim) (t : R) (q : edge) : Prop :=
   largest q = true \/ exists u : R, let on g := on_leg g (leg_at g past t) u in not_cotangent (on (el q)) (on (er q)) (on (es q)) (on (ee q)).
 
@@ -304,12 +339,16 @@ Record true_history (past : list claim) : Prop := {
   edges_remain : forall k t, PositiveMap.find k (edges P) <> None -> edge_at k past t <> None;
   (* From 0 to the horizon, outside the brackets of its flips and of those beside it, every edge is legal at every
      instant: both circles exist, with their contacts counterclockwise, and neither is entered by the generator opposite;
-     ties that last are broken by the rule; and its two generators do not overlap but near a claimed collision of the two. *)
+     and ties that last are broken by the rule. *)
   edges_legal : forall k q t, (0 <= t < IZR (horizon P))%R -> edge_at k past t = Some q -> ~ bracketed k past t ->
-    legal (place past t (el q)) (place past t (er q)) (place past t (es q)) (place past t (ee q)) /\
-    tie_broken past t q /\
-    (apart (place past t (el q)) (place past t (er q)) \/
-     near_collision past (el q) (er q) t \/ near_collision past (er q) (el q) t)
+    legal (place past t (el q)) (place past t (er q)) (place past t (es q)) (place past t (ee q)) /\ tie_broken past t q;
+  (* But in the brackets of its own flips, at every instant the edge lasts, by each of its names. *)
+  edges_last : forall k q t, (0 <= t < IZR (horizon P))%R -> In q (names_at k past t) -> ~ flipping k past t ->
+    let moving g u := place past u g in lasts (moving (el q)) (moving (er q)) (moving (es q)) (moving (ee q)) t;
+  (* At every instant, by each of its names, the two generators of an edge do not overlap but near a claimed collision of the two. *)
+  pairs_apart : forall k q t, (0 <= t < IZR (horizon P))%R -> In q (names_at k past t) ->
+    apart (place past t (el q)) (place past t (er q)) \/
+    near_collision past (el q) (er q) t \/ near_collision past (er q) (el q) t
 }.
 
 (* At time t, in no bracket, the circle of each vertex is there and empty of all generators: the edges are those of the

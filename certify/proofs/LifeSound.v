@@ -107,6 +107,54 @@ Qed.
 Lemma place_on_leg past t g : IZR (since (last_leg P g past)) <= t -> place P past t g = on_leg P g (last_leg P g past) t.
 Proof. intros H. unfold place. rewrite leg_at_last by exact H. reflexivity. Qed.
 
+(* The edge q at time t, by the paths of a past. *)
+Definition lasts_at (past : list claim) (t : R) (q : edge) : Prop :=
+  let moving g u := place P past u g in lasts (moving (el q)) (moving (er q)) (moving (es q)) (moving (ee q)) t.
+
+Lemma lasting_true past s q a b : knows past s -> four s q a a b edge_lasts = Good true -> forall t, IZR a <= t < IZR b -> lasts_at past t q.
+Proof.
+  intros K H t Ht. destruct (four_known _ _ _ _ _ _ _ _ K H) as [T Since]. cbv zeta in T. unfold lasts_at.
+  set (g k := span k (known_mover past k) a b) in *. set (phi w := (w - IZR a) / (IZR b - w)).
+  apply (lasts_along _ _ _ _ (at_z (g (el q))) (at_z (g (er q))) (at_z (g (es q))) (at_z (g (ee q))) phi).
+  2: { apply edge_lasts_sound; [exact T|]. apply parameter_pos, Ht. }
+  intros y Hy. assert (P0 : 0 <= phi t) by (apply parameter_pos, Ht).
+  assert (Up : forall v w, v < IZR b -> w < IZR b -> phi w - phi v = (w - v) * ((IZR b - IZR a) / ((IZR b - v) * (IZR b - w)))).
+  { intros v w Hv Hw. unfold phi. field. lra. }
+  assert (Pos : forall v w, v < IZR b -> w < IZR b -> 0 < (IZR b - IZR a) / ((IZR b - v) * (IZR b - w))).
+  { intros v w Hv Hw. apply Rdiv_lt_0_compat; [lra|]. apply Rmult_lt_0_compat; lra. }
+  set (u := (IZR a + y * IZR b) / (1 + y)).
+  assert (Ub : IZR b - u = (IZR b - IZR a) / (1 + y)) by (unfold u; field; lra).
+  assert (U1 : u < IZR b). { assert (0 < (IZR b - IZR a) / (1 + y)) by (apply Rdiv_lt_0_compat; lra). lra. }
+  assert (Uy : phi u = y). { unfold phi. rewrite Ub. replace (u - IZR a) with (y * ((IZR b - IZR a) / (1 + y))) by (unfold u; field; lra). field. lra. }
+  exists u. split.
+  { pose proof (Up t u ltac:(lra) U1) as E. pose proof (Pos t u ltac:(lra) U1) as Q. rewrite Uy in E.
+    destruct (Rlt_or_le t u) as [|H1]; [assumption|]. assert (0 <= (t - u) * ((IZR b - IZR a) / ((IZR b - t) * (IZR b - u)))) by (apply Rmult_le_pos; lra). lra. }
+  intros w Hw. split; [split|].
+  - pose proof (Up t w ltac:(lra) ltac:(lra)) as E. pose proof (Pos t w ltac:(lra) ltac:(lra)) as Q.
+    assert (0 <= (w - t) * ((IZR b - IZR a) / ((IZR b - t) * (IZR b - w)))) by (apply Rmult_le_pos; lra). lra.
+  - pose proof (Up w u ltac:(lra) U1) as E. pose proof (Pos w u ltac:(lra) U1) as Q. rewrite Uy in E.
+    assert (0 < (u - w) * ((IZR b - IZR a) / ((IZR b - w) * (IZR b - u)))) by (apply Rmult_lt_0_compat; lra). lra.
+  - exists ((IZR b - IZR a) / (IZR b - w)). split; [apply Rdiv_lt_0_compat; lra|].
+    assert (E : forall k, In k [el q; er q; es q; ee q] -> at_z (g k) (phi w) = scale ((IZR b - IZR a) / (IZR b - w)) (place P past w k)).
+    { intros k I. unfold g, phi. rewrite span_at by (try reflexivity; lra). rewrite place_on_leg; [reflexivity|].
+      pose proof (Since k I) as S. apply IZR_le in S. lra. }
+    simpl in E. repeat split; apply E; tauto.
+Qed.
+
+(* The pair of an edge over [a, b). *)
+Lemma pair_true past s q a b : knows past s -> four s q a a b (fun l r _ _ => pair_apart depth l r) = Good true ->
+  forall t, IZR a <= t < IZR b -> apart (place P past t (el q)) (place P past t (er q)).
+Proof.
+  intros K B t Ht. destruct (four_known _ _ _ _ _ _ _ _ K B) as [T Since]. cbv zeta in T.
+  pose proof (Since (el q) ltac:(simpl; tauto)) as Lb. pose proof (Since (er q) ltac:(simpl; tauto)) as Rb. apply IZR_le in Lb, Rb.
+  destruct (parameter_pos _ _ _ Ht) as [Z1 Z2]. rewrite !place_on_leg by lra.
+  apply (apart_unscale ((IZR b - IZR a) / (IZR b - t)) Z2).
+  assert (E : forall k, scale ((IZR b - IZR a) / (IZR b - t)) (on_leg P k (last_leg P k past) t) =
+    at_z (span k (known_mover past k) a b) ((t - IZR a) / (IZR b - t))) by (intros k; symmetry; apply span_at; [reflexivity|exact Ht]).
+  rewrite !E.
+  apply (pair_apart_sound _ _ _ T). exact Z1.
+Qed.
+
 (* What a settled life says. *)
 Lemma settled past s sl u pu : knows past s -> settle s sl u pu = Good tt ->
   (forall t, IZR (proved sl) <= t < IZR u ->
@@ -132,12 +180,6 @@ Proof.
     rewrite <- L, <- R, <- I, <- F. rewrite <- !span_at by assumption.
     apply edge_legal_sound; assumption.
   - intros t Ht. destruct (pair_proved sl <? pu)%Z eqn:E; [|apply Z.ltb_ge, IZR_le in E; lra].
-    destruct (four_good _ _ _ _ _ _ _ _ K B) as (l & r & i & e & T & (L & Ls & Lb) & (R & Rs & Rb) & _).
-    rewrite L in Lb. rewrite R in Rb. apply IZR_le in Lb, Rb.
-    destruct (parameter_pos _ _ _ Ht) as [Z1 Z2].
-    rewrite !place_on_leg by lra.
-    apply (apart_unscale ((IZR pu - IZR (pair_proved sl)) / (IZR pu - t)) Z2).
-    rewrite <- L, <- R. rewrite <- !span_at by assumption.
-    apply (pair_apart_sound _ _ _ T). exact Z1.
+    apply (pair_true past s _ _ _ K B t Ht).
 Qed.
 End Life.

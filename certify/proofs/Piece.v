@@ -18,19 +18,25 @@ Definition with_sign (w : bool) (x : Z) : Z := if w then - x else x.
 Definition poly_sign (w : bool) (p : poly) : poly := if w then neg p else p.
 Definition is_proper (g : moving) : bool := if mwall g then mr g <? 0 else 0 <=? mr g.
 
-(* x + root y > 0 throughout, where m has the sign of (x + root y)(x - root y); x0 and y0 are x and y at the beginning. *)
-Definition sum_positive (m : poly) (x0 y0 : unit -> Z) (x y : unit -> poly) : bool :=
+(* A test of x + root y, where m has the sign of (x + root y)(x - root y); x0 and y0 are x and y at the beginning. *)
+Definition sum_test := poly -> (unit -> Z) -> (unit -> Z) -> (unit -> poly) -> (unit -> poly) -> bool.
+
+(* x + root y is positive throughout, or not negative. *)
+Definition sum_positive : sum_test := fun m x0 y0 x y =>
   if is_positive m then 0 <? x0 tt
   else if is_positive (neg m) then 0 <? y0 tt
   else let px := x tt in let py := y tt in
     (is_positive px && never_negative py) || (never_negative px && is_positive py).
 
-Definition sum_not_negative (m : poly) (x0 y0 : unit -> Z) (x y : unit -> poly) : bool :=
+Definition sum_not_negative : sum_test := fun m x0 y0 x y =>
   if is_positive m then 0 <? x0 tt
   else if is_positive (neg m) then 0 <? y0 tt
   else let px := x tt in let py := y tt in
     (never_negative px && never_negative py) || (never_negative m && never_negative px) ||
     (never_negative (neg m) && never_negative py).
+
+Definition sum_not_positive : sum_test := fun m x0 y0 x y =>
+  sum_not_negative m (fun u => - x0 u) (fun u => - y0 u) (fun u => neg (x u)) (fun u => neg (y u)).
 
 Notation p_dxy := (dxy sub mul).
 Notation p_a := (form_a add sub mul).
@@ -63,17 +69,25 @@ Definition fan_there (i a b c : moving) : bool :=
   negb (mwall i) && is_proper i && is_proper a && is_proper b && is_proper c &&
   circle_there (mwall a) (mwall b) pa pb za zb && circle_there (mwall b) (mwall c) pb pc zb zc.
 
-(* c does not enter the first circle, a does not enter the second. *)
-Definition fan_empty (i a b c : moving) : bool :=
+(* The in-circle function of c about the first circle, and that of a about the second: the test of both, or of one of them. *)
+Definition fan_sums (test : sum_test) (both : bool) (i a b c : moving) : bool :=
   let pa := prow i a in let pb := prow i b in let pc := prow i c in
   let fa := p_a pa pb pc in let fb := p_b pa pb pc in let fc := p_c pa pb pc in
   let f := p_f fa fb fc in
   let za := zrow i a in let zb := zrow i b in let zc := zrow i c in
   let ga := z_a za zb zc in let gb := z_b za zb zc in let gc := z_c za zb zc in
-  sum_not_negative f (fun _ => with_sign (mwall c) (z_g za zb ga gb)) (fun _ => with_sign (xorb (mwall c) (mwall a || mwall b)) gc)
-    (fun _ => poly_sign (mwall c) (p_g pa pb fa fb)) (fun _ => poly_sign (xorb (mwall c) (mwall a || mwall b)) fc) &&
-  sum_not_negative f (fun _ => with_sign (mwall a) (z_g zb zc ga gb)) (fun _ => with_sign (xorb (mwall a) (mwall b || mwall c)) gc)
-    (fun _ => poly_sign (mwall a) (p_g pb pc fa fb)) (fun _ => poly_sign (xorb (mwall a) (mwall b || mwall c)) fc).
+  let first := test f (fun _ => with_sign (mwall c) (z_g za zb ga gb)) (fun _ => with_sign (xorb (mwall c) (mwall a || mwall b)) gc)
+    (fun _ => poly_sign (mwall c) (p_g pa pb fa fb)) (fun _ => poly_sign (xorb (mwall c) (mwall a || mwall b)) fc) in
+  if eqb first both then
+    test f (fun _ => with_sign (mwall a) (z_g zb zc ga gb)) (fun _ => with_sign (xorb (mwall a) (mwall b || mwall c)) gc)
+      (fun _ => poly_sign (mwall a) (p_g pb pc fa fb)) (fun _ => poly_sign (xorb (mwall a) (mwall b || mwall c)) fc)
+  else first.
+(* c does not enter the first circle, a does not enter the second. *)
+Definition fan_empty : moving -> moving -> moving -> moving -> bool := fan_sums sum_not_negative true.
+(* The first circle is not empty of c but for a touch, nor the second of a. *)
+Definition fan_past : moving -> moving -> moving -> moving -> bool := fan_sums sum_not_positive true.
+(* The first circle does not touch c, or the second does not touch a. *)
+Definition fan_long : moving -> moving -> moving -> moving -> bool := fan_sums sum_positive false.
 
 (* The halves of the interval, in half the unit of length. *)
 Definition left (g : moving) : moving := Moving (2 * ax g) (2 * ay g) (ax g + bx g) (ay g + by_ g) (2 * mr g) (mwall g).
@@ -94,7 +108,9 @@ Definition by_fan {T} (test : moving -> moving -> moving -> moving -> T) (l r s 
   if mwall l then test r e l s else test l s r e.
 
 Definition depth : nat := 64.
-Definition edge_there : moving -> moving -> moving -> moving -> bool := by_fan (halving fan_there depth).
+(* At each instant it is legal for a while, or it has a length. *)
+Definition edge_lasts : moving -> moving -> moving -> moving -> bool :=
+  by_fan (halving (fun i a b c => fan_there i a b c && (fan_empty i a b c || fan_long i a b c)) depth).
 Definition edge_legal : moving -> moving -> moving -> moving -> bool :=
   by_fan (halving (fun i a b c => fan_there i a b c && fan_empty i a b c) depth).
 
@@ -107,7 +123,15 @@ Definition fan_entered (i a b c : moving) : bool :=
   let f := z_f ga gb gc in
   sum_negative_at f (with_sign (mwall c) (z_g za zb ga gb)) (with_sign (xorb (mwall c) (mwall a || mwall b)) gc) &&
   sum_negative_at f (with_sign (mwall a) (z_g zb zc ga gb)) (with_sign (xorb (mwall a) (mwall b || mwall c)) gc).
-Definition edge_entered : moving -> moving -> moving -> moving -> bool := by_fan fan_entered.
+
+(* At the interval's beginning: both circles touch all four. *)
+Definition sum_zero_at (f x y : Z) : bool := (f =? 0) && ((x =? 0) && (y =? 0) || (x <? 0) && (0 <? y) || (0 <? x) && (y <? 0)).
+Definition fan_tied (i a b c : moving) : bool :=
+  let za := zrow i a in let zb := zrow i b in let zc := zrow i c in
+  let ga := z_a za zb zc in let gb := z_b za zb zc in let gc := z_c za zb zc in
+  let f := z_f ga gb gc in
+  sum_zero_at f (with_sign (mwall c) (z_g za zb ga gb)) (with_sign (xorb (mwall c) (mwall a || mwall b)) gc) &&
+  sum_zero_at f (with_sign (mwall a) (z_g zb zc ga gb)) (with_sign (xorb (mwall a) (mwall b || mwall c)) gc).
 
 (* At the interval's beginning: the first circle of the fan does not touch c, or the second not a. *)
 Definition sum_positive_at (f x y : Z) : bool :=
@@ -118,6 +142,13 @@ Definition fan_strict (i a b c : moving) : bool :=
   let f := z_f ga gb gc in
   sum_positive_at f (with_sign (mwall c) (z_g za zb ga gb)) (with_sign (xorb (mwall c) (mwall a || mwall b)) gc) ||
   sum_positive_at f (with_sign (mwall a) (z_g zb zc ga gb)) (with_sign (xorb (mwall a) (mwall b || mwall c)) gc).
+
+(* The same where the circles are there. *)
+Definition fan_strict_at (i a b c : moving) : bool := fan_there i a b c && fan_strict i a b c.
+Definition fan_legal_at (i a b c : moving) : bool := fan_there i a b c && fan_empty i a b c.
+Definition fan_tied_at (i a b c : moving) : bool := fan_there i a b c && fan_tied i a b c.
+Definition fan_past_at (i a b c : moving) : bool := fan_there i a b c && fan_past i a b c.
+Definition fan_entered_at (i a b c : moving) : bool := fan_there i a b c && fan_entered i a b c.
 
 (* Two generators do not overlap. *)
 Definition pair_gap (i j : moving) : poly :=

@@ -131,6 +131,22 @@ Section Sum.
   Qed.
 End Sum.
 
+(* A test of such sums that proves something of them. *)
+Definition proves (test : sum_test) (says : R -> Prop) : Prop := forall m px py x0 y0 (gam n : R -> R),
+  IZR x0 = eval px 0 -> IZR y0 = eval py 0 -> (forall w, 0 <= w -> 0 < gam w) -> (forall w, 0 <= w -> 0 < n w) ->
+  (forall w, 0 <= w -> eval px w * eval px w - gam w * (eval py w * eval py w) = n w * eval m w) ->
+  forall z, 0 <= z -> test m (fun _ => x0) (fun _ => y0) (fun _ => px) (fun _ => py) = true -> says (eval px z + sqrt (gam z) * eval py z).
+
+Lemma sum_not_positive_proves : proves sum_not_positive (fun x => x <= 0).
+Proof.
+  intros m px py x0 y0 gam n X Y G N Pr z Hz H.
+  assert (Q : 0 <= eval (neg px) z + sqrt (gam z) * eval (neg py) z); [|rewrite !eval_neg in Q; lra].
+  apply (sum_not_negative_true m (neg px) (neg py) (- x0)%Z (- y0)%Z gam n); try assumption.
+  - rewrite opp_IZR, eval_neg, X. reflexivity.
+  - rewrite opp_IZR, eval_neg, Y. reflexivity.
+  - intros w Hw. rewrite !eval_neg, <- Pr by exact Hw. ring.
+Qed.
+
 (* The circle (i,j,k). *)
 Section There.
   Variables i j k : moving.
@@ -265,20 +281,24 @@ Section Fan.
       as (-> & -> & ->). reflexivity.
   Qed.
 
-  Lemma fan_empty_true z : 0 <= z -> fan_empty i a b c = true ->
-    0 <= incircle (at_z i z) (at_z a z) (at_z b z) (at_z c z) /\ 0 <= incircle (at_z i z) (at_z b z) (at_z c z) (at_z a z).
+  Lemma fan_sums_true test says both z : proves test says -> 0 <= z -> fan_sums test both i a b c = true ->
+    let first := says (incircle (at_z i z) (at_z a z) (at_z b z) (at_z c z)) in
+    let second := says (incircle (at_z i z) (at_z b z) (at_z c z) (at_z a z)) in
+    if both then first /\ second else first \/ second.
   Proof.
-    intros Hz H. destruct fan_parts as (Hi & Pi & Pa & Pb & Pc & C1 & C2).
-    unfold fan_empty in H. apply andb_prop in H as [H1 H2]. split.
-    - rewrite incircle_is.
-      apply (sum_not_negative_true _ _ _ _ _ (fun w => gamma (seen_from (at_z i w) (at_z a w)) (seen_from (at_z i w) (at_z b w)))
-         (fun w => norm (seen_from (at_z i w) (at_z a w)) (seen_from (at_z i w) (at_z b w)))) with (7 := H1); try assumption.
+    intros Sound Hz H first second. destruct fan_parts as (Hi & Pi & Pa & Pb & Pc & C1 & C2).
+    unfold fan_sums in H. cbv zeta in H. match type of H with (if eqb ?t _ then ?u else _) = _ =>
+      assert (H1 : t = true -> first); [|assert (H2 : u = true -> second)] end.
+    - intros T. unfold first. rewrite incircle_is.
+      apply (Sound _ _ _ _ _ (fun z => gamma (seen_from (at_z i z) (at_z a z)) (seen_from (at_z i z) (at_z b z)))
+         (fun w => norm (seen_from (at_z i w) (at_z a w)) (seen_from (at_z i w) (at_z b w)))) with (7 := T); try assumption.
       + rewrite with_sign_is, eval_poly_sign, int_g, int_a, int_b, at_g, at_a, at_b, !zrow_at, !prow_at. reflexivity.
       + rewrite with_sign_is, eval_poly_sign, int_c, at_c, !zrow_at, !prow_at. reflexivity.
       + apply there_gamma; assumption.
       + apply there_norm; assumption.
       + apply incircle_norm.
-    - assert (X : incircle (at_z i z) (at_z b z) (at_z c z) (at_z a z) =
+    - intros T. unfold second.
+      assert (X : incircle (at_z i z) (at_z b z) (at_z c z) (at_z a z) =
         eval (poly_sign (mwall a) (p_g (prow i b) (prow i c) (p_a (prow i a) (prow i b) (prow i c)) (p_b (prow i a) (prow i b) (prow i c)))) z +
         sqrt (gamma (seen_from (at_z i z) (at_z b z)) (seen_from (at_z i z) (at_z c z))) *
         eval (poly_sign (xorb (mwall a) (mwall b || mwall c)) (p_c (prow i a) (prow i b) (prow i c))) z).
@@ -286,8 +306,8 @@ Section Fan.
         destruct (turned_forms (seen_from (at_z i z) (at_z a z)) (seen_from (at_z i z) (at_z b z)) (seen_from (at_z i z) (at_z c z)))
           as (-> & -> & ->). reflexivity. }
       rewrite X.
-      apply (sum_not_negative_true _ _ _ _ _ (fun z => gamma (seen_from (at_z i z) (at_z b z)) (seen_from (at_z i z) (at_z c z)))
-         (fun w => norm (seen_from (at_z i w) (at_z b w)) (seen_from (at_z i w) (at_z c w)))) with (7 := H2); try assumption.
+      apply (Sound _ _ _ _ _ (fun z => gamma (seen_from (at_z i z) (at_z b z)) (seen_from (at_z i z) (at_z c z)))
+         (fun w => norm (seen_from (at_z i w) (at_z b w)) (seen_from (at_z i w) (at_z c w)))) with (7 := T); try assumption.
       + rewrite with_sign_is, eval_poly_sign, int_g, int_a, int_b, at_g, at_a, at_b, !zrow_at, !prow_at. reflexivity.
       + rewrite with_sign_is, eval_poly_sign, int_c, at_c, !zrow_at, !prow_at. reflexivity.
       + apply there_gamma; assumption.
@@ -296,5 +316,14 @@ Section Fan.
         rewrite !eval_poly_sign, !at_g, !at_a, !at_b, !at_c, !prow_at.
         destruct (turned_forms (seen_from (at_z i w) (at_z a w)) (seen_from (at_z i w) (at_z b w)) (seen_from (at_z i w) (at_z c w)))
           as (-> & -> & ->). reflexivity.
+    - match type of H with (if eqb ?t _ then _ else _) = _ => destruct t eqn:T end; destruct both; simpl in H; try discriminate; auto.
   Qed.
+
+  Lemma fan_empty_true z : 0 <= z -> fan_empty i a b c = true ->
+    0 <= incircle (at_z i z) (at_z a z) (at_z b z) (at_z c z) /\ 0 <= incircle (at_z i z) (at_z b z) (at_z c z) (at_z a z).
+  Proof. exact (fan_sums_true _ (fun x => 0 <= x) true z (fun m px py x0 y0 gam n => sum_not_negative_true m px py x0 y0 gam n)). Qed.
+
+  Lemma fan_long_true z : 0 <= z -> fan_long i a b c = true ->
+    0 < incircle (at_z i z) (at_z a z) (at_z b z) (at_z c z) \/ 0 < incircle (at_z i z) (at_z b z) (at_z c z) (at_z a z).
+  Proof. exact (fan_sums_true _ (fun x => 0 < x) false z (fun m px py x0 y0 gam n => sum_positive_true m px py x0 y0 gam n)). Qed.
 End Fan.

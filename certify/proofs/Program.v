@@ -14,12 +14,14 @@ Definition words (why : reason) : string :=
   | NotBeside => "an edge beside the flip does not fit"
   | WrongName => "no such edge is there"
   | BadBracket => "the bracket of the flip is not within the tolerance, or wide"
-  | EdgeTooYoung => "the edge flips within the bracket of another flip"
+  | EdgeTooYoung => "an edge changes within the bracket of another flip"
   | MotionTooYoung => "a generator turns within the life that is to be proved"
   | NotLegal => "an edge that ends its life here is not proved legal"
+  | NotLasting => "an edge beside the flip is not proved legal within its bracket"
   | Tied => "an edge that ends its life here is not proved to be the one of its four while they are cotangent"
   | Overlap => "a pair whose life ends here is not proved apart"
   | NoCollapse => "the edge is not proved to collapse here"
+  | Slides => "a disk touches the container at the horizon and moves along it"
   | OutOfOrder => "a turn within the bracket of an earlier flip"
   | NotNeighbours => "the two are no neighbours"
   | NoContact => "no contact is proved within the tolerance"
@@ -40,8 +42,7 @@ Definition place_wrong (box d : body) : option string :=
   let room := - body_radius box - body_radius d in
   let v := velocity (start d) in
   if (room <=? 0) || (room * room <? dot off off) then Some "a disk is not inside the container"
-  else if (dot off off =? room * room) && (dot off v =? 0) && negb (dot v v =? 0)
-  then Some "a disk touches the container and moves along it"
+  else if slides room off v then Some "a disk touches the container and moves along it"
   else None.
 
 Definition apart_at_start (a b : body) : bool :=

@@ -6,8 +6,8 @@ Open Scope Z_scope.
 
 (* Why a history is not accepted. *)
 Inductive reason :=
-| UnknownGenerator | UnknownEdge | NotBeside | WrongName | BadBracket | EdgeTooYoung | MotionTooYoung | NotLegal | Tied | Overlap
-| NoCollapse | OutOfOrder | NotNeighbours | NoContact | NotTheLaw | CentreElsewhere | NoSuchManeuver | ManeuverLeftOut | BadInitial
+| UnknownGenerator | UnknownEdge | NotBeside | WrongName | BadBracket | EdgeTooYoung | MotionTooYoung | NotLegal | NotLasting | Tied | Overlap
+| NoCollapse | Slides | OutOfOrder | NotNeighbours | NoContact | NotTheLaw | CentreElsewhere | NoSuchManeuver | ManeuverLeftOut | BadInitial
 (* of what comes before the checker *)
 | NoMultiple | NoVelocity | NoBracket.
 
@@ -21,8 +21,9 @@ Notation "'do' x <- a ; b" := (try a (fun x => b)) (at level 200, x pattern, a a
 (* A generator's present leg and radius. *)
 Record mover := Mover { path : leg; size_ : Z }.
 (* An edge of the present diagram. It has been proved legal up to [proved], its pair apart up to [pair_proved]; from [opened]
-   to [proved] all times lie in brackets. *)
-Record slot := Slot { name : edge; opened : Z; proved : Z; pair_proved : Z }.
+   to [proved] all times lie in brackets. Where these are brackets of flips beside it, [others] are the further names that
+   it may have while these flips are under way; all have been proved legal from [opened] to [proved]. *)
+Record slot := Slot { name : edge; opened : Z; proved : Z; pair_proved : Z; others : list edge }.
 Record state := State { movers : PositiveMap.t mover; slots : PositiveMap.t slot; now : Z; todo : list maneuver }.
 
 Section Replay.
@@ -41,7 +42,6 @@ Definition four {T} (s : state) (q : edge) (birth a b : Z) (test : moving -> mov
     (Good (test (span (el q) l a b) (span (er q) r a b) (span (es q) i a b) (span (ee q) e a b))).
 
 (* The four are not cotangent when their life begins, or when it ends. *)
-Definition fan_strict_at (i a b c : moving) : bool := fan_there i a b c && fan_strict i a b c.
 Definition untied (s : state) (q : edge) (birth upto : Z) : outcome bool :=
   do b <- four s q birth birth birth (by_fan fan_strict_at);
   if b : bool then Good true else four s q birth upto upto (by_fan fan_strict_at).
@@ -60,20 +60,53 @@ Definition slot_of (s : state) (k : positive) : outcome slot := known (PositiveM
 
 Definition put (s : state) (k : positive) (sl : slot) : state := State (movers s) (PositiveMap.add k sl (slots s)) (now s) (todo s).
 
-(* The edge k ends its life at lo, flips or gets another end, and begins anew at hi, or where a bracket ends that lo is in:
-   flips of one instant have brackets in common. *)
+Fixpoint every {A} (test : A -> outcome bool) (w : reason) (l : list A) : outcome unit :=
+  match l with [] => Good tt | a :: l => do b <- test a; need b w (every test w l) end.
+Fixpoint all_known {A B} (f : A -> option B) (w : reason) (l : list A) : outcome (list B) :=
+  match l with [] => Good [] | a :: l => do b <- known (f a) w; do bs <- all_known f w l; Good (b :: bs) end.
+
+(* The edge k has been settled up to lo. It flips. *)
+Definition own_flip (s : state) (sl : slot) (lo hi : Z) (new : edge) : outcome slot :=
+  need (proved sl <=? lo) EdgeTooYoung (
+  do _ <- settle s sl lo hi;
+  do apart <- (if lo <? hi then four s new lo lo hi (fun l r _ _ => pair_apart depth l r) else Good true);
+  need apart Overlap (Good (Slot new lo hi hi []))).
+
+(* A flip beside the edge k changes one of its ends. The other end may change in the same bracket: until its end the edge may
+   have the names that any of these flips leave and make. *)
+Definition beside_flip (s : state) (sl : slot) (lo hi : Z) (new : edge -> option edge) : outcome slot :=
+  let alone := proved sl <=? lo in
+  need (alone || (opened sl =? lo) && (proved sl =? hi) && match others sl with [] => false | _ => true end) EdgeTooYoung (
+  do _ <- settle s sl lo hi;
+  let olds := name sl :: (if alone then [] else others sl) in
+  do news <- all_known new NotBeside olds;
+  do _ <- (if lo <? hi then every (fun q => four s q lo lo hi edge_lasts) NotLasting (if alone then name sl :: news else news) else Good tt);
+  match news with
+  | [] => Bad NotBeside
+  | n :: news => Good (Slot n lo hi (Z.max (pair_proved sl) hi) (if lo <? hi then news ++ olds else []))
+  end).
+
 Definition flip_one (c : claim) (lo hi : Z) (k : positive) (s : state) : outcome state :=
   do sl <- slot_of s k;
-  need (opened sl <=? lo) EdgeTooYoung (
-  do _ <- settle s sl lo lo;
-  do q <- known (after_flip k c (name sl)) NotBeside;
-  Good (put s k (Slot q lo (Z.max (proved sl) hi) (Z.max (proved sl) hi)))).
+  do sl <- match corner k c with
+    | Some _ => beside_flip s sl lo hi (after_flip k c)
+    | None => do new <- known (after_flip k c (name sl)) NotBeside; own_flip s sl lo hi new
+    end;
+  Good (put s k sl).
 
-Definition fan_legal_at (i a b c : moving) : bool := fan_there i a b c && fan_empty i a b c.
-Definition fan_entered_at (i a b c : moving) : bool := fan_there i a b c && fan_entered i a b c.
 
-(* The edge collapses between lo and hi: it is legal at lo, entered at hi, and there throughout. *)
+(* The edge collapses between lo and hi: it is legal at lo, entered at hi, and there throughout. Or it collapses at lo = hi: all
+   four touch both circles. From then on these are not empty but for touches; soon they are entered, or all four still touch
+   and the rule wants the other edge. *)
+Definition soon : Z := 4.
 Definition collapses (s : state) (f : edge) (lo hi : Z) : outcome bool :=
+  if lo =? hi then
+    let u := lo + soon in
+    do a <- four s f lo lo lo (by_fan fan_tied_at);
+    do b <- four s f lo lo u (by_fan fan_past_at);
+    do c <- four s f lo u u (by_fan (if largest f then fan_entered_at else fun i a b c => fan_entered_at i a b c || fan_tied_at i a b c));
+    Good (a && b && c)
+  else
   do a <- four s f lo lo lo (by_fan fan_legal_at);
   do b <- four s f lo hi (hi + 1) (by_fan fan_entered_at);
   do c <- four s f lo lo (hi + 1) (by_fan fan_there);
@@ -89,7 +122,7 @@ Fixpoint distinct (ks : list positive) : bool :=
 Definition flip (s : state) (c : claim) (t : Z) (f : edge) (lo hi : Z) (k k1 k2 k3 k4 : positive) : outcome state :=
   do sl <- slot_of s k;
   need (edge_eqb (name sl) f || edge_eqb (name sl) (reversed f)) WrongName (
-  need ((t - tolerance P <=? lo) && (lo <? hi) && (hi <=? t + tolerance P) && (0 <? lo) && (hi - lo <=? widest t)) BadBracket (
+  need ((t - tolerance P <=? lo) && (lo <=? hi) && (hi <=? t + tolerance P) && (0 <? lo) && (hi - lo <=? widest t)) BadBracket (
   need (distinct [k; k1; k2; k3; k4]) NotBeside (
   do gone <- collapses s f lo hi;
   need gone NoCollapse (
@@ -106,7 +139,7 @@ Definition turn_one (own : edge -> bool) (t slack : Z) (k : positive) (s : state
   do sl <- slot_of s k;
   do _ <- settle s sl t (if own (name sl) then t - tolerance P else t);
   Good (put s k (Slot (name sl) (if proved sl <? t then t else opened sl) (Z.max (proved sl) t)
-     (Z.max (pair_proved sl) (if own (name sl) then t + slack else t)))).
+     (Z.max (pair_proved sl) (if own (name sl) then t + slack else t)) (if proved sl <? t then [] else others sl))).
 
 (* The generator g turns. *)
 Definition turn (c : claim) (g : gen) (s : state) : outcome state :=
@@ -205,7 +238,7 @@ Definition step (s : state) (c : claim) : outcome state :=
 
 Definition first_state : state :=
   State (PositiveMap.map (fun b => Mover (start b) (body_radius b)) (bodies P))
-        (PositiveMap.map (fun q => Slot q 0 0 0) (edges P)) 0 (schedule P).
+        (PositiveMap.map (fun q => Slot q 0 0 0 []) (edges P)) 0 (schedule P).
 
 (* At the horizon all lives end. *)
 Fixpoint finish (s : state) (ks : list (positive * slot)) : outcome unit :=
@@ -221,6 +254,17 @@ Fixpoint run (s : state) (cs : list claim) (done : Z) : outcome state * Z :=
   | c :: cs => match step s c with Good s' => run s' cs (done + 1) | Bad w => (Bad w, done) end
   end.
 
+(* A disk off the container's centre by this, which has this room, touches it and moves along it: then it has no motion. *)
+Definition slides (room : Z) (off v : Z * Z) : bool := (dot off off =? room * room) && (dot off v =? 0) && negb (dot v v =? 0).
+Definition slides_at (s : state) (t : Z) : bool :=
+  match PositiveMap.find container (movers s) with
+  | None => false
+  | Some box => existsb (fun gm => let m := snd gm in
+      slides (- size_ box - size_ m) (x_at (path m) t - x_at (path box) t, y_at (path m) t - y_at (path box) t) (velocity (path m)))
+      (PositiveMap.elements (PositiveMap.remove container (movers s)))
+  end.
+
 Definition ending (s : state) : outcome unit :=
-  need (forallb (fun m => horizon P <? due m) (todo s)) ManeuverLeftOut (finish s (PositiveMap.elements (slots s))).
+  need (forallb (fun m => horizon P <? due m) (todo s)) ManeuverLeftOut (
+  need (negb (slides_at s (horizon P))) Slides (finish s (PositiveMap.elements (slots s)))).
 End Replay.

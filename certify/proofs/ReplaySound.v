@@ -101,20 +101,69 @@ Proof.
 Qed.
 
 (* A flip: the five edges. *)
+Lemma four_movers {T} s s' q birth a b (test : moving -> moving -> moving -> moving -> T) :
+  movers s = movers s' -> four s q birth a b test = four s' q birth a b test.
+Proof. intros H. unfold four, mover_of. rewrite H. reflexivity. Qed.
+
 Lemma settle_movers s s' sl u pu : movers s = movers s' -> settle s sl u pu = settle s' sl u pu.
 Proof. intros H. unfold settle, untied, four, mover_of. rewrite H. reflexivity. Qed.
 
+Lemma every_same {A} (test test' : A -> outcome bool) w l : (forall a, test a = test' a) -> every test w l = every test' w l.
+Proof. intros H. induction l as [|a l IH]; simpl; [reflexivity|]. rewrite H, IH. reflexivity. Qed.
+
+Lemma every_good {A} (test : A -> outcome bool) w l : every test w l = Good tt -> forall a, In a l -> test a = Good true.
+Proof.
+  induction l as [|a l IH]; simpl; intros H b I; [contradiction|]. apply try_good in H as (x & X & H). apply need_good in H as [-> H].
+  destruct I as [<-|I]; [exact X|apply IH; assumption].
+Qed.
+
+Lemma all_known_good {A B} (f : A -> option B) w l : forall m, all_known f w l = Good m ->
+  match l, m with [], [] => True | a :: _, b :: _ => f a = Some b | _, _ => False end /\
+  forall a b, In a l -> f a = Some b -> In b m.
+Proof.
+  induction l as [|a l IH]; simpl; intros m H; [injection H as <-; split; [exact I|contradiction]|].
+  apply try_good in H as (b & X & H). apply known_good in X. apply try_good in H as (bs & Y & H). injection H as <-.
+  split; [exact X|]. destruct (IH bs Y) as [_ Z]. intros a' b' [<-|I] F; [left; congruence|right; apply (Z a'); assumption].
+Qed.
+
+(* Another end leaves an edge its pair. *)
+Lemma beside_pair k c q p nb : corner k c = Some nb -> own k c = false -> after_flip k c q = Some p -> el p = el q /\ er p = er q.
+Proof.
+  intros Co Ow F. unfold after_flip in F. destruct c; try discriminate Co. rewrite Ow, Co in F. destruct nb as [[[a b] d] e]. unfold beside in F.
+  destruct (Pos.eqb (el q) a && Pos.eqb (er q) b && Pos.eqb (ee q) d) eqn:X.
+  - injection F as <-. apply andb_prop in X as [X _]. apply andb_prop in X as [X Y]. apply Pos.eqb_eq in X, Y. cbn [el er]. split; congruence.
+  - destruct (Pos.eqb (el q) b && Pos.eqb (er q) a && Pos.eqb (es q) d) eqn:Y; [|discriminate].
+    injection F as <-. apply andb_prop in Y as [Y _]. apply andb_prop in Y as [Y Z]. apply Pos.eqb_eq in Y, Z. cbn [el er]. split; congruence.
+Qed.
+
 Section Flip.
   Variables (c : claim) (lo hi : Z) (s0 : state).
-  Hypothesis order : (lo < hi)%Z.
+  Hypothesis order : (lo <= hi)%Z.
+
+  (* The slot of an edge after a flip. *)
+  Definition new_slot (s : state) (k : positive) (sl : slot) : outcome slot :=
+    match corner k c with
+    | Some _ => beside_flip s sl lo hi (after_flip k c)
+    | None => do new <- known (after_flip k c (name sl)) NotBeside; own_flip s sl lo hi new
+    end.
+
+  Lemma new_slot_movers s k sl : movers s = movers s0 -> new_slot s k sl = new_slot s0 k sl.
+  Proof.
+    intros M. unfold new_slot, beside_flip, own_flip. destruct (corner k c).
+    - rewrite (settle_movers s s0) by exact M.
+      assert (E : forall w l, every (fun q => four s q lo lo hi edge_lasts) w l = every (fun q => four s0 q lo lo hi edge_lasts) w l)
+        by (intros w l; apply every_same; intros q; apply four_movers, M).
+      destruct (all_known _ _ _); cbn [try]; [rewrite E|]; reflexivity.
+    - destruct (after_flip k c (name sl)) as [q|]; cbn [known try]; [|reflexivity].
+      rewrite (settle_movers s s0) by exact M. rewrite (four_movers s s0) by exact M. reflexivity.
+  Qed.
 
   Record flipped (ks : list positive) (s : state) : Prop := {
     same_movers : movers s = movers s0;
     same_time : now s = now s0;
     same_todo : todo s = todo s0;
     done_ : forall k sl, In k ks -> PositiveMap.find k (slots s) = Some sl ->
-      exists sl0 q, PositiveMap.find k (slots s0) = Some sl0 /\ (opened sl0 <= lo)%Z /\ settle s0 sl0 lo lo = Good tt /\
-        after_flip k c (name sl0) = Some q /\ sl = Slot q lo (Z.max (proved sl0) hi) (Z.max (proved sl0) hi);
+      exists sl0, PositiveMap.find k (slots s0) = Some sl0 /\ new_slot s0 k sl0 = Good sl;
     not_done : forall k, ~ In k ks -> PositiveMap.find k (slots s) = PositiveMap.find k (slots s0);
     none_lost : forall k, PositiveMap.find k (slots s) = None -> PositiveMap.find k (slots s0) = None
   }.
@@ -122,12 +171,11 @@ Section Flip.
   Lemma flip_one_keeps ks k s s' : ~ In k ks -> flipped ks s -> flip_one c lo hi k s = Good s' -> flipped (k :: ks) s'.
   Proof.
     intros Fresh [M T D Y N L] E. unfold flip_one in E.
-    apply try_good in E as (sl & F & E). apply known_good in F. apply need_good in E as [Hlo E]. apply Z.leb_le in Hlo.
-    apply try_good in E as (u & S & E). destruct u. apply try_good in E as (q & A & E). apply known_good in A. injection E as <-.
+    apply try_good in E as (sl & F & E). apply known_good in F. apply try_good in E as (new & E' & E). injection E as <-.
+    change (new_slot s k sl = Good new) in E'. rewrite (new_slot_movers s k sl M) in E'.
     split; try assumption.
     - intros k' sl' I F'. cbn [slots put] in F'. destruct (Pos.eq_dec k' k) as [->|Dk].
-      + rewrite PositiveMap.gss in F'. injection F' as <-. exists sl, q. rewrite N in F by exact Fresh.
-        rewrite (settle_movers s s0) in S by exact M. tauto.
+      + rewrite PositiveMap.gss in F'. injection F' as <-. exists sl. rewrite N in F by exact Fresh. split; assumption.
       + rewrite PositiveMap.gso in F' by exact Dk. destruct I as [I|I]; [congruence|]. apply (Y k' sl' I F').
     - intros k' I. cbn [slots put]. rewrite PositiveMap.gso by (intros ->; apply I; left; reflexivity). apply N. intros I'. apply I. right. exact I'.
     - intros k' F'. cbn [slots put] in F'. destruct (Pos.eq_dec k' k) as [->|Dk].
@@ -142,17 +190,213 @@ Section Flip.
     apply try_good in E as (s1 & E1 & E). apply (IH (k :: before) s1 s'); [exact D| |exact E].
     apply (flip_one_keeps _ _ s); try assumption. apply NoDup_remove_2 in D. intros I. apply D, in_or_app. right. exact I.
   Qed.
+
+  (* What holds of a slot after the flip, whose bracket ends now or before. *)
+  Section Slot.
+    Variables (past : list claim) (k : positive) (sl0 sl : slot) (present : Z).
+    Hypothesis knows0 : knows P past s0.
+    Hypothesis old : slot_true P past (c :: past) present k sl0.
+    Hypothesis hi_past : (hi <= present)%Z.
+    Hypothesis paths : forall g, turn_of c g = None.
+    Hypothesis bracket : bracket_of k c = Some (lo, hi).
+    Hypothesis own_or_beside : corner k c = None -> own k c = true.
+    Hypothesis beside_alone : forall nb, corner k c = Some nb -> own k c = false.
+    Hypothesis taken : new_slot s0 k sl0 = Good sl.
+
+    Lemma same_place u g : place P (c :: past) u g = place P past u g.
+    Proof. unfold place. rewrite leg_before; [reflexivity|]. intros w v. rewrite paths. discriminate. Qed.
+
+    Lemma same_lasts u q : lasts_at P past u q -> lasts_at P (c :: past) u q.
+    Proof. apply (lasts_before P past _ (u + 1)); [intros; apply same_place|lra]. Qed.
+
+    Lemma same_legal u q : legal_at P past u q -> legal_at P (c :: past) u q.
+    Proof.
+      unfold legal_at, tie_broken. rewrite !same_place. rewrite !leg_before by (intros w v; rewrite paths; discriminate). tauto.
+    Qed.
+
+    Lemma same_pair u q : pair_at P past (c :: past) u q -> pair_at P (c :: past) (c :: past) u q.
+    Proof. unfold pair_at. rewrite !same_place. tauto. Qed.
+
+    Lemma edge_before u : u < IZR hi -> edge_at P k (c :: past) u = edge_at P k past u.
+    Proof. intros Hu. cbn [edge_at]. rewrite bracket. destruct (Rle_dec (IZR hi) u); [lra|reflexivity]. Qed.
+
+    Lemma names_before u : u < IZR lo -> names_at P k (c :: past) u = names_at P k past u.
+    Proof.
+      intros Hu. apply IZR_le in order as O. cbn [names_at]. rewrite bracket.
+      destruct (Rle_dec (IZR hi) u); [lra|]. destruct (Rle_dec (IZR lo) u); [lra|reflexivity].
+    Qed.
+
+    Lemma names_within u : IZR lo <= u < IZR hi -> names_at P k (c :: past) u = renamed k c (names_at P k past u) ++ names_at P k past u.
+    Proof.
+      intros Hu. cbn [names_at]. rewrite bracket. destruct (Rle_dec (IZR hi) u); [lra|]. destruct (Rle_dec (IZR lo) u); [reflexivity|lra].
+    Qed.
+
+    Lemma names_after u : IZR hi <= u -> names_at P k (c :: past) u = renamed k c (names_at P k past u).
+    Proof. intros Hu. cbn [names_at]. rewrite bracket. destruct (Rle_dec (IZR hi) u); [reflexivity|lra]. Qed.
+
+    Lemma flipping_before u : flipping k past u -> flipping k (c :: past) u.
+    Proof. intros (d & l & h & I & H). exists d, l, h. split; [right; exact I|exact H]. Qed.
+
+    Lemma bracketed_before u : bracketed k past u -> bracketed k (c :: past) u.
+    Proof. intros (d & l & h & I & H). exists d, l, h. split; [right; exact I|exact H]. Qed.
+
+    Lemma bracketed_now u : IZR lo <= u < IZR hi -> bracketed k (c :: past) u.
+    Proof. intros Hu. exists c, lo, hi. split; [left; reflexivity|]. split; [exact bracket|exact Hu]. Qed.
+
+    Lemma renamed_in q qs : In q (renamed k c qs) -> exists p, In p qs /\ after_flip k c p = Some q.
+    Proof.
+      unfold renamed. intros I. apply in_flat_map in I as (p & Ip & I). exists p. split; [exact Ip|].
+      destruct (after_flip k c p); [|contradiction]. destruct I as [<-|[]]. reflexivity.
+    Qed.
+
+    (* What [settle s0 sl0 lo hi] and the times before say of the past. *)
+    Lemma settled_legal q u : settle s0 sl0 lo hi = Good tt -> 0 <= u -> u < IZR lo -> edge_at P k past u = Some q ->
+      ~ bracketed k past u -> legal_at P past u q.
+    Proof.
+      intros S H0 Hu E Nb. destruct (settled P past s0 sl0 _ _ knows0 S) as [HL _].
+      destruct (Rlt_or_le u (IZR (proved sl0))) as [Hl|Hl]; [apply (proved_legal _ _ _ _ _ _ old); try assumption; lra|].
+      rewrite (stays _ _ _ _ _ _ old) in E by exact Hl. injection E as <-. apply HL. lra.
+    Qed.
+
+    Lemma settled_lasts q u : settle s0 sl0 lo hi = Good tt -> 0 <= u -> u < IZR lo -> In q (names_at P k past u) ->
+      flipping k past u \/ lasts_at P past u q.
+    Proof.
+      intros S H0 Hu I. destruct (settled P past s0 sl0 _ _ knows0 S) as [HL _].
+      destruct (Rlt_or_le u (IZR (proved sl0))) as [Hl|Hl]; [apply (proved_lasts _ _ _ _ _ _ old); try assumption; lra|].
+      rewrite (one_name _ _ _ _ _ _ old) in I by exact Hl. destruct I as [<-|[]]. right. apply (legal_lasts P past _ _ _ HL). lra.
+    Qed.
+
+    Lemma settled_pair q u : settle s0 sl0 lo hi = Good tt -> 0 <= u -> u < IZR hi \/ u < IZR (pair_proved sl0) -> u < IZR present ->
+      In q (names_at P k past u) -> pair_at P past (c :: past) u q.
+    Proof.
+      intros S H0 Hu Hp I. destruct (settled P past s0 sl0 _ _ knows0 S) as [_ HP].
+      destruct (Rlt_or_le u (IZR (pair_proved sl0))) as [Hl|Hl]; [apply (proved_apart _ _ _ _ _ _ old); try assumption; lra|].
+      pose proof (pair_ahead _ _ _ _ _ _ old) as A. apply IZR_le in A.
+      rewrite (one_name _ _ _ _ _ _ old) in I by lra. destruct I as [<-|[]]. left. apply HP. lra.
+    Qed.
+
+    Lemma after_own : corner k c = None -> slot_true P (c :: past) (c :: past) present k sl.
+    Proof.
+      intros Co. pose proof (own_or_beside Co) as Own. unfold new_slot in taken. rewrite Co in taken.
+      apply try_good in taken as (q & A & E). apply known_good in A. unfold own_flip in E.
+      apply need_good in E as [Hp E]. apply Z.leb_le in Hp. apply try_good in E as (u & S & E). destruct u.
+      apply try_good in E as (ap & Ap & E). apply need_good in E as [-> E]. injection E as <-.
+      apply IZR_le in Hp as Hp'. apply IZR_le in order as O. apply IZR_le in hi_past as Hi.
+      assert (Last : last_edge P k (c :: past) = Some q) by (cbn [last_edge]; rewrite (named _ _ _ _ _ _ old); exact A).
+      assert (One : forall u, IZR lo <= u -> names_at P k past u = [name sl0]) by (intros u Hu; apply (one_name _ _ _ _ _ _ old); lra).
+      assert (Re : renamed k c [name sl0] = [q]) by (unfold renamed; simpl; rewrite A; reflexivity).
+      split; cbn [name opened proved pair_proved others]; try lia.
+      - exact Last.
+      - intros p u Hu Eu Nu. destruct (Rlt_or_le u (IZR lo)) as [Hl|Hl]; [|exfalso; apply Nu, bracketed_now; lra].
+        rewrite edge_before in Eu by lra. apply same_legal, settled_legal; try assumption; [lra|]. intros B. apply Nu, bracketed_before, B.
+      - intros u Hu. cbn [edge_at]. rewrite bracket. destruct (Rle_dec (IZR hi) u); [exact Last|lra].
+      - intros p u Hu Hu' I. apply same_pair. destruct (Rlt_or_le u (IZR lo)) as [Hl|Hl].
+        + rewrite names_before in I by exact Hl. apply settled_pair; try assumption; lra.
+        + rewrite names_within in I by lra. rewrite One, Re in I by exact Hl. destruct I as [<-|I].
+          * destruct (lo <? hi)%Z eqn:L; [|apply Z.ltb_ge, IZR_le in L; lra]. left. apply (pair_true P past s0 q lo hi knows0 Ap). lra.
+          * rewrite <- (One u Hl) in I. apply settled_pair; try assumption; lra.
+      - intros u Hu. apply bracketed_now, Hu.
+      - intros u Hu. lra.
+      - intros p u Hu I. destruct (Rlt_or_le u (IZR lo)) as [Hl|Hl].
+        + rewrite names_before in I by exact Hl.
+          destruct (settled_lasts p u S (proj1 Hu) Hl I) as [F|F]; [left; apply flipping_before, F|right; apply same_lasts, F].
+        + left. exists c, lo, hi. split; [left; reflexivity|]. split; [exact Own|]. split; [exact bracket|lra].
+      - intros u Hu. rewrite names_after by exact Hu. rewrite One by lra. exact Re.
+      - congruence.
+    Qed.
+
+    Lemma after_beside nb : corner k c = Some nb -> slot_true P (c :: past) (c :: past) present k sl.
+    Proof.
+      intros Co. unfold new_slot in taken. rewrite Co in taken. unfold beside_flip in taken.
+      apply need_good in taken as [Sh E]. apply try_good in E as (u & S & E). destruct u.
+      apply try_good in E as (news & A & E). apply try_good in E as (u & La & E). destruct u.
+      destruct news as [|n news]; [discriminate|]. injection E as <-.
+      set (olds := name sl0 :: (if (proved sl0 <=? lo)%Z then [] else others sl0)) in A |- *.
+      apply all_known_good in A as [A1 A2]. simpl in A1.
+      apply IZR_le in order as O. apply IZR_le in hi_past as Hi.
+      assert (Last : last_edge P k (c :: past) = Some n) by (cbn [last_edge]; rewrite (named _ _ _ _ _ _ old); exact A1).
+      assert (Hp : IZR (proved sl0) <= IZR hi).
+      { apply IZR_le. apply orb_prop in Sh as [Sh|Sh]; [apply Z.leb_le in Sh; lia|].
+        apply andb_prop in Sh as [Sh _]. apply andb_prop in Sh as [_ Sh]. apply Z.eqb_eq in Sh. lia. }
+      assert (Olds : forall u q, IZR lo <= u -> In q (names_at P k past u) -> u < IZR hi -> In q olds).
+      { intros u q Hu I Hh. unfold olds. destruct (proved sl0 <=? lo)%Z eqn:Al.
+        - apply Z.leb_le, IZR_le in Al. rewrite (one_name _ _ _ _ _ _ old) in I by lra. exact I.
+        - simpl in Sh. apply andb_prop in Sh as [Sh Ne]. apply andb_prop in Sh as [Op Pr]. apply Z.eqb_eq in Op, Pr.
+          apply (few_names _ _ _ _ _ _ old) with (t := u); [destruct (others sl0); [discriminate|congruence]|rewrite Op, Pr; lra|exact I]. }
+      assert (Pair : forall q p, after_flip k c q = Some p -> el p = el q /\ er p = er q).
+      { intros q p. apply (beside_pair k c q p nb Co (beside_alone _ Co)). }
+      assert (Re : renamed k c [name sl0] = [n]) by (unfold renamed; simpl; rewrite A1; reflexivity).
+      assert (Within : forall u q, IZR lo <= u < IZR hi -> In q (names_at P k (c :: past) u) ->
+        In q (n :: news) \/ In q (names_at P k past u)).
+      { intros u q Hu I. rewrite names_within in I by exact Hu. apply in_app_or in I as [I|I]; [left|right; exact I].
+        apply renamed_in in I as (p & Ip & F). apply (A2 p q); [apply (Olds u); try assumption; lra|exact F]. }
+      assert (PairOf : forall q p u, el p = el q -> er p = er q -> pair_at P past (c :: past) u q -> pair_at P past (c :: past) u p).
+      { intros q p u E1 E2. unfold pair_at, near_pair. rewrite E1, E2. tauto. }
+      split; cbn [name opened proved pair_proved others]; try lia.
+      - exact Last.
+      - intros p u Hu Eu Nu. destruct (Rlt_or_le u (IZR lo)) as [Hl|Hl]; [|exfalso; apply Nu, bracketed_now; lra].
+        rewrite edge_before in Eu by lra. apply same_legal, settled_legal; try assumption; [lra|]. intros B. apply Nu, bracketed_before, B.
+      - intros u Hu. cbn [edge_at]. rewrite bracket. destruct (Rle_dec (IZR hi) u); [exact Last|lra].
+      - intros p u Hu Hu' I. apply same_pair.
+        assert (Up : u < IZR hi \/ u < IZR (pair_proved sl0)).
+        { destruct (Z.max_spec (pair_proved sl0) hi) as [[_ X]|[_ X]]; rewrite X in Hu; lra. }
+        assert (From : forall q, In q (names_at P k past u) -> pair_at P past (c :: past) u q)
+          by (intros q Iq; apply settled_pair; try assumption; lra).
+        destruct (Rlt_or_le u (IZR lo)) as [Hl|Hl]; [rewrite names_before in I by exact Hl; apply From, I|].
+        assert (Old : In p (names_at P k past u) \/ exists q, In q (names_at P k past u) /\ after_flip k c q = Some p).
+        { destruct (Rlt_or_le u (IZR hi)) as [Hh|Hh].
+          - rewrite names_within in I by lra. apply in_app_or in I as [I|I]; [right; apply renamed_in, I|left; exact I].
+          - rewrite names_after in I by exact Hh. right. apply renamed_in, I. }
+        destruct Old as [Iq|(q & Iq & F)]; [apply From, Iq|]. destruct (Pair q p F) as [E1 E2].
+        apply (PairOf q p u E1 E2), From, Iq.
+      - intros u Hu. apply bracketed_now, Hu.
+      - intros u Hu. assert (Up : u < IZR (pair_proved sl0)).
+        { destruct (Z.max_spec (pair_proved sl0) hi) as [[_ X]|[_ X]]; rewrite X in Hu; lra. }
+        destruct (Pair _ _ A1) as [E1 E2]. unfold near_pair. rewrite E1, E2. apply (proved_near _ _ _ _ _ _ old). lra.
+      - intros p u Hu I. destruct (Rlt_or_le u (IZR lo)) as [Hl|Hl].
+        + rewrite names_before in I by exact Hl.
+          destruct (settled_lasts p u S (proj1 Hu) Hl I) as [F|F]; [left; apply flipping_before, F|right; apply same_lasts, F].
+        + destruct (lo <? hi)%Z eqn:Lt; [|apply Z.ltb_ge, IZR_le in Lt; lra].
+          assert (Tested : forall q, In q (if (proved sl0 <=? lo)%Z then name sl0 :: n :: news else n :: news) -> lasts_at P past u q).
+          { intros q Iq. apply (lasting_true P past s0 q lo hi knows0); [|lra]. apply (every_good _ _ _ La q Iq). }
+          destruct (Within u p ltac:(lra) I) as [In_|In_].
+          * right. apply same_lasts, Tested. destruct (proved sl0 <=? lo)%Z; [right|]; exact In_.
+          * destruct (proved sl0 <=? lo)%Z eqn:Al.
+            -- apply Z.leb_le, IZR_le in Al. rewrite (one_name _ _ _ _ _ _ old) in In_ by lra. destruct In_ as [<-|[]].
+               right. apply same_lasts, Tested. left. reflexivity.
+            -- simpl in Sh. apply andb_prop in Sh as [Sh _]. apply andb_prop in Sh as [_ Pr]. apply Z.eqb_eq in Pr.
+               destruct (proved_lasts _ _ _ _ _ _ old p u) as [F|F]; [rewrite Pr; lra|exact In_|left; apply flipping_before, F|right; apply same_lasts, F].
+      - intros u Hu. rewrite names_after by exact Hu. rewrite (one_name _ _ _ _ _ _ old) by lra. exact Re.
+      - intros _ q u Hu I. destruct (lo <? hi)%Z eqn:Lt; [|apply Z.ltb_ge, IZR_le in Lt; lra].
+        destruct (Within u q Hu I) as [In_|In_].
+        + destruct In_ as [In_|In_]; [left; exact In_|right; apply in_or_app; left; exact In_].
+        + right. apply in_or_app. right. apply (Olds u); try assumption; lra.
+    Qed.
+
+    Lemma after_flip_true : slot_true P (c :: past) (c :: past) present k sl.
+    Proof. pose proof after_beside as B. pose proof after_own as O. destruct (corner k c) as [nb|]; [exact (B nb eq_refl)|exact (O eq_refl)]. Qed.
+  End Slot.
 End Flip.
 
-Lemma flip_brackets t f lo hi k k1 k2 k3 k4 m : let c := Flip t f lo hi k k1 k2 k3 k4 in
-  (In m [k; k1; k2; k3; k4] -> bracket_of m c = Some (lo, hi)) /\
-  (~ In m [k; k1; k2; k3; k4] -> bracket_of m c = None /\ forall q, after_flip m c q = Some q).
+Lemma flip_numbers t f lo hi k k1 k2 k3 k4 m : let c := Flip t f lo hi k k1 k2 k3 k4 in
+  (In m [k; k1; k2; k3; k4] -> bracket_of m c = Some (lo, hi) /\ (corner m c = None -> own m c = true)) /\
+  (~ In m [k; k1; k2; k3; k4] -> bracket_of m c = None /\ forall q, after_flip m c q = Some q) /\
+  (NoDup [k; k1; k2; k3; k4] -> forall nb, corner m c = Some nb -> own m c = false).
 Proof.
-  simpl. split.
-  - intros [<-|[<-|[<-|[<-|[<-|[]]]]]]; rewrite Pos.eqb_refl, ?orb_true_r; reflexivity.
+  assert (Eq : forall a b, Pos.eqb a b = true <-> a = b) by (intros; apply Pos.eqb_eq).
+  simpl. split; [|split].
+  - intros H. split.
+    + destruct H as [<-|[<-|[<-|[<-|[<-|[]]]]]]; rewrite Pos.eqb_refl, ?orb_true_r; reflexivity.
+    + destruct (Pos.eqb m k1) eqn:E1; [discriminate|]. destruct (Pos.eqb m k2) eqn:E2; [discriminate|].
+      destruct (Pos.eqb m k3) eqn:E3; [discriminate|]. destruct (Pos.eqb m k4) eqn:E4; [discriminate|]. intros _.
+      apply Pos.eqb_neq in E1, E2, E3, E4. apply Eq. destruct H as [H|[H|[H|[H|[H|[]]]]]]; congruence.
   - intros H. assert (forall n, (n = k \/ n = k1 \/ n = k2 \/ n = k3 \/ n = k4) -> Pos.eqb m n = false) as X.
     { intros n Hn. apply Pos.eqb_neq. intros ->. apply H. repeat destruct Hn as [<-|Hn]; subst; tauto. }
-    rewrite !X by tauto. split; reflexivity.
+    rewrite !X by tauto. split; [reflexivity|]. intros q. reflexivity.
+  - intros D nb H. apply NoDup_cons_iff in D as [D _]. apply Pos.eqb_neq. intros ->. apply D.
+    destruct (Pos.eqb k k1) eqn:E1; [left; symmetry; apply Eq, E1|]. destruct (Pos.eqb k k2) eqn:E2; [right; left; symmetry; apply Eq, E2|].
+    destruct (Pos.eqb k k3) eqn:E3; [right; right; left; symmetry; apply Eq, E3|].
+    destruct (Pos.eqb k k4) eqn:E4; [right; right; right; left; symmetry; apply Eq, E4|discriminate].
 Qed.
 
 Lemma distinct_true ks : distinct ks = true -> NoDup ks.
@@ -163,57 +407,23 @@ Proof.
 Qed.
 
 Lemma flip_keeps past s t f lo hi k k1 k2 k3 k4 s1 (c := Flip t f lo hi k k1 k2 k3 k4) :
-  (lo < hi)%Z -> distinct [k; k1; k2; k3; k4] = true -> invariant P past past s ->
+  (lo <= hi)%Z -> distinct [k; k1; k2; k3; k4] = true -> invariant P past past s ->
   each (flip_one c lo hi) [k; k1; k2; k3; k4] s = Good s1 ->
   invariant P (c :: past) (c :: past) (at_time s1 (Z.max (now s1) hi)) /\ todo s1 = todo s.
 Proof.
-  intros O Ds I0 E. apply distinct_true, NoDup_rev in Ds. rewrite <- app_nil_r in Ds.
+  intros O Ds I0 E. apply distinct_true in Ds as Nd. pose proof (NoDup_rev Nd) as Dr. rewrite <- app_nil_r in Dr.
   assert (Start : flipped c lo hi s [] s). { split; try reflexivity; try tauto; intros ? ? []. }
-  pose proof (flips_keep c lo hi s _ _ _ _ Ds Start E) as [M N D Y X L]. rewrite app_nil_r in *. clear Start E Ds.
+  pose proof (flips_keep c lo hi s _ _ _ _ Dr Start E) as [M N D Y X L]. rewrite app_nil_r in *. clear Start E Dr Ds.
   split; [|exact D].
   pose proof (invariant_at_time past past s (Z.max (now s1) hi) ltac:(lia) I0) as I1.
   destruct (invariant_more c _ _ _ I1) as [K T A]. clear I0 I1.
-  assert (Pl : forall u g, place P (c :: past) u g = place P past u g) by reflexivity.
   split.
   - intros g m F. cbn [movers at_time] in F. rewrite M in F. apply K, F.
   - intros m sl F. cbn [slots at_time now] in F. cbn [now at_time].
-    destruct (flip_brackets t f lo hi k k1 k2 k3 k4 m) as [In_ Out]. fold c in In_, Out.
+    destruct (flip_numbers t f lo hi k k1 k2 k3 k4 m) as (In_ & Out & Alone). fold c in In_, Out, Alone.
     destruct (in_dec Pos.eq_dec m [k; k1; k2; k3; k4]) as [Hm|Hm].
-    + specialize (In_ Hm).
-      destruct (Y m sl (proj1 (in_rev _ _) Hm) F) as (sl0 & q & F0 & Hlo & S & AF & ->).
-      destruct (T m sl0 F0) as [N0 A0 B0 L0 S0 Q0 O0 R0]. cbn [now at_time] in *.
-      destruct (settled P past s sl0 _ _ K S) as [HL HP].
-      assert (Last : last_edge P m (c :: past) = Some q) by (cbn [last_edge]; rewrite N0; exact AF).
-      assert (Before : forall u, u < IZR hi -> edge_at P m (c :: past) u = edge_at P m past u).
-      { intros u Hu. cbn [edge_at]. rewrite In_. destruct (Rle_dec (IZR hi) u); [lra|reflexivity]. }
-      assert (Old : forall u, bracketed m past u -> bracketed m (c :: past) u).
-      { intros u (d & l & h & I & H). exists d, l, h. split; [right; exact I|exact H]. }
-      assert (New : forall u, IZR lo <= u < IZR hi -> bracketed m (c :: past) u).
-      { intros u Hu. exists c, lo, hi. split; [left; reflexivity|]. split; [exact In_|exact Hu]. }
-      apply IZR_lt in O as O'. apply IZR_le in Hlo as Hlo'. apply IZR_le in B0 as B0'.
-      (* A time that has been dealt with and lies in no bracket is one before lo. *)
-      assert (Early : forall u, u < IZR (Z.max (proved sl0) hi) -> ~ bracketed m (c :: past) u -> u < IZR lo /\ ~ bracketed m past u).
-      { intros u Hu Nu. split; [|intros H; apply Nu, Old, H].
-        destruct (Rlt_or_le u (IZR lo)) as [H1|H1]; [exact H1|exfalso; apply Nu].
-        destruct (Rlt_or_le u (IZR hi)) as [H2|H2]; [apply New; lra|]. apply Old, O0.
-        destruct (Z.max_spec (proved sl0) hi) as [[_ E]|[_ E]]; rewrite E in Hu; lra. }
-      split; cbn [name opened proved pair_proved].
-      * exact Last.
-      * lia.
-      * lia.
-      * intros p u Hu Eu Nu. destruct (Early u (proj2 Hu) Nu) as [H1 H2]. rewrite Before in Eu by lra.
-        change (legal_at P past u p).
-        destruct (Rlt_or_le u (IZR (proved sl0))) as [Hl|Hl]; [apply L0; try assumption; lra|].
-        rewrite S0 in Eu by exact Hl. injection Eu as <-. apply HL. lra.
-      * intros u Hu. cbn [edge_at]. rewrite In_. destruct (Rle_dec (IZR hi) u) as [|H]; [exact Last|].
-        exfalso. apply H. assert (IZR hi <= IZR (Z.max (proved sl0) hi)) by (apply IZR_le; lia). lra.
-      * intros p u Hu Hu' Eu Nu. destruct (Early u (proj2 Hu) Nu) as [H1 H2]. rewrite Before in Eu by lra.
-        change (pair_at P past (c :: past) u p).
-        destruct (Rlt_or_le u (IZR (pair_proved sl0))) as [Hl|Hl]; [apply Q0; try assumption; lra|].
-        rewrite S0 in Eu by lra. injection Eu as <-. left. apply HP. lra.
-      * intros u Hu. destruct (Rlt_or_le u (IZR hi)) as [H2|H2]; [apply New; lra|]. apply Old, O0.
-        destruct (Z.max_spec (proved sl0) hi) as [[_ E]|[_ E]]; rewrite E in Hu; lra.
-      * intros u Hu. assert (IZR (Z.max (proved sl0) hi) <= IZR (Z.max (now s1) hi)) by (apply IZR_le; lia). lra.
+    + destruct (In_ Hm) as [B Own]. destruct (Y m sl (proj1 (in_rev _ _) Hm) F) as (sl0 & F0 & New).
+      apply (after_flip_true c lo hi s O past m sl0 sl); try assumption; try reflexivity; [apply T, F0|lia|apply Alone, Nd].
     + rewrite X in F by (rewrite <- in_rev; exact Hm). destruct (Out Hm) as [B AF].
       specialize (T m sl F). cbn [now at_time] in T.
       apply slot_unchanged; try assumption. intros g u v H. discriminate.

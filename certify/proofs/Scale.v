@@ -33,6 +33,12 @@ Section Scale.
   Lemma touches_unscale c g : touches c (scale m g) -> touches (shrink c) g.
   Proof. unfold touches. rewrite shrunk_distance. simpl. intros ->. reflexivity. Qed.
 
+  Lemma not_touches_unscale c g : ~ touches c (scale m g) -> ~ touches (shrink c) g.
+  Proof.
+    unfold touches. rewrite shrunk_distance. simpl. intros H H1. apply H.
+    apply (Rmult_eq_reg_l (/ m)); [exact H1|]. apply Rinv_neq_0_compat. lra.
+  Qed.
+
   Lemma inverse_pos : 0 < / m.
   Proof. apply Rinv_0_lt_compat, m_pos. Qed.
 
@@ -68,11 +74,26 @@ Section Scale.
     exact Hc.
   Qed.
 
-  Lemma legal_unscale l r s e : legal (scale m l) (scale m r) (scale m s) (scale m e) -> legal l r s e.
+  Lemma circles_unscale (say : circle -> generator -> Prop) : (forall c g, say c (scale m g) -> say (shrink c) g) ->
+    forall l r s e, circles say (scale m l) (scale m r) (scale m s) (scale m e) -> circles say l r s e.
   Proof.
-    intros [(c & V & E) (c' & V' & E')]. split.
-    - exists (shrink c). split; [apply vertex_unscale, V | apply empty_unscale, E].
-    - exists (shrink c'). split; [apply vertex_unscale, V' | apply empty_unscale, E'].
+    intros H l r s e [(c & V & E) (c' & V' & E')].
+    split; [exists (shrink c)|exists (shrink c')]; (split; [apply vertex_unscale|apply H]; assumption).
+  Qed.
+
+  Lemma legal_unscale l r s e : legal (scale m l) (scale m r) (scale m s) (scale m e) -> legal l r s e.
+  Proof. apply circles_unscale, empty_unscale. Qed.
+
+  Lemma there_unscale l r s e : there (scale m l) (scale m r) (scale m s) (scale m e) -> there l r s e.
+  Proof. apply circles_unscale. trivial. Qed.
+
+  Lemma passed_unscale l r s e : passed (scale m l) (scale m r) (scale m s) (scale m e) -> passed l r s e.
+  Proof. apply circles_unscale. intros c g [H|H]; [left; apply touches_unscale, H|right; apply not_empty_unscale, H]. Qed.
+
+  Lemma not_cotangent_unscale l r s e : not_cotangent (scale m l) (scale m r) (scale m s) (scale m e) -> not_cotangent l r s e.
+  Proof.
+    intros [(c & V & E)|(c & V & E)]; [left|right]; exists (shrink c);
+      (split; [apply vertex_unscale, V | apply not_touches_unscale, E]).
   Qed.
 
   Lemma apart_unscale i j : apart (scale m i) (scale m j) -> apart i j.
@@ -86,3 +107,36 @@ End Scale.
 
 Lemma vertex_turn c i j k : vertex_circle c i j k -> vertex_circle c j k i.
 Proof. intros (Hi & Hj & Hk & Hc). unfold vertex_circle, counterclockwise in *. repeat split; try assumption. lra. Qed.
+
+(* The edge seen from its other side. *)
+Lemma circles_turn say l r s e : circles say r l e s -> circles say l r s e.
+Proof. intros [(c & V & E) (c' & V' & E')]. split; [exists c'|exists c]; (split; [|assumption]); [|apply vertex_turn]; apply vertex_turn; assumption. Qed.
+
+Lemma lasts_turn l r s e t : lasts r l e s t -> lasts l r s e t.
+Proof.
+  intros [T H]. split; [apply circles_turn, T|]. destruct H as [[(k & W & E)|(k & W & E)]|(u & Hu & H)].
+  - left; right. exists k. split; [do 2 apply vertex_turn; exact W|exact E].
+  - left; left. exists k. split; [apply vertex_turn, W|exact E].
+  - right. exists u. split; [exact Hu|]. intros w Hw. apply circles_turn, H, Hw.
+Qed.
+
+(* Four generators, and the same enlarged and at other times. *)
+Section Along.
+  Variables l r s e l' r' s' e' : R -> generator.
+  Variable phi : R -> R.
+  Definition enlarged_at (w : R) : Prop := exists m, 0 < m /\
+    l' (phi w) = scale m (l w) /\ r' (phi w) = scale m (r w) /\ s' (phi w) = scale m (s w) /\ e' (phi w) = scale m (e w).
+
+  Lemma lasts_along t :
+    (forall y, phi t < y -> exists u, t < u /\ forall w, t <= w < u -> phi t <= phi w < y /\ enlarged_at w) ->
+    lasts l' r' s' e' (phi t) -> lasts l r s e t.
+  Proof.
+    intros C [T H]. destruct (C (phi t + 1)) as (u0 & Hu0 & C0); [lra|].
+    destruct (C0 t) as [_ (m & Hm & E1 & E2 & E3 & E4)]; [lra|]. rewrite E1, E2, E3, E4 in *. split.
+    - apply (there_unscale m Hm), T.
+    - destruct H as [H|(y & Hy & H)]; [left; apply (not_cotangent_unscale m Hm), H|right].
+      destruct (C y Hy) as (u & Hu & D). exists u. split; [exact Hu|]. intros w Hw.
+      destruct (D w Hw) as [B (n & Hn & F1 & F2 & F3 & F4)]. specialize (H (phi w) B). rewrite F1, F2, F3, F4 in H.
+      apply (legal_unscale n Hn), H.
+  Qed.
+End Along.

@@ -11,30 +11,30 @@ Definition remove3 {A} (t : triple) (m : triples A) : triples A :=
   let ma := or_empty (PositiveMap.find a m) in
   remove_or_leave a (remove_or_leave b (PositiveMap.remove c (or_empty (PositiveMap.find b ma))) ma) m.
 
-(* The diagram: edges by number, since when each may flip, by their sides, and by the generators that they depend on; and
+(* The diagram: edges by number, the last bracket of each, by their sides, and by the generators that they depend on; and
    where the generators are ([moved]). *)
 Record finder := Finder {
   moved : state;
   names : PositiveMap.t edge;
-  born : PositiveMap.t Z;
+  brackets : PositiveMap.t (Z * Z);
   owners : triples positive;
   nearby : PositiveMap.t (PositiveMap.t unit)
 }.
 
 Definition nearby_of (d : finder) (g : gen) : PositiveMap.t unit := or_empty (PositiveMap.find g (nearby d)).
 Definition four_of (q : edge) : list gen := [el q; er q; es q; ee q].
-Definition born_of (d : finder) (k : positive) : Z := match PositiveMap.find k (born d) with Some t => t | None => 0 end.
+Definition last_bracket (d : finder) (k : positive) : Z * Z := match PositiveMap.find k (brackets d) with Some b => b | None => (0, 0) end.
 
 (* The edge k has these sides from now on, and depends on these generators; or no longer. *)
 Definition enter (d : finder) (k : positive) (ss : list triple) (gs : list gen) : finder :=
-  Finder (moved d) (names d) (born d) (fold_left (fun m s => add3 s k m) ss (owners d))
+  Finder (moved d) (names d) (brackets d) (fold_left (fun m s => add3 s k m) ss (owners d))
     (fold_left (fun m g => PositiveMap.add g (PositiveMap.add k tt (or_empty (PositiveMap.find g m))) m) gs (nearby d)).
 Definition leave (d : finder) (k : positive) (ss : list triple) (gs : list gen) : finder :=
-  Finder (moved d) (names d) (born d)
+  Finder (moved d) (names d) (brackets d)
     (fold_left (fun m s => match find3 m s with Some k' => if Pos.eqb k k' then remove3 s m else m | None => m end) ss (owners d))
     (fold_left (fun m g => PositiveMap.add g (PositiveMap.remove k (or_empty (PositiveMap.find g m))) m) gs (nearby d)).
-Definition rename (d : finder) (k : positive) (q : edge) (since : Z) : finder :=
-  Finder (moved d) (PositiveMap.add k q (names d)) (PositiveMap.add k since (born d)) (owners d) (nearby d).
+Definition rename (d : finder) (k : positive) (q : edge) (since : Z * Z) : finder :=
+  Finder (moved d) (PositiveMap.add k q (names d)) (PositiveMap.add k since (brackets d)) (owners d) (nearby d).
 
 (* What the first list has and the second has not. *)
 Definition without {A} (eqb : A -> A -> bool) (l m : list A) : list A := filter (fun a => negb (existsb (eqb a) m)) l.
@@ -49,39 +49,51 @@ Section Search.
 Variable P : problem.
 
 Definition first_finder : finder :=
-  fold_left (fun d kq => enter (rename d (fst kq) (snd kq) 0) (fst kq) (sides (snd kq)) (four_of (snd kq))) (PositiveMap.elements (edges P))
+  fold_left (fun d kq => enter (rename d (fst kq) (snd kq) (0, 0)) (fst kq) (sides (snd kq)) (four_of (snd kq))) (PositiveMap.elements (edges P))
     (Finder (first_state P) (PositiveMap.empty _) (PositiveMap.empty _) (PositiveMap.empty _) (PositiveMap.empty _)).
+
+Definition gone (s : state) (f : edge) (b : Z * Z) : bool :=
+  match collapses s f (fst b) (snd b) with Good gone => gone | Bad _ => false end.
 
 (* A bracket around t within [least, most], a few widths tried. *)
 Fixpoint widen (fuel : nat) (s : state) (f : edge) (t least most w : Z) : outcome (Z * Z) :=
   let lo := Z.max least (t - w) in
   let hi := Z.min (t + w) most in
-  if (lo <? hi) && match collapses s f lo hi with Good gone => gone | Bad _ => false end then Good (lo, hi)
+  if (lo <? hi) && gone s f (lo, hi) then Good (lo, hi)
   else match fuel with
   | S fuel => if w =? tolerance P then Bad NoBracket else widen fuel s f t least most (Z.min (tolerance P) (8 * w))
   | O => Bad NoBracket
   end.
 
 (* A part of the bracket that is narrow enough. There is none where the circles at both ends of the edge do not change together. *)
-Fixpoint narrow (fuel : nat) (s : state) (f : edge) (t lo hi : Z) : outcome (Z * Z) :=
-  if hi - lo <=? widest t then Good (lo, hi)
+Fixpoint narrow (fuel : nat) (s : state) (f : edge) (t : Z) (b : Z * Z) : outcome (Z * Z) :=
+  let (lo, hi) := b in
+  if hi - lo <=? widest t then Good b
   else
     let mid := (lo + hi) / 2 in
-    let gone a b := match collapses s f a b with Good gone => gone | Bad _ => false end in
     match fuel with
-    | S fuel => if gone lo mid then narrow fuel s f t lo mid else if gone mid hi then narrow fuel s f t mid hi else Bad NoBracket
+    | S fuel => if gone s f (lo, mid) then narrow fuel s f t (lo, mid) else if gone s f (mid, hi) then narrow fuel s f t (mid, hi) else Bad NoBracket
     | O => Bad NoBracket
     end.
 
-Definition after_flips (c : claim) (ks : list positive) (d : finder) (since : Z) : outcome finder :=
+(* The bracket of a flip of f: one instant, or from the last bracket of the five edges on, or that bracket itself. *)
+Definition bracket (s : state) (f : edge) (t : Z) (last : Z * Z) (limit : Z) : outcome (Z * Z) :=
+  let fuel := Pos.size_nat (Z.to_pos (2 * tolerance P)) in
+  if (snd last <=? t) && gone s f (t, t) then Good (t, t)
+  else if snd last <=? t then
+    do b <- widen fuel s f t (Z.max (snd last) 1) (Z.max limit (t + 1)) (Z.min (tolerance P) (Z.max 4 (t / 2 ^ 51)));
+    narrow fuel s f t b
+  else if gone s f last then Good last else Bad NoBracket.
+
+Definition after_flips (c : claim) (ks : list positive) (d : finder) (since : Z * Z) : outcome finder :=
   do qs <- fold_left (fun qs k =>
       do qs <- qs;
       do old <- known (PositiveMap.find k (names d)) UnknownEdge;
       do new <- known (after_flip k c old) NotBeside;
       Good ((k, (old, new)) :: qs)) ks (Good []);
-  let gone p q := (without triple_eqb (sides p) (sides q), without Pos.eqb (four_of p) (four_of q)) in
-  let d := fold_left (fun d x => let '(k, (old, new)) := x in let (ss, gs) := gone old new in leave d k ss gs) qs d in
-  Good (fold_left (fun d x => let '(k, (old, new)) := x in let (ss, gs) := gone new old in rename (enter d k ss gs) k new since) qs d).
+  let lost p q := (without triple_eqb (sides p) (sides q), without Pos.eqb (four_of p) (four_of q)) in
+  let d := fold_left (fun d x => let '(k, (old, new)) := x in let (ss, gs) := lost old new in leave d k ss gs) qs d in
+  Good (fold_left (fun d x => let '(k, (old, new)) := x in let (ss, gs) := lost new old in rename (enter d k ss gs) k new since) qs d).
 
 Definition find_flip (d : finder) (t : Z) (f : edge) (limit : Z) : outcome (claim * finder) :=
   let side a b c := known (find3 (owners d) (a, b, c)) WrongName in
@@ -91,19 +103,17 @@ Definition find_flip (d : finder) (t : Z) (f : edge) (limit : Z) : outcome (clai
   do k3 <- side (er f) (ee f) (el f);
   do k4 <- side (ee f) (el f) (er f);
   let ks := [k; k1; k2; k3; k4] in
-  let birth := fold_left (fun b k => Z.max b (born_of d k)) ks 0 in
-  let fuel := Pos.size_nat (Z.to_pos (2 * tolerance P)) in
-  do b <- widen fuel (moved d) f t (Z.max birth 1) (Z.max limit (t + 1)) (Z.min (tolerance P) (Z.max 4 (t / 2 ^ 51)));
-  do b <- narrow fuel (moved d) f t (fst b) (snd b);
+  let last := fold_left (fun b k => let b' := last_bracket d k in if snd b <? snd b' then b' else b) ks (0, 0) in
+  do b <- bracket (moved d) f t last limit;
   let (lo, hi) := b : Z * Z in
   let c := Flip t f lo hi k k1 k2 k3 k4 in
-  do d <- after_flips c ks d lo;
+  do d <- after_flips c ks d b;
   Good (c, d).
 
 (* After the turn of some generators, around which these edges are. *)
 Definition after_turn (c : claim) (gs : list gen) (near : list (positive * edge)) (t : Z) (d : finder) : outcome finder :=
   do s <- fold_left (fun s g => do s <- s; turn c g s) gs (Good (moved d));
-  Good (Finder s (names d) (fold_left (fun m kq => PositiveMap.add (fst kq) (Z.max t (born_of d (fst kq))) m) near (born d)) (owners d) (nearby d)).
+  Good (Finder s (names d) (fold_left (fun m kq => PositiveMap.add (fst kq) (t, t) m) near (brackets d)) (owners d) (nearby d)).
 
 Definition find_collision (d : finder) (t : Z) (i j : gen) (vi vj : Z * Z) (ps : list (gen * (Z * Z))) : outcome (claim * finder) :=
   do a <- mover_of (moved d) i;

@@ -15,14 +15,17 @@
      around each generator one turn meets all its edges, no two generators share more than two, and the circle of each vertex
      is there and enters no generator at all;
    - true_history, claims_true: each claim is true after those before it. A flip's edge is legal when its bracket begins and
-     illegal when it ends, the bracket lies within the tolerance of the claimed time and is no wider than rounding asks for, and in between
+     entered when it ends, the bracket lies within the tolerance of the claimed time and is no wider than rounding asks for, and in between
      the circle of a vertex touches all four generators. A collision is of two neighbours that come into contact within the tolerance, and obeys
      the law. A maneuver is the scene's next of that disk;
    - maneuvers_done: no maneuver is left out;
    - edges_remain: each number of an edge names an edge at all times;
-   - edges_legal: at every real time from 0 on, before the horizon, each edge outside its brackets has both circles, neither
-     enters the generator at the edge's other end, and its two generators do not overlap but near a claimed collision of
-     the two: within the tolerance before its time, or after it where they overlap at its time.
+   - edges_legal: at every real time from 0 on, before the horizon, each edge outside its brackets has both circles, and neither
+     enters the generator at the edge's other end;
+   - edges_last: within a bracket of a flip beside it, an edge has both circles by each name that it may have, and has a length or
+     is legal for a while;
+   - pairs_apart: at every time, by each name, its two generators do not overlap but near a claimed collision of the two: within the
+     tolerance before its time, or after it where they overlap at its time.
 
    The second theorem says the same of the whole program but for the reading of files: of the fractions that files give. Its units,
    whole numbers and claims are those of Files.v, and it says that they stand for these fractions.

@@ -23,12 +23,12 @@ Lemma flip_sound past s t f lo hi k k1 k2 k3 k4 s' (c := Flip t f lo hi k k1 k2 
 Proof.
   intros [I W] E. cbn [step c] in E. unfold flip in E.
   apply try_good in E as (sl & F & E). apply known_good in F. apply need_good in E as [Name E]. apply need_good in E as [B E].
-  repeat (apply andb_prop in B as [B ?]). apply Z.leb_le in B, H, H1. apply Z.ltb_lt in H0, H2.
+  repeat (apply andb_prop in B as [B ?]). apply Z.leb_le in B, H, H1, H2. apply Z.ltb_lt in H0.
   apply need_good in E as [Ds E]. apply try_good in E as (gone & C & E). apply need_good in E as [-> E].
   apply try_good in E as (s1 & E1 & E). injection E as <-.
   destruct (collapses_true P past s f lo hi (movers_known _ _ _ _ I) H2 C) as (C1 & C2 & C3 & C4 & C5). split.
   - unfold c. cbn [claim_true]. split.
-    + destruct (slots_true _ _ _ _ I k sl F) as [N _ _ _ _ _ _ _]. rewrite N.
+    + rewrite (named _ _ _ _ _ _ (slots_true _ _ _ _ I k sl F)).
       apply orb_prop in Name as [Name|Name]; apply edge_eqb_true in Name; rewrite Name; tauto.
     + split; [apply distinct_true, Ds|]. split; [lia|]. split; [exact C1|]. split; [exact C2|]. split; [exact C3|]. split; [exact C4|exact C5].
   - destruct (flip_keeps P past s t f lo hi k k1 k2 k3 k4 s1 H2 Ds I E1) as [I1 T]. split.
@@ -116,11 +116,12 @@ Proof.
   - intros g m. unfold first_state, PositiveMap.map; cbn [movers]. rewrite PositiveMap.gmapi. unfold last_leg, radius_of.
     destruct (PositiveMap.find g (bodies P)); [|discriminate]. intros H. injection H as <-. split; reflexivity.
   - intros k sl. unfold first_state, PositiveMap.map; cbn [slots now]. rewrite PositiveMap.gmapi. intros H.
-    assert (exists q, PositiveMap.find k (edges P) = Some q /\ sl = Slot q 0 0 0) as (q & F & ->).
+    assert (exists q, PositiveMap.find k (edges P) = Some q /\ sl = Slot q 0 0 0 []) as (q & F & ->).
     { destruct (PositiveMap.find k (edges P)) as [q|]; [|discriminate]. exists q. injection H as <-. split; reflexivity. }
-    split; cbn [name opened proved pair_proved]; try lia; try (intros; lra).
+    split; cbn [name opened proved pair_proved others]; try lia; try (intros; lra); try congruence.
     + exact F.
     + intros t _. exact F.
+    + intros t _. cbn [names_at last_edge]. rewrite F. reflexivity.
   - intros k. unfold first_state, PositiveMap.map; cbn [slots]. rewrite PositiveMap.gmapi.
     destruct (PositiveMap.find k (edges P)); [discriminate|reflexivity].
 Qed.
@@ -131,6 +132,12 @@ Proof.
   apply try_good in E as (u & S & E). destruct u. destruct I as [I|I]; [injection I as <- <-; exact S|apply (IH E k' sl' I)].
 Qed.
 
+Lemma no_names k past t : PositiveMap.find k (edges P) = None -> names_at P k past t = [].
+Proof.
+  intros N. induction past as [|c past IH]; cbn [names_at last_edge]; [rewrite N; reflexivity|]. rewrite IH.
+  destruct (bracket_of k c) as [[lo hi]|]; [|reflexivity]. destruct (Rle_dec (IZR hi) t); [reflexivity|]. destruct (Rle_dec (IZR lo) t); reflexivity.
+Qed.
+
 Lemma no_edge k past : PositiveMap.find k (edges P) = None -> last_edge P k past = None /\ forall t, edge_at P k past t = None.
 Proof.
   intros N. induction past as [|c past [IH1 IH2]]; [split; [exact N|intros t; exact N]|].
@@ -139,7 +146,7 @@ Proof.
   destruct (Rle_dec (IZR hi) t); [exact L|apply IH2].
 Qed.
 
-Lemma edge_there k past : last_edge P k past <> None -> forall t, edge_at P k past t <> None.
+Lemma edge_stays k past : last_edge P k past <> None -> forall t, edge_at P k past t <> None.
 Proof.
   intros L t. induction past as [|c past IH]; [exact L|].
   assert (L1 : last_edge P k past <> None) by (intros E; apply L; cbn [last_edge]; rewrite E; reflexivity).
@@ -149,26 +156,37 @@ Qed.
 
 Theorem ending_sound past s : good past s -> all_true past -> ending P s = Good tt -> true_history P past.
 Proof.
-  intros [[K T A] W] C E. unfold ending in E. apply need_good in E as [M E]. split.
+  intros [[K T A] W] C E. unfold ending in E. apply need_good in E as [M E]. apply need_good in E as [_ E]. split.
   - exact C.
   - exists (todo s). split; [exact W|]. intros m Hm. rewrite forallb_forall in M. apply Z.ltb_lt, M, Hm.
-  - intros k t N. apply edge_there. destruct (PositiveMap.find k (slots s)) as [sl|] eqn:F.
+  - intros k t N. apply edge_stays. destruct (PositiveMap.find k (slots s)) as [sl|] eqn:F.
     + rewrite (named _ _ _ _ _ _ (T k sl F)). discriminate.
     + apply A in F. congruence.
   - intros k q t Ht Eq Nb.
     destruct (PositiveMap.find k (slots s)) as [sl|] eqn:F.
     2: { apply A in F. destruct (no_edge k past F) as [_ N]. rewrite N in Eq. discriminate. }
-    pose proof (finish_good s _ E k sl (PositiveMap.elements_correct _ _ F)) as S.
-    destruct (settled P past s sl _ _ K S) as [HL HP]. destruct (T k sl F) as [N A0 B L St Q O R].
-    apply IZR_le in A0 as A1. apply IZR_le in B as B1.
-    assert (Legal : legal_at P past t q).
-    { destruct (Rlt_or_le t (IZR (proved sl))) as [Hl|Hl]; [apply L; try assumption; lra|].
-      rewrite St in Eq by exact Hl. injection Eq as <-. apply HL. lra. }
-    destruct Legal as [Legal Tie]. split; [exact Legal|]. split; [exact Tie|].
+    pose proof (finish_good s _ E k sl (PositiveMap.elements_correct _ _ F)) as S. pose proof (T k sl F) as St.
+    destruct (settled P past s sl _ _ K S) as [HL _]. change (legal_at P past t q).
+    destruct (Rlt_or_le t (IZR (proved sl))) as [Hl|Hl]; [apply (proved_legal _ _ _ _ _ _ St); try assumption; lra|].
+    rewrite (stays _ _ _ _ _ _ St) in Eq by exact Hl. injection Eq as <-. apply HL. lra.
+  - intros k q t Ht I Nf.
+    destruct (PositiveMap.find k (slots s)) as [sl|] eqn:F.
+    2: { apply A in F. rewrite no_names in I by exact F. contradiction. }
+    pose proof (finish_good s _ E k sl (PositiveMap.elements_correct _ _ F)) as S. pose proof (T k sl F) as St.
+    destruct (settled P past s sl _ _ K S) as [HL _]. change (lasts_at P past t q).
+    destruct (Rlt_or_le t (IZR (proved sl))) as [Hl|Hl].
+    + destruct (proved_lasts _ _ _ _ _ _ St q t) as [H|H]; try assumption; [lra|contradiction].
+    + rewrite (one_name _ _ _ _ _ _ St) in I by exact Hl. destruct I as [<-|[]]. apply (legal_lasts P past _ _ _ HL). lra.
+  - intros k q t Ht I.
+    destruct (PositiveMap.find k (slots s)) as [sl|] eqn:F.
+    2: { apply A in F. rewrite no_names in I by exact F. contradiction. }
+    pose proof (finish_good s _ E k sl (PositiveMap.elements_correct _ _ F)) as S. pose proof (T k sl F) as St.
+    destruct (settled P past s sl _ _ K S) as [_ HP].
+    pose proof (not_ahead _ _ _ _ _ _ St) as A0. pose proof (pair_ahead _ _ _ _ _ _ St) as B0. apply IZR_le in A0, B0.
     destruct (Rlt_or_le t (IZR (pair_proved sl))) as [Hl|Hl].
     + destruct (Rlt_or_le t (IZR (now s))) as [Hn|Hn].
-      * destruct (Q q t ltac:(lra) Hn Eq Nb) as [H|H]; [left; exact H|right; exact H].
-      * rewrite St in Eq by lra. injection Eq as <-. right. apply R. lra.
-    + rewrite St in Eq by lra. injection Eq as <-. left. apply HP. lra.
+      * destruct (proved_apart _ _ _ _ _ _ St q t ltac:(lra) Hn I) as [H|H]; [left; exact H|right; exact H].
+      * rewrite (one_name _ _ _ _ _ _ St) in I by lra. destruct I as [<-|[]]. right. apply (proved_near _ _ _ _ _ _ St). lra.
+    + rewrite (one_name _ _ _ _ _ _ St) in I by lra. destruct I as [<-|[]]. left. apply HP. lra.
 Qed.
 End Step.

@@ -107,7 +107,7 @@ End Units.
 Lemma find_claim_ok P d e l c d' : find_claim P d e l = Good (c, d') -> told c = e.
 Proof.
   destruct e as [u q|u i j [[a b]|] ps|u g [w|] ps]; unfold find_claim; intros H; try discriminate.
-  - unfold find_flip in H. good H. destruct a5 as [lo hi]. good H. injection H as <- _. reflexivity.
+  - unfold find_flip in H. good H. destruct a4 as [lo hi]. good H. injection H as <- _. reflexivity.
   - unfold find_collision in H. good H. destruct (filter _ _) as [|[k q] r]; [discriminate|]. good H. injection H as <- _. reflexivity.
   - good H. injection H as <- _. reflexivity.
 Qed.

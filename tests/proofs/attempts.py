@@ -8,11 +8,14 @@ right. DIRECTORY takes the files. The exit code is 1 where a verdict is another.
 """
 
 import copy
+import fractions
 import hashlib
 import json
 import pathlib
 import subprocess
 import sys
+
+import swap
 
 SCENE = {
     "format": "voroproof-scene", "version": 1, "name": "three disks", "comment": "", "seed": 1,
@@ -288,6 +291,31 @@ undecided("a flip of another edge", history=put(FLIP, "flip", [0, 1, 2, -1]))
 undecided("a flip the other way round", history=put(FLIP, "flip", [0, 2, 1, -1]))
 undecided("a flip of an edge that is not there", history=put(FLIP, "flip", [-1, 1, 2, 0]))
 undecided("a flip too early", history=lambda h: put(FLIP, "t", 8.8)(h))
+
+# Other flips within the bracket of a claimed one (swap.py).
+def swapped(right, name, **how):
+    source, lines, tolerance = swap.swap(**how)
+    attempt(right, name, scene=lambda s: (s.clear(), s.update(source)), history=lambda h: h.__setitem__(slice(None), lines),
+            options=["--tolerance", tolerance])
+
+
+swapped("CERTIFIED", "the scene of a swap without it", before=5)
+swapped("UNDECIDED", "a swap within a bracket")
+swapped("UNDECIDED", "a swap within a bracket, and an overlap", overlap=True)
+for power in (-20, -3, 3, 20):
+    swapped("UNDECIDED", f"a swap with times by 2^{power}", time=fractions.Fraction(2) ** power)
+    swapped("UNDECIDED", f"a swap with lengths by 2^{power}", length=fractions.Fraction(2) ** power)
+    swapped("UNDECIDED", f"a mirrored swap and an overlap, times by 2^{power}", time=fractions.Fraction(2) ** power, mirrored=True, overlap=True)
+
+# A motion that ends where the model has none.
+SLIDES = {"disks": [{"center": [0, -9], "radius": 1, "velocity": [0, 0]}, {"center": [0, 5], "radius": 0.5, "velocity": [0, 0]}],
+          "container": {"center": [0, 0], "radius": 10}, "horizon": 1}
+for moves, right in ((1, "UNDECIDED"), (0, "CERTIFIED")):
+    attempt(right, f"a disk at the container gets the velocity {moves} along it at the horizon",
+            scene=lambda s, v=moves: s.update(SLIDES, maneuvers=[{"t": 1, "disk": 0, "velocity": [v, 0]}]),
+            history=lambda h, v=moves: h.__setitem__(slice(None), [
+                {**h[HEADER], "horizon": 1, "initial": [[-1, 0, 1, 1], [-1, 1, 0, 0], [0, 1, -1, -1]]},
+                {"t": 1, "maneuver": 0, "v": [v, 0]}, {"end": {"t": 1, "flips": 0, "collisions": 0, "maneuvers": 1}}]))
 
 # Options.
 invalid("a negative tolerance", options=["--tolerance", "-1"])
