@@ -14,6 +14,18 @@ void sort_by_time(History& h) {
                    [](const Line& a, const Line& b) { return a.t < b.t; });
 }
 
+// Turns of one disk need not commute: the later one stays behind the earlier one.
+void keep_order_of_turns(History& h) {
+  for (auto b = h.lines.begin(); b != h.lines.end(); ++b) {
+    if (b->kind == Line::Kind::flip) continue;
+    for (auto a = h.lines.begin(); a != b; ++a) {
+      if (a->kind == Line::Kind::flip) continue;
+      const bool shared = concerns(*a, b->j) || (b->i >= 0 && concerns(*a, b->i));
+      if (shared) b->t = std::max(b->t, a->t);
+    }
+  }
+}
+
 double some_shift(Random& random) {
   const double size = random.chance(0.5) ? random.log_uniform(1e-12, 0.99 * tolerance)
                                          : random.log_uniform(1.01 * tolerance, 1);
@@ -38,6 +50,7 @@ void rewrite(History& h, Rewriting how, Random& random) {
         if (how == Rewriting::flips_shifted && line.kind != Line::Kind::flip) continue;
         line.t += random.uniform(-0.95, 0.95) * tolerance;
       }
+      keep_order_of_turns(h);
       sort_by_time(h);
       break;
     case Rewriting::neighbours_exchanged:
