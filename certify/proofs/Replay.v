@@ -119,6 +119,7 @@ Fixpoint each (step : positive -> state -> outcome state) (ks : list positive) (
 Fixpoint distinct (ks : list positive) : bool :=
   match ks with [] => true | k :: ks => negb (existsb (Pos.eqb k) ks) && distinct ks end.
 
+(* Turns come before the flips of their instant: after a flip at one instant none may come at that instant. *)
 Definition flip (s : state) (c : claim) (t : Z) (f : edge) (lo hi : Z) (k k1 k2 k3 k4 : positive) : outcome state :=
   do sl <- slot_of s k;
   need (edge_eqb (name sl) f || edge_eqb (name sl) (reversed f)) WrongName (
@@ -127,7 +128,7 @@ Definition flip (s : state) (c : claim) (t : Z) (f : edge) (lo hi : Z) (k k1 k2 
   do gone <- collapses s f lo hi;
   need gone NoCollapse (
   do s <- each (flip_one c lo hi) [k; k1; k2; k3; k4] s;
-  Good (State (movers s) (slots s) (Z.max (now s) hi) (todo s)))))).
+  Good (State (movers s) (slots s) (Z.max (now s) (if lo =? hi then hi + 1 else hi)) (todo s)))))).
 
 (* Whether the pair of an edge is i, j. *)
 Definition is_pair (i j : gen) (q : edge) : bool :=

@@ -406,16 +406,16 @@ Proof.
   apply existsb_exists. exists k. split; [exact I|apply Pos.eqb_refl].
 Qed.
 
-Lemma flip_keeps past s t f lo hi k k1 k2 k3 k4 s1 (c := Flip t f lo hi k k1 k2 k3 k4) :
-  (lo <= hi)%Z -> distinct [k; k1; k2; k3; k4] = true -> invariant P past past s ->
+Lemma flip_keeps past s t f lo hi k k1 k2 k3 k4 s1 n (c := Flip t f lo hi k k1 k2 k3 k4) :
+  (lo <= hi)%Z -> (hi <= n)%Z -> distinct [k; k1; k2; k3; k4] = true -> invariant P past past s ->
   each (flip_one c lo hi) [k; k1; k2; k3; k4] s = Good s1 ->
-  invariant P (c :: past) (c :: past) (at_time s1 (Z.max (now s1) hi)) /\ todo s1 = todo s.
+  invariant P (c :: past) (c :: past) (at_time s1 (Z.max (now s1) n)) /\ todo s1 = todo s.
 Proof.
-  intros O Ds I0 E. apply distinct_true in Ds as Nd. pose proof (NoDup_rev Nd) as Dr. rewrite <- app_nil_r in Dr.
+  intros O Hn Ds I0 E. apply distinct_true in Ds as Nd. pose proof (NoDup_rev Nd) as Dr. rewrite <- app_nil_r in Dr.
   assert (Start : flipped c lo hi s [] s). { split; try reflexivity; try tauto; intros ? ? []. }
   pose proof (flips_keep c lo hi s _ _ _ _ Dr Start E) as [M N D Y X L]. rewrite app_nil_r in *. clear Start E Dr Ds.
   split; [|exact D].
-  pose proof (invariant_at_time past past s (Z.max (now s1) hi) ltac:(lia) I0) as I1.
+  pose proof (invariant_at_time past past s (Z.max (now s1) n) ltac:(lia) I0) as I1.
   destruct (invariant_more c _ _ _ I1) as [K T A]. clear I0 I1.
   split.
   - intros g m F. cbn [movers at_time] in F. rewrite M in F. apply K, F.

@@ -31,7 +31,7 @@ Proof.
     + rewrite (named _ _ _ _ _ _ (slots_true _ _ _ _ I k sl F)).
       apply orb_prop in Name as [Name|Name]; apply edge_eqb_true in Name; rewrite Name; tauto.
     + split; [apply distinct_true, Ds|]. split; [lia|]. split; [exact C1|]. split; [exact C2|]. split; [exact C3|]. split; [exact C4|exact C5].
-  - destruct (flip_keeps P past s t f lo hi k k1 k2 k3 k4 s1 H2 Ds I E1) as [I1 T]. split.
+  - destruct (flip_keeps P past s t f lo hi k k1 k2 k3 k4 s1 (if lo =? hi then hi + 1 else hi)%Z H2 ltac:(destruct (lo =? hi)%Z; lia) Ds I E1) as [I1 T]. split.
     + destruct I1 as [K S A]. split; assumption.
     + cbn [pending c todo]. rewrite T. exact W.
 Qed.

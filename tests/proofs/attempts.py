@@ -317,6 +317,17 @@ for moves, right in ((1, "UNDECIDED"), (0, "CERTIFIED")):
                 {**h[HEADER], "horizon": 1, "initial": [[-1, 0, 1, 1], [-1, 1, 0, 0], [0, 1, -1, -1]]},
                 {"t": 1, "maneuver": 0, "v": [v, 0]}, {"end": {"t": 1, "flips": 0, "collisions": 0, "maneuvers": 1}}]))
 
+# At one instant turns come before flips.
+STOPPED = {"disks": [{"center": c, "radius": 0.25, "velocity": [v, v]} for c, v in (([-1, 1], 0), ([-1, -1], 0), ([1, -1], 0), ([1.5, 1.5], -0.25))],
+           "container": {"center": [0, 0], "radius": 10}, "horizon": 4, "maneuvers": [{"t": 2, "disk": 3, "velocity": [0, 0]}]}
+TURN, TIE = {"t": 2, "maneuver": 3, "v": [0, 0]}, {"t": 2, "flip": [0, 2, 1, 3]}
+for right, lines in (("CERTIFIED", [TURN, TIE]), ("UNDECIDED", [TIE, TURN])):
+    attempt(right, "a flip and a turn of its disk at one instant", scene=lambda s: s.update(STOPPED),
+            history=lambda h, lines=lines: h.__setitem__(slice(None), [
+                {**h[HEADER], "horizon": 4, "initial": [[-1, 0, 1, 3], [-1, 1, 2, 0], [-1, 2, 3, 1], [-1, 3, 0, 2], [0, 1, -1, 2], [0, 2, 1, 3],
+                                                        [0, 3, 2, -1], [1, 2, -1, 0], [2, 3, -1, 0]]},
+                *lines, {"end": {"t": 4, "flips": 1, "collisions": 0, "maneuvers": 1}}]))
+
 # Options.
 invalid("a negative tolerance", options=["--tolerance", "-1"])
 invalid("a tolerance beyond the horizon", options=["--tolerance", "13"])
