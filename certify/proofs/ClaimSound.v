@@ -31,7 +31,7 @@ Proof.
   apply andb_prop in H as [H Hc]. apply andb_prop in H as [Ha Hb]. subst a b c.
   destruct (four_known P _ _ _ _ _ _ _ _ K A) as [A1 A2]. destruct (four_known P _ _ _ _ _ _ _ _ K B) as [B1 _].
   destruct (four_known P _ _ _ _ _ _ _ _ K C) as [C1 _]. split; [exact A2|]. split.
-  { apply cotangent_true in A1. rewrite !at_start in A1. exact A1. }
+  { apply short_tied, cotangent_true in A1. rewrite !at_start in A1. exact A1. }
   exists (IZR (t + soon)). split; [apply IZR_lt; unfold soon; lia|]. split.
   - intros w Hw. destruct (parameter_pos _ _ _ Hw) as [Z1 Z2]. unfold edge_is, on. apply (passed_unscale _ Z2).
     assert (E : forall g, scale ((IZR (t + soon) - IZR t) / (IZR (t + soon) - w)) (on_leg P g (last_leg P g past) w) =

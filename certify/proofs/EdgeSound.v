@@ -279,3 +279,6 @@ Proof.
     apply (fan_says _ (fun x => x = 0)); auto; lra. }
   unfold by_fan, fan_tied_at. destruct (mwall l); intros H; [apply circles_turn|]; apply Fan, H.
 Qed.
+
+Lemma short_tied l r s e : by_fan fan_short_at l r s e = true -> by_fan fan_tied_at l r s e = true.
+Proof. unfold by_fan, fan_short_at. destruct (mwall l); intros H; apply andb_prop in H as [H _]; exact H. Qed.

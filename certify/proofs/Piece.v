@@ -84,6 +84,19 @@ Definition fan_sums (test : sum_test) (both : bool) (i a b c : moving) : bool :=
   else first.
 (* c does not enter the first circle, a does not enter the second. *)
 Definition fan_empty : moving -> moving -> moving -> moving -> bool := fan_sums sum_not_negative true.
+Definition sum_positive_at (f x y : Z) : bool :=
+  ((0 <? f) && (0 <? x)) || ((f <? 0) && (0 <? y)) || ((0 <? x) && (0 <=? y)) || ((0 <=? x) && (0 <? y)).
+
+(* At the interval's beginning, where the first circle touches c: its contacts with i, b, c are counterclockwise, so that it is the
+   second circle, too. (There may be two circles that touch all four.) *)
+Definition fan_short (i a b c : moving) : bool :=
+  let za := zrow i a in let zb := zrow i b in let zc := zrow i c in
+  let dxp := dxp Z.sub Z.mul in let dyp := dyp Z.sub Z.mul in let dsp := dsp Z.sub Z.mul in
+  let x := - dsp za zb * (dxp zb zc * dyp za zb - dyp zb zc * dxp za zb) in
+  let y := dxp zb zc * dxp za zb + dyp zb zc * dyp za zb in
+  let gamma := rp za * rp zb * tangency Z.add Z.sub Z.mul za zb in
+  sum_positive_at (x * x - gamma * (y * y)) (with_sign (mwall b || mwall c) x) (with_sign (xorb (mwall b || mwall c) (mwall a || mwall b)) y).
+
 (* The first circle is not empty of c but for a touch, nor the second of a. *)
 Definition fan_past : moving -> moving -> moving -> moving -> bool := fan_sums sum_not_positive true.
 (* The first circle does not touch c, or the second does not touch a. *)
@@ -134,8 +147,6 @@ Definition fan_tied (i a b c : moving) : bool :=
   sum_zero_at f (with_sign (mwall a) (z_g zb zc ga gb)) (with_sign (xorb (mwall a) (mwall b || mwall c)) gc).
 
 (* At the interval's beginning: the first circle of the fan does not touch c, or the second not a. *)
-Definition sum_positive_at (f x y : Z) : bool :=
-  ((0 <? f) && (0 <? x)) || ((f <? 0) && (0 <? y)) || ((0 <? x) && (0 <=? y)) || ((0 <=? x) && (0 <? y)).
 Definition fan_strict (i a b c : moving) : bool :=
   let za := zrow i a in let zb := zrow i b in let zc := zrow i c in
   let ga := z_a za zb zc in let gb := z_b za zb zc in let gc := z_c za zb zc in
@@ -147,6 +158,7 @@ Definition fan_strict (i a b c : moving) : bool :=
 Definition fan_strict_at (i a b c : moving) : bool := fan_there i a b c && fan_strict i a b c.
 Definition fan_legal_at (i a b c : moving) : bool := fan_there i a b c && fan_empty i a b c.
 Definition fan_tied_at (i a b c : moving) : bool := fan_there i a b c && fan_tied i a b c.
+Definition fan_short_at (i a b c : moving) : bool := fan_tied_at i a b c && fan_short i a b c.
 Definition fan_past_at (i a b c : moving) : bool := fan_there i a b c && fan_past i a b c.
 Definition fan_entered_at (i a b c : moving) : bool := fan_there i a b c && fan_entered i a b c.
 
