@@ -41,9 +41,9 @@ Proof.
     match type of B1 with (if ?w then _ else _) = _ => destruct w end; [apply circles_turn|]; apply (fan_past_true _ _ _ _ B1 _ Z1).
   - destruct (largest f) eqn:Rule.
     + left. apply entered_true in C1. rewrite !at_start in C1. exact C1.
-    + assert (E : forall l r s e, by_fan (fun i a b c => fan_entered_at i a b c || fan_tied_at i a b c) l r s e =
-        by_fan fan_entered_at l r s e || by_fan fan_tied_at l r s e) by (intros; unfold by_fan; destruct (mwall _); reflexivity).
-      cbv zeta in C1. rewrite E in C1. apply orb_prop in C1 as [C1|C1]; [left; apply entered_true in C1|right; apply cotangent_true in C1];
+    + assert (E : forall l r s e, by_fan (fun i a b c => fan_entered_at i a b c || fan_short_at i a b c) l r s e =
+        by_fan fan_entered_at l r s e || by_fan fan_short_at l r s e) by (intros; unfold by_fan; destruct (mwall _); reflexivity).
+      cbv zeta in C1. rewrite E in C1. apply orb_prop in C1 as [C1|C1]; [left; apply entered_true in C1|right; apply short_tied, cotangent_true in C1];
         rewrite !at_start in C1; [|split; [reflexivity|]]; exact C1.
 Qed.
 

@@ -96,15 +96,15 @@ Definition flip_one (c : claim) (lo hi : Z) (k : positive) (s : state) : outcome
 
 
 (* The edge collapses between lo and hi: it is legal at lo, entered at hi, and there throughout. Or it collapses at lo = hi: its
-   circles are one, which touches all four. From then on they are not empty but for touches; soon they are entered, or all four still touch
-   and the rule wants the other edge. *)
+   circles are one, which touches all four. From then on they are not empty but for touches; soon they are entered, or are still
+   one while the rule wants the other edge. *)
 Definition soon : Z := 4.
 Definition collapses (s : state) (f : edge) (lo hi : Z) : outcome bool :=
   if lo =? hi then
     let u := lo + soon in
     do a <- four s f lo lo lo (by_fan fan_short_at);
     do b <- four s f lo lo u (by_fan fan_past_at);
-    do c <- four s f lo u u (by_fan (if largest f then fan_entered_at else fun i a b c => fan_entered_at i a b c || fan_tied_at i a b c));
+    do c <- four s f lo u u (by_fan (if largest f then fan_entered_at else fun i a b c => fan_entered_at i a b c || fan_short_at i a b c));
     Good (a && b && c)
   else
   do a <- four s f lo lo lo (by_fan fan_legal_at);
