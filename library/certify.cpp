@@ -80,6 +80,7 @@ voroproof::Report judged(Claim&& claim, const std::string& scene_name,
   for (const Leniency& l : leniencies(c)) {
     if (l.count > 0) out.leniency.push_back({std::string(l.name), std::string(l.words), l.count});
   }
+  if (c.other_horizon) out.leniency.push_back({"other_horizon", horizon_line(c), 1});
   out.remarks = c.remarks;
   CertificationRun run = certification_run("voroproof " VOROPROOF_VERSION, scene_name, history_name,
                                            claim, out.evidence);

@@ -1,5 +1,6 @@
 #include "library/explanation.h"
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -70,7 +71,9 @@ class Explainer {
   Explanation explain(const std::vector<std::string>& notes) {
     const CertificationRun run = read_run(report_);
     const CertifyOptions options = read_options(report_);
-    found_.verdict = words_of(options, run.horizon, read_certificate(report_));
+    const Certificate certificate = read_certificate(report_);
+    require_agreement(run, options, certificate);
+    found_.verdict = words_of(options, run.horizon, certificate);
     found_.judges_flips = options.judges_flips();
     found_.reason = report_["reason"].text();
     found_.producer = run.producer;
@@ -116,6 +119,31 @@ class Explainer {
     out_ << "  truth: " << shown(d["truth"]) << '\n';
     explain_witness(d["witness"], d["t"].number());
     out_ << "Evidence: " << shown(report_["evidence"]) << ".\n";
+  }
+
+  // No report that this program writes contradicts itself.
+  void require_agreement(const CertificationRun& run, const CertifyOptions& options,
+                         const Certificate& c) const {
+    if (options.tolerance < 0 ||
+        options.tolerance > std::max(run.horizon, CertifyOptions().tolerance)) {
+      report_["tolerance"].fail("less than 0 or more than the horizon");
+    }
+    if (report_.has("flips_not_judged") == options.judges_flips()) {
+      report_["events"].fail("does not agree with flips_not_judged");
+    }
+    const JsonField prefix = report_["certified_prefix"];
+    if (c.divergence && c.prefix_events >= c.divergence->line) {
+      prefix["events"].fail("goes beyond the fault");
+    }
+    if (c.verdict != Verdict::certified) return;
+    if (c.left_out == 0 && c.prefix_t < round_down(run.horizon)) {
+      prefix["t"].fail("ends before the horizon in a report that certifies");
+    }
+    for (const char* second : {"kernel", "proved_checker"}) {
+      if (report_.has(second) && !report_[second].text().starts_with("CERTIFIED")) {
+        report_[second].fail("does not certify in a report that does");
+      }
+    }
   }
 
   void explain_witness(const JsonField& w, double t) {

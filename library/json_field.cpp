@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "exact/rational.h"
 #include "history/error.h"
@@ -67,6 +70,27 @@ void JsonField::fail(const std::string& reason) const {
   throw InputError(*file_, 0, name_, reason);
 }
 
+namespace {
+
+// Refuses an object that has a name twice; the parser would take the last.
+struct UniqueNames {
+  std::string path;
+  std::vector<std::set<std::string>> open = {};
+
+  bool operator()(int, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
+    using Event = nlohmann::json::parse_event_t;
+    if (event == Event::object_start) open.emplace_back();
+    if (event == Event::object_end) open.pop_back();
+    if (event == Event::key && !open.back().insert(parsed.get<std::string>()).second) {
+      throw InputError(path, 0, printable(parsed.get<std::string>()),
+                       "a field appears twice in one object");
+    }
+    return true;
+  }
+};
+
+}  // namespace
+
 nlohmann::json parse_report(const std::string& bytes, const std::string& path) {
   // The parser takes a byte 0 for the end.
   const auto zero = std::find(bytes.begin(), bytes.end(), '\0');
@@ -75,7 +99,7 @@ nlohmann::json parse_report(const std::string& bytes, const std::string& path) {
   }
   nlohmann::json report;
   try {
-    report = nlohmann::json::parse(bytes);
+    report = nlohmann::json::parse(bytes, UniqueNames{path});
   } catch (const nlohmann::json::parse_error& error) {
     const auto end =
         bytes.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, bytes.size()));

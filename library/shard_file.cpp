@@ -92,6 +92,10 @@ std::optional<std::pair<int, int>> part_of(const std::string& text) {
   return std::pair(number, of);
 }
 
+std::string about_shard(const ShardFile& file, const std::string& about) {
+  return "shard " + std::to_string(file.number) + " of " + std::to_string(file.of) + " of " + about;
+}
+
 std::string shard_text(const ShardFile& file) {
   const Certificate& c = file.shard.certificate;
   Json j = Json::object();
@@ -107,7 +111,11 @@ std::string shard_text(const ShardFile& file) {
   }
   j["begin"] = json(file.shard.begin);
   j["end"] = json(file.shard.end);
-  j["report"] = Json::parse(report_text(file.run, file.options, c));
+  // It is no report by itself: what it says is of the shard.
+  Json report = Json::parse(report_text(file.run, file.options, c));
+  report["format"] = "shard-report";
+  report["words"]["about"] = about_shard(file, report["words"]["about"]);
+  j["report"] = std::move(report);
   return j.dump(1) + "\n";
 }
 

@@ -27,6 +27,9 @@ struct ShardFile {
 
 std::string shard_text(const ShardFile& file);
 
+// What the words of a certificate are about, where it is that of a shard.
+std::string about_shard(const ShardFile& file, const std::string& about);
+
 // Throws InputError.
 ShardFile read_shard(const std::string& path);
 

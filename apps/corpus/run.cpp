@@ -99,6 +99,10 @@ void add_judging(ProcessJob& job, ProgramResult& result, const fs::path& folder,
     job.push_back(judging(result.of->scene(), history, truth, report, options.limits,
                           [&into](const CaseJudgement& judgement) { into = judgement; }));
   }
+  if (!result.of->decided) {
+    job.push_back(judging(result.of->scene(), result.of->history(), Truth::exact, report,
+                          options.limits, [&result](const CaseJudgement& j) { result.own = j; }));
+  }
   job.back().on_end = [&result, folder, judged = job.back().on_end](const ProcessEnd& end) {
     judged(end);
     conclude(result);
@@ -158,7 +162,11 @@ const CaseJudgement* ProgramResult::decisive() const {
 }
 
 bool ProgramResult::passed() const {
-  return outcome == CaseOutcome::certified || (outcome == CaseOutcome::undecided && !of->decided);
+  if (outcome == CaseOutcome::certified) return true;
+  const auto reaches = [this](const std::optional<CaseJudgement>& j) {
+    return j && own && j->prefix_t >= own->prefix_t - CertifyOptions().tolerance.get_d();
+  };
+  return outcome == CaseOutcome::undecided && (reaches(exact) || reaches(recorded));
 }
 
 bool OwnResult::passed() const {

@@ -36,10 +36,13 @@ struct ProgramResult {
   std::string message;  // its last line on stderr
   // Where it wrote a history that was judged.
   std::optional<CaseJudgement> exact, recorded;
+  // Likewise, in a case made to be undecided: that of the case's own history.
+  std::optional<CaseJudgement> own;
 
   // The judgement that the outcome rests on: of two, the better; null where there is none.
   const CaseJudgement* decisive() const;
-  // Certified, or undecided in a case made to be so.
+  // Certified; or, in a case made to be undecided, undecided and as right as the case's own history
+  // is: up to the same time, within the tolerance.
   bool passed() const;
 };
 

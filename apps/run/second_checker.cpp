@@ -18,6 +18,7 @@
 #include "certify/report.h"
 #include "history/error.h"
 #include "history/file_bytes.h"
+#include "history/sha256.h"
 
 namespace voroproof::internal {
 
@@ -84,6 +85,15 @@ std::optional<Opinion> opinion(const std::vector<std::string>& lines) {
   return said;
 }
 
+// The file's bytes, which are those of the hash.
+std::string judged_bytes(const std::string& path, const std::string& sha256) {
+  std::string bytes = file_bytes(path, kMost);
+  if (sha256_hex(bytes) != sha256) {
+    throw InputError(path, 0, "", "has other bytes now than those that the certifier judged");
+  }
+  return bytes;
+}
+
 // A checker asks nobody whether to go on: it works in a process that can be killed. Returns nothing
 // where the process was killed.
 std::optional<Opinion> asked_apart(const SecondChecker& second, const std::string& scene,
@@ -148,11 +158,11 @@ std::vector<SecondChecker> second_checkers(bool kernel, bool proved, const Certi
 }
 
 std::string judged_by(const SecondChecker& second, Certificate& certificate,
-                      const std::string& scene_path, const std::string& history_path,
-                      const CertifyOptions& options, const std::function<bool()>& go_on) {
+                      const CertificationRun& run, const CertifyOptions& options,
+                      const std::function<bool()>& go_on) {
   const std::string name = "the " + std::string(second.name);
-  const std::string scene = file_bytes(scene_path, kMost),
-                    history = file_bytes(history_path, kMost);
+  const std::string scene = judged_bytes(run.scene_file, run.scene_sha256),
+                    history = judged_bytes(run.history_file, run.history_sha256);
   if (!history.starts_with('{') || !scene.starts_with('{')) {
     throw UsageError(std::string(second.option) + ": " + name +
                      " reads scene and history files, not those of other engines");
@@ -162,7 +172,7 @@ std::string judged_by(const SecondChecker& second, Certificate& certificate,
   const bool first = certificate.verdict == Verdict::certified;
   if (first ? said->denies() : certificate.verdict == Verdict::refuted && said->certifies()) {
     throw std::logic_error("the two checkers disagree; please report it with the files " +
-                           scene_path + " and " + history_path + ": the certifier says " +
+                           run.scene_file + " and " + run.history_file + ": the certifier says " +
                            std::string(verdict_line(certificate.verdict).substr(2)) +
                            (first ? "" : " (" + reason_line(certificate) + ")") + ", " + name +
                            " " + said->text());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "certify/certifier.h"
+#include "certify/report.h"
 
 namespace voroproof::internal {
 
@@ -39,15 +40,17 @@ std::vector<SecondChecker> second_checkers(bool kernel, bool proved, const Certi
 // The words of the second checkers, each with its own.
 using SecondWords = std::vector<std::pair<SecondChecker, std::string>>;
 
-// Has the checker judge the same files under the same options, and makes the certificate that of
+// Has the checker judge the same files (`run` names them, and has the hashes of what the certifier
+// has judged) under the same options, and makes the certificate that of
 // both: certified only where both certify, undecided where the second does not decide what was
 // certified. Gives what the second said, in one line. Several times a second asks whether to
 // `go_on`; where not, the checker's process is ended and nothing is given. Throws std::logic_error,
 // with both verdicts and the names of the files, where one of the two certifies what the other
-// refutes or cannot read; UsageError for files of other engines, which second checkers do not read;
-// std::bad_alloc where the second has not enough memory.
+// refutes or cannot read; InputError for files that have other bytes by now; UsageError for files
+// of other engines, which second checkers do not read; std::bad_alloc where the second has not
+// enough memory.
 std::string judged_by(const SecondChecker& second, Certificate& certificate,
-                      const std::string& scene_path, const std::string& history_path,
-                      const CertifyOptions& options, const std::function<bool()>& go_on);
+                      const CertificationRun& run, const CertifyOptions& options,
+                      const std::function<bool()>& go_on);
 
 }  // namespace voroproof::internal

@@ -38,7 +38,7 @@ void tell(std::ostream& out, const ShardFile& file, const SecondWords& second,
   }
   if (!quiet) tell_counts(out, file, second);
   const VerdictWords words = words_of(file.options, file.run.horizon, c);
-  out << "c " << words.about << '\n';
+  out << "c " << (shard.empty() ? words.about : about_shard(file, words.about)) << '\n';
   for (const std::string& line : words.reservations) out << "c " << line << '\n';
   out << "s " << shard << verdict_line(c.verdict).substr(2) << '\n';
 }

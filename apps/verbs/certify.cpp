@@ -189,8 +189,8 @@ SecondWords ask(const std::vector<SecondChecker>& seconds, const Request& reques
   Certificate& certificate = file.shard.certificate;
   SecondWords words;
   for (const SecondChecker& checker : seconds) {
-    const std::string said = judged_by(checker, certificate, request.scene, request.history,
-                                       request.options, [&] { return !interruption.requested(); });
+    const std::string said = judged_by(checker, certificate, file.run, request.options,
+                                       [&] { return !interruption.requested(); });
     if (said.empty()) {
       if (!interruption.late()) throw Interrupted();
       undecide(certificate,
@@ -248,7 +248,8 @@ ExitCode certify_files(Request& request) {
     tell(words_beside({request.report}), *done, {}, name_of_shard(request, *done), request.quiet);
     return exit_code(done->shard.certificate.verdict);
   }
-  if (report_file) claim.history->keep_digest();
+  const bool hashed = report_file || !seconds.empty();
+  if (hashed) claim.history->keep_digest();
   std::optional<Progress> progress;
   progress.emplace(round_nearest(header.horizon), request.quiet);
   options.monitor = [&](double t, std::int64_t events) {
@@ -258,13 +259,11 @@ ExitCode certify_files(Request& request) {
   const bool judged = certify_claim(request, claim, options, interruption, begun, file);
   progress.reset();
   Certificate& certificate = file.shard.certificate;
+  if (hashed && !file.shard.end) file.run.history_sha256 = claim.history->content_sha256();
   const SecondWords second = ask(seconds, request, interruption, file);
   interruption.wind_up();
   file.run.evidence = checked_evidence(certificate, request.scene, request.history);
-  if (report_file) {
-    if (!file.shard.end) file.run.history_sha256 = claim.history->content_sha256();
-    write_result(request, *report_file, file);
-  }
+  if (report_file) write_result(request, *report_file, file);
   // Where a limit has ended the run, or that of a second checker, it may be taken up.
   if (begun && judged && second.size() == seconds.size()) begun->forget();
   tell(words_beside({request.report}), file, second, name_of_shard(request, file), request.quiet);

@@ -123,7 +123,8 @@ class Report:
         write_whole(path, self.json)
 
     def __str__(self) -> str:
-        return self.words + (f": {self.reason}" if self.reason else "")
+        said = self.words + (f": {self.reason}" if self.reason else "")
+        return said + (f" ({'; '.join(self.reservations)})" if self.reservations else "")
 
     def __repr__(self) -> str:
         return f"<Report: {self}>"

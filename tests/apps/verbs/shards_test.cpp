@@ -41,7 +41,7 @@ TEST_F(ShardsCli, RefuteTheWhole) {
   EXPECT_EQ(part(1, 3).code, 0);
   const Result second = part(2, 3);
   EXPECT_EQ(second.code, 1);
-  EXPECT_EQ(second.out, about + "s SHARD 2/3 REFUTED\n");
+  EXPECT_EQ(second.out, about_shard(2, 3) + "s SHARD 2/3 REFUTED\n");
   const Result result = run(merge({name(2), name(1)}));
   EXPECT_EQ(result.code, 1);
   EXPECT_EQ(result.out, about + "s REFUTED\n");
