@@ -1,11 +1,13 @@
 // The log of a continuous-time multi-agent path finder: root/log/agent/path/section, a section with
-// start_i, start_j, goal_i, goal_j and duration.
+// start_i, start_j, goal_i, goal_j and duration. Solvers copy their task, root/agent, into it, and
+// sum up in root/log/summary. Any other element may be somebody, and is refused.
 #include "history/paths_file.h"
 
 #include <expat.h>
 
 #include <limits>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "history/error.h"
@@ -43,7 +45,7 @@ class LogReader {
   static void XMLCALL begin(void* data, const XML_Char* name, const XML_Char** attributes) {
     LogReader& reader = self(data);
     reader.place_ += std::string(name) + ">";
-    reader.guarded([&] { reader.take(attributes); });
+    reader.guarded([&] { reader.take(name, attributes); });
   }
   static void XMLCALL end(void* data, const XML_Char*) {
     LogReader& reader = self(data);
@@ -69,19 +71,29 @@ class LogReader {
     }
   }
 
-  void take(const XML_Char** attributes) {
-    if (place_ == "root>log>") {
+  void take(const XML_Char* name, const XML_Char** attributes) {
+    if (place_ == "root>agent>") {
+      ++tasks_;
+    } else if (place_ == "root>log>") {
       if (std::exchange(has_log_, true)) fail("log", "a second one");
     } else if (place_ == "root>log>agent>") {
       read_.paths.push_back({attribute(attributes, "number"), radius_, {}});
+      if (!numbers_.insert(read_.paths.back().name).second) fail("number", "another agent has it");
     } else if (place_ == "root>log>agent>path>section>") {
       take_section(attributes);
+    } else if (place_ != "root>" && place_ != "root>log>summary>" &&
+               place_ != "root>log>agent>path>") {
+      fail(printable(name), "a plan has no such element here");
     }
   }
 
   void leave() {
     if (place_ == "root>log>agent>" && read_.paths.back().waypoints.empty()) {
       fail("agent", "no section tells where it is");
+    }
+    if (place_ == "root>" && has_log_ && tasks_ != 0 && tasks_ != read_.paths.size()) {
+      fail("agent", std::to_string(tasks_) + " in the task, and " +
+                        std::to_string(read_.paths.size()) + " in the log");
     }
   }
 
@@ -130,7 +142,8 @@ class LogReader {
   std::unique_ptr<InputError> error_;
   std::string place_;  // the elements around, each with a ">"
   bool has_log_ = false;
-  std::size_t sections_ = 0;
+  std::set<std::string> numbers_;
+  std::size_t sections_ = 0, tasks_ = 0;
   GivenPaths read_;
 };
 

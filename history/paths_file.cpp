@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <string_view>
+#include <utility>
 
 #include "history/error.h"
 #include "history/file_bytes.h"
@@ -16,12 +17,23 @@ namespace {
 constexpr std::size_t kLongestLine = std::size_t{1} << 16;
 constexpr std::size_t kLongestRemark = 1000;
 constexpr std::string_view kBlanks = " \t\r";
-constexpr std::string_view kRemark = "# remark:", kMissing = "# missing:";
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+// The word before the colon of a comment, in small letters, and the text after it.
+std::pair<std::string, std::string_view> told(std::string_view comment) {
+  comment.remove_prefix(std::min(comment.find_first_not_of("# \t\r"), comment.size()));
+  const std::size_t colon = comment.find(':');
+  if (colon == std::string_view::npos) return {};
+  std::string word(trimmed(comment.substr(0, colon)));
+  for (char& c : word) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return {word, comment.substr(colon + 1)};
 }
 
 std::vector<std::string> cells(std::string_view line) {
@@ -43,10 +55,10 @@ class TableReader {
   GivenPaths read() {
     while (const auto line = lines_.next(kLongestLine)) {
       const std::string_view text = trimmed(*line);
-      if (text.starts_with(kRemark)) take_remark(text.substr(kRemark.size()), read_.remarks);
-      if (text.starts_with(kMissing)) take_remark(text.substr(kMissing.size()), read_.missing);
-      if (text.empty() || text.front() == '#') continue;
-      if (columns_.empty()) {
+      if (text.empty()) continue;
+      if (text.front() == '#') {
+        take_comment(text);
+      } else if (columns_.empty()) {
         take_heading(cells(text));
       } else {
         take_row(cells(text));
@@ -57,6 +69,14 @@ class TableReader {
   }
 
  private:
+  void take_comment(std::string_view comment) {
+    const auto [word, text] = told(comment);
+    if (word == "remark") take_remark(text, read_.remarks);
+    if (word != "missing") return;
+    if (read_.missing.empty()) read_.missing_line = lines_.number();
+    take_remark(text, read_.missing);
+  }
+
   // Takes a remark of the table's author. It is repeated wherever something is said of the paths.
   void take_remark(std::string_view text, std::vector<std::string>& remarks) const {
     if (remarks.size() == max_remarks) fail("remark", "too many");

@@ -4,6 +4,7 @@
 // their waypoints: from each to the next with constant velocity (docs/others.md).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -48,6 +49,7 @@ struct GivenPaths {
   std::optional<GivenContainer> container;
   std::vector<std::string> remarks;    // facts that the file cannot tell, and assumptions
   std::vector<std::string> missing{};  // who and what may come near and is not in the paths
+  std::int64_t missing_line = 0;       // where the first of them stands in the file
   // The meaning of the paths, in words.
   std::string meaning = "the piecewise linear paths between the waypoints of the file";
 };
@@ -64,10 +66,10 @@ inline constexpr std::size_t max_remarks = 100;
 
 // Reads a file of either kind: XML where its first character but for white space is '<', else a
 // table. Numbers are exact: a decimal means what it says. `radius`: of all disks whose radius the
-// file does not give. Lines "# remark: ..." of a table are among the remarks, lines
-// "# missing: ..." among what is missing. With `beyond` stays all disks are there all the time.
-// Throws InputError, also where that is unsaid and the paths do not all begin at one time and end
-// at one time.
+// file does not give. Comments "# remark: ..." of a table are among the remarks,
+// "# missing: ..." among what is missing, whatever their blanks and capitals. With `beyond` stays
+// all disks are there all the time. Throws InputError, also where that is unsaid and the paths do
+// not all begin at one time and end at one time.
 GivenPaths read_paths(const std::string& path, const std::optional<Rational>& radius,
                       Beyond beyond);
 

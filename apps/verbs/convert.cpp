@@ -114,6 +114,10 @@ void paths_to_scene(const Request& request) {
   if (!request.radius.empty()) radius = time_argument("--radius", request.radius);
   const GivenPaths given =
       read_paths(request.input, radius, request.stay ? Beyond::stays : Beyond::vanishes);
+  if (!given.missing.empty()) {
+    throw InputError(request.input, given.missing_line, "missing",
+                     given.missing.front() + ": a scene cannot say that somebody is missing");
+  }
   const Scene scene = scene_of_paths(given, request.input);
   require_apart(request, given);
   std::ostringstream text;
@@ -125,7 +129,6 @@ void paths_to_scene(const Request& request) {
          "touch nothing\n"
          "disk k is the k-th of the file, from 0; the container is made up\n";
   for (const std::string& remark : given.remarks) out << remark << '\n';
-  for (const std::string& missing : given.missing) out << "missing: " << missing << '\n';
 }
 
 void scene_to_disks(const Request& request) {

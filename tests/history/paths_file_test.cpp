@@ -34,8 +34,8 @@ class PathsFile : public ::testing::Test {
     return "<section start_i='" + from + "' start_j='0' goal_i='" + to + "' goal_j='0' duration='" +
            duration + "'/>";
   }
-  static std::string agent(const std::string& sections) {
-    return "<agent number='7'><path>" + sections + "</path></agent>";
+  static std::string agent(const std::string& sections, const std::string& number = "7") {
+    return "<agent number='" + number + "'><path>" + sections + "</path></agent>";
   }
 
   TemporaryDirectory directory_;
@@ -57,7 +57,7 @@ TEST_F(PathsFile, NumbersOfATableAreExact) {
 
 TEST_F(PathsFile, RemarksOfATable) {
   const GivenPaths g = read(
-      "# remark: walls are left out \r\n# no remark\n#remark: nor this\ndisk,t,x,y\na,0,0,0\n"
+      "# remark: walls are left out \r\n# no remark\n# remarks: nor this\ndisk,t,x,y\na,0,0,0\n"
       "# remark: \x1b[1m\n");
   EXPECT_EQ(g.remarks, (std::vector<std::string>{"walls are left out", "\\x1b[1m"}));
   std::string many = "disk,t,x,y\n";
@@ -66,15 +66,22 @@ TEST_F(PathsFile, RemarksOfATable) {
 }
 
 TEST_F(PathsFile, WhatATableLacks) {
-  const GivenPaths g = read("# missing: a ship\ndisk,t,x,y\n#missing: no line of that\na,0,0,0\n");
-  EXPECT_EQ(g.missing, std::vector<std::string>{"a ship"});
-  EXPECT_TRUE(g.remarks.empty());
+  for (const char* spelling : {"# missing:", "#missing:", "#  missing:", "#\tmissing:",
+                               "# Missing: ", " # MISSING :", "## missing:\t"}) {
+    const GivenPaths g = read("disk,t,x,y\n" + std::string(spelling) + "a ship\na,0,0,0\n");
+    EXPECT_EQ(g.missing, std::vector<std::string>{"a ship"}) << spelling;
+    EXPECT_EQ(g.missing_line, 2);
+    EXPECT_TRUE(g.remarks.empty());
+  }
+  for (const char* other : {"# nothing is missing: all", "# missing", "#", "# : missing:"}) {
+    EXPECT_TRUE(read(std::string(other) + "\ndisk,t,x,y\n").missing.empty()) << other;
+  }
 }
 
 // Tables and plans agree on where a disk is beyond its own waypoints.
 TEST_F(PathsFile, WhatIsBeyondAPathIsSaid) {
   const std::string table = "disk,t,x,y\na,0,0,0\na,2,2,0\nb,1,5,5\n";
-  const std::string plan = log(agent(section("0", "1", "2")) + agent(section("9", "8", "1")));
+  const std::string plan = log(agent(section("0", "1", "2")) + agent(section("9", "8", "1"), "8"));
   for (const std::string& text : {table, plan}) {
     EXPECT_THROW(read(text, 1, Beyond::unsaid), InputError) << text;
     const GivenPaths gone = read(text, 1, Beyond::vanishes);
@@ -115,7 +122,7 @@ TEST_F(PathsFile, BrokenTables) {
 TEST_F(PathsFile, SectionsOfAPlanFollowEachOther) {
   const GivenPaths g =
       read(log(agent(section("0", "1", "0.1") + section("1", "1", "0") + section("1", "3", "0.2")) +
-               agent(section("9", "9", "1"))));
+               agent(section("9", "9", "1"), "8")));
   ASSERT_EQ(g.paths.size(), 2u);
   ASSERT_EQ(g.paths[0].waypoints.size(), 3u);
   EXPECT_EQ(g.paths[0].waypoints[2].t, Rational(3, 10));
@@ -133,7 +140,21 @@ TEST_F(PathsFile, BrokenPlans) {
   refused(log(agent(section("0", "1", "-1"))), 1, "duration");
   refused(log(agent(section("0", "1", "0"))), 1, "duration");
   refused(log(agent(section("0", "one", "1"))), 1, "goal_i");
+  const std::string whole = agent(section("0", "1", "1"));
+  refused(log(whole + "\n" + agent(section("5", "6", "1"))), 2, "number");
+  refused("<root><agent/><agent/>" + log(whole).substr(6), 1, "agent");
+  EXPECT_EQ(read("<root><agent/>" + log("<summary/>" + whole).substr(6)).paths.size(), 1u);
   refused("<!DOCTYPE root [<!ENTITY a 'aaaa'>]>" + log(""), 1, "");
+}
+
+// Who is written in another way than solvers do is not passed over.
+TEST_F(PathsFile, ElementsThatAPlanHasNot) {
+  const std::string whole = agent(section("0", "1", "1")) + "\n";
+  refused(log(whole + "<Agent number='8'/>"), 2, "Agent");
+  refused(log(whole + "<agents>" + agent(section("5", "6", "1"), "8") + "</agents>"), 2, "agents");
+  refused(log(agent(section("0", "1", "1") + "\n<step/>")), 2, "step");
+  refused("<root>\n<Log>" + whole + "</Log></root>", 2, "Log");
+  refused("<plan/>", 1, "plan");
 }
 
 }  // namespace

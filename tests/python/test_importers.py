@@ -164,7 +164,7 @@ def test_a_scenario_of_bluesky(given, tmp_path):
 
 def test_spellings_of_scenarios(given, tmp_path):
     """Lines that end as on old Macintoshes, lines that go on, Mach numbers, times without a command."""
-    text = ("00:00:00.00>CRE A,B744,52,4,90,0,M.80\r00:00:00.00>CRE B,B744,52,4,\\\r90,0,M80\rno time\r"
+    text = ("00:00:00.00>CRE A,B744,52,4,90,0,M.80\r00:00:00.00>CRE B,B744,\\\r52,4,90,0,M80\rno time\r"
             "00:00:00.00>CRE C,B744,52,4,90,0,0.8\r00:00:00.00>CASMACHTHR 0\r00:00:00.00>CRE D,B744,52,4,90,0,0.8\r")
     (tmp_path / "a").write_bytes(text.encode())
     rows, remarks = imported("bluesky", tmp_path / "a", tmp_path, until=Fraction(10))
@@ -291,6 +291,51 @@ def test_who_is_not_in_the_table_may_be_near(given, tmp_path, other):
     path = given(path.read_text().replace(other, "ZOOM 2"))
     command("bluesky", path, "--until", "60", "--radius", "10", "-o", table)
     assert program("clearance", table, "--required", "0").stdout.endswith("s FREE\n")
+
+
+TWO_THAT_PASS = ("00:00:00.00>CRE KL1 B744 52 4 90 FL100 250\n00:00:00.00>CRE KL2 B744 52.2 4 180 FL100 250\n"
+                 "00:00:00.00>DEFWPT HERE,52.1,4.2\n00:00:20.00>ECHO the end\n")
+
+
+@pytest.mark.parametrize("other", [
+    "00:00:10.00>DTMULT 5; MCRE 5", "00:00:10.00>CASMACHTHR 2 0", "00:00:10.00>CALC bs.traf.reset()",
+    "00:00:10.00>HDG KL1 90 0", "00:00:10.00>SPD KL1 250 0", "00:00:10.00>DEL KL1 KL2",
+    "00:00:10.00>CRE KL3,B744,52,9,0,0,250,1", "00:00:10.00>ADDWPT KL1 53 4 FL100 250 KL101",
+    "00:00:10.00>ADDWPT KL1 53 4 HIGH", "00:00:10.00>DEST KL1 53 4 250",
+    "00:00:10.00>ECHO #1; HDG KL1 0", "00:00:10.00>HDG KL1 0 # up", "00:00:10.00>HDG 'KL1 0'",
+    "00:00:10.00:0>HDG KL1 0", "1_0:00:10.00>HDG KL1 0", "-1:00:10.00>HDG KL1 0", "00:00:inf>HDG KL1 0",
+    f"{'9' * 400}:00:00>HDG KL1 0",
+    "00:00:10.00>DEFWPT HERE,53,9\n00:00:11.00>ADDWPT KL1 HERE", "00:00:inf>DEFWPT HERE,53,9\n00:00:11.00>ADDWPT KL1 HERE",
+    "00:00:10.00>DEFWPT N52 53 4\n00:00:11.00>ADDWPT KL1 N52 4",
+    "00:00:10.00>ADDWPT KL1 53 4\n00:00:11.00>HDG KL1 0\n00:00:12.00>LNAV KL1 ON",
+    "00:00:00.00>CRE A,B744,53,9,0,FL100,250\n0:0:1>DEL A",
+    "00:00:00.00>CRE HDG,B744,53,9,0,FL100,250\n00:00:10.00>HDG HDG 9"])
+def test_what_is_not_surely_understood_is_missing(given, tmp_path, other):
+    rows, remarks = imported("bluesky", given(TWO_THAT_PASS + other + "\n"), tmp_path, until=Fraction(60))
+    assert told(remarks, "missing: ")
+
+
+@pytest.mark.parametrize("other", [
+    "00:00:10.00>ECHO a; ALT KL1 FL110;;PAN KL2;", "00:00:10.00>ECHO #1; ALT KL1 FL110 'up'", "0:0:9>HOLD", "\n# 0:0:1>DEL KL1",
+    "10.00>HDG KL1 0", "00:ten:00>HDG KL1 0", "00:00:10.00>'KL1' POS\n00:00:10.00>KL1", "00:00:10.00>HDG \"KL1\",90,"])
+def test_what_moves_nobody_is_not_missing(given, tmp_path, other):
+    rows, remarks = imported("bluesky", given(TWO_THAT_PASS + other + "\n"), tmp_path, until=Fraction(60))
+    assert not told(remarks, "missing") and [row[0] for row in rows["KL1"]][-1] == 60
+
+
+def test_a_line_may_hold_several_commands(given, tmp_path):
+    for first in ("ECHO turn", "ALT KL1,FL110", "SPD KL2,250", "HDG KL2,90"):
+        line = f"00:00:10.00>{first}; HDG KL1,0 ;CRE KL3,B744,52.1,4,0,FL100,250\n"
+        rows, remarks = imported("bluesky", given(TWO_THAT_PASS + line), tmp_path, until=Fraction(60))
+        assert [row[0] for row in rows["KL1"]] == [0, 10, 60] and rows["KL1"][1][1] == rows["KL1"][2][1]
+        assert [row[0] for row in rows["KL3"]] == [10, 60] and not told(remarks, "missing")
+
+
+@pytest.mark.parametrize("stamp", [
+    "00:00:10.0000000000", "0:0:10.", "0:0:+1e1", "00:000:10.00", "00000:00:10.00", " 0 : 0 : 10.00 "])
+def test_times_are_read_as_bluesky_reads_them(given, tmp_path, stamp):
+    rows, remarks = imported("bluesky", given(TWO_THAT_PASS + stamp + ">HDG KL1,0\n"), tmp_path, until=Fraction(60))
+    assert [row[0] for row in rows["KL1"]] == [0, 10, 60] and not told(remarks, "missing") and not told(remarks, "no time")
 
 
 def test_images_across_a_periodic_side_may_be_near(given, tmp_path):

@@ -184,6 +184,8 @@ def test_databases(tmp_path):
     ("0:0:0>CRE A,B744,52,4\n", 0, "CRE", "of no aircraft"),
     ("0:0:0>CRE A,B744,52,4,90,70000,100\n", 0, "CRE", "of no aircraft"),
     ("0:0:0>CRE A,B744,52,4,90,0,1e90\n", 0, "CRE", "of no aircraft"),
+    ("0:0:0>CRE A,B744,52,\\\n4,90,0,100\n", 2, "", "shorter than 12"),
+    ("0:0:0>CRE A,B744,52,4,90,0,100\\\n", 1, "", "goes on"),
     ("0:0:0>CASMACHTHR no\n0:0:0>CRE A,B744,52,4,90,0,1\n", 1, "CASMACHTHR", "not a decimal"),
 ])
 def test_scenarios(tmp_path, text, line, field, reason):

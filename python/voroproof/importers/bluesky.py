@@ -5,6 +5,7 @@ flies by another command is followed up to there.
 """
 
 import math
+import re
 from collections import Counter
 from fractions import Fraction
 from typing import Dict, Iterable, Iterator, List, Optional, Tuple
@@ -23,7 +24,10 @@ HARMLESS = {"ALT", "VS", "ORIG", "TYPE", "COLOR", "COLOUR", "LABEL", "PAN", "POS
 OF_NOBODY = {"HOLD", "OP", "FF", "DT", "DTMULT", "FIXDT", "REALTIME", "DATE", "TIME", "SCEN", "SEED", "ZOOM", "SWRAD", "SYMBOL",
              "INSEDIT", "LEGEND", "LINE", "BOX", "CIRCLE", "POLY", "POLYALT", "POLYLINE", "DEFWPT", "SHOWPOLY", "SHOWTRAF",
              "SHOWWPT", "SHOWAPT", "FILTERALT", "CRELOG", "SNAPLOG", "INSTLOG", "SKYLOG", "METRICS", "PLOT", "SAVEIC", "DIST",
-             "CALC", "HELP"}
+             "HELP"}
+# How many words those have that are followed; ADDWPT and DEST have as many as their places.
+WORDS = {"DEL": 2, "HDG": 3, "SPD": 3, "LNAV": 3, "VNAV": 3}
+POINT = re.compile(r"(?![NS][0-9.])[A-Z].*")
 TURNS = {"FLYBY", "FLYOVER", "FLYTURN"}
 
 
@@ -40,6 +44,7 @@ class _Aircraft:
         self.route: List[Optional[Tuple[Place, Optional[Fraction]]]] = []  # None: it goes on to where nobody knows
         self.goal: Optional[Place] = None  # where it goes after its route
         self.goal_unknown = False          # it goes on to a place that has a name only
+        self.route_left = False            # by a heading; by what it is taken up again is not followed
         self.ended = self.cut = False
         self.rows: List[Tuple[Fraction, Place]] = [(t, at)]
 
@@ -76,7 +81,7 @@ class _Aircraft:
                 self.end(cut=self.goal_unknown)
         if self.goal_unknown and not self.ended and (until is None or until > self.t):
             self.end(cut=True)
-        if self.ended:
+        if self.ended or (until is not None and until <= self.t):
             return
         if until is None:
             raise Refused("HDG", "it flies on a heading for ever: give --until")
@@ -89,6 +94,11 @@ class _Aircraft:
         if not self.route and self.goal is not None and (until is None or until > self.t):
             self.route.append((self.goal, None))
         return bool(self.route)
+
+    def leave_route(self) -> None:
+        self.route_left = self.route_left or bool(self.route) or self.goal is not None or self.goal_unknown
+        self.route.clear()
+        self.goal, self.goal_unknown = None, False
 
     def insert(self, target: Place, speed: Optional[Fraction]) -> None:
         """A place before the goal."""
@@ -134,11 +144,16 @@ class _Reader:
         self.left_out: List[str] = []
         self.not_followed: Counter = Counter()
         self.mach_below = Fraction(2)
-        self.points: Dict[str, Tuple[Fraction, Fraction]] = {}  # defined by DEFWPT
+        self.points: Dict[str, Optional[Tuple[Fraction, Fraction]]] = {}  # from DEFWPT; None: nobody knows where
 
     def read(self) -> Table:
         read = scenario.read(self.lines)
         self.choose_plane(read.commands)
+        for words in read.at_no_time:
+            if words[0] == "DEFWPT":
+                self.define(words, sure=False)
+            elif words[0] not in HARMLESS:
+                self.not_followed[words[0]] += 1
         for command in read.commands:
             if self.until is None or command.t <= self.until:
                 self.obey(command)
@@ -167,40 +182,52 @@ class _Reader:
             self.plane = geography.around([latitude for latitude, _ in created], created[0][1])
 
     def obey(self, command: Command) -> None:
-        words = command.words
-        if words[0] in self.fleet and len(words) > 1:
-            words = [words[1], words[0], *words[2:]]
-        name = argument(words, 1)
+        words, sure = command.words, command.sure
+        if words[0] in self.fleet:
+            # A name of letters may be that of a command, too.
+            sure = sure and any(c.isdigit() for c in words[0])
+            if sure:
+                words = [*(words[1:2] or ["POS"]), words[0], *words[2:]]
+        if words[0] in HARMLESS:
+            return
         if words[0] == "CRE":
-            self.create(command)
-        elif words[0] == "DEFWPT" and self.define(words):
-            pass
-        elif words[0] == "CASMACHTHR":
+            self.create(command._replace(words=words, sure=sure))
+        elif words[0] == "DEFWPT":
+            self.define(words, sure)
+        elif words[0] == "CASMACHTHR" and sure and len(words) == 2:
             try:
-                self.mach_below = numbers.decimal(argument(words, 1) or "")
+                self.mach_below = numbers.decimal(words[1])
             except ValueError as error:
                 self.lines.number = command.line
                 self.lines.fail("CASMACHTHR", str(error))
-        elif name in self.fleet and not self.fleet[name].ended and words[0] not in HARMLESS:
-            aircraft = self.fleet[name]
-            self.fly(name, aircraft, command.t)
-            if not aircraft.ended and not self.steer(aircraft, words):
-                aircraft.end(cut=True)
-                self.not_followed[words[0]] += 1
-        elif words[0] not in HARMLESS:
+        elif not self.followed(command.t, words, sure):
             self.not_followed[words[0]] += 1
+
+    def followed(self, t: Fraction, words: List[str], sure: bool) -> bool:
+        """Whether the command can be followed; it is, then. Who may be meant by another ends here."""
+        done = False
+        for name in dict.fromkeys(words[:2]):
+            if name in self.fleet:
+                aircraft = self.fleet[name]
+                self.fly(name, aircraft, t)
+                done = sure and words[1:2] == [name] and self.steer(aircraft, words)
+                if not done and not aircraft.ended:
+                    aircraft.end(cut=True)
+        return done
 
     def create(self, command: Command) -> None:
         words = command.words
         name = argument(words, 1) or ""
         try:
+            if not command.sure or len(words) != 8:
+                raise ValueError("not understood")
             if name in self.fleet:
                 raise ValueError("it is there already")
             latitude, longitude = scenario.latitude(words[3]), scenario.longitude(words[4])
             heading = numbers.decimal(words[5])
             height = scenario.height(words[6])
             speed = scenario.true_airspeed(words[7], height, self.mach_below)
-        except (ValueError, IndexError):
+        except ValueError:
             self.left_out.append(name)
             return
         self.latitudes.append(latitude)
@@ -209,25 +236,30 @@ class _Reader:
 
     def steer(self, aircraft: _Aircraft, words: List[str]) -> bool:
         """Whether the command can be followed; it is, then."""
+        if len(words) != WORDS.get(words[0], len(words)):
+            return False
+        if aircraft.ended:
+            return words[0] == "DEL"
         try:
             if words[0] == "DEL":
                 aircraft.end(cut=False)
             elif words[0] == "HDG":
                 heading = numbers.decimal(words[2])
                 aircraft.note()
-                aircraft.route.clear()
-                aircraft.goal, aircraft.goal_unknown = None, False
+                aircraft.leave_route()
                 aircraft.turn(heading)
             elif words[0] == "SPD":
                 speed = scenario.true_airspeed(words[2], aircraft.height, self.mach_below)
                 aircraft.note()
                 aircraft.speed = speed
+            elif aircraft.route_left:
+                return False
             elif words[0] == "ADDWPT":
                 self.add_waypoint(aircraft, words)
             elif words[0] == "DEST":
                 self.head_for(aircraft, words)
             elif words[0] in ("LNAV", "VNAV"):
-                return argument(words, 2) == "ON"
+                return words[2] == "ON"
             else:
                 return False
         except (ValueError, IndexError):
@@ -235,16 +267,21 @@ class _Reader:
         return True
 
     def add_waypoint(self, aircraft: _Aircraft, words: List[str]) -> None:
-        if argument(words, 2) in TURNS:
-            return
-        if aircraft.route and aircraft.route[-1] is None:
+        if words[2] in TURNS and len(words) == 3:
             return
         try:
             latitude, longitude, rest = self.spot(words)
         except (ValueError, IndexError):
-            if not aircraft.route:
+            # TAKEOFF and a fourth argument may put it before others.
+            if not aircraft.route or len(words) > 5 or words[2].replace("-", "") == "TAKEOFF":
                 raise
             aircraft.route.append(None)
+            return
+        if len(words) > rest + 2:
+            raise ValueError("it may not go to the end of the route")
+        if argument(words, rest):
+            scenario.height(words[rest])
+        if aircraft.route and aircraft.route[-1] is None:
             return
         spoken = argument(words, rest + 1)
         speed = None if spoken is None else scenario.true_airspeed(spoken, aircraft.height, self.mach_below)
@@ -253,25 +290,32 @@ class _Reader:
 
     def head_for(self, aircraft: _Aircraft, words: List[str]) -> None:
         try:
-            latitude, longitude, _ = self.spot(words)
+            latitude, longitude, rest = self.spot(words)
         except (ValueError, IndexError):
             aircraft.goal_unknown = True
             return
+        if len(words) > rest:
+            raise ValueError("it has a speed there")
         self.latitudes.append(latitude)
         aircraft.goal = self.plane.place(latitude, longitude)
 
     def spot(self, words: List[str]) -> Tuple[Fraction, Fraction, int]:
         """The place that a command names, in degrees, and which word follows."""
-        if words[2] in self.points:
-            return (*self.points[words[2]], 3)
+        point = None if words[2] in self.fleet else self.points.get(words[2])
+        if point is not None:
+            return (*point, 3)
         return scenario.latitude(words[2]), scenario.longitude(words[3]), 4
 
-    def define(self, words: List[str]) -> bool:
+    def define(self, words: List[str], sure: bool) -> None:
+        """A point; nobody knows where it is if its name is that of another, or like a latitude."""
+        name = argument(words, 1) or ""
         try:
-            self.points[words[1]] = (scenario.latitude(words[2]), scenario.longitude(words[3]))
-        except (ValueError, IndexError):
-            return False
-        return True
+            if not sure or len(words) != 4 or name in self.points or not POINT.fullmatch(name):
+                raise ValueError("not understood")
+            self.points[name] = (scenario.latitude(words[2]), scenario.longitude(words[3]))
+        except ValueError:
+            self.points[name] = None
+            self.not_followed["DEFWPT"] += 1
 
     def fly(self, name: str, aircraft: _Aircraft, until: Optional[Fraction]) -> None:
         try:

@@ -59,6 +59,8 @@ TEST_F(CertifyCli, ScenesOfPaths) {
   const auto convert = [&](const char* text) -> Arguments {
     return {"convert", written("q.csv", text), "--radius", "1", "-o", file("q.scene.json")};
   };
+  refused(convert("disk,t,x,y\n#missing: a ship\na,0,0,0\na,1,4,0\nb,0,3,9\nb,1,3,9\n"),
+          "q.csv:2: missing: a ship: a scene cannot say that somebody is missing");
   refused(convert("disk,t,x,y\na,0,0,0\na,1,4,0\nb,0,3,1\nb,1,3,1\n"),
           "disks a and b: overlap by 1 at t = 0.75: ");
   refused(convert("disk,t,x,y\na,0,0,0\na,1,4,0\nb,0,3,2\nb,1,3,2\n"),
