@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -45,7 +46,7 @@ struct GivenContainer {
 
 struct GivenPaths {
   std::vector<GivenPath> paths;  // in the order of their first lines
-  std::vector<GivenContact> contacts;
+  std::set<GivenContact> contacts;
   std::optional<GivenContainer> container;
   std::vector<std::string> remarks;    // facts that the file cannot tell, and assumptions
   std::vector<std::string> missing{};  // who and what may come near and is not in the paths

@@ -236,9 +236,8 @@ std::vector<Neighbourhood> RecordedMotion::neighbours(int disk, const Number& fr
 LeastGap RecordedMotion::least_gap(int i, int j, const Number& from, const Number& to) {
   implementation_->require_pair(i, j);
   return with_public_errors([&] {
-    return value_of(implementation_->paths,
-                    internal::least_gap(implementation_->paths, implementation_->cursor, i, j,
-                                        implementation_->window(from, to)));
+    return value_of(implementation_->paths, internal::least_gap(implementation_->paths, i, j,
+                                                                implementation_->window(from, to)));
   });
 }
 

@@ -99,16 +99,18 @@ ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenP
 
   const std::optional<Approach> least = clearance.least();
   if (least) json["least"] = teller.json(*least);
-  lines += least ? teller.line("", *least) : "c no two disks are there at one time\n";
   std::optional<WallApproach> at_wall;
   if (wall) {
     json["container"] = {{"center", json_of(given.container->center)},
                          {"radius", voroproof::internal::json_of(given.container->radius)}};
     at_wall = wall->least();
   }
+  if (least) lines += teller.line("", *least);
   if (at_wall) {
     json["least_to_container"] = teller.json(*at_wall);
     lines += teller.line("to the container ", *at_wall);
+  } else if (!least) {
+    lines += "c no two disks are there at one time\n";
   }
   if (question.below) {
     json["below"] = voroproof::internal::json_of(*question.below);

@@ -93,11 +93,7 @@ GivenPaths history_paths(const Scene& scene, const std::string& history_path,
   for (GenId g = 0; g < static_cast<GenId>(scene.disks.size()); ++g) {
     given.paths.push_back(path_of(scene, paths, g, end));
   }
-  for (std::size_t k = 0; k < history.size(); ++k) {
-    const auto* collision = std::get_if<CollideEvent>(&history.event(k));
-    if (collision == nullptr) continue;
-    given.contacts.push_back({collision->i, collision->j, exact_time(history.event(k))});
-  }
+  given.contacts = paths.contacts();
   return given;
 }
 

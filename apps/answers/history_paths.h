@@ -10,7 +10,7 @@
 namespace voroproof::internal {
 
 // The paths of library/queries/paths.h, from 0 to where the history ends: a disk has a waypoint at
-// each of its turns. A collision is a contact. A disk's name is its id. Missing are the time up to
+// each of its turns. Its contacts are theirs. A disk's name is its id. Missing are the time up to
 // the scene's horizon, and the scene's maneuvers, where the history does not tell them. Throws
 // InputError.
 GivenPaths history_paths(const Scene& scene, const std::string& history_path,

@@ -53,8 +53,7 @@ Answer answer_neighbours_over(const TimeQuery& query, GenId disk) {
 }
 
 Answer answer_gap_over(const TimeQuery& query, GenId i, GenId j) {
-  return with_gap(head("gap-over", query), query,
-                  least_gap(query.paths, query.history, i, j, query.window));
+  return with_gap(head("gap-over", query), query, least_gap(query.paths, i, j, query.window));
 }
 
 Answer answer_closest_over(const TimeQuery& query) {

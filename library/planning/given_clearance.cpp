@@ -66,8 +66,8 @@ struct GivenClearance::Common {
 };
 
 GivenClearance::GivenClearance(const std::vector<GivenPath>& paths, std::function<bool()> go_on,
-                               const std::vector<GivenContact>& contacts)
-    : paths_(paths), go_on_(std::move(go_on)), contacts_(contacts.begin(), contacts.end()) {
+                               std::set<GivenContact> contacts)
+    : paths_(paths), go_on_(std::move(go_on)), contacts_(std::move(contacts)) {
   for (std::size_t g = 0; g < paths.size(); ++g) {
     const std::vector<Waypoint>& w = paths[g].waypoints;
     const std::size_t last = w.size() - 1;

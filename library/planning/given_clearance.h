@@ -29,7 +29,7 @@ class GivenClearance {
   // The paths outlive this. At a contact the gap of its two is zero. `go_on` is asked now and then;
   // where it says no, Interrupted is thrown.
   GivenClearance(const std::vector<GivenPath>& paths, std::function<bool()> go_on,
-                 const std::vector<GivenContact>& contacts = {});
+                 std::set<GivenContact> contacts = {});
 
   std::int64_t legs() const { return static_cast<std::int64_t>(legs_.size()); }
 

@@ -51,16 +51,14 @@ bool keeps_clear(const WallApproach& approach, const Rational& clearance) {
 }
 
 WallClearance::WallClearance(const GivenPaths& given, std::function<bool()> go_on)
-    : given_(given),
-      go_on_(std::move(go_on)),
-      contacts_(given.contacts.begin(), given.contacts.end()) {}
+    : given_(given), go_on_(std::move(go_on)) {}
 
 WallApproach WallClearance::at(int disk, const Waypoint& waypoint) const {
   const Rational room =
       given_.container->radius - given_.paths[static_cast<std::size_t>(disk)].radius;
   const Rational x = waypoint.at.x - given_.container->center.x,
                  y = waypoint.at.y - given_.container->center.y;
-  const bool touches = contacts_.contains({container_id, disk, waypoint.t});
+  const bool touches = given_.contacts.contains({container_id, disk, waypoint.t});
   return {disk, waypoint.t, touches ? Rational(room * room) : Rational(x * x + y * y), room};
 }
 

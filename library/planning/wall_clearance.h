@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "exact/enclosure.h"
@@ -51,7 +50,6 @@ class WallClearance {
 
   const GivenPaths& given_;
   std::function<bool()> go_on_;
-  std::set<GivenContact> contacts_;
 };
 
 }  // namespace voroproof::internal

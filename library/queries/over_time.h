@@ -31,15 +31,12 @@ struct LeastGap {
   GenId i, j;  // i < j
   Rational t;  // the first time at which it is reached
   // The squared distance of the centres then; the gap is its root less the radii (for the container
-  // the container's radius less the disk's and it), and zero where the two collide.
+  // the container's radius less the disk's and it). At a contact of the paths it is zero.
   Rational distance2;
   bool contact;
 };
 
-// The least gap of two generators. A collision of the two makes it zero, at its recorded time,
-// unless they have touched before.
-LeastGap least_gap(const Paths& paths, const HistoryCursor& history, GenId i, GenId j,
-                   const Window& window);
+LeastGap least_gap(const Paths& paths, GenId i, GenId j, const Window& window);
 
 // The least gap of any two disks: of equal ones the first in time, then of the smallest pair.
 // Nothing with fewer than two disks. The closest pair is looked for among neighbours while they are

@@ -8,11 +8,27 @@
 #include "history/error.h"
 
 namespace voroproof::internal {
+namespace {
+
+// The first piece that starts after t, or the end.
+std::vector<RecordedState>::const_iterator first_after(const std::vector<RecordedState>& pieces,
+                                                       const Rational& t) {
+  return std::upper_bound(
+      pieces.begin(), pieces.end(), t,
+      [](const Rational& time, const RecordedState& s) { return time < s.since; });
+}
+
+}  // namespace
 
 ExactVec2 position_at(const RecordedState& piece, const Rational& t) {
   const Rational passed = t - piece.since;
   return {piece.center[0] + piece.velocity[0] * passed,
           piece.center[1] + piece.velocity[1] * passed};
+}
+
+Rational squared_distance(const ExactVec2& a, const ExactVec2& b) {
+  const Rational x = a[0] - b[0], y = a[1] - b[1];
+  return x * x + y * y;
 }
 
 Paths::Paths(const Scene& scene, const HistoryCursor& history, const std::string& history_path) {
@@ -22,9 +38,17 @@ Paths::Paths(const Scene& scene, const HistoryCursor& history, const std::string
     pieces_.push_back({{0, {disk.x, disk.y}, {disk.vx, disk.vy}}});
     radii_.push_back(disk.radius);
   }
+  roundings_.resize(radii_.size());
+  // A turn allows for what certify allows for (docs/claim.md, section 3: rounding of a pair), and
+  // for times that are long for that: rounding its velocity v and the times of its ends to nearest
+  // moves a piece up to t by at most 2^-52 |v| t.
+  const Rational extent = abs(scene.cx) + abs(scene.cy) + scene.container_radius;
   const auto turn = [&](GenId g, Rational t, ExactVec2 velocity) {
     std::vector<RecordedState>& pieces = pieces_[g + 1];
-    ExactVec2 here = position_at(pieces.back(), t);
+    const RecordedState& last = pieces.back();
+    roundings_[g + 1] += extent;
+    if (t > last.since) roundings_[g + 1] += (abs(last.velocity[0]) + abs(last.velocity[1])) * t;
+    ExactVec2 here = position_at(last, t);
     if (t == pieces.back().since) pieces.pop_back();
     pieces.push_back({std::move(t), std::move(here), std::move(velocity)});
   };
@@ -41,6 +65,10 @@ Paths::Paths(const Scene& scene, const HistoryCursor& history, const std::string
         if (!velocity) throw InputError(history_path, line, "collide", "its v is needed");
         turn(g, exact_time(event), *std::move(velocity));
       }
+      if (touch(collision->i, collision->j)) {
+        contacts_.insert(
+            {collision->i, collision->j, std::min(exact_time(event), history.header().horizon)});
+      }
     } else if (const auto* maneuver = std::get_if<ManeuverEvent>(&event)) {
       std::size_t& m = next_maneuver[maneuver->disk];
       while (m < scene.maneuvers.size() && scene.maneuvers[m].disk != maneuver->disk) ++m;
@@ -54,20 +82,25 @@ Paths::Paths(const Scene& scene, const HistoryCursor& history, const std::string
   }
 }
 
+bool Paths::touch(GenId i, GenId j) const {
+  const Rational distance2 = squared_distance(pieces(i).back().center, pieces(j).back().center);
+  const Rational reach = abs(signed_radius(i) + signed_radius(j));
+  const Rational rounding = (roundings_[i + 1] + roundings_[j + 1]) / (Rational(1) << 51);
+  const Rational low = std::max<Rational>(reach - rounding, 0), high = reach + rounding;
+  return distance2 >= low * low && distance2 <= high * high;
+}
+
 const RecordedState& Paths::piece(GenId g, const Rational& t) const {
-  const std::vector<RecordedState>& all = pieces(g);
-  const auto after =
-      std::upper_bound(all.begin(), all.end(), t,
-                       [](const Rational& time, const RecordedState& s) { return time < s.since; });
-  return *std::prev(after);
+  return *std::prev(first_after(pieces(g), t));
 }
 
 std::vector<Rational> Paths::turns(const std::vector<GenId>& generators, const Rational& from,
                                    const Rational& to) const {
   std::vector<Rational> times;
   for (const GenId g : generators) {
-    for (const RecordedState& s : pieces(g)) {
-      if (s.since > from && s.since < to) times.push_back(s.since);
+    const std::vector<RecordedState>& all = pieces(g);
+    for (auto s = first_after(all, from); s != all.end() && s->since < to; ++s) {
+      times.push_back(s->since);
     }
   }
   std::sort(times.begin(), times.end());

@@ -5,9 +5,11 @@
 // history are not used. Every question about the paths has an exact answer.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "history/events.h"
+#include "history/paths_file.h"
 #include "history/scene.h"
 #include "library/queries/history_cursor.h"
 #include "library/queries/recorded_moment.h"
@@ -29,13 +31,22 @@ class Paths {
                               const Rational& to) const;
   // The radius of a disk; -R for the container.
   const Rational& signed_radius(GenId g) const { return radii_[g + 1]; }
+  // The collisions of the history at which the two touch on their paths, but for what roundings of
+  // its numbers explain. One after the horizon, which rounding puts there, is at the horizon.
+  const std::set<GivenContact>& contacts() const { return contacts_; }
 
  private:
+  // Whether the two, which both have a piece that starts at a collision, touch there.
+  bool touch(GenId i, GenId j) const;
+
   std::vector<std::vector<RecordedState>> pieces_;
   std::vector<Rational> radii_;
+  std::vector<Rational> roundings_;  // 2^51 times how far they may have moved each by now
+  std::set<GivenContact> contacts_;
 };
 
 // Where a piece leads at time t.
 ExactVec2 position_at(const RecordedState& piece, const Rational& t);
+Rational squared_distance(const ExactVec2& a, const ExactVec2& b);
 
 }  // namespace voroproof::internal

@@ -33,7 +33,7 @@ TEST(LeastGap, OfPairsIsThatOfManyInstants) {
     for (int k = 0; k <= 240; ++k) centres.push_back(w.centres(1 + k * 0.05));
     for (GenId j = 0; j < w.size(); ++j) {
       for (GenId i = container_id; i < j; ++i) {
-        const LeastGap least = least_gap(w.paths, w.cursor, i, j, window);
+        const LeastGap least = least_gap(w.paths, i, j, window);
         const Enclosure gap = gap_of(w.paths, least);
         EXPECT_LE(gap.hi - gap.lo, 1e-12);
         EXPECT_GE(least.t, window.from);
@@ -106,7 +106,7 @@ TEST(LeastGap, EnclosuresContainThatOfTheQuadratics) {
     const Window window{1, 13};
     for (GenId j = 0; j < w.size(); ++j) {
       for (GenId i = container_id; i < j; ++i) {
-        const LeastGap least = least_gap(w.paths, w.cursor, i, j, window);
+        const LeastGap least = least_gap(w.paths, i, j, window);
         if (least.contact) {
           ++touched;
           continue;
@@ -159,7 +159,7 @@ void expect_least_of_all(Watched& w, const Window& window) {
   std::optional<LeastGap> best;
   for (GenId j = 0; j < w.size(); ++j) {
     for (GenId i = 0; i < j; ++i) {
-      const LeastGap g = least_gap(w.paths, w.cursor, i, j, window);
+      const LeastGap g = least_gap(w.paths, i, j, window);
       const double difference =
           best ? middle(gap_of(w.paths, g)) - middle(gap_of(w.paths, *best)) : -1;
       const bool first = best && std::tie(g.t, g.i, g.j) < std::tie(best->t, best->i, best->j);
@@ -217,11 +217,11 @@ TEST(LeastGap, OfDisksThatTouchBeforeTheyCollide) {
       10, 8,
       {disk(0, 0, 1, 0, 0), disk(2, 0, 1, 2, 0), disk(-4, 4, 1, 1, 0), disk(0, 4, 1, -1, 0)}));
   ASSERT_TRUE(w.run.complete);
-  const LeastGap pair = least_gap(w.paths, w.cursor, 0, 1, {0, 8});
+  const LeastGap pair = least_gap(w.paths, 0, 1, {0, 8});
   EXPECT_EQ(pair.t, 0);
   EXPECT_FALSE(pair.contact);
   EXPECT_TRUE(gap_of(w.paths, pair).lo <= 0 && gap_of(w.paths, pair).hi >= 0);
-  const LeastGap later = least_gap(w.paths, w.cursor, 0, 1, {1, 8});
+  const LeastGap later = least_gap(w.paths, 0, 1, {1, 8});
   EXPECT_EQ(later.t, 7);
   EXPECT_TRUE(later.contact);
   for (const Rational& end : {Rational(1, 2), Rational(8)}) {

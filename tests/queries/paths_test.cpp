@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "certify/replay.h"
 #include "exact/topology/diagram.h"
@@ -42,6 +45,38 @@ TEST(Paths, AreThoseOfTheCertifier) {
     }
   }
   EXPECT_GT(turns, 20);
+}
+
+std::set<GivenContact> claims(const Watched& w) {
+  std::set<GivenContact> all;
+  for (std::size_t k = 0; k < w.cursor.size(); ++k) {
+    if (const auto* c = std::get_if<CollideEvent>(&w.cursor.event(k))) {
+      all.insert({c->i, c->j, std::min(exact_time(*c), w.run.scene.horizon)});
+    }
+  }
+  return all;
+}
+
+// Rounded times and velocities move the paths, the more the later: two rest up to a time that is
+// long for the container. The last collision is at a horizon that is no binary64.
+TEST(Paths, TouchAtCollisionsOfRightHistories) {
+  std::vector<Scene> scenes;
+  for (const unsigned seed : {1u, 2u, 3u, 4u}) scenes.push_back(crowd(9, seed));
+  const Rational late(1'000'000'000), third(1, 3);
+  scenes.push_back(scene_of(10, late + 60, {disk(-4, 0, 1, 0, 0), disk(4, third, 1, 0, 0)}));
+  scenes.back().maneuvers = {{late + Rational(1, 7), 0, Rational(9, 7), third}};
+  scenes.push_back(scene_of(10, 9 * third, {disk(0, 0, 1, 3, 0)}));
+  scenes.push_back(scene_of(10, 10 * third, {disk(-1, 0, 1, 3, 0)}));
+  for (const Scene& scene : scenes) {
+    const Watched w(scene);
+    ASSERT_TRUE(w.run.complete);
+    const std::set<GivenContact> right = claims(w);
+    EXPECT_FALSE(right.empty());
+    EXPECT_EQ(w.paths.contacts().size(), right.size());
+    for (const GivenContact& c : right) {
+      EXPECT_TRUE(w.paths.contacts().contains(c)) << c.i << ' ' << c.j << " at " << c.t.get_d();
+    }
+  }
 }
 
 // A disk of radius 1 that reaches the wall of a container of radius 10 at t = 9, and turns at 10.
@@ -83,6 +118,15 @@ TEST_F(PathsOfOne, GoOnWhereTheyAre) {
   const Paths late = paths(collision, replaced(maneuver, "10", "10.5"));
   EXPECT_EQ(at(late, Rational(21, 2)), (ExactVec2{Rational(15, 2), 0}));
   EXPECT_EQ(at(paths(collision, R"({"t":10,"maneuver":0})"), 11), (ExactVec2{8, Rational(1, 3)}));
+}
+
+TEST_F(PathsOfOne, TouchButForRoundings) {
+  const auto touch_at = [&](const std::string& t) {
+    const std::string claim = R"({"t":)" + t + R"(,"collide":[-1,0],"v":[null,[-1,0]]})";
+    return !paths(claim, R"({"t":10,"maneuver":0})").contacts().empty();
+  };
+  for (const char* t : {"9", "9.000000000000002", "8.999999999999998"}) EXPECT_TRUE(touch_at(t));
+  for (const char* t : {"8", "9.0000000000001", "8.9999999999999"}) EXPECT_FALSE(touch_at(t));
 }
 
 TEST_F(PathsOfOne, NeedVelocities) {

@@ -26,7 +26,7 @@ struct Neighbourhood {
 struct LeastGap {
   int i = 0, j = 0;  // i < j
   Number t;          // when it is reached first
-  Enclosure gap;     // between the boundaries; zero where the two collide
+  Enclosure gap;     // between the boundaries; zero at a contact
   bool contact = false;
 };
 

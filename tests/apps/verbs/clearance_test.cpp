@@ -226,6 +226,75 @@ TEST_F(CertifyCli, ClearanceOfAHistory) {
   EXPECT_EQ(json("o.json")["approaches_to_container"].size(), 4u);
 }
 
+// At a collision that is none the recorded paths tell, also after a right one.
+TEST_F(CertifyCli, ClaimedCollisionsHideNoOverlap) {
+  const std::string scene = written("c.scene.json", kScene), right = file("c.history.jsonl");
+  must({"simulate", scene, "-o", right});
+  const std::string header = lines_of(read_file(right))[0], out = file("o.json");
+  struct Claims {
+    std::string lines;
+    int count;
+    double gap, t, to_container;
+    bool contact;
+  };
+  const std::string first = R"({"t":3,"collide":[0,1],"v":[[-1,0],[1,0]]})"
+                            "\n";
+  for (const Claims& claims :
+       std::vector<Claims>{{first, 1, 0, 3, 5, true},
+                           {R"({"t":3.5,"collide":[0,1],"v":[[-1,0],[1,0]]})"
+                            "\n",
+                            1, -1, 3.5, 5, false},
+                           {R"({"t":1,"collide":[0,1],"v":[[0,0],[0,0]]})"
+                            "\n",
+                            1, 4, 1, 5, false},
+                           {R"({"t":1,"collide":[-1,0],"v":[null,[-1,0]]})"
+                            "\n",
+                            1, 4, 1, 1, false},
+                           {first + R"({"t":4,"collide":[0,1],"v":[[1,0],[-1,0]]})"
+                                    "\n"
+                                    R"({"t":5.5,"collide":[0,1],"v":[[-1,0],[1,0]]})"
+                                    "\n",
+                            3, -1, 5.5, 5, false}}) {
+    const std::string history =
+        written("w.history.jsonl", header + "\n" + claims.lines +
+                                       R"({"end":{"t":6,"flips":0,"maneuvers":0,"collisions":)" +
+                                       std::to_string(claims.count) + "}}\n");
+    const bool free = claims.gap > 0;
+    EXPECT_EQ(run({"clearance", scene, history, "--required", "0", "-o", out}).code, free ? 0 : 1);
+    const Json answer = json("o.json"), least = answer["least"];
+    EXPECT_EQ(answer["verdict"], free ? "FREE" : "REFUTED") << claims.lines;
+    EXPECT_EQ(least["gap"], Json::array({claims.gap, claims.gap})) << claims.lines;
+    EXPECT_EQ(least["t"], claims.t) << claims.lines;
+    EXPECT_EQ(least["distance_squared"], (claims.gap + 2) * (claims.gap + 2)) << claims.lines;
+    EXPECT_EQ(answer["least_to_container"]["gap"],
+              Json::array({claims.to_container, claims.to_container}))
+        << claims.lines;
+    for (Arguments query : {Arguments{"gap-over", scene, history, "--pair", "0", "1"},
+                            Arguments{"closest-over", scene, history}}) {
+      query.insert(query.begin(), "query");
+      query.insert(query.end(), {"-o", out});
+      must(query);
+      EXPECT_EQ(json("o.json")["gap"], least["gap"]) << claims.lines;
+      EXPECT_EQ(json("o.json")["t"], Json::array({claims.t, claims.t})) << claims.lines;
+      EXPECT_EQ(json("o.json")["contact"], claims.contact) << claims.lines;
+    }
+  }
+}
+
+// The gap to the container is one to keep, too.
+TEST_F(CertifyCli, OneDiskOfAHistoryIsFree) {
+  const std::string scene = written("l.scene.json", R"({"format":"voroproof-scene","version":1,
+    "container":{"center":[0,0],"radius":10},"horizon":4,"disks":[
+    {"center":[0,0],"radius":1,"velocity":[1,0]}]})");
+  must({"simulate", scene, "-o", file("l.history.jsonl")});
+  const Result told = run({"clearance", scene, file("l.history.jsonl"), "--required", "0"});
+  EXPECT_EQ(told.code, 0);
+  EXPECT_EQ(told.out.find("no two disks"), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("c least gap to the container 5, of 0 wall at t = 4\ns FREE\n"),
+            std::string::npos)
+      << told.out;
+}
+
 // By all legs here, by the diagram there.
 TEST_F(CertifyCli, ClearanceAgreesWithTheClosestPair) {
   for (const char* kind : {"swarm", "reference"}) {
