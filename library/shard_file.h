@@ -27,7 +27,7 @@ struct ShardFile {
 
 std::string shard_text(const ShardFile& file);
 
-// What the words of a certificate are about, where it is that of a shard.
+// Says of a certificate's words that they are about a shard.
 std::string about_shard(const ShardFile& file, const std::string& about);
 
 // Throws InputError.

@@ -1,6 +1,6 @@
 (* What the checker accepts of a flip, a collision and a maneuver is true of it. *)
 From Coq Require Import ZArith List Bool Reals Lra Lia FMapPositive.
-From Voroproof Require Import Forms Polynomial Geometry Circle Vertex Scale Piece PieceSound EdgeSound History Replay LifeSound FlipSound.
+From Voroproof Require Import Forms Polynomial Geometry Circle Vertex Scale Piece PieceSound EdgeSound Short History Replay LifeSound FlipSound.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -22,16 +22,16 @@ Proof. apply (span_start P g (known_mover P past g)). reflexivity. Qed.
 (* A bracket of one instant. *)
 Lemma instant_true past s f t : knows P past s -> collapses s f t t = Good true ->
   (forall g, In g [el f; er f; es f; ee f] -> (since (last_leg P g past) <= t)%Z) /\
-  edge_is past f cotangent (IZR t) /\
+  edge_is past f pinched (IZR t) /\
   exists u, IZR t < u /\ (forall w, IZR t <= w < u -> edge_is past f passed w) /\
-    (edge_is past f entered u \/ (largest f = false /\ edge_is past f cotangent u)).
+    (edge_is past f entered u \/ (largest f = false /\ edge_is past f pinched u)).
 Proof.
   intros K H. unfold collapses in H. rewrite Z.eqb_refl in H.
   apply try_good in H as (a & A & H). apply try_good in H as (b & B & H). apply try_good in H as (c & C & H). injection H as H.
   apply andb_prop in H as [H Hc]. apply andb_prop in H as [Ha Hb]. subst a b c.
   destruct (four_known P _ _ _ _ _ _ _ _ K A) as [A1 A2]. destruct (four_known P _ _ _ _ _ _ _ _ K B) as [B1 _].
   destruct (four_known P _ _ _ _ _ _ _ _ K C) as [C1 _]. split; [exact A2|]. split.
-  { apply short_tied, cotangent_true in A1. rewrite !at_start in A1. exact A1. }
+  { apply short_true in A1. rewrite !at_start in A1. exact A1. }
   exists (IZR (t + soon)). split; [apply IZR_lt; unfold soon; lia|]. split.
   - intros w Hw. destruct (parameter_pos _ _ _ Hw) as [Z1 Z2]. unfold edge_is, on. apply (passed_unscale _ Z2).
     assert (E : forall g, scale ((IZR (t + soon) - IZR t) / (IZR (t + soon) - w)) (on_leg P g (last_leg P g past) w) =
@@ -43,7 +43,7 @@ Proof.
     + left. apply entered_true in C1. rewrite !at_start in C1. exact C1.
     + assert (E : forall l r s e, by_fan (fun i a b c => fan_entered_at i a b c || fan_short_at i a b c) l r s e =
         by_fan fan_entered_at l r s e || by_fan fan_short_at l r s e) by (intros; unfold by_fan; destruct (mwall _); reflexivity).
-      cbv zeta in C1. rewrite E in C1. apply orb_prop in C1 as [C1|C1]; [left; apply entered_true in C1|right; apply short_tied, cotangent_true in C1];
+      cbv zeta in C1. rewrite E in C1. apply orb_prop in C1 as [C1|C1]; [left; apply entered_true in C1|right; apply short_true in C1];
         rewrite !at_start in C1; [|split; [reflexivity|]]; exact C1.
 Qed.
 
@@ -52,14 +52,14 @@ Lemma collapses_true past s f lo hi : knows P past s -> (lo <= hi)%Z -> collapse
   (forall u, IZR lo <= u <= IZR hi -> edge_is past f there u) /\
   edge_is past f legal (IZR lo) /\
   ((lo < hi)%Z -> edge_is past f entered (IZR hi)) /\
-  ((lo = hi)%Z -> edge_is past f cotangent (IZR lo) /\
+  ((lo = hi)%Z -> edge_is past f pinched (IZR lo) /\
     exists u, IZR lo < u /\ (forall w, IZR lo <= w < u -> edge_is past f passed w) /\
-      (edge_is past f entered u \/ (largest f = false /\ edge_is past f cotangent u))) /\
+      (edge_is past f entered u \/ (largest f = false /\ edge_is past f pinched u))) /\
   exists (u : R) o, (IZR lo <= u <= IZR hi) /\
     (vertex_circle o (on past u (el f)) (on past u (es f)) (on past u (er f)) /\ touches o (on past u (ee f))).
 Proof.
   intros K O H. destruct (Z.eq_dec lo hi) as [<-|Ne].
-  { destruct (instant_true past s f lo K H) as (S & T & R). destruct T as [(o & V & X) (o' & V' & X')] eqn:E. split; [exact S|].
+  { destruct (instant_true past s f lo K H) as (S & T & R). destruct (pinched_cotangent _ _ _ _ T) as [(o & V & X) (o' & V' & X')]. split; [exact S|].
     split; [intros u Hu; replace u with (IZR lo) by lra; split; eauto|].
     split; [split; [exists o|exists o']; (split; [assumption|unfold touches, empty_of in *; lra])|].
     split; [lia|]. split; [intros _; split; [exact T|exact R]|]. exists (IZR lo), o. split; [lra|split; assumption]. }

@@ -64,7 +64,7 @@ Lemma fan_lasts_true i a b c : fan_there i a b c && (fan_empty i a b c || fan_lo
   forall z, 0 <= z -> lasts (at_z i) (at_z b) (at_z a) (at_z c) z.
 Proof.
   intros H z Hz. apply andb_prop in H as [T H]. split.
-  - destruct (fan_circles _ _ _ _ T z Hz) as [(k & V & _) (k' & V' & _)]. split; [exists k|exists k']; auto.
+  - apply fan_stands; assumption.
   - apply orb_prop in H as [H|H].
     + right. exists (z + 1). split; [lra|]. intros w Hw. apply fan_legal_true; [rewrite T, H; reflexivity|lra].
     + left. destruct (fan_circles _ _ _ _ T z Hz) as [(k & V & _ & _ & _ & X) (k' & V' & _ & _ & _ & X')].
@@ -106,6 +106,22 @@ Proof.
   unfold edge_lasts, by_fan. destruct (mwall l); intros H z Hz.
   - apply lasts_turn. apply (fan_lasts_halving _ _ _ _ _ H z Hz).
   - apply (fan_lasts_halving _ _ _ _ _ H z Hz).
+Qed.
+
+(* An edge that stands. *)
+Theorem edge_there_sound l r s e : edge_there l r s e = true -> forall z, 0 <= z -> stands (at_z l z) (at_z r z) (at_z s z) (at_z e z).
+Proof.
+  unfold edge_there, by_fan. destruct (mwall l); intros H z Hz; [apply stands_turn|]; revert z Hz; revert H;
+    apply (halving_sound _ (fun i a b c => stands i b a c));
+    try (intros m Hm i a b c; apply stands_unscale, Hm); intros i a b c T z Hz; apply fan_stands; assumption.
+Qed.
+
+(* A legal edge stands. *)
+Lemma legal_there l r s e : edge_legal l r s e = true -> forall z, 0 <= z -> stands (at_z l z) (at_z r z) (at_z s z) (at_z e z).
+Proof.
+  unfold edge_legal, by_fan. destruct (mwall l); intros H z Hz; [apply stands_turn|]; revert z Hz; revert H;
+    apply (halving_sound _ (fun i a b c => stands i b a c));
+    try (intros m Hm i a b c; apply stands_unscale, Hm); intros i a b c T z Hz; apply andb_prop in T as [T _]; apply fan_stands; assumption.
 Qed.
 
 (* Pairs. *)
@@ -271,14 +287,3 @@ Proof.
     apply (fan_says _ (fun x => x < 0)); auto; lra. }
   unfold by_fan, fan_entered_at. destruct (mwall l); intros H; [apply circles_turn|]; apply Fan, H.
 Qed.
-
-Lemma cotangent_true l r s e : by_fan fan_tied_at l r s e = true -> cotangent (at_z l 0) (at_z r 0) (at_z s 0) (at_z e 0).
-Proof.
-  assert (Fan : forall i a b c, fan_there i a b c && fan_tied i a b c = true -> cotangent (at_z i 0) (at_z b 0) (at_z a 0) (at_z c 0)).
-  { intros i a b c H. apply andb_prop in H as [T E]. destruct (fan_tied_true _ _ _ _ T E).
-    apply (fan_says _ (fun x => x = 0)); auto; lra. }
-  unfold by_fan, fan_tied_at. destruct (mwall l); intros H; [apply circles_turn|]; apply Fan, H.
-Qed.
-
-Lemma short_tied l r s e : by_fan fan_short_at l r s e = true -> by_fan fan_tied_at l r s e = true.
-Proof. unfold by_fan, fan_short_at. destruct (mwall l); intros H; apply andb_prop in H as [H _]; exact H. Qed.

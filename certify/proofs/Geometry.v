@@ -32,6 +32,11 @@ Definition counterclockwise (c : circle) (i j k : generator) : Prop :=
 Definition vertex_circle (c : circle) (i j k : generator) : Prop :=
   touches c i /\ touches c j /\ touches c k /\ counterclockwise c i j k.
 
+(* Neither of two generators lies in the other: disks have a common tangent from outside; a disk does not surround the container. *)
+Definition right_pair (g h : generator) : Prop :=
+  let p := (cx g - cx h) * (cx g - cx h) + (cy g - cy h) * (cy g - cy h) - (radius g - radius h) * (radius g - radius h) in
+  if wall g || wall h then p < 0 else 0 < p.
+
 (* The circles of the vertices [l,s,r] and [l,r,e] of an edge [l,r,s,e], and the generator at its other end: e for that of the
    start, s for that of the end. *)
 Definition circles (say : circle -> generator -> Prop) (l r s e : generator) : Prop :=
@@ -48,9 +53,16 @@ Definition passed : generator -> generator -> generator -> generator -> Prop := 
 Definition not_cotangent (l r s e : generator) : Prop :=
   (exists c, vertex_circle c l s r /\ ~ touches c e) \/ (exists c, vertex_circle c l r e /\ ~ touches c s).
 
-(* The edge lasts at t, while the four move: it is there, and it has a length, or it is legal for a while from t on. *)
+(* The edge is pinched: its vertices are one, their circle touches all four. (There may be two circles that touch all four.) *)
+Definition pinched (l r s e : generator) : Prop := exists c, vertex_circle c l s r /\ vertex_circle c l r e.
+
+(* The edge stands: it is there, and of its generators those that share a vertex are right. *)
+Definition stands (l r s e : generator) : Prop :=
+  there l r s e /\ right_pair l r /\ right_pair l s /\ right_pair l e /\ right_pair r s /\ right_pair r e.
+
+(* The edge lasts at t, while the four move: it stands, and it has a length, or it is legal for a while from t on. *)
 Definition lasts (l r s e : R -> generator) (t : R) : Prop :=
-  there (l t) (r t) (s t) (e t) /\
+  stands (l t) (r t) (s t) (e t) /\
   (not_cotangent (l t) (r t) (s t) (e t) \/ exists u, t < u /\ forall w, t <= w < u -> legal (l w) (r w) (s w) (e w)).
 
 (* Two generators do not overlap: disks are apart or touch, a disk lies within the container. *)

@@ -177,6 +177,16 @@ Fixpoint names_at (k : positive) (past : list claim) (t : R) : list edge :=
       end
   end.
 
+(* The diagrams that the claims allow at time t, with the numbers of their edges: each flip whose bracket t lies in is over, or is not. *)
+Definition diagram := list (positive * edge).
+Definition renames (c : claim) (D D' : diagram) : Prop :=
+  Forall2 (fun p p' => fst p' = fst p /\ after_flip (fst p) c (snd p) = Some (snd p')) D D'.
+Inductive allowed : list claim -> R -> diagram -> Prop :=
+| at_start t : allowed [] t (PositiveMap.elements (edges P))
+| not_over c past t D : (forall k lo hi, bracket_of k c = Some (lo, hi) -> t < IZR hi) -> allowed past t D -> allowed (c :: past) t D
+| already c past t D D' : (forall k lo hi, bracket_of k c = Some (lo, hi) -> IZR lo <= t) -> allowed past t D -> renames c D D' ->
+    allowed (c :: past) t D'.
+
 (* t lies in the bracket of a flip of this very edge. *)
 Definition flipping (k : positive) (past : list claim) (t : R) : Prop :=
   exists c lo hi, In c past /\ own k c = true /\ bracket_of k c = Some (lo, hi) /\ IZR lo <= t < IZR hi.
@@ -260,10 +270,10 @@ Definition claim_true (past : list claim) (c : claim) : Prop :=
       (forall u, (IZR lo <= u <= IZR hi)%R -> edge_is there u) /\
       edge_is legal (IZR lo) /\
       (lo < hi -> edge_is entered (IZR hi)) /\
-      (* a bracket of one instant: then both circles touch all four, from then on they touch or are entered, and soon they are
-         entered, or still touch all four while the rule wants the other edge *)
-      (lo = hi -> edge_is cotangent (IZR lo) /\ exists u, (IZR lo < u)%R /\ (forall w, (IZR lo <= w < u)%R -> edge_is passed w) /\
-        (edge_is entered u \/ (largest f = false /\ edge_is cotangent u))) /\
+      (* a bracket of one instant: then the circles are one, from then on they touch or are entered, and soon they are
+         entered, or still one while the rule wants the other edge *)
+      (lo = hi -> edge_is pinched (IZR lo) /\ exists u, (IZR lo < u)%R /\ (forall w, (IZR lo <= w < u)%R -> edge_is passed w) /\
+        (edge_is entered u \/ (largest f = false /\ edge_is pinched u))) /\
       (* in between, at some instant, the circle of a vertex touches all four *)
       exists (u : R) o, (IZR lo <= u <= IZR hi)%R /\
         (vertex_circle o (at_ u (el f)) (at_ u (es f)) (at_ u (er f)) /\ touches o (at_ u (ee f)))
@@ -296,29 +306,15 @@ Definition side_of (q : edge) (a b c : gen) : Prop :=
 
 Definition between (q : edge) (a b : gen) : Prop := (el q = a /\ er q = b) \/ (el q = b /\ er q = a).
 
-(* Around the generator a, counterclockwise: after the edge that ends at the vertex [a,b,c] comes the one between a and c,
-   which ends at [a,c,d]. [turning a b c d e]: so one comes from the end [a,b,c] to the end [a,d,e]. *)
-Inductive turning (a b c : gen) : gen -> gen -> Prop :=
-| not_yet : turning a b c b c
-| one_more d e f k q : turning a b c d e -> PositiveMap.find k (edges P) = Some q ->
-    side_of q e a d -> side_of q a e f -> turning a b c e f.
-
-(* The initial diagram, at time 0: as many edges as n + 1 generators have; at each vertex of an edge three edges meet, on
-   each side one; they name generators of the scene; around each generator one turn meets all its edges; no two generators share more
-   than two; and the circle of each vertex is there, with its contacts counterclockwise, and empty of all generators. *)
+(* The initial diagram, at time 0: at each vertex of an edge three edges meet, on each side one; they name generators of the scene; and
+   the circle of each vertex is there, with its contacts counterclockwise, and empty of all generators. *)
 Record true_initial : Prop := {
-  edge_count : Z.of_nat (List.length (PositiveMap.elements (edges P))) =
-    3 * Z.of_nat (List.length (PositiveMap.elements (bodies P))) - 6;
   sides_once : forall k k' q q' a b c, PositiveMap.find k (edges P) = Some q -> PositiveMap.find k' (edges P) = Some q' ->
     side_of q a b c -> side_of q' a b c -> k = k';
   sides_closed : forall k q a b c, PositiveMap.find k (edges P) = Some q -> side_of q a b c ->
     exists k' q', PositiveMap.find k' (edges P) = Some q' /\ side_of q' b c a;
   generators_there : forall k q a b c, PositiveMap.find k (edges P) = Some q -> side_of q a b c ->
     PositiveMap.find a (bodies P) <> None /\ PositiveMap.find b (bodies P) <> None /\ PositiveMap.find c (bodies P) <> None;
-  one_ring : forall a : gen, PositiveMap.find a (bodies P) <> None -> exists b c, forall k q (d e : gen), PositiveMap.find k (edges P) = Some q ->
-    side_of q a d e -> turning a b c d e;
-  at_most_two : forall k1 k2 k3 q1 q2 q3 a b, PositiveMap.find k1 (edges P) = Some q1 -> PositiveMap.find k2 (edges P) = Some q2 ->
-    PositiveMap.find k3 (edges P) = Some q3 -> between q1 a b -> between q2 a b -> between q3 a b -> k1 = k2 \/ k1 = k3 \/ k2 = k3;
   vertices_empty : forall k q a b c, PositiveMap.find k (edges P) = Some q -> side_of q a b c ->
     exists o, vertex_circle o (place [] 0%R a) (place [] 0%R b) (place [] 0%R c) /\
       forall g, PositiveMap.find g (bodies P) <> None -> empty_of o (place [] 0%R g)
@@ -345,22 +341,25 @@ Record true_history (past : list claim) : Prop := {
   (* But in the brackets of its own flips, at every instant the edge lasts, by each of its names. *)
   edges_last : forall k q t, (0 <= t < IZR (horizon P))%R -> In q (names_at k past t) -> ~ flipping k past t ->
     let moving g u := place past u g in lasts (moving (el q)) (moving (er q)) (moving (es q)) (moving (ee q)) t;
+  (* By each of its names the edge stands at every instant. *)
+  edges_stand : forall k q t, (0 <= t < IZR (horizon P))%R -> In q (names_at k past t) ->
+    stands (place past t (el q)) (place past t (er q)) (place past t (es q)) (place past t (ee q));
   (* At every instant, by each of its names, the two generators of an edge do not overlap but near a claimed collision of the two. *)
   pairs_apart : forall k q t, (0 <= t < IZR (horizon P))%R -> In q (names_at k past t) ->
     apart (place past t (el q)) (place past t (er q)) \/
     near_collision past (el q) (er q) t \/ near_collision past (er q) (el q) t
 }.
 
-(* At time t, in no bracket, the circle of each vertex is there and empty of all generators: the edges are those of the
-   Voronoi diagram. *)
-Definition voronoi_at (past : list claim) (t : R) : Prop :=
-  forall k q a b c, edge_at k past t = Some q -> side_of q a b c ->
+(* D is the Voronoi diagram at time t: the circle of each vertex is there and empty of all generators; the three sides of each vertex
+   belong to edges; and of two generators that overlap one overlaps a neighbour, near a claimed collision of the two. *)
+Record voronoi_at (past : list claim) (t : R) (D : diagram) : Prop := {
+  circles_empty_at : forall k q a b c, In (k, q) D -> side_of q a b c ->
     exists o, vertex_circle o (place past t a) (place past t b) (place past t c) /\
-      forall g, PositiveMap.find g (bodies P) <> None -> empty_of o (place past t g).
-
-(* What is not proved here (docs/proved.md, section 1): a diagram that is right at 0 and locally legal since, flips aside, is
-   right. *)
-Definition local_legality_is_global (past : list claim) : Prop :=
-  true_initial -> true_history past ->
-  forall t, (0 <= t < IZR (horizon P))%R -> (forall k, ~ bracketed k past t) -> voronoi_at past t.
+      forall g, PositiveMap.find g (bodies P) <> None -> empty_of o (place past t g);
+  sides_close_at : forall k q a b c, In (k, q) D -> side_of q a b c -> exists k' q', In (k', q') D /\ side_of q' b c a;
+  all_there_at : forall g, PositiveMap.find g (bodies P) <> None -> exists k q, In (k, q) D /\ (el q = g \/ er q = g);
+  overlaps_at : forall i j, PositiveMap.find i (bodies P) <> None -> PositiveMap.find j (bodies P) <> None -> i <> j ->
+    ~ apart (place past t i) (place past t j) -> exists k q a b, In (k, q) D /\ between q a b /\ (a = i \/ a = j) /\
+      ~ apart (place past t a) (place past t b) /\ (near_collision past a b t \/ near_collision past b a t)
+}.
 End History.

@@ -84,51 +84,11 @@ Definition numbered (names : PositiveMap.t triple) (numbers : triples positive) 
   | None => false
   end.
 
-(* One turn around a generator: each end (a,c,f) of an edge has a rank, that of the generator's first end is 1, and others are
-   by one greater than that of the end before, which is (a,b,c) where the edge's other end is (c,a,b). *)
-Definition ranked (rank : triples positive) (first : PositiveMap.t (gen * gen)) (a b c f : gen) : bool :=
-  match find3 rank (a, c, f), PositiveMap.find a first with
-  | Some r, Some (c0, f0) =>
-      if Pos.eqb r 1 then Pos.eqb c c0 && Pos.eqb f f0
-      else match find3 rank (a, b, c) with Some r0 => Pos.eqb (Pos.succ r0) r | None => false end
-  | _, _ => false
-  end.
-Definition edge_ranked rank first (q : edge) : bool :=
-  ranked rank first (el q) (es q) (er q) (ee q) && ranked rank first (er q) (ee q) (el q) (es q).
-
-(* Two generators share at most two edges: each edge has one of two places. *)
-Definition pair_of (q : edge) (n : positive) : triple := (Pos.min (el q) (er q), Pos.max (el q) (er q), n).
-Definition has_place (places : triples positive) (k : positive) (q : edge) (n : positive) : bool :=
-  match find3 places (pair_of q n) with Some k0 => Pos.eqb k0 k | None => false end.
-Definition placed places k q : bool := has_place places k q 1 || has_place places k q 2.
-
-Fixpoint turn_around (fuel : nat) (owner : triples positive) (a b c : gen) (r : positive) (rank : triples positive) : triples positive :=
-  match fuel, find3 rank (a, b, c), find3 owner (c, a, b) with
-  | S fuel, None, Some k =>
-      let rank := add3 (a, b, c) r rank in
-      match PositiveMap.find k (edges P) with
-      | Some q => turn_around fuel owner a c (if Pos.eqb (er q) a then es q else ee q) (Pos.succ r) rank
-      | None => rank
-      end
-  | _, _, _ => rank
-  end.
-Definition first_turn (fuel : nat) owner (a b c : gen) (m : triples positive * PositiveMap.t (gen * gen)) :=
-  match PositiveMap.find a (snd m) with
-  | Some _ => m
-  | None => (turn_around fuel owner a b c 1 (fst m), PositiveMap.add a (b, c) (snd m))
-  end.
-Definition with_place places (k : positive) (q : edge) : triples positive :=
-  let n := match find3 places (pair_of q 1) with Some _ => 2%positive | None => 1%positive end in
-  match find3 places (pair_of q n) with Some _ => places | None => add3 (pair_of q n) k places end.
-
 (* The maps are found by the program and believed by nobody. *)
-Definition initial_with (owner : triples positive) (names : PositiveMap.t triple) (numbers : triples positive)
-    (rank : triples positive) (first : PositiveMap.t (gen * gen)) (places : triples positive) : bool :=
+Definition initial_with (owner : triples positive) (names : PositiveMap.t triple) (numbers : triples positive) : bool :=
   let es := PositiveMap.elements (edges P) in
   let all := all_still in
-  (Z.of_nat (length es) =? 3 * Z.of_nat (length all) - 6) &&
   forallb (fun kq => forallb (fun t => owned owner (fst kq) t && numbered names numbers t) (sides (snd kq))) es &&
-  forallb (fun kq => edge_ranked rank first (snd kq) && placed places (fst kq) (snd kq)) es &&
   forallb (fun vt => vertex_ok all find_still (snd vt)) (PositiveMap.elements names).
 
 Definition initial_ok : bool :=
@@ -137,9 +97,5 @@ Definition initial_ok : bool :=
   let '(_, names, numbers) :=
     fold_left (fun n kq => fold_left (fun n t => number n (canonical t)) (sides (snd kq)) n) all
       (1%positive, PositiveMap.empty triple, PositiveMap.empty _) in
-  let '(rank, first) :=
-    fold_left (fun m kq => let q := snd kq in
-        first_turn (length all) owner (el q) (er q) (ee q) (first_turn (length all) owner (er q) (el q) (es q) m))
-      all (PositiveMap.empty _, PositiveMap.empty _) in
-  initial_with owner names numbers rank first (fold_left (fun m kq => with_place m (fst kq) (snd kq)) all (PositiveMap.empty _)).
+  initial_with owner names numbers.
 End Initial.

@@ -98,21 +98,10 @@ Proof.
   - intros [H|[H|[]]]; injection H as <- <- <-; tauto.
 Qed.
 
-Lemma has_place_true places k q n : has_place places k q n = true -> find3 places (pair_of q n) = Some k.
-Proof. unfold has_place. destruct (find3 places (pair_of q n)) as [k0|]; [|discriminate]. intros H. apply Pos.eqb_eq in H. congruence. Qed.
-
-Lemma pair_between q r a b n : between q a b -> between r a b -> pair_of q n = pair_of r n.
-Proof.
-  unfold pair_of. intros [[-> ->]|[-> ->]] [[-> ->]|[-> ->]]; try reflexivity;
-    rewrite (Pos.min_comm b a), (Pos.max_comm b a); reflexivity.
-Qed.
-
-Lemma initial_with_sound owner names numbers rank first places :
-  initial_with P owner names numbers rank first places = true -> true_initial P.
+Lemma initial_with_sound owner names numbers : initial_with P owner names numbers = true -> true_initial P.
 Proof.
   unfold initial_with. intros H.
-  apply andb_prop in H as [H HV]. apply andb_prop in H as [H HR]. apply andb_prop in H as [HC HE].
-  rewrite forallb_forall in HV, HE, HR.
+  apply andb_prop in H as [HE HV]. rewrite forallb_forall in HV, HE.
   assert (Each : forall k q a b c, PositiveMap.find k (edges P) = Some q -> side_of q a b c ->
     owned P owner k (a, b, c) = true /\ numbered names numbers (a, b, c) = true).
   { intros k q a b c F S. specialize (HE (k, q) (PositiveMap.elements_correct _ _ F)). cbn [fst snd] in HE.
@@ -130,13 +119,7 @@ Proof.
     apply andb_prop in O as [_ O]. destruct (PositiveMap.find k1 (edges P)) as [q1|] eqn:F1; [|discriminate].
     apply existsb_exists in O as (t & I & E). apply triple_eqb_true in E. subst t.
     exists k1, q1. split; [exact F1|]. apply side_in, I. }
-  assert (Ranked : forall k q (a d e : gen), PositiveMap.find k (edges P) = Some q -> side_of q a d e ->
-    exists b, side_of q d a b /\ ranked rank first a b d e = true).
-  { intros k q a d e F S. specialize (HR (k, q) (PositiveMap.elements_correct _ _ F)). apply andb_prop in HR as [HR _].
-    apply andb_prop in HR as [R1 R2]. cbn [snd] in R1, R2.
-    destruct S as [(-> & -> & ->)|(-> & -> & ->)]; eexists; (split; [|eassumption]); unfold side_of; tauto. }
   split.
-  - apply Z.eqb_eq in HC. unfold all_still in HC. rewrite map_length in HC. exact HC.
   - intros k k' q q' a b c F F' S S'. destruct (Each _ _ _ _ _ F S) as [O _]. destruct (Each _ _ _ _ _ F' S') as [O' _].
     unfold owned in O, O'. destruct (find3 owner (a, b, c)) as [k0|]; [|discriminate].
     destruct (find3 owner (next_side (a, b, c))); [|discriminate].
@@ -144,28 +127,6 @@ Proof.
   - exact Closed.
   - intros k q a b c F S. specialize (Vertex _ _ _ _ _ F S). change (there a b c).
     destruct (canonical_turns a b c) as [E|[E|E]]; rewrite E in Vertex; apply vertex_ok_there in Vertex; unfold there in *; tauto.
-  - intros a _.
-    set (start := match PositiveMap.find a first with Some cf => cf | None => (a, a) end).
-    exists (fst start), (snd start).
-    assert (All : forall r k q (d e : gen), PositiveMap.find k (edges P) = Some q -> side_of q a d e -> find3 rank (a, d, e) = Some r ->
-      turning P a (fst start) (snd start) d e).
-    { intros r. induction r as [|r IH] using Pos.peano_ind; intros k q d e F S Fr;
-        destruct (Ranked _ _ _ _ _ F S) as (b & S' & R); unfold ranked in R; rewrite Fr in R; subst start;
-        destruct (PositiveMap.find a first) as [[c0 f0]|]; try discriminate.
-      - apply andb_prop in R as [R1 R2]. apply Pos.eqb_eq in R1, R2. subst. constructor.
-      - destruct (Pos.eqb_spec (Pos.succ r) 1) as [X|_]; [destruct (Pos.succ_not_1 _ X)|].
-        destruct (find3 rank (a, b, d)) as [r0|] eqn:F0; [|discriminate]. apply Pos.eqb_eq, Pos.succ_inj in R. subst r0.
-        destruct (Closed _ _ _ _ _ F S') as (k' & q' & F' & S1).
-        exact (one_more P a c0 f0 b d e k q (IH k' q' b d F' S1 F0) F S' S). }
-    intros k q d e F S. destruct (Ranked _ _ _ _ _ F S) as (b & _ & R). unfold ranked in R.
-    destruct (find3 rank (a, d, e)) as [r|] eqn:Fr; [|discriminate]. exact (All r k q d e F S Fr).
-  - intros k1 k2 k3 q1 q2 q3 a b F1 F2 F3 B1 B2 B3.
-    assert (Place : forall k q, PositiveMap.find k (edges P) = Some q -> between q a b ->
-      find3 places (pair_of q1 1) = Some k \/ find3 places (pair_of q1 2) = Some k).
-    { intros k q F B. specialize (HR (k, q) (PositiveMap.elements_correct _ _ F)). apply andb_prop in HR as [_ HR].
-      rewrite !(pair_between q1 q a b) by assumption.
-      apply orb_prop in HR as [HR|HR]; apply has_place_true in HR; tauto. }
-    destruct (Place _ _ F1 B1), (Place _ _ F2 B2), (Place _ _ F3 B3); intuition congruence.
   - intros k q a b c F S. specialize (Vertex _ _ _ _ _ F S) as HV'. change (empty_vertex a b c).
     destruct (canonical_turns a b c) as [E|[E|E]]; rewrite E in HV'; apply vertex_ok_true in HV'.
     + exact HV'.
@@ -174,5 +135,5 @@ Proof.
 Qed.
 
 Theorem initial_sound : initial_ok P = true -> true_initial P.
-Proof. unfold initial_ok. destruct (fold_left _ _ _) as [[next names] numbers]. destruct (fold_left _ _ _) as [rank first]. apply initial_with_sound. Qed.
+Proof. unfold initial_ok. destruct (fold_left _ _ _) as [[next names] numbers]. apply initial_with_sound. Qed.
 End Initial.

@@ -11,7 +11,7 @@ Hypothesis tolerance_nonneg : (0 <= tolerance P)%Z.
 (* The four of an edge at time t are legal, and its pair. *)
 Definition legal_at (past : list claim) (t : R) (q : edge) : Prop :=
   legal (place P past t (el q)) (place P past t (er q)) (place P past t (es q)) (place P past t (ee q)) /\
-  tie_broken P past t q.
+  tie_broken P past t q /\ stands_at P past t q.
 Definition near_pair (near : list claim) (t : R) (q : edge) : Prop :=
   near_collision P near (el q) (er q) t \/ near_collision P near (er q) (el q) t.
 Definition pair_at (past near : list claim) (t : R) (q : edge) : Prop :=
@@ -28,7 +28,8 @@ Record slot_true (past near : list claim) (present : Z) (k : positive) (sl : slo
   in_brackets : forall t, IZR (opened sl) <= t < IZR (proved sl) -> bracketed k past t;
   proved_near : forall t, IZR present <= t < IZR (pair_proved sl) -> near_pair near t (name sl);
   (* by all its names *)
-  proved_lasts : forall q t, 0 <= t < IZR (proved sl) -> In q (names_at P k past t) -> flipping k past t \/ lasts_at P past t q;
+  proved_lasts : forall q t, 0 <= t < IZR (proved sl) -> In q (names_at P k past t) ->
+    stands_at P past t q /\ (flipping k past t \/ lasts_at P past t q);
   one_name : forall t, IZR (proved sl) <= t -> names_at P k past t = [name sl];
   few_names : others sl <> [] -> forall q t, IZR (opened sl) <= t < IZR (proved sl) -> In q (names_at P k past t) ->
     In q (name sl :: others sl)
@@ -66,7 +67,7 @@ Qed.
 Lemma legal_lasts past q a b : (forall t, a <= t < b -> legal_at past t q) -> forall t, a <= t < b -> lasts_at P past t q.
 Proof.
   intros H t Ht. split.
-  - destruct (proj1 (H t Ht)) as [(c & V & _) (c' & V' & _)]. split; eauto.
+  - apply (H t Ht).
   - right. exists b. split; [lra|]. intros w Hw. apply (H w). lra.
 Qed.
 
@@ -99,7 +100,7 @@ Proof.
       rewrite plus_IZR in Hu2. pose proof tolerance_nonneg as TN. apply IZR_le in TN. lra.
     + destruct (Z.max_spec (pair_proved sl) t) as [[_ X]|[_ X]]; rewrite X in Hu2; lra.
   - rewrite M. intros q u Hu I. destruct (Rlt_or_le u (IZR (proved sl))) as [Hl|Hl]; [apply La; try assumption; lra|].
-    rewrite On in I by exact Hl. destruct I as [<-|[]]. right. apply (legal_lasts past _ _ _ HL). lra.
+    rewrite On in I by exact Hl. destruct I as [<-|[]]. split; [apply HL; lra|right]. apply (legal_lasts past _ _ _ HL). lra.
   - rewrite M. intros u Hu. apply On. apply IZR_le in A. lra.
   - rewrite M. intros Ne q u Hu I. destruct (proved sl <? t)%Z eqn:E; [congruence|]. apply Z.ltb_ge, IZR_le in E.
     apply (Fe Ne q u); [lra|exact I].
@@ -172,12 +173,13 @@ Proof.
   { intros u Hu. apply place_before. intros g w v E. rewrite (HT g w v E). exact Hu. }
   apply IZR_le in A as A'. split; try assumption.
   - rewrite E1. exact N.
-  - intros q u Hu. rewrite E2, E3. intros E Nb. unfold legal_at, tie_broken. rewrite !Pl by lra.
+  - intros q u Hu. rewrite E2, E3. intros E Nb. unfold legal_at, tie_broken, stands_at. rewrite !Pl by lra.
     rewrite !leg_before by (intros w v Ew; rewrite (HT _ w v Ew); lra). apply L; assumption.
   - intros u Hu. rewrite E2. apply S, Hu.
   - intros q u Hu Ht. rewrite E4. intros I. unfold pair_at. rewrite !Pl by exact Ht. apply Q; assumption.
   - intros u Hu. rewrite E3. apply O, Hu.
-  - intros q u Hu. rewrite E4. intros I. destruct (La q u Hu I) as [H|H]; [left; apply E5, H|right].
+  - intros q u Hu. rewrite E4. intros I. destruct (La q u Hu I) as [St H]. split; [unfold stands_at in *; rewrite !Pl by lra; exact St|].
+    destruct H as [H|H]; [left; apply E5, H|right].
     apply (lasts_before past _ (IZR t)); [exact Pl|lra|exact H].
   - intros u Hu. rewrite E4. apply On, Hu.
   - intros Ne q u Hu. rewrite E4. apply Fe; assumption.

@@ -141,6 +141,29 @@ Proof.
     simpl in E. repeat split; apply E; tauto.
 Qed.
 
+Definition stands_at (past : list claim) (t : R) (q : edge) : Prop :=
+  stands (place P past t (el q)) (place P past t (er q)) (place P past t (es q)) (place P past t (ee q)).
+
+(* A test of the four over [a, b) that says something of each instant. *)
+Lemma four_sound (test : moving -> moving -> moving -> moving -> bool) (says : generator -> generator -> generator -> generator -> Prop)
+    past s q a b :
+  (forall m, 0 < m -> forall l r i e, says (scale m l) (scale m r) (scale m i) (scale m e) -> says l r i e) ->
+  (forall l r i e, test l r i e = true -> forall z, 0 <= z -> says (at_z l z) (at_z r z) (at_z i z) (at_z e z)) ->
+  knows past s -> four s q a a b test = Good true -> forall t, IZR a <= t < IZR b ->
+  says (place P past t (el q)) (place P past t (er q)) (place P past t (es q)) (place P past t (ee q)).
+Proof.
+  intros Un So K H t Ht. destruct (four_known _ _ _ _ _ _ _ _ K H) as [T Since]. cbv zeta in T.
+  destruct (parameter_pos _ _ _ Ht) as [Z1 Z2]. apply (Un ((IZR b - IZR a) / (IZR b - t)) Z2).
+  assert (E : forall k, In k [el q; er q; es q; ee q] -> scale ((IZR b - IZR a) / (IZR b - t)) (place P past t k) =
+    at_z (span k (known_mover past k) a b) ((t - IZR a) / (IZR b - t))).
+  { intros k I. rewrite place_on_leg by (pose proof (Since k I) as S; apply IZR_le in S; lra). symmetry.
+    apply (span_at k (known_mover past k)); [reflexivity|exact Ht]. }
+  rewrite !E by (simpl; tauto). apply (So _ _ _ _ T _ Z1).
+Qed.
+
+Lemma standing_true past s q a b : knows past s -> four s q a a b edge_there = Good true -> forall t, IZR a <= t < IZR b -> stands_at past t q.
+Proof. intros K H. apply (four_sound edge_there stands past s q a b); try assumption; [intros m Hm l r i e; apply stands_unscale, Hm|exact edge_there_sound]. Qed.
+
 (* The pair of an edge over [a, b). *)
 Lemma pair_true past s q a b : knows past s -> four s q a a b (fun l r _ _ => pair_apart depth l r) = Good true ->
   forall t, IZR a <= t < IZR b -> apart (place P past t (el q)) (place P past t (er q)).
@@ -159,7 +182,7 @@ Qed.
 Lemma settled past s sl u pu : knows past s -> settle s sl u pu = Good tt ->
   (forall t, IZR (proved sl) <= t < IZR u ->
      legal (place P past t (el (name sl))) (place P past t (er (name sl))) (place P past t (es (name sl))) (place P past t (ee (name sl))) /\
-     tie_broken P past t (name sl)) /\
+     tie_broken P past t (name sl) /\ stands_at past t (name sl)) /\
   (forall t, IZR (pair_proved sl) <= t < IZR pu ->
      apart (place P past t (el (name sl))) (place P past t (er (name sl)))).
 Proof.
@@ -172,7 +195,9 @@ Proof.
     rewrite L in Lb. rewrite R in Rb. rewrite I in Ib. rewrite F in Fb.
     apply IZR_le in Lb, Rb, Ib, Fb.
     destruct (parameter_pos _ _ _ Ht) as [Z1 Z2].
-    split.
+    split; [|split].
+    3: { apply (four_sound edge_legal stands past s (name sl) (proved sl) u); try assumption;
+      [intros m Hm l' r' i' e'; apply stands_unscale, Hm|exact legal_there]. }
     2: { unfold tie_broken. destruct (largest (name sl)); [left; reflexivity|right]. cbn [andb negb] in D.
       destruct (untied_true past s _ _ _ K D) as (_ & w & W). exists w. cbv zeta in *. rewrite !leg_at_last by lra. exact W. }
     rewrite !place_on_leg by lra.

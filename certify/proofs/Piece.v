@@ -121,6 +121,7 @@ Definition by_fan {T} (test : moving -> moving -> moving -> moving -> T) (l r s 
   if mwall l then test r e l s else test l s r e.
 
 Definition depth : nat := 64.
+Definition edge_there : moving -> moving -> moving -> moving -> bool := by_fan (halving fan_there depth).
 (* At each instant it is legal for a while, or it has a length. *)
 Definition edge_lasts : moving -> moving -> moving -> moving -> bool :=
   by_fan (halving (fun i a b c => fan_there i a b c && (fan_empty i a b c || fan_long i a b c)) depth).

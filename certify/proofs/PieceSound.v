@@ -272,6 +272,18 @@ Section Fan.
       exists k. repeat split; try tauto; apply V.
   Qed.
 
+  Lemma fan_stands z : 0 <= z -> stands (at_z i z) (at_z b z) (at_z a z) (at_z c z).
+  Proof.
+    intros Hz. destruct (fan_circles z Hz) as [(k & V & _) (k' & V' & _)].
+    destruct fan_parts as (Hi & _ & _ & _ & _ & C1 & C2).
+    destruct (there_parts _ _ _ C1 z Hz) as (_ & Ra & Rb & Rab). destruct (there_parts _ _ _ C2 z Hz) as (_ & _ & Rc & Rbc).
+    assert (Row : forall g, right (mwall g) (rp (seen_from (at_z i z) (at_z g z))) -> right_pair (at_z i z) (at_z g z)).
+    { intros g R. unfold right_pair. simpl (wall _). rewrite Hi. unfold right in R. simpl in R. unfold row_of in R. simpl in R. simpl orb. destruct (mwall g); simpl; lra. }
+    assert (Two : forall g h, right (mwall g || mwall h) (r_tangency (seen_from (at_z i z) (at_z g z)) (seen_from (at_z i z) (at_z h z))) -> right_pair (at_z g z) (at_z h z)).
+    { intros g h R. unfold right_pair. simpl (wall _). unfold right, tangency in R. simpl in R. destruct (mwall g || mwall h); simpl; lra. }
+    split; [split; [exists k|exists k']; auto|]. repeat split; [apply Row, Rb|apply Row, Ra|apply Row, Rc|apply right_turn, Two, Rab|apply Two, Rbc].
+  Qed.
+
   Lemma second_product w : 0 <= w ->
     eval (p_f (p_a (prow i b) (prow i c) (prow i a)) (p_b (prow i b) (prow i c) (prow i a)) (p_c (prow i b) (prow i c) (prow i a))) w =
     eval (p_f (p_a (prow i a) (prow i b) (prow i c)) (p_b (prow i a) (prow i b) (prow i c)) (p_c (prow i a) (prow i b) (prow i c))) w.

@@ -65,12 +65,15 @@ Fixpoint every {A} (test : A -> outcome bool) (w : reason) (l : list A) : outcom
 Fixpoint all_known {A B} (f : A -> option B) (w : reason) (l : list A) : outcome (list B) :=
   match l with [] => Good [] | a :: l => do b <- known (f a) w; do bs <- all_known f w l; Good (b :: bs) end.
 
-(* The edge k has been settled up to lo. It flips. *)
+(* The edge k has been settled up to lo. It flips. By each name that it may have just before hi it stands at hi. *)
 Definition own_flip (s : state) (sl : slot) (lo hi : Z) (new : edge) : outcome slot :=
   need (proved sl <=? lo) EdgeTooYoung (
   do _ <- settle s sl lo hi;
   do apart <- (if lo <? hi then four s new lo lo hi (fun l r _ _ => pair_apart depth l r) else Good true);
-  need apart Overlap (Good (Slot new lo hi hi []))).
+  need apart Overlap (
+  do _ <- (if lo <? hi then every (fun q => four s q lo lo hi edge_there) NotLasting [name sl; new] else Good tt);
+  do _ <- every (fun q => four s q lo hi hi edge_there) NotLasting (if lo <? hi then [name sl; new] else [name sl]);
+  Good (Slot new lo hi hi []))).
 
 (* A flip beside the edge k changes one of its ends. The other end may change in the same bracket: until its end the edge may
    have the names that any of these flips leave and make. *)
@@ -81,6 +84,7 @@ Definition beside_flip (s : state) (sl : slot) (lo hi : Z) (new : edge -> option
   let olds := name sl :: (if alone then [] else others sl) in
   do news <- all_known new NotBeside olds;
   do _ <- (if lo <? hi then every (fun q => four s q lo lo hi edge_lasts) NotLasting (if alone then name sl :: news else news) else Good tt);
+  do _ <- every (fun q => four s q lo hi hi edge_there) NotLasting (if lo <? hi then news ++ olds else olds);
   match news with
   | [] => Bad NotBeside
   | n :: news => Good (Slot n lo hi (Z.max (pair_proved sl) hi) (if lo <? hi then news ++ olds else []))
@@ -124,7 +128,7 @@ Definition flip (s : state) (c : claim) (t : Z) (f : edge) (lo hi : Z) (k k1 k2 
   do sl <- slot_of s k;
   need (edge_eqb (name sl) f || edge_eqb (name sl) (reversed f)) WrongName (
   need ((t - tolerance P <=? lo) && (lo <=? hi) && (hi <=? t + tolerance P) && (0 <? lo) && (hi - lo <=? widest t)) BadBracket (
-  need (distinct [k; k1; k2; k3; k4]) NotBeside (
+  need (distinct [k; k1; k2; k3; k4] && negb (Pos.eqb (es f) (ee f))) NotBeside (
   do gone <- collapses s f lo hi;
   need gone NoCollapse (
   do s <- each (flip_one c lo hi) [k; k1; k2; k3; k4] s;

@@ -111,6 +111,16 @@ Proof. intros H. unfold settle, untied, four, mover_of. rewrite H. reflexivity. 
 Lemma every_same {A} (test test' : A -> outcome bool) w l : (forall a, test a = test' a) -> every test w l = every test' w l.
 Proof. intros H. induction l as [|a l IH]; simpl; [reflexivity|]. rewrite H, IH. reflexivity. Qed.
 
+Lemma every_movers s s' birth a b test w l : movers s = movers s' ->
+  every (fun q => four s q birth a b test) w l = every (fun q => four s' q birth a b test) w l.
+Proof. intros M. apply every_same. intros q. apply four_movers, M. Qed.
+
+Lemma try_same {A B} (a b : outcome A) (f g : A -> outcome B) : a = b -> (forall x, f x = g x) -> try a f = try b g.
+Proof. intros -> H. destruct b; [apply H|reflexivity]. Qed.
+
+Lemma need_same {B} b w (f g : outcome B) : f = g -> need b w f = need b w g.
+Proof. intros ->. reflexivity. Qed.
+
 Lemma every_good {A} (test : A -> outcome bool) w l : every test w l = Good tt -> forall a, In a l -> test a = Good true.
 Proof.
   induction l as [|a l IH]; simpl; intros H b I; [contradiction|]. apply try_good in H as (x & X & H). apply need_good in H as [-> H].
@@ -150,12 +160,12 @@ Section Flip.
   Lemma new_slot_movers s k sl : movers s = movers s0 -> new_slot s k sl = new_slot s0 k sl.
   Proof.
     intros M. unfold new_slot, beside_flip, own_flip. destruct (corner k c).
-    - rewrite (settle_movers s s0) by exact M.
-      assert (E : forall w l, every (fun q => four s q lo lo hi edge_lasts) w l = every (fun q => four s0 q lo lo hi edge_lasts) w l)
-        by (intros w l; apply every_same; intros q; apply four_movers, M).
-      destruct (all_known _ _ _); cbn [try]; [rewrite E|]; reflexivity.
+    - rewrite (settle_movers s s0) by exact M. apply need_same, try_same; [reflexivity|]. intros _. apply try_same; [reflexivity|]. intros news.
+      apply try_same; [destruct (lo <? hi)%Z; [apply every_movers, M|reflexivity]|]. intros _. apply try_same; [apply every_movers, M|reflexivity].
     - destruct (after_flip k c (name sl)) as [q|]; cbn [known try]; [|reflexivity].
-      rewrite (settle_movers s s0) by exact M. rewrite (four_movers s s0) by exact M. reflexivity.
+      rewrite (settle_movers s s0) by exact M. apply need_same, try_same; [reflexivity|]. intros _.
+      apply try_same; [destruct (lo <? hi)%Z; [apply four_movers, M|reflexivity]|]. intros apart. apply need_same.
+      apply try_same; [destruct (lo <? hi)%Z; [apply every_movers, M|reflexivity]|]. intros _. apply try_same; [apply every_movers, M|reflexivity].
   Qed.
 
   Record flipped (ks : list positive) (s : state) : Prop := {
@@ -209,9 +219,12 @@ Section Flip.
     Lemma same_lasts u q : lasts_at P past u q -> lasts_at P (c :: past) u q.
     Proof. apply (lasts_before P past _ (u + 1)); [intros; apply same_place|lra]. Qed.
 
+    Lemma same_stands u q : stands_at P past u q -> stands_at P (c :: past) u q.
+    Proof. unfold stands_at. rewrite !same_place. tauto. Qed.
+
     Lemma same_legal u q : legal_at P past u q -> legal_at P (c :: past) u q.
     Proof.
-      unfold legal_at, tie_broken. rewrite !same_place. rewrite !leg_before by (intros w v; rewrite paths; discriminate). tauto.
+      unfold legal_at, tie_broken, stands_at. rewrite !same_place. rewrite !leg_before by (intros w v; rewrite paths; discriminate). tauto.
     Qed.
 
     Lemma same_pair u q : pair_at P past (c :: past) u q -> pair_at P (c :: past) (c :: past) u q.
@@ -259,11 +272,11 @@ Section Flip.
     Qed.
 
     Lemma settled_lasts q u : settle s0 sl0 lo hi = Good tt -> 0 <= u -> u < IZR lo -> In q (names_at P k past u) ->
-      flipping k past u \/ lasts_at P past u q.
+      stands_at P past u q /\ (flipping k past u \/ lasts_at P past u q).
     Proof.
       intros S H0 Hu I. destruct (settled P past s0 sl0 _ _ knows0 S) as [HL _].
       destruct (Rlt_or_le u (IZR (proved sl0))) as [Hl|Hl]; [apply (proved_lasts _ _ _ _ _ _ old); try assumption; lra|].
-      rewrite (one_name _ _ _ _ _ _ old) in I by exact Hl. destruct I as [<-|[]]. right. apply (legal_lasts P past _ _ _ HL). lra.
+      rewrite (one_name _ _ _ _ _ _ old) in I by exact Hl. destruct I as [<-|[]]. split; [apply HL; lra|right]. apply (legal_lasts P past _ _ _ HL). lra.
     Qed.
 
     Lemma settled_pair q u : settle s0 sl0 lo hi = Good tt -> 0 <= u -> u < IZR hi \/ u < IZR (pair_proved sl0) -> u < IZR present ->
@@ -280,7 +293,8 @@ Section Flip.
       intros Co. pose proof (own_or_beside Co) as Own. unfold new_slot in taken. rewrite Co in taken.
       apply try_good in taken as (q & A & E). apply known_good in A. unfold own_flip in E.
       apply need_good in E as [Hp E]. apply Z.leb_le in Hp. apply try_good in E as (u & S & E). destruct u.
-      apply try_good in E as (ap & Ap & E). apply need_good in E as [-> E]. injection E as <-.
+      apply try_good in E as (ap & Ap & E). apply need_good in E as [-> E]. apply try_good in E as (u & Th & E). destruct u.
+      apply try_good in E as (w & _ & E). injection E as <-. clear w.
       apply IZR_le in Hp as Hp'. apply IZR_le in order as O. apply IZR_le in hi_past as Hi.
       assert (Last : last_edge P k (c :: past) = Some q) by (cbn [last_edge]; rewrite (named _ _ _ _ _ _ old); exact A).
       assert (One : forall u, IZR lo <= u -> names_at P k past u = [name sl0]) by (intros u Hu; apply (one_name _ _ _ _ _ _ old); lra).
@@ -299,8 +313,13 @@ Section Flip.
       - intros u Hu. lra.
       - intros p u Hu I. destruct (Rlt_or_le u (IZR lo)) as [Hl|Hl].
         + rewrite names_before in I by exact Hl.
-          destruct (settled_lasts p u S (proj1 Hu) Hl I) as [F|F]; [left; apply flipping_before, F|right; apply same_lasts, F].
-        + left. exists c, lo, hi. split; [left; reflexivity|]. split; [exact Own|]. split; [exact bracket|lra].
+          destruct (settled_lasts p u S (proj1 Hu) Hl I) as [Sd F]. split; [apply same_stands, Sd|].
+          destruct F as [F|F]; [left; apply flipping_before, F|right; apply same_lasts, F].
+        + split.
+          { apply same_stands. rewrite names_within in I by lra. rewrite One, Re in I by exact Hl.
+            destruct (lo <? hi)%Z eqn:L; [|apply Z.ltb_ge, IZR_le in L; lra].
+            apply (standing_true P past s0 p lo hi knows0); [|lra]. apply (every_good _ _ _ Th). destruct I as [<-|[<-|[]]]; simpl; tauto. }
+          left. exists c, lo, hi. split; [left; reflexivity|]. split; [exact Own|]. split; [exact bracket|lra].
       - intros u Hu. rewrite names_after by exact Hu. rewrite One by lra. exact Re.
       - congruence.
     Qed.
@@ -309,7 +328,7 @@ Section Flip.
     Proof.
       intros Co. unfold new_slot in taken. rewrite Co in taken. unfold beside_flip in taken.
       apply need_good in taken as [Sh E]. apply try_good in E as (u & S & E). destruct u.
-      apply try_good in E as (news & A & E). apply try_good in E as (u & La & E). destruct u.
+      apply try_good in E as (news & A & E). apply try_good in E as (u & La & E). destruct u. apply try_good in E as (w & _ & E). clear w.
       destruct news as [|n news]; [discriminate|]. injection E as <-.
       set (olds := name sl0 :: (if (proved sl0 <=? lo)%Z then [] else others sl0)) in A |- *.
       apply all_known_good in A as [A1 A2]. simpl in A1.
@@ -355,17 +374,21 @@ Section Flip.
         destruct (Pair _ _ A1) as [E1 E2]. unfold near_pair. rewrite E1, E2. apply (proved_near _ _ _ _ _ _ old). lra.
       - intros p u Hu I. destruct (Rlt_or_le u (IZR lo)) as [Hl|Hl].
         + rewrite names_before in I by exact Hl.
-          destruct (settled_lasts p u S (proj1 Hu) Hl I) as [F|F]; [left; apply flipping_before, F|right; apply same_lasts, F].
+          destruct (settled_lasts p u S (proj1 Hu) Hl I) as [Sd F]. split; [apply same_stands, Sd|].
+          destruct F as [F|F]; [left; apply flipping_before, F|right; apply same_lasts, F].
         + destruct (lo <? hi)%Z eqn:Lt; [|apply Z.ltb_ge, IZR_le in Lt; lra].
           assert (Tested : forall q, In q (if (proved sl0 <=? lo)%Z then name sl0 :: n :: news else n :: news) -> lasts_at P past u q).
           { intros q Iq. apply (lasting_true P past s0 q lo hi knows0); [|lra]. apply (every_good _ _ _ La q Iq). }
+          assert (Both : forall q, lasts_at P past u q -> stands_at P (c :: past) u q /\ (flipping k (c :: past) u \/ lasts_at P (c :: past) u q)).
+          { intros q L. split; [apply same_stands, (proj1 L)|right; apply same_lasts, L]. }
           destruct (Within u p ltac:(lra) I) as [In_|In_].
-          * right. apply same_lasts, Tested. destruct (proved sl0 <=? lo)%Z; [right|]; exact In_.
+          * apply Both, Tested. destruct (proved sl0 <=? lo)%Z; [right|]; exact In_.
           * destruct (proved sl0 <=? lo)%Z eqn:Al.
             -- apply Z.leb_le, IZR_le in Al. rewrite (one_name _ _ _ _ _ _ old) in In_ by lra. destruct In_ as [<-|[]].
-               right. apply same_lasts, Tested. left. reflexivity.
+               apply Both, Tested. left. reflexivity.
             -- simpl in Sh. apply andb_prop in Sh as [Sh _]. apply andb_prop in Sh as [_ Pr]. apply Z.eqb_eq in Pr.
-               destruct (proved_lasts _ _ _ _ _ _ old p u) as [F|F]; [rewrite Pr; lra|exact In_|left; apply flipping_before, F|right; apply same_lasts, F].
+               destruct (proved_lasts _ _ _ _ _ _ old p u) as [Sd F]; [rewrite Pr; lra|exact In_|]. split; [apply same_stands, Sd|].
+               destruct F as [F|F]; [left; apply flipping_before, F|right; apply same_lasts, F].
       - intros u Hu. rewrite names_after by exact Hu. rewrite (one_name _ _ _ _ _ _ old) by lra. exact Re.
       - intros _ q u Hu I. destruct (lo <? hi)%Z eqn:Lt; [|apply Z.ltb_ge, IZR_le in Lt; lra].
         destruct (Within u q Hu I) as [In_|In_].

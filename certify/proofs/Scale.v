@@ -87,6 +87,19 @@ Section Scale.
   Lemma there_unscale l r s e : there (scale m l) (scale m r) (scale m s) (scale m e) -> there l r s e.
   Proof. apply circles_unscale. trivial. Qed.
 
+  Lemma right_unscale g h : right_pair (scale m g) (scale m h) -> right_pair g h.
+  Proof.
+    unfold right_pair, scale; simpl.
+    replace ((m * cx g - m * cx h) * (m * cx g - m * cx h) + (m * cy g - m * cy h) * (m * cy g - m * cy h) - (m * radius g - m * radius h) * (m * radius g - m * radius h))
+      with (m * m * ((cx g - cx h) * (cx g - cx h) + (cy g - cy h) * (cy g - cy h) - (radius g - radius h) * (radius g - radius h))) by ring.
+    generalize ((cx g - cx h) * (cx g - cx h) + (cy g - cy h) * (cy g - cy h) - (radius g - radius h) * (radius g - radius h)). intros p.
+    assert (Q : 0 < m * m) by (apply Rmult_lt_0_compat; exact m_pos).
+    destruct (wall g || wall h); intros H; apply (Rmult_lt_reg_l (m * m)); lra.
+  Qed.
+
+  Lemma stands_unscale l r s e : stands (scale m l) (scale m r) (scale m s) (scale m e) -> stands l r s e.
+  Proof. intros (T & A & B & C & D & E). split; [apply there_unscale, T|]. repeat split; apply right_unscale; assumption. Qed.
+
   Lemma passed_unscale l r s e : passed (scale m l) (scale m r) (scale m s) (scale m e) -> passed l r s e.
   Proof. apply circles_unscale. intros c g [H|H]; [left; apply touches_unscale, H|right; apply not_empty_unscale, H]. Qed.
 
@@ -112,12 +125,32 @@ Proof. intros (Hi & Hj & Hk & Hc). unfold vertex_circle, counterclockwise in *. 
 Lemma circles_turn say l r s e : circles say r l e s -> circles say l r s e.
 Proof. intros [(c & V & E) (c' & V' & E')]. split; [exists c'|exists c]; (split; [|assumption]); [|apply vertex_turn]; apply vertex_turn; assumption. Qed.
 
+Lemma right_turn g h : right_pair g h -> right_pair h g.
+Proof.
+  unfold right_pair. rewrite orb_comm.
+  replace ((cx h - cx g) * (cx h - cx g) + (cy h - cy g) * (cy h - cy g) - (radius h - radius g) * (radius h - radius g)) with
+    ((cx g - cx h) * (cx g - cx h) + (cy g - cy h) * (cy g - cy h) - (radius g - radius h) * (radius g - radius h)) by ring. tauto.
+Qed.
+
+Lemma stands_turn l r s e : stands r l e s -> stands l r s e.
+Proof. intros (T & A & B & C & D & E). split; [apply circles_turn, T|]. split; [apply right_turn, A|]. repeat split; assumption. Qed.
+
 Lemma lasts_turn l r s e t : lasts r l e s t -> lasts l r s e t.
 Proof.
-  intros [T H]. split; [apply circles_turn, T|]. destruct H as [[(k & W & E)|(k & W & E)]|(u & Hu & H)].
+  intros [T H]. split; [apply stands_turn, T|]. destruct H as [[(k & W & E)|(k & W & E)]|(u & Hu & H)].
   - left; right. exists k. split; [do 2 apply vertex_turn; exact W|exact E].
   - left; left. exists k. split; [apply vertex_turn, W|exact E].
   - right. exists u. split; [exact Hu|]. intros w Hw. apply circles_turn, H, Hw.
+Qed.
+
+Lemma pinched_turn l r s e : pinched r l e s -> pinched l r s e.
+Proof. intros (c & V & V'). exists c. split; [|apply vertex_turn]; apply vertex_turn; assumption. Qed.
+
+Lemma pinched_cotangent l r s e : pinched l r s e -> cotangent l r s e.
+Proof.
+  intros (c & V & W). split; exists c; (split; [assumption|]).
+  - apply W.
+  - apply V.
 Qed.
 
 (* Four generators, and the same enlarged and at other times. *)
@@ -133,7 +166,7 @@ Section Along.
   Proof.
     intros C [T H]. destruct (C (phi t + 1)) as (u0 & Hu0 & C0); [lra|].
     destruct (C0 t) as [_ (m & Hm & E1 & E2 & E3 & E4)]; [lra|]. rewrite E1, E2, E3, E4 in *. split.
-    - apply (there_unscale m Hm), T.
+    - apply (stands_unscale m Hm), T.
     - destruct H as [H|(y & Hy & H)]; [left; apply (not_cotangent_unscale m Hm), H|right].
       destruct (C y Hy) as (u & Hu & D). exists u. split; [exact Hu|]. intros w Hw.
       destruct (D w Hw) as [B (n & Hn & F1 & F2 & F3 & F4)]. specialize (H (phi w) B). rewrite F1, F2, F3, F4 in H.

@@ -11,9 +11,8 @@
 
    The theorem: if the program accepts, then
 
-   - true_initial: at time 0 the edges fit together, there are as many as there should be, they name generators of the scene,
-     around each generator one turn meets all its edges, no two generators share more than two, and the circle of each vertex
-     is there and enters no generator at all;
+   - true_initial: at time 0 the edges fit together, they name generators of the scene, and the circle of each vertex is there and
+     enters no generator at all;
    - true_history, claims_true: each claim is true after those before it. A flip's edge is legal when its bracket begins and
      entered when it ends, the bracket lies within the tolerance of the claimed time and is no wider than rounding asks for, and in between
      the circle of a vertex touches all four generators. A collision is of two neighbours that come into contact within the tolerance, and obeys
@@ -22,17 +21,19 @@
    - edges_remain: each number of an edge names an edge at all times;
    - edges_legal: at every real time from 0 on, before the horizon, each edge outside its brackets has both circles, and neither
      enters the generator at the edge's other end;
-   - edges_last: within a bracket of a flip beside it, an edge has both circles by each name that it may have, and has a length or
+   - edges_stand, edges_last: within a bracket of a flip beside it, an edge has both circles by each name that it may have, and has a length or
      is legal for a while;
    - pairs_apart: at every time, by each name, its two generators do not overlap but near a claimed collision of the two: within the
      tolerance before its time, or after it where they overlap at its time.
 
-   The second theorem says the same of the whole program but for the reading of files: of the fractions that files give. Its units,
-   whole numbers and claims are those of Files.v, and it says that they stand for these fractions.
+   The second theorem is about the whole diagram: at every real time from 0 on, before the horizon, one of the diagrams that the claims
+   allow (each flip whose bracket holds the time is over, or is not) is the Voronoi diagram: voronoi_at. The circle of each of its
+   vertices is empty of all generators, and whatever overlaps does so beside a neighbour, near a claimed collision.
 
-   The third goes on to the whole diagram. It has a hypothesis, by name, that is not proved here. *)
+   The third theorem says the same of the whole program but for the reading of files: of the fractions that files give. Its units,
+   whole numbers and claims are those of Files.v, and it says that they stand for these fractions. *)
 From Coq Require Import ZArith QArith List Bool Reals FMapPositive.
-From Voroproof Require Import History Replay Initial Checker StepSound InitialSound Files Units Search UnitsSound Program.
+From Voroproof Require Import History Replay Initial Start Checker StepSound InitialSound Whole Files Units Search UnitsSound Program.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -42,11 +43,24 @@ Theorem certified_is_true : forall (P : problem) (claims : list claim) (n : Z),
   check P claims = (Good tt, n) -> true_initial P /\ true_history P (rev claims).
 Proof.
   intros P claims n H. unfold check in H.
-  destruct ((0 <=? tolerance P)%Z && initial_ok P) eqn:I; [|discriminate]. apply andb_prop in I as [T I]. apply Z.leb_le in T.
+  destruct ((0 <=? tolerance P)%Z && initial_ok P && PositiveMap.mem container (bodies P) && start_ok P) eqn:I; [|discriminate].
+  apply andb_prop in I as [I _]. apply andb_prop in I as [I _]. apply andb_prop in I as [T I]. apply Z.leb_le in T.
   simpl negb in H. cbv iota in H. split; [apply initial_sound, I|].
   destruct (run P (first_state P) claims 0) as [[s|w] done_] eqn:R; [|discriminate]. injection H as E _.
   destruct (run_sound P T claims [] (first_state P) 0 s done_ (first_good P)) as [G A]; [intros [|? ?] ? ? X; discriminate|exact R|].
   rewrite app_nil_r in *. apply (ending_sound P _ s); assumption.
+Qed.
+
+(* At every instant one of the diagrams that the claims allow is the Voronoi diagram. *)
+Theorem diagram_is_voronoi : forall (P : problem) (claims : list claim) (n : Z), check P claims = (Good tt, n) ->
+  forall t : R, (0 <= t < IZR (horizon P))%R -> exists D, allowed P (rev claims) t D /\ voronoi_at P (rev claims) t D.
+Proof.
+  intros P claims n H. pose proof (proj2 (certified_is_true P claims n H)) as True_. unfold check in H.
+  destruct ((0 <=? tolerance P)%Z && initial_ok P && PositiveMap.mem container (bodies P) && start_ok P) eqn:I; [|discriminate].
+  apply andb_prop in I as [I A]. apply andb_prop in I as [I B]. apply andb_prop in I as [T I]. apply Z.leb_le in T.
+  simpl negb in H. cbv iota in H.
+  destruct (run P (first_state P) claims 0) as [[s|w] done_] eqn:R; [|discriminate].
+  exact (whole P T claims s done_ R True_ I A B).
 Qed.
 
 (* The same of the fractions that files give, which are those of the scene s and the history h. *)
@@ -54,7 +68,8 @@ Theorem verdict_is_true : forall (s : scene) (h : history) (tau lambda : Q),
   judge s h tau lambda = Certified ->
   exists (t v m : Z) (P : problem) (claims : list claim), 0 < t /\ 0 < v /\ 0 < m /\
     problem_is t v m s h tau lambda P /\ Forall2 (event_is t v) (events h) claims /\
-    true_initial P /\ true_history P (rev claims).
+    true_initial P /\ true_history P (rev claims) /\
+    forall u : R, (0 <= u < IZR (horizon P))%R -> exists D, allowed P (rev claims) u D /\ voronoi_at P (rev claims) u D.
 Proof.
   intros s h tau lambda H. unfold judge in H. set (t := unit_of_time s h tau) in *. set (v := unit_of_velocity s h t) in *.
   destruct (problem_of t v (unit_of_mass s) s h tau lambda) as [P|] eqn:E; [|discriminate].
@@ -65,13 +80,9 @@ Proof.
   destruct (search P (first_finder P) es (limits P es) [] 0) as [[claims|] n] eqn:S; [|discriminate].
   apply search_ok in S as (cs & -> & <-). simpl in H.
   destruct (check P cs) as [[[]|] k] eqn:C; [|discriminate]. destruct (certified_is_true P cs k C).
-  exists t, v, (unit_of_mass s), P, cs. repeat (split; [assumption|]). split; [|split; assumption].
+  exists t, v, (unit_of_mass s), P, cs. repeat (split; [assumption|]).
+  split; [|split; [assumption|split; [assumption|exact (diagram_is_voronoi P cs k C)]]].
   apply all_ok in A. clear - A. revert A. generalize (events h). induction cs as [|c cs IH]; simpl; intros l A; inversion A; constructor.
   - apply event_ok. assumption.
   - apply IH. assumption.
 Qed.
-
-Theorem diagram_is_voronoi : forall (P : problem) (claims : list claim) (n : Z),
-  check P claims = (Good tt, n) -> local_legality_is_global P (rev claims) ->
-  forall t : R, (0 <= t < IZR (horizon P))%R -> (forall k, ~ bracketed k (rev claims) t) -> voronoi_at P (rev claims) t.
-Proof. intros P claims n H G. destruct (certified_is_true P claims n H) as [I T]. exact (G I T). Qed.

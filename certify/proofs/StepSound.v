@@ -24,7 +24,7 @@ Proof.
   intros [I W] E. cbn [step c] in E. unfold flip in E.
   apply try_good in E as (sl & F & E). apply known_good in F. apply need_good in E as [Name E]. apply need_good in E as [B E].
   repeat (apply andb_prop in B as [B ?]). apply Z.leb_le in B, H, H1, H2. apply Z.ltb_lt in H0.
-  apply need_good in E as [Ds E]. apply try_good in E as (gone & C & E). apply need_good in E as [-> E].
+  apply need_good in E as [Ds E]. apply andb_prop in Ds as [Ds Other]. apply try_good in E as (gone & C & E). apply need_good in E as [-> E].
   apply try_good in E as (s1 & E1 & E). injection E as <-.
   destruct (collapses_true P past s f lo hi (movers_known _ _ _ _ I) H2 C) as (C1 & C2 & C3 & C4 & C5). split.
   - unfold c. cbn [claim_true]. split.
@@ -166,7 +166,7 @@ Proof.
     destruct (PositiveMap.find k (slots s)) as [sl|] eqn:F.
     2: { apply A in F. destruct (no_edge k past F) as [_ N]. rewrite N in Eq. discriminate. }
     pose proof (finish_good s _ E k sl (PositiveMap.elements_correct _ _ F)) as S. pose proof (T k sl F) as St.
-    destruct (settled P past s sl _ _ K S) as [HL _]. change (legal_at P past t q).
+    destruct (settled P past s sl _ _ K S) as [HL _]. cut (legal_at P past t q); [intros (L1 & L2 & _); split; assumption|].
     destruct (Rlt_or_le t (IZR (proved sl))) as [Hl|Hl]; [apply (proved_legal _ _ _ _ _ _ St); try assumption; lra|].
     rewrite (stays _ _ _ _ _ _ St) in Eq by exact Hl. injection Eq as <-. apply HL. lra.
   - intros k q t Ht I Nf.
@@ -175,8 +175,16 @@ Proof.
     pose proof (finish_good s _ E k sl (PositiveMap.elements_correct _ _ F)) as S. pose proof (T k sl F) as St.
     destruct (settled P past s sl _ _ K S) as [HL _]. change (lasts_at P past t q).
     destruct (Rlt_or_le t (IZR (proved sl))) as [Hl|Hl].
-    + destruct (proved_lasts _ _ _ _ _ _ St q t) as [H|H]; try assumption; [lra|contradiction].
+    + destruct (proved_lasts _ _ _ _ _ _ St q t) as [_ [H|H]]; try assumption; [lra|contradiction].
     + rewrite (one_name _ _ _ _ _ _ St) in I by exact Hl. destruct I as [<-|[]]. apply (legal_lasts P past _ _ _ HL). lra.
+  - intros k q t Ht I.
+    destruct (PositiveMap.find k (slots s)) as [sl|] eqn:F.
+    2: { apply A in F. rewrite no_names in I by exact F. contradiction. }
+    pose proof (finish_good s _ E k sl (PositiveMap.elements_correct _ _ F)) as S. pose proof (T k sl F) as St.
+    destruct (settled P past s sl _ _ K S) as [HL _]. change (stands_at P past t q).
+    destruct (Rlt_or_le t (IZR (proved sl))) as [Hl|Hl].
+    + apply (proved_lasts _ _ _ _ _ _ St q t); try assumption; lra.
+    + rewrite (one_name _ _ _ _ _ _ St) in I by exact Hl. destruct I as [<-|[]]. apply HL. lra.
   - intros k q t Ht I.
     destruct (PositiveMap.find k (slots s)) as [sl|] eqn:F.
     2: { apply A in F. rewrite no_names in I by exact F. contradiction. }
