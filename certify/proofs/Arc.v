@@ -144,10 +144,6 @@ Proof.
   nra.
 Qed.
 
-(* At its least direction an affine function has slope 0. *)
-Lemma least_slope f : 0 < norm f -> slope f (least f) = 0.
-Proof. intros H. unfold slope, dot, turn, least; simpl. field. lra. Qed.
-
 (* The condition for an arc: not negative at the ends, and either positive everywhere or least outside. *)
 Theorem arc_not_negative f p q u : unit p -> unit q -> unit u -> 0 <= at_ f p -> 0 <= at_ f q ->
   (0 <= fb f - norm f \/ (0 < norm f /\ chord p q (least f) < 0)) -> 0 <= chord p q u -> 0 <= at_ f u.

@@ -112,9 +112,6 @@ Section Corners.
   Lemma other_disk t g h : g <> h -> wall (cfg t g) = true -> wall (cfg t h) = false.
   Proof. intros N W. pose proof (one_wall t g h N) as X. rewrite W in X. exact X. Qed.
 
-  Lemma still_disk t u g : wall (cfg t g) = false -> wall (cfg u g) = false.
-  Proof. rewrite !(walls _ M). trivial. Qed.
-
   Lemma three_distinct o t a b c : vertex_circle o (cfg t a) (cfg t b) (cfg t c) -> a <> b /\ b <> c /\ a <> c.
   Proof. intros (_ & _ & _ & H). unfold counterclockwise in H. repeat split; intros <-; lra. Qed.
 

@@ -120,25 +120,3 @@ Section Walk.
   Qed.
 End Walk.
 
-(* Two generators that touch a circle about the base l: the tangency of the two is the product of theirs with l and of the
-   square of the difference of their slopes. [xu], [xt] are the parts of a centre along u and across it. *)
-Lemma tangency_of_slopes xuj xtj sj pj xuk xtk sk pk kappa :
-  pj = xuj * xuj + xtj * xtj - sj * sj -> pk = xuk * xuk + xtk * xtk - sk * sk ->
-  xuj + sj = pj * kappa -> xuk + sk = pk * kappa ->
-  (xuj - xuk) * (xuj - xuk) + (xtj - xtk) * (xtj - xtk) - (sj - sk) * (sj - sk) =
-  pj * pk * ((xtj / pj - xtk / pk) * (xtj / pj - xtk / pk)) \/ pj = 0 \/ pk = 0.
-Proof.
-  intros Pj Pk Ej Ek. destruct (Req_dec pj 0) as [|Nj]; [tauto|]. destruct (Req_dec pk 0) as [|Nk]; [tauto|]. left.
-  set (kj := xtj / pj). set (kk := xtk / pk).
-  assert (Tj : xtj = pj * kj) by (unfold kj; field; exact Nj). assert (Tk : xtk = pk * kk) by (unfold kk; field; exact Nk).
-  assert (Uj : xuj = pj * kappa - sj) by lra. assert (Uk : xuk = pk * kappa - sk) by lra. clearbody kj kk.
-  assert (Aj : 1 = pj * (kappa * kappa + kj * kj) - 2 * kappa * sj).
-  { apply (Rmult_eq_reg_l pj); [|exact Nj]. rewrite Pj at 1. rewrite Uj, Tj. ring. }
-  assert (Ak : 1 = pk * (kappa * kappa + kk * kk) - 2 * kappa * sk).
-  { apply (Rmult_eq_reg_l pk); [|exact Nk]. rewrite Pk at 1. rewrite Uk, Tk. ring. }
-  rewrite Uj, Uk, Tj, Tk. clear - Aj Ak.
-  assert (E : 2 * kappa * (sj - sk) = pj * (kappa * kappa + kj * kj) - pk * (kappa * kappa + kk * kk)) by lra.
-  replace ((pj * kappa - sj - (pk * kappa - sk)) * (pj * kappa - sj - (pk * kappa - sk)) + (pj * kj - pk * kk) * (pj * kj - pk * kk) - (sj - sk) * (sj - sk))
-    with ((pj - pk) * (pj - pk) * (kappa * kappa) - (pj - pk) * (2 * kappa * (sj - sk)) + (pj * kj - pk * kk) * (pj * kj - pk * kk)) by ring.
-  rewrite E. ring.
-Qed.

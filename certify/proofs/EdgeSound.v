@@ -49,15 +49,28 @@ Proof.
   apply (fan_says _ (fun x => 0 <= x)); auto.
 Qed.
 
-Theorem edge_legal_sound l r s e : edge_legal l r s e = true ->
-  forall z, 0 <= z -> legal (at_z l z) (at_z r z) (at_z s z) (at_z e z).
+(* A test of a fan, halved, says it of the edge at every instant. *)
+Lemma edge_sound test (says : generator -> generator -> generator -> generator -> Prop) :
+  (forall m, 0 < m -> forall l r s e, says (scale m l) (scale m r) (scale m s) (scale m e) -> says l r s e) ->
+  (forall l r s e, says r l e s -> says l r s e) ->
+  (forall i a b c, test i a b c = true -> forall z, 0 <= z -> says (at_z i z) (at_z b z) (at_z a z) (at_z c z)) ->
+  forall l r s e, by_fan (halving test depth) l r s e = true -> forall z, 0 <= z -> says (at_z l z) (at_z r z) (at_z s z) (at_z e z).
 Proof.
-  unfold edge_legal, by_fan. destruct (mwall l); intros H z Hz.
-  - apply circles_turn. revert z Hz. revert H.
-    apply (halving_sound _ (fun i a b c => legal i b a c)); [intros m Hm i a b c; apply legal_unscale, Hm | exact fan_legal_true].
-  - revert z Hz. revert H.
-    apply (halving_sound _ (fun i a b c => legal i b a c)); [intros m Hm i a b c; apply legal_unscale, Hm | exact fan_legal_true].
+  intros Unscale Turn Sound l r s e H. unfold by_fan in H.
+  assert (Fan : forall i a b c, halving test depth i a b c = true -> forall z, 0 <= z -> says (at_z i z) (at_z b z) (at_z a z) (at_z c z))
+    by (apply (halving_sound test (fun i a b c => says i b a c)); [intros m Hm i a b c; apply Unscale, Hm|exact Sound]).
+  destruct (mwall l); intros z Hz; [apply Turn|]; apply Fan; assumption.
 Qed.
+
+Theorem edge_legal_sound l r s e : edge_legal l r s e = true -> forall z, 0 <= z -> legal (at_z l z) (at_z r z) (at_z s z) (at_z e z).
+Proof. apply edge_sound; [exact legal_unscale|intros; apply circles_turn; assumption|exact fan_legal_true]. Qed.
+
+(* An edge that stands. *)
+Theorem edge_there_sound l r s e : edge_there l r s e = true -> forall z, 0 <= z -> stands (at_z l z) (at_z r z) (at_z s z) (at_z e z).
+Proof. apply edge_sound; [exact stands_unscale|exact stands_turn|exact fan_stands]. Qed.
+
+Theorem edge_legal_stands l r s e : edge_legal l r s e = true -> forall z, 0 <= z -> stands (at_z l z) (at_z r z) (at_z s z) (at_z e z).
+Proof. apply edge_sound; [exact stands_unscale|exact stands_turn|]. intros i a b c H. apply andb_prop in H as [H _]. exact (fan_stands _ _ _ _ H). Qed.
 
 (* An edge that lasts. *)
 Lemma fan_lasts_true i a b c : fan_there i a b c && (fan_empty i a b c || fan_long i a b c) = true ->
@@ -106,22 +119,6 @@ Proof.
   unfold edge_lasts, by_fan. destruct (mwall l); intros H z Hz.
   - apply lasts_turn. apply (fan_lasts_halving _ _ _ _ _ H z Hz).
   - apply (fan_lasts_halving _ _ _ _ _ H z Hz).
-Qed.
-
-(* An edge that stands. *)
-Theorem edge_there_sound l r s e : edge_there l r s e = true -> forall z, 0 <= z -> stands (at_z l z) (at_z r z) (at_z s z) (at_z e z).
-Proof.
-  unfold edge_there, by_fan. destruct (mwall l); intros H z Hz; [apply stands_turn|]; revert z Hz; revert H;
-    apply (halving_sound _ (fun i a b c => stands i b a c));
-    try (intros m Hm i a b c; apply stands_unscale, Hm); intros i a b c T z Hz; apply fan_stands; assumption.
-Qed.
-
-(* A legal edge stands. *)
-Lemma legal_there l r s e : edge_legal l r s e = true -> forall z, 0 <= z -> stands (at_z l z) (at_z r z) (at_z s z) (at_z e z).
-Proof.
-  unfold edge_legal, by_fan. destruct (mwall l); intros H z Hz; [apply stands_turn|]; revert z Hz; revert H;
-    apply (halving_sound _ (fun i a b c => stands i b a c));
-    try (intros m Hm i a b c; apply stands_unscale, Hm); intros i a b c T z Hz; apply andb_prop in T as [T _]; apply fan_stands; assumption.
 Qed.
 
 (* Pairs. *)

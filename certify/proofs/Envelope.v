@@ -122,7 +122,6 @@ Section Instant.
   Definition end_of (q : edge) : vec := dir (cfg (el q)) (cfg (er q)) (cfg (ee q)).
   Definition both_there (q : edge) : Prop :=
     vertex (cfg (el q)) (cfg (es q)) (cfg (er q)) /\ vertex (cfg (el q)) (cfg (er q)) (cfg (ee q)).
-  Definition no_length (q : edge) : Prop := start_of q = end_of q.
 
   (* D is the Voronoi diagram: every circle along every edge, not only those at vertices, is empty of all generators. *)
   Record voronoi : Prop := {
@@ -132,9 +131,6 @@ Section Instant.
       K_at (el q) g u <= K_at (el q) (er q) u
   }.
 
-  (* The edge is legal, in this base. *)
-  Definition legal_from (q : edge) : Prop :=
-    K_at (el q) (ee q) (start_of q) <= K_at (el q) (er q) (start_of q) /\ K_at (el q) (es q) (end_of q) <= K_at (el q) (er q) (end_of q).
 End Instant.
 
 (* The edges of D fit together: the three sides of each vertex are there, and each generator has an edge. *)

@@ -162,7 +162,7 @@ Proof.
 Qed.
 
 Lemma standing_true past s q a b : knows past s -> four s q a a b edge_there = Good true -> forall t, IZR a <= t < IZR b -> stands_at past t q.
-Proof. intros K H. apply (four_sound edge_there stands past s q a b); try assumption; [intros m Hm l r i e; apply stands_unscale, Hm|exact edge_there_sound]. Qed.
+Proof. intros K H. apply (four_sound edge_there stands past s q a b); try assumption; [exact stands_unscale|exact edge_there_sound]. Qed.
 
 (* The pair of an edge over [a, b). *)
 Lemma pair_true past s q a b : knows past s -> four s q a a b (fun l r _ _ => pair_apart depth l r) = Good true ->
@@ -191,19 +191,13 @@ Proof.
   apply try_good in H as (d & D & H). apply need_good in H as [Hd H]. subst d.
   apply try_good in H as (b & B & H). apply need_good in H as [Hb H]. subst b. clear H. split.
   - intros t Ht. destruct (proved sl <? u)%Z eqn:E; [|apply Z.ltb_ge, IZR_le in E; lra].
-    destruct (four_good _ _ _ _ _ _ _ _ K A) as (l & r & i & e & T & (L & Ls & Lb) & (R & Rs & Rb) & (I & Is & Ib) & (F & Fs & Fb)).
-    rewrite L in Lb. rewrite R in Rb. rewrite I in Ib. rewrite F in Fb.
-    apply IZR_le in Lb, Rb, Ib, Fb.
-    destruct (parameter_pos _ _ _ Ht) as [Z1 Z2].
     split; [|split].
-    3: { apply (four_sound edge_legal stands past s (name sl) (proved sl) u); try assumption;
-      [intros m Hm l' r' i' e'; apply stands_unscale, Hm|exact legal_there]. }
-    2: { unfold tie_broken. destruct (largest (name sl)); [left; reflexivity|right]. cbn [andb negb] in D.
-      destruct (untied_true past s _ _ _ K D) as (_ & w & W). exists w. cbv zeta in *. rewrite !leg_at_last by lra. exact W. }
-    rewrite !place_on_leg by lra.
-    apply (legal_unscale ((IZR u - IZR (proved sl)) / (IZR u - t)) Z2).
-    rewrite <- L, <- R, <- I, <- F. rewrite <- !span_at by assumption.
-    apply edge_legal_sound; assumption.
+    + apply (four_sound edge_legal legal past s (name sl) (proved sl) u); try assumption; [exact legal_unscale|exact edge_legal_sound].
+    + destruct (four_known _ _ _ _ _ _ _ _ K A) as [_ Since]. unfold tie_broken.
+      destruct (largest (name sl)); [left; reflexivity|right]. cbn [andb negb] in D.
+      destruct (untied_true past s _ _ _ K D) as (_ & w & W). exists w. cbv zeta in *.
+      rewrite !leg_at_last by (apply Rle_trans with (IZR (proved sl)); [apply IZR_le, Since; simpl; tauto|lra]). exact W.
+    + apply (four_sound edge_legal stands past s (name sl) (proved sl) u); try assumption; [exact stands_unscale|exact edge_legal_stands].
   - intros t Ht. destruct (pair_proved sl <? pu)%Z eqn:E; [|apply Z.ltb_ge, IZR_le in E; lra].
     apply (pair_true past s _ _ _ K B t Ht).
 Qed.

@@ -7,11 +7,6 @@ Open Scope R_scope.
 Definition contact (c : circle) (g : generator) : vec := Vec (contact_x c g) (contact_y c g).
 Definition opposite (u : vec) : vec := Vec (- vx u) (- vy u).
 
-Lemma right_pair_turn g h : right_pair g h -> right_pair h g.
-Proof.
-  unfold right_pair. rewrite (orb_comm (wall h) (wall g)). destruct (wall g || wall h); lra.
-Qed.
-
 (* A circle touches a generator where its centre is at a signed distance from the generator's. *)
 Lemma touch_length c g : touches c g <-> Geometry.length (cx g - ox c) (cy g - oy c) = sign_of (wall g) * (size c + radius g).
 Proof.
@@ -291,15 +286,6 @@ Proof.
   rewrite <- D, <- E. destruct V as (Tl & _). apply pencil_other; assumption.
 Qed.
 
-(* The vertex seen from another of its disks. *)
-Lemma vertex_seen l j k : proper l -> proper j -> proper k -> wall j = false -> vertex l j k -> vertex j k l.
-Proof.
-  intros Hl Hj Hk W V. destruct (circle_of_vertex l j k Hl Hj Hk V) as (c & C & _). destruct V as (Wl & Rj & Rk & Rjk & Wjk & _).
-  apply (vertex_of_circle c); try assumption; try (apply right_pair_turn; assumption).
-  - rewrite Wl. apply andb_false_r.
-  - apply vertex_turn, C.
-Qed.
-
 (* Edges: l is a disk. *)
 Section Edge.
   Variables l r s e : generator.
@@ -336,12 +322,6 @@ Section Edge.
       + destruct (dir l r e) as [a b]. unfold opposite; simpl. f_equal; ring.
     - intros (c & C & C'). destruct (circle_dir c l s r) as (_ & <- & _); try assumption. apply circle_dir; assumption.
   Qed.
-  (* Then they touch all four. *)
-  Lemma no_length_cotangent : dir l s r = dir l r e -> cotangent l r s e.
-  Proof.
-    intros H. apply no_length_link in H as (c & C & C'). pose proof C as (_ & Ts & _). pose proof C' as (_ & _ & Te & _).
-    split; exists c; split; assumption.
-  Qed.
   Lemma no_length_other : dir l s r = dir l r e -> ~ not_cotangent l r s e.
   Proof.
     intros H. apply no_length_link in H as (c & C & C'). pose proof C as (_ & Ts & _). pose proof C' as (_ & _ & Te & _).
@@ -361,7 +341,7 @@ Section Edge.
     assert (Wl : forall g, wall l && wall g = false) by (intros g; rewrite W; reflexivity).
     destruct (ccw_total (contact c l) (contact c r) (contact c e)) as [G|G]; try assumption; try (apply contacts_differ; auto).
     - unfold vertex_circle. repeat split; try assumption.
-    - exfalso. assert (K : counterclockwise c l e r) by exact G. apply contact_slopes in K; try assumption; [|rewrite andb_comm; exact Wre|apply right_pair_turn; exact Rre].
+    - exfalso. assert (K : counterclockwise c l e r) by exact G. apply contact_slopes in K; try assumption; [|rewrite andb_comm; exact Wre|apply right_turn; exact Rre].
       rewrite O in K. lra.
   Qed.
 End Edge.

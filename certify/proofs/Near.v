@@ -19,8 +19,6 @@ Proof.
     + intros u [B L] a [<-|I]; [exact B|exact (L a I)].
     + apply after_and; [apply H; left; reflexivity|]. apply IH. intros a I. apply H. right. exact I.
 Qed.
-Lemma after_now t P : after t P -> P t.
-Proof. intros (d & Hd & H). apply H. lra. Qed.
 
 Lemma before_and t P Q : before t P -> before t Q -> before t (fun u => P u /\ Q u).
 Proof.
@@ -137,11 +135,6 @@ Section Motion.
     intros H. apply right_sign_is in H. apply after_impl with (P := fun t => 0 < right_sign g h t); [intros u; apply right_sign_is|].
     apply after_positive; [apply right_sign_continuous|exact H].
   Qed.
-  Lemma right_before g h : right_pair (cfg t0 g) (cfg t0 h) -> before t0 (fun t => right_pair (cfg t g) (cfg t h)).
-  Proof using M.
-    intros H. apply right_sign_is in H. apply before_impl with (P := fun t => 0 < right_sign g h t); [intros u; apply right_sign_is|].
-    apply before_positive; [apply right_sign_continuous|exact H].
-  Qed.
   Lemma right_tang_nonzero l g : wall (cfg t0 l) = false -> right_pair (cfg t0 l) (cfg t0 g) -> tang (seen_at (cfg t0 l) (cfg t0 g)) <> 0.
   Proof using M. intros W H. apply right_tang in H. destruct (_ || _); lra. Qed.
 
@@ -170,14 +163,6 @@ Section Motion.
       pose proof (after_and _ _ _ (right_after _ _ Rj) (after_and _ _ _ (right_after _ _ Rk) (after_and _ _ _ (right_after _ _ Rjk)
         (after_positive _ _ level_continuous L)))) as H.
       apply (after_impl t0) with (2 := H). intros u (A & B & C & P). unfold vertex.
-      rewrite (walls _ M u l), (walls _ M u j), (walls _ M u k), <- (walls _ M t0 l), <- (walls _ M t0 j), <- (walls _ M t0 k). tauto.
-    Qed.
-    Lemma vertex_before : before t0 (fun t => vertex (cfg t l) (cfg t j) (cfg t k)).
-    Proof using M V.
-      destruct V as (Wl & Rj & Rk & Rjk & W & L).
-      pose proof (before_and _ _ _ (right_before _ _ Rj) (before_and _ _ _ (right_before _ _ Rk) (before_and _ _ _ (right_before _ _ Rjk)
-        (before_positive _ _ level_continuous L)))) as H.
-      apply (before_impl t0) with (2 := H). intros u (A & B & C & P). unfold vertex.
       rewrite (walls _ M u l), (walls _ M u j), (walls _ M u k), <- (walls _ M t0 l), <- (walls _ M t0 j), <- (walls _ M t0 k). tauto.
     Qed.
   End Vertex.

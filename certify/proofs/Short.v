@@ -130,7 +130,7 @@ Proof.
   destruct (there_parts _ _ _ C1 0 (Rle_refl 0)) as (W1 & _). destruct (there_parts _ _ _ C2 0 (Rle_refl 0)) as (W2 & _).
   destruct (fan_stands _ _ _ _ There 0 (Rle_refl 0)) as (_ & Rb & Ra & Rc & Rba & Rbc).
   destruct (fan_circles _ _ _ _ There 0 (Rle_refl 0)) as [(k & V & _ & B & _) (k' & V' & _)].
-  assert (start : vertex (at_z i 0) (at_z a 0) (at_z b 0)) by (apply (vertex_of_circle k); try assumption; apply right_pair_turn; assumption).
+  assert (start : vertex (at_z i 0) (at_z a 0) (at_z b 0)) by (apply (vertex_of_circle k); try assumption; apply right_turn; assumption).
   assert (last : vertex (at_z i 0) (at_z b 0) (at_z c 0)) by (apply (vertex_of_circle k'); assumption).
   apply no_length_link; try assumption. apply no_length_if; try assumption.
   - apply (circle_and_other k (at_z i 0) (at_z a 0) (at_z b 0) (at_z c 0)); try assumption. apply B, Q.

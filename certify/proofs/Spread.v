@@ -22,14 +22,6 @@ Proof.
   unfold tang2, tang. ring.
 Qed.
 
-Lemma slope_at_zero f u : unit u -> at_ f u = 0 -> slope f u * slope f u = norm f * norm f - fb f * fb f.
-Proof.
-  intros Hu Z. rewrite norm_square. unfold at_, slope, dot, turn, unit in *; simpl in *.
-  assert (fb f = - (vx (fa f) * vx u + vy (fa f) * vy u)) as -> by lra.
-  set (a := vx (fa f)). set (b := vy (fa f)). set (c := vx u) in *. set (d := vy u) in *.
-  replace (a * a + b * b) with ((a * a + b * b) * (c * c + d * d)) by (rewrite Hu; ring). ring.
-Qed.
-
 (* Order: near the point z, where f falls counterclockwise, of two directions p, q with f q = 0 <= f p the first comes first. *)
 Lemma order f p q : unit p -> unit q -> 0 < 1 + dot p q -> at_ f q = 0 -> 0 <= at_ f p ->
   slope f q * (1 + dot p q) + Rabs (dot (fa f) q) * Rabs (cross q p) < 0 -> 0 <= cross p q.

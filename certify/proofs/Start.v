@@ -202,38 +202,7 @@ Section Direction.
 
   Lemma dir_is : dir l j k = direct.
   Proof.
-    pose proof right_gamma as Hg. pose proof sigma_square as S1. pose proof sigma_product as Sp.
-    assert (N : 0 < Circle.norm a b) by (apply norm_positive; exact Hg).
-    assert (U : unit direct) by (apply n_unit; assumption).
-    assert (Na : rp a <> 0) by (intros Z; rewrite Z in Sp; lra). assert (Nb : rp b <> 0) by (intros Z; rewrite Z in Sp; lra).
-    symmetry. unfold dir. apply up_only; [exact U| |].
-    - assert (E : nx (cx j - cx l) (cy j - cy l) (radius j - radius l) (cx k - cx l) (cy k - cy l) (radius k - radius l) sigma * r_dxp a b +
-        ny (cx j - cx l) (cy j - cy l) (radius j - radius l) (cx k - cx l) (cy k - cy l) (radius k - radius l) sigma * r_dyp a b = - r_dsp a b).
-      { unfold nx, ny. change (rrow (cx j - cx l) (cy j - cy l) (radius j - radius l)) with a. change (rrow (cx k - cx l) (cy k - cy l) (radius k - radius l)) with b.
-        revert N. unfold Circle.norm. generalize (r_dxp a b) (r_dyp a b) (r_dsp a b) (sqrt (gamma a b)). intros X Y S root N. field. lra. }
-      unfold direct. revert E. generalize (nx (cx j - cx l) (cy j - cy l) (radius j - radius l) (cx k - cx l) (cy k - cy l) (radius k - radius l) sigma)
-        (ny (cx j - cx l) (cy j - cy l) (radius j - radius l) (cx k - cx l) (cy k - cy l) (radius k - radius l) sigma). intros mx my E.
-      unfold dxp, dyp, dsp in E. change (rp a) with (tang (seen_at l j)) in *. change (rp b) with (tang (seen_at l k)) in *.
-      unfold at_, diff, dot, minus, Kg, K; cbn [fa fb vx vy]. revert E Na Nb. generalize (tang (seen_at l j)) (tang (seen_at l k)). intros pj pk E Na Nb.
-      unfold a, b, seen_from, row_of in E; cbn [rx ry rs] in E. unfold seen_at; cbn [xx xy xs].
-      apply (Rmult_eq_reg_r (pj * pk)); [|apply Rmult_integral_contrapositive_currified; assumption].
-      rewrite Rmult_0_l.
-      match goal with |- ?L = 0 => replace L with (- (mx * ((cx j - cx l) * pk - pj * (cx k - cx l)) + my * ((cy j - cy l) * pk - pj * (cy k - cy l)) +
-        ((radius j - radius l) * pk - pj * (radius k - radius l)))) by (field; split; assumption) end. lra.
-    - assert (E : - nx (cx j - cx l) (cy j - cy l) (radius j - radius l) (cx k - cx l) (cy k - cy l) (radius k - radius l) sigma * r_dyp a b +
-        ny (cx j - cx l) (cy j - cy l) (radius j - radius l) (cx k - cx l) (cy k - cy l) (radius k - radius l) sigma * r_dxp a b = sigma * sqrt (gamma a b)).
-      { unfold nx, ny. change (rrow (cx j - cx l) (cy j - cy l) (radius j - radius l)) with a. change (rrow (cx k - cx l) (cy k - cy l) (radius k - radius l)) with b.
-        revert N. unfold Circle.norm. generalize (r_dxp a b) (r_dyp a b) (r_dsp a b) (sqrt (gamma a b)). intros X Y S root N. field. lra. }
-      assert (R : 0 < sqrt (gamma a b)) by (apply sqrt_lt_R0, Hg).
-      unfold direct. revert E. generalize (nx (cx j - cx l) (cy j - cy l) (radius j - radius l) (cx k - cx l) (cy k - cy l) (radius k - radius l) sigma)
-        (ny (cx j - cx l) (cy j - cy l) (radius j - radius l) (cx k - cx l) (cy k - cy l) (radius k - radius l) sigma). intros mx my E.
-      revert R E. generalize (sqrt (gamma a b)). intros root R E.
-      unfold dxp, dyp in E. change (rp a) with (tang (seen_at l j)) in *. change (rp b) with (tang (seen_at l k)) in *.
-      unfold slope, diff, dot, minus, turn, Kg, K; cbn [fa fb vx vy]. revert E Na Nb Sp. generalize (tang (seen_at l j)) (tang (seen_at l k)). intros pj pk E Na Nb Sp.
-      unfold a, b, seen_from, row_of in E; cbn [rx ry rs] in E. unfold seen_at; cbn [xx xy xs].
-      match goal with |- 0 < ?L => replace L with ((sigma * sigma * root) / (sigma * (pj * pk))) end.
-      + rewrite S1, Rmult_1_l. apply Rdiv_lt_0_compat; assumption.
-      + replace (sigma * sigma * root) with (sigma * (sigma * root)) by ring. rewrite <- E. field. repeat split; try assumption. intros Z. rewrite Z in S1. lra.
+    exact (proj2 (Short.dir_is l j k sigma sigma_square sigma_product right_gamma)).
   Qed.
 End Direction.
 
@@ -276,7 +245,7 @@ Proof.
     change (rp (seen_from (at_z i 0) (at_z g 0))) with (tang (seen_at (at_z i 0) (at_z g 0))) in Q.
     destruct (mwall r), (mwall g); simpl in *; try discriminate; lra. }
   assert (C : crosses f).
-  { apply difference_crosses; try assumption; [rewrite andb_comm; exact O|apply right_pair_turn, Rrg]. }
+  { apply difference_crosses; try assumption; [rewrite andb_comm; exact O|apply right_turn, Rrg]. }
   assert (Nf : 0 < Arc.norm f).
   { unfold crosses in C. apply sqrt_lt_R0. pose proof (sq (fb f)). lra. }
   split; [exact Nf|].
@@ -467,7 +436,7 @@ Qed.
 Lemma right_all g h : In g gens -> In h gens -> g <> h -> right_pair (cfg g) (cfg h).
 Proof.
   intros Ig Ih N. destruct (Pos.eq_dec g container) as [E|E].
-  - apply right_pair_turn, right_disk_pair; try assumption. congruence.
+  - apply right_turn, right_disk_pair; try assumption. congruence.
   - apply right_disk_pair; try assumption. congruence.
 Qed.
 

@@ -406,10 +406,6 @@ Section Topology.
     destruct (all_rename later c past t D T Soon A) as [D' Re]. exists D'. apply (already P c past t D); assumption.
   Qed.
 
-  (* There is one: that of the names without the flips under way. *)
-  Theorem some_allowed past t : tracked past -> exists D, allowed past t D.
-  Proof. apply (some_suffix [] past t). Qed.
-
   Lemma beside_cases a b x y q p : beside a b x y q = Some p ->
     (exists s, q = Edge a b s x /\ p = Edge a b s y) \/ (exists e, q = Edge b a x e /\ p = Edge b a y e).
   Proof.
@@ -487,35 +483,4 @@ Section Topology.
     - apply IH; assumption.
   Qed.
 
-  Lemma either_suffix later middle c earlier u D : tracked (later ++ middle ++ c :: earlier) ->
-    (forall k lo hi, bracket_of k c = Some (lo, hi) -> IZR lo <= u < IZR hi) -> allowed (middle ++ c :: earlier) u D ->
-    exists D', allowed (middle ++ c :: earlier) u D' /\ (renames c D D' \/ renames c D' D).
-  Proof.
-    intros T Way. revert later D T. induction middle as [|c' middle IH]; intros later D T A; cbn [app] in *.
-    - inversion A as [|? ? ? ? Late A0|? ? ? D0 ? Soon A0 Re]; subst.
-      + destruct (all_rename later c earlier u D T) as [D' Re]; [intros k lo hi B; apply (Way k lo hi B)|exact A0|].
-        exists D'. split; [|left; exact Re]. apply (already P c earlier u D); [intros k lo hi B; apply (Way k lo hi B)|exact A0|exact Re].
-      + exists D0. split; [|right; exact Re]. apply not_over; [intros k lo hi B; apply (Way k lo hi B)|exact A0].
-    - assert (T' : tracked ((later ++ [c']) ++ middle ++ c :: earlier)) by (rewrite <- app_assoc; exact T).
-      inversion A as [|? ? ? ? Late A0|? ? ? D0 ? Soon A0 Re]; subst.
-      + destruct (IH (later ++ [c']) D T' A0) as (D' & A' & Re). exists D'. split; [apply not_over; assumption|exact Re].
-      + destruct (IH (later ++ [c']) D0 T' A0) as (D1 & A1 & Re1). destruct (all_rename later c' (middle ++ c :: earlier) u D1 T Soon A1) as [D' Re'].
-        exists D'. split; [apply (already P c' _ u D1); assumption|].
-        assert (Late : forall k lo hi, bracket_of k c = Some (lo, hi) -> u < IZR hi) by (intros k lo hi B; apply (Way k lo hi B)).
-        destruct Re1 as [Re1|Re1]; [left|right].
-        * apply (renames_commute _ later c' middle c earlier u D0 D1 D D' T eq_refl Late Soon); assumption.
-        * apply (renames_commute _ later c' middle c earlier u D1 D0 D' D T eq_refl Late Soon); assumption.
-  Qed.
-
-  (* A flip under way may be done, or taken back. *)
-  Theorem either_way past u D t f lo hi k0 k1 k2 k3 k4 : let c := Flip t f lo hi k0 k1 k2 k3 k4 in tracked past -> In c past ->
-    IZR lo <= u < IZR hi -> allowed past u D ->
-    (exists D', allowed past u D' /\ renames c D D') \/ (exists D', allowed past u D' /\ renames c D' D).
-  Proof.
-    intros c T I U A. apply in_split in I as (later & earlier & ->).
-    assert (Way : forall k l h, bracket_of k c = Some (l, h) -> IZR l <= u < IZR h).
-    { intros k l h B. unfold c in B. cbn [bracket_of] in B.
-      destruct (Pos.eqb k k0 || Pos.eqb k k1 || Pos.eqb k k2 || Pos.eqb k k3 || Pos.eqb k k4); [|discriminate]. injection B as <- <-. exact U. }
-    destruct (either_suffix [] later c earlier u D T Way A) as (D' & A' & [Re|Re]); [left|right]; exists D'; split; assumption.
-  Qed.
 End Topology.

@@ -25,24 +25,10 @@ Lemma opposite_twice u : opposite (opposite u) = u.
 Proof. destruct u as [a b]. unfold opposite; simpl. rewrite !Ropp_involutive. reflexivity. Qed.
 
 (* The circle of a vertex touches its base in the direction of the vertex. *)
-Lemma circle_dir c l j k : proper l -> proper j -> proper k -> vertex l j k -> vertex_circle c l j k -> dir l j k = opposite (contact c l).
+Lemma vertex_contact c l j k : proper l -> proper j -> proper k -> vertex l j k -> vertex_circle c l j k -> dir l j k = opposite (contact c l).
 Proof.
   intros pl pj pk V C. destruct (circle_of_vertex l j k pl pj pk V) as (c' & C' & E & _).
   rewrite (one_circle c c' l j k) by assumption. rewrite E, opposite_twice. reflexivity.
-Qed.
-
-(* Seen from a disk, the edge has no length just where both its vertices have one circle. *)
-Lemma no_length_pinched l r s e : proper l -> proper r -> proper s -> proper e -> vertex l s r -> vertex l r e ->
-  (dir l s r = dir l r e <-> pinched l r s e).
-Proof.
-  intros pl pr ps pe V W. split.
-  - intros E. destruct (circle_of_vertex l s r pl ps pr V) as (c & C & _). exists c. split; [exact C|].
-    destruct (vertex_dir _ _ _ V) as (_ & Er & _). destruct (vertex_dir _ _ _ W) as (_ & Ee & Sl).
-    pose proof (circle_dir c l s r pl ps pr V C) as X. destruct W as (D & Rr & Re & Rre & Wre & L).
-    assert (T : touches c e). { apply (circle_and_other c l s r e); try assumption. unfold level. rewrite <- Er, E. exact Ee. }
-    split; [apply C|]. split; [apply C|]. split; [exact T|].
-    apply (contact_slopes c l r e); try assumption; try apply C. rewrite <- X, E. exact Sl.
-  - intros (c & C & C'). rewrite (circle_dir c l s r), (circle_dir c l r e) by assumption. reflexivity.
 Qed.
 
 (* The edge seen from its other side. *)
@@ -146,7 +132,7 @@ Section Change.
     assert (Vn : vertex (cfg a) (cfg b) (cfg d)) by (apply (vertex_at gens cfg W P Right o); assumption).
     split; [split; [apply T|exact Vn]|].
     assert (X : dir (cfg a) (cfg b) (cfg d) = dir (cfg a) (cfg b) (cfg c)); [|rewrite X; exact E].
-    destruct T as [_ T]. rewrite (circle_dir o (cfg a) (cfg b) (cfg d)), (circle_dir o (cfg a) (cfg b) (cfg c)) by auto. reflexivity.
+    destruct T as [_ T]. rewrite (vertex_contact o (cfg a) (cfg b) (cfg d)), (vertex_contact o (cfg a) (cfg b) (cfg c)) by auto. reflexivity.
   Qed.
 
   Lemma good_start o a b x c d : In a gens -> In b gens -> In c gens -> In d gens -> wall (cfg b) = false ->
@@ -157,7 +143,7 @@ Section Change.
     assert (Vn : vertex (cfg b) (cfg d) (cfg a)) by (apply (vertex_at gens cfg W P Right o); assumption).
     split; [split; [exact Vn|apply T]|].
     assert (X : dir (cfg b) (cfg d) (cfg a) = dir (cfg b) (cfg c) (cfg a)); [|rewrite X; exact E].
-    destruct T as [T _]. rewrite (circle_dir o (cfg b) (cfg d) (cfg a)), (circle_dir o (cfg b) (cfg c) (cfg a)) by auto. reflexivity.
+    destruct T as [T _]. rewrite (vertex_contact o (cfg b) (cfg d) (cfg a)), (vertex_contact o (cfg b) (cfg c) (cfg a)) by auto. reflexivity.
   Qed.
 
   (* An edge both of whose vertices have one circle, which is empty of all. *)
@@ -169,7 +155,7 @@ Section Change.
     assert (Vy' : vertex (cfg a) (cfg b) (cfg y)) by (apply (vertex_at gens cfg W P Right o); assumption).
     split; [split; assumption|]. intros u g _ H Ig Na _.
     assert (X : dir (cfg a) (cfg x) (cfg b) = dir (cfg a) (cfg b) (cfg y)).
-    { rewrite (circle_dir o (cfg a) (cfg x) (cfg b)), (circle_dir o (cfg a) (cfg b) (cfg y)) by auto. reflexivity. }
+    { rewrite (vertex_contact o (cfg a) (cfg x) (cfg b)), (vertex_contact o (cfg a) (cfg b) (cfg y)) by auto. reflexivity. }
     destruct H as [[_ ->]|[N _]]; [|contradiction]. unfold K_at.
     destruct (vertex_dir _ _ _ Vx') as (_ & -> & _).
     assert (R : right_pair (cfg a) (cfg g)) by auto.
@@ -349,7 +335,7 @@ Section Near.
   Proof.
     intros Vp Vq Vw Cp Cq Cw.
     assert (X : forall a b, vertex (cfg t0 i) (cfg t0 a) (cfg t0 b) -> vertex_circle z (cfg t0 i) (cfg t0 a) (cfg t0 b) ->
-      dir (cfg t0 i) (cfg t0 a) (cfg t0 b) = opposite (contact z (cfg t0 i))) by (intros; apply circle_dir; auto using all_proper).
+      dir (cfg t0 i) (cfg t0 a) (cfg t0 b) = opposite (contact z (cfg t0 i))) by (intros; apply vertex_contact; auto using all_proper).
     pose proof (X _ _ Vp Cp) as Ep. pose proof (X _ _ Vq Cq) as Eq. pose proof (X _ _ Vw Cw) as Ew.
     destruct (vertex_dir _ _ _ Vp) as (U & _ & Sp). destruct (vertex_dir _ _ _ Vq) as (_ & _ & Sq). rewrite Ep in U, Sp. rewrite Eq in Sq.
     assert (Cl : close (opposite (contact z (cfg t0 i))) (opposite (contact z (cfg t0 i)))) by (unfold close, dot; unfold unit in U; lra).
