@@ -248,8 +248,8 @@ void Checker::end_all_lives(const Moment& m, bool closed) {
 
 // The end of a part: nothing may be left that has to happen up to that time.
 void Checker::finish_part(const PartEnd& end) {
-  claims_.stand_at(claims_.read_to());
-  instants_.require_maneuvers_before(next_below(end.t - s_.tolerance_up));
+  claims_.end_at(end.t);
+  instants_.require_maneuvers_before(claims_.settled());
   instants_.leave();
   end_all_lives(Moment::at(end.t), true);
   if (!same_edges(s_.diagram, end.diagram)) {
@@ -262,11 +262,11 @@ void Checker::finish_part(const PartEnd& end) {
 
 void Checker::finish() {
   const HistorySource& history = claims_.history();
-  claims_.stand_at(claims_.read_to());
   const auto* stop = std::get_if<HistoryStop>(&history.ending());
   // The end is the earliest that the file allows: its roundings are not held against the history.
   Rational end = s_.header.horizon - s_.header.horizon_error;
   if (stop != nullptr) end = stop->exact_t ? *stop->exact_t : to_rational(stop->t);
+  claims_.end_at(round_down(end));
   if (stop == nullptr || end > to_rational(front_.moment.lo)) {
     const std::vector<Maneuver>& maneuvers = s_.scene.maneuvers;
     for (std::size_t k = s_.replay.next_maneuver(); k < maneuvers.size(); ++k) {

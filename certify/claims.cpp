@@ -75,6 +75,11 @@ void Claims::take(std::size_t k) {
   near_.erase(near_.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
+void Claims::end_at(double t) {
+  stand_at(read_to_);
+  taken_ = std::max(taken_, t);
+}
+
 bool Claims::may_depend_on_others() {
   const auto undecided = [](const Claim& c) { return c.placed && !c.moment; };
   if (std::any_of(near_.begin(), near_.end(), undecided)) return true;

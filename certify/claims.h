@@ -118,6 +118,8 @@ class Claims {
     current_.reset();
     line_ = line;
   }
+  // All are proved: the history, or the part of it, ends at t.
+  void end_at(double t);
   std::int64_t processed() const { return processed_; }
   // Claims read that are not of the kinds asked for.
   std::int64_t passed_over() const { return passed_over_; }
@@ -125,8 +127,6 @@ class Claims {
   // ---- What the lines say. ----
   // The line of the first claim later than t, or the last line read.
   std::int64_t line_at(double t) const;
-  // The line of the last claim read; at the end, where the history ends.
-  std::int64_t read_to() const { return read_to_; }
   // How many of the claims proved are before t.
   std::int64_t proved_before(double t) const;
   // Whether the last claim read is of this time.
@@ -153,11 +153,11 @@ class Claims {
   std::vector<Claim> near_;
   bool ended_ = false;                 // no more to read
   bool full_ = false;                  // when a claim was taken last as many were near as can be,
-  double taken_ = 0;                   // the first of them at this time
+  double taken_ = 0;                   // the first of them at this time, or the end
   std::vector<double> times_;          // times of the claims read
   std::vector<std::int64_t> lines_;    // theirs
   std::vector<Replay::Place> places_;  // places of the claims, read or not
-  std::int64_t read_to_;
+  std::int64_t read_to_;               // the line of the next claim; at the end, of that
   std::optional<Event> current_;
   std::int64_t line_ = 1;
   HalfEdge place_ = -1;

@@ -24,19 +24,26 @@ bool FirstDivergence::turns_one_of(std::initializer_list<GenId> generators) cons
   });
 }
 
+// What refutes the history in the open life of the pair, as far as the claims are settled.
+std::optional<Divergence> FirstDivergence::refuted_in(const PairLives::Open& life) {
+  const double settled = claims_.settled();
+  if (!(life.since < settled) || turns_one_of({life.i, life.j})) return std::nullopt;
+  try {
+    pairs_.end(life, Moment::at(settled), PairEnd::turn);
+  } catch (const Refuted& r) {
+    return r.divergence;
+  } catch (const Undecided&) {
+    // Another may tell.
+  }
+  return std::nullopt;
+}
+
 std::optional<Divergence> FirstDivergence::before_undecided() {
   std::optional<Divergence> first;
-  const double settled = claims_.settled();
   for (const PairLives::Open& life :
-       front_.begun ? pairs_.open(settled) : std::vector<PairLives::Open>{}) {
-    if (!(life.since < settled) || turns_one_of({life.i, life.j})) continue;
-    try {
-      pairs_.end(life, Moment::at(settled), PairEnd::turn);
-    } catch (const Refuted& r) {
-      if (!first || r.divergence.t < first->t) first = r.divergence;
-    } catch (const Undecided&) {
-      // Another may tell.
-    }
+       front_.begun ? pairs_.open(claims_.settled()) : std::vector<PairLives::Open>{}) {
+    const auto refuted = refuted_in(life);
+    if (refuted && (!first || refuted->t < first->t)) first = refuted;
   }
   const double now = claims_.current() ? time(*claims_.current()) : front_.moment.lo;
   const auto maneuver = maneuver_missing_by(first ? first->t : now);
@@ -70,6 +77,11 @@ void FirstDivergence::look_for_contacts(Earliest& first) {
   };
   for (const PairLives::Open& life : pairs_.open(limit())) {
     const auto& [i, j, since, edge] = life;
+    // An overlap behind a claimed collision lasts too long by no event of its own.
+    if (pairs_.recorded().contacts().carries({i, j})) {
+      const auto refuted = refuted_in(life);
+      if (refuted && refuted->t < first.limit) first = {*refuted, refuted->t};
+    }
     if (s_.replay.partners(i, j) || turns_one_of({i, j}) ||
         proved_apart(s_.motion, i, j, since, limit())) {
       continue;

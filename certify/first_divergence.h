@@ -39,6 +39,7 @@ class FirstDivergence {
     double limit;
   };
   bool turns_one_of(std::initializer_list<GenId> generators) const;
+  std::optional<Divergence> refuted_in(const PairLives::Open& life);
   Divergence first_event_missing(const Divergence& found);
   double margin(const Earliest& first) const;
   NextContact contact_in(const PairLives::Open& life, double until);

@@ -132,7 +132,13 @@ std::vector<PairLives::Open> PairLives::open(double t) {
   std::vector<Open> lives;
   if (near_.assigned()) {
     near_.extend(t);
-    for (const NearPairs::Pair& p : near_.all()) lives.push_back({p.i, p.j, p.since, -1});
+    std::vector<RecordedContacts::Pair> carried = recorded_.contacts().carried();
+    for (const NearPairs::Pair& p : near_.all()) {
+      lives.push_back({p.i, p.j, p.since, -1});
+      std::erase(carried, RecordedContacts::Pair{p.i, p.j});
+    }
+    // Those whose boxes have come apart since they overlapped.
+    for (const auto& [i, j] : carried) lives.push_back({i, j, near_.since(i, j), -1});
   }
   for (int e = 0; e < static_cast<int>(since_.size()); ++e) lives.push_back(life_of(e));
   return lives;

@@ -3,7 +3,8 @@
 
 #include <variant>
 
-#include "tests/certify/claimed_history.h"
+#include "certify/report.h"
+#include "tests/certify/handmade_history.h"
 #include "tests/support/random_scenes.h"
 
 namespace voroproof::internal::testing {
@@ -82,6 +83,51 @@ TEST(Prefix, EndsBeforeWhatIsMissingWhereTheRunIsInterrupted) {
     }
   }
   EXPECT_GT(interrupted, 10);
+}
+
+// Two disks hit the wall, each claimed late by nearly the tolerance, and are so slow behind it that
+// they stay in it for longer than that. Which of the two the certifier asks first depends on their
+// numbers.
+TEST(Prefix, EndsBeforeTheFirstOfSeveralOverlapsThatLastTooLong) {
+  for (const GenId first : {0, 1}) {
+    Scene scene = scene_of(100, Rational(21, 2), {});
+    scene.disks.assign(2, disk(10, 0, 1, 9, 0));
+    scene.disks[first] = disk(-19, 0, 1, -10, 0);
+    scene.container_restitution = Rational(9, 10);
+    const double late = 97e-8;
+    const History h =
+        history_of(scene, kTwo,
+                   {collision(8 + late, container_id, first, std::nullopt, {9, 0}),
+                    collision(89. / 9 + late, container_id, 1 - first, std::nullopt, {-8.1, 0})});
+    for (const EventKinds events : {EventKinds::all, EventKinds::collisions}) {
+      CertifyOptions options;
+      options.truth = Truth::recorded;
+      options.events = events;
+      const Certificate c = certify(scene, h, options);
+      ASSERT_EQ(c.verdict, Verdict::refuted) << reason_line(c);
+      EXPECT_EQ(c.divergence->fault, Fault::overlap);
+      EXPECT_EQ(c.divergence->true_contact, std::pair(container_id, first));
+      EXPECT_LE(c.prefix_t, 8);
+      EXPECT_EQ(c.prefix_events, 0);
+    }
+  }
+}
+
+// Two small disks pass through each other in less than the tolerance and then hit the wall, all
+// unclaimed. Where no boxes of the two meet any more, nothing but that overlap is left of them.
+TEST(Prefix, EndsBeforeAnOverlapOfTwoThatAreFarApart) {
+  for (int k = 0; k < 40; ++k) {
+    const Rational half = 480 + Rational(k, 2);
+    Scene scene = scene_of(1000, 30, {disk(-half, 0, 1, 100, 0), disk(half, 0, 1, -100, 0)});
+    for (int x = -7; x < 7; ++x) scene.disks.push_back(disk(50 * x, -600, 1, 0, 0));
+    CertifyOptions options;
+    options.truth = Truth::recorded;
+    options.events = EventKinds::collisions;
+    options.tolerance = Rational(1, 4);
+    const Certificate c = certify(scene, history_of(scene, kTwo, {}), options);
+    ASSERT_EQ(c.verdict, Verdict::refuted) << reason_line(c);
+    EXPECT_EQ(c.divergence->true_contact, std::pair(0, 1)) << k;
+  }
 }
 
 }  // namespace
