@@ -24,7 +24,7 @@ bool FirstDivergence::turns_one_of(std::initializer_list<GenId> generators) cons
   });
 }
 
-// What refutes the history in the open life of the pair, as far as the claims are settled.
+// Tells what refutes the history in the open life of the pair, as far as the claims are settled.
 std::optional<Divergence> FirstDivergence::refuted_in(const PairLives::Open& life) {
   const double settled = claims_.settled();
   if (!(life.since < settled) || turns_one_of({life.i, life.j})) return std::nullopt;
