@@ -23,6 +23,20 @@ constexpr double bracket_width = 0x1p-20, least_part = 0x1p-10;
 // The half width where double-doubles look: what is proved free of roots then begins further away.
 constexpr double wide_bracket = 0x1p-21;
 
+// Ends n lives by `end(k)`. Where one is undecided, another may still refute the history.
+template <class End>
+void end_each(std::size_t n, End&& end) {
+  std::optional<Undecided> first;
+  for (std::size_t k = 0; k < n; ++k) {
+    try {
+      end(k);
+    } catch (const Undecided& u) {
+      if (!first) first = u;
+    }
+  }
+  if (first) throw *first;
+}
+
 }  // namespace
 
 std::optional<Collapse> EdgeLives::first_collapse(const Quad& q, double from, double end) {
@@ -181,7 +195,7 @@ void EdgeLives::end(std::span<const int> edges, const Moment& m, bool closed) {
   batch_.clear();
   for (const int e : edges) batch_.add(s_.diagram.quad(2 * e), lives_[e].from, m.hi);
   batch_.prove();
-  for (std::size_t k = 0; k < edges.size(); ++k) end_life(edges[k], m, closed, k);
+  end_each(edges.size(), [&](std::size_t k) { end_life(edges[k], m, closed, k); });
 }
 
 void EdgeLives::begin_all(const Moment& m) {
@@ -234,7 +248,7 @@ void EdgeLives::end_beside(const EdgeRing& ring, const Moment& m) {
   batch_.prove_around(ring.q, ring.outer,
                       {lives_[e[0]].from, lives_[e[1]].from, lives_[e[2]].from, lives_[e[3]].from},
                       m.lo, m.hi);
-  for (int k = 0; k < 4; ++k) end_life(e[k], m, false, k);
+  end_each(4, [&](std::size_t k) { end_life(e[k], m, false, k); });
 }
 
 void EdgeLives::begin_after_flip(int edge, const EdgeRing& ring, const Moment& m,

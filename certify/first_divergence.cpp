@@ -39,15 +39,17 @@ std::optional<Divergence> FirstDivergence::refuted_in(const PairLives::Open& lif
 }
 
 std::optional<Divergence> FirstDivergence::before_undecided() {
-  std::optional<Divergence> first;
-  for (const PairLives::Open& life :
-       front_.begun ? pairs_.open(claims_.settled()) : std::vector<PairLives::Open>{}) {
-    const auto refuted = refuted_in(life);
-    if (refuted && (!first || refuted->t < first->t)) first = refuted;
+  Earliest first{{}, std::min(claims_.settled(), s_.horizon_window_down)};
+  if (front_.begun) {
+    for (const PairLives::Open& life : pairs_.open(claims_.settled())) {
+      const auto refuted = refuted_in(life);
+      if (refuted && (!first.divergence || refuted->t < first.limit)) first = {refuted, refuted->t};
+    }
+    look_for_flips(first);
   }
   const double now = claims_.current() ? time(*claims_.current()) : front_.moment.lo;
-  const auto maneuver = maneuver_missing_by(first ? first->t : now);
-  return maneuver ? maneuver : first;
+  const auto maneuver = maneuver_missing_by(first.divergence ? first.divergence->t : now);
+  return maneuver ? maneuver : first.divergence;
 }
 
 // The earliest event that every open life should have had, up to the refuted claim. Contacts come
@@ -58,13 +60,14 @@ Divergence FirstDivergence::first_event_missing(const Divergence& found) {
   Earliest first{found, std::min(earlier ? (*found.true_time)[0] : found.t, s_.search_end)};
   look_for_contacts(first);
   look_for_flips(first);
-  return first.divergence;
+  return *first.divergence;
 }
 
 // How much earlier than the first so far an event must be to be missing for certain. Of those that
 // are missing the first counts: where it is very near, the later one may be its consequence.
 double FirstDivergence::margin(const Earliest& first) const {
-  const Fault fault = first.divergence.fault;
+  if (!first.divergence) return 0;
+  const Fault fault = first.divergence->fault;
   return fault == Fault::missing_event || fault == Fault::overlap ? 0 : s_.tolerance_up;
 }
 
@@ -72,7 +75,7 @@ void FirstDivergence::look_for_contacts(Earliest& first) {
   // A spurious event may be the consequence of an event that happens later by no more than times
   // may be off.
   const auto limit = [&] {
-    const bool spurious = first.divergence.fault == Fault::spurious_event;
+    const bool spurious = first.divergence->fault == Fault::spurious_event;
     return std::min(first.limit + (spurious ? s_.tolerance_up : 0), s_.search_end);
   };
   for (const PairLives::Open& life : pairs_.open(limit())) {
@@ -91,7 +94,7 @@ void FirstDivergence::look_for_contacts(Earliest& first) {
     const bool near = c.hi >= first.limit - margin(first) - s_.tolerance_up;
     if ((near && !is_never_claimed(i, j, c)) || may_be_left_out(life, c)) continue;
     first = {refuter_.missing_contact(i, j, c.lo, c.hi), c.lo};
-    if (near) first.divergence.line = std::min(first.divergence.line, claims_.line());
+    if (near) first.divergence->line = std::min(first.divergence->line, claims_.line());
   }
 }
 
@@ -175,7 +178,7 @@ void FirstDivergence::look_for_flips(Earliest& first) {
       undecided = true;
     }
   }
-  if (undecided) {
+  if (undecided && first.divergence) {
     s_.certificate.remarks.push_back(
         "whether a flip is missing before the claim that is refuted is undecided");
   }

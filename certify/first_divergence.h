@@ -24,18 +24,18 @@ class FirstDivergence {
   Divergence before(const Divergence& refuted);
   // The first maneuver scheduled by t that the history lacks. Reads on.
   std::optional<Divergence> maneuver_missing_by(double t);
-  // Disks that move through each other, since a collision is missing, lead the edges into
-  // degeneracies that may be beyond the budget. Where the present claim is undecided: the first
-  // contact or maneuver that should have been claimed before it.
+  // Where the present claim is undecided: the first event or maneuver that should have been claimed
+  // before it. Disks that move through each other, since a collision is missing, lead the edges
+  // into degeneracies that may be beyond the budget.
   std::optional<Divergence> before_undecided();
   // A time, at most t, before which nothing is missing in the lives that are open: no later than
   // the beginning of one in which this is undecided. `briefly`: what doubles do not prove is.
   double complete_until(double t, bool briefly);
 
  private:
-  // The earliest so far, and the time before which another would be earlier.
+  // The earliest so far, if any, and the time before which another would be earlier.
   struct Earliest {
-    Divergence divergence;
+    std::optional<Divergence> divergence;
     double limit;
   };
   bool turns_one_of(std::initializer_list<GenId> generators) const;
