@@ -143,6 +143,18 @@ def rows_of(path):
     return disks
 
 
+@pytest.fixture
+def given(tmp_path):
+    def write(text, name="given"):
+        (tmp_path / name).write_text(text)
+        return tmp_path / name
+    return write
+
+
+def told(remarks, text):
+    return any(text in remark for remark in remarks)
+
+
 def imported(kind, path, tmp_path, **options):
     """The waypoints by disk that an importer makes of a file, and its remarks."""
     table = FORMATS[kind].read(str(path), **options)

@@ -1,7 +1,8 @@
 """Scenarios of the air traffic simulator BlueSky, as plans: straight flight at constant speed.
 
 Followed are CRE, ADDWPT and DEST with places in degrees or of DEFWPT, HDG, SPD, DEL and CASMACHTHR. Whoever
-flies by another command is followed up to there.
+flies by another command is followed up to there. Beyond its route an aircraft flies straight on, as in BlueSky,
+whose autopilot drops the route there and holds track and speed until DEL.
 """
 
 import math
@@ -44,12 +45,22 @@ class _Aircraft:
         self.route: List[Optional[Tuple[Place, Optional[Fraction]]]] = []  # None: it goes on to where nobody knows
         self.goal: Optional[Place] = None  # where it goes after its route
         self.goal_unknown = False          # it goes on to a place that has a name only
-        self.route_left = False            # by a heading; by what it is taken up again is not followed
+        self.route_left = False            # by a heading or at its end; by what it is taken up again is not followed
+        self.route_end: Optional[Fraction] = None  # when it came to the end of its route, and flies on
+        self.leg: Optional[Tuple[Place, Optional[Fraction]]] = None  # the way to the place that it heads for
         self.ended = self.cut = False
         self.rows: List[Tuple[Fraction, Place]] = [(t, at)]
 
     def turn(self, heading: Fraction) -> None:
         self.direction = geography.sine_and_cosine(heading)
+
+    def head_for_next(self) -> None:
+        """Turns to the next place of the route, once: near a place its direction is badly known."""
+        if self.leg is self.route[0]:
+            return
+        self.leg = self.route[0]
+        if self.leg[0] != self.at:
+            self.direction = geography.direction(self.at, self.leg[0])
 
     def note(self) -> None:
         """Makes where it is a waypoint."""
@@ -66,6 +77,7 @@ class _Aircraft:
             if self.route[0] is None:
                 self.end(cut=True)
                 return
+            self.head_for_next()
             (target, next_speed), arrival = self.route[0], self.arrival()
             if until is not None and (arrival is None or arrival > until):
                 self.go(target, arrival, until)
@@ -77,11 +89,11 @@ class _Aircraft:
             self.speed = self.speed if next_speed is None else next_speed
             if self.route.pop(0) == (self.goal, None):
                 self.goal = None
-            if not self.route and self.goal is None:
-                self.end(cut=self.goal_unknown)
+            if not self.route and self.goal is None and not self.goal_unknown:
+                self.route_left, self.route_end = True, self.t
         if self.goal_unknown and not self.ended and (until is None or until > self.t):
             self.end(cut=True)
-        if self.ended or (until is not None and until <= self.t):
+        if self.ended or (self.route_end is not None if until is None else until <= self.t):
             return
         if until is None:
             raise Refused("HDG", "it flies on a heading for ever: give --until")
@@ -99,6 +111,7 @@ class _Aircraft:
         self.route_left = self.route_left or bool(self.route) or self.goal is not None or self.goal_unknown
         self.route.clear()
         self.goal, self.goal_unknown = None, False
+        self.route_end = None
 
     def insert(self, target: Place, speed: Optional[Fraction]) -> None:
         """A place before the goal."""
@@ -157,9 +170,17 @@ class _Reader:
         for command in read.commands:
             if self.until is None or command.t <= self.until:
                 self.obey(command)
+        for name, aircraft in self.fleet.items():
+            if not aircraft.ended:
+                self.fly(name, aircraft, self.until)
+        # Without --until the plan ends with the last route; who is there before flies on to that time.
+        end = max((aircraft.t for aircraft in self.fleet.values()), default=None)
         table = Table(self.radius is not None)
         for name, aircraft in self.fleet.items():
-            self.finish(table, name, aircraft)
+            if not aircraft.ended:
+                self.fly(name, aircraft, end)
+                aircraft.note()
+            self.add(table, name, aircraft)
         if len(table) == 0:
             self.lines.number = 0
             self.lines.fail("CRE", "of no aircraft a motion is known in degrees, feet and knots")
@@ -324,10 +345,7 @@ class _Reader:
             self.lines.number = aircraft.line
             self.lines.fail(f"{printable(name)} {refused.field}", refused.reason)
 
-    def finish(self, table: Table, name: str, aircraft: _Aircraft) -> None:
-        if not aircraft.ended:
-            self.fly(name, aircraft, self.until)
-            aircraft.note()
+    def add(self, table: Table, name: str, aircraft: _Aircraft) -> None:
         if len(aircraft.rows) == 1 and aircraft.cut:
             self.left_out.append(name)
             return
@@ -344,6 +362,10 @@ class _Reader:
         yield ("a plan, and no flight: each aircraft goes straight, turns at once, and keeps the true airspeed that it has "
                "at the height where it is created; climbs, wind, accelerations, resolutions of conflicts and what its type "
                "can do are not followed")
+        on = sum(aircraft.route_end is not None and aircraft.t > aircraft.route_end for aircraft in self.fleet.values())
+        if on:
+            yield (f"{on} aircraft fly straight on from the ends of their routes, as in BlueSky, until DEL or the end of the "
+                   "table")
         yield "heights are left out: aircraft that are near in the plane may be apart in height"
         yield (f"speeds are rounded to {scenario.SPEED_PLACES} decimals of m/s, their parts to the east and north to "
                f"{geography.PLACES}, times at waypoints up to {TIME_PLACES} of s, places where a command is given on the way "
@@ -374,5 +396,5 @@ class _Reader:
 
 def read(path: str, *, radius: Optional[Fraction] = None, origin: Optional[geography.Projection] = None,
          until: Optional[Fraction] = None) -> Table:
-    """The plans of a scenario until a time in seconds, or to the ends of all routes. Raises InputError."""
+    """The plans of a scenario until a time in seconds, or to the end of the last route. Raises InputError."""
     return _Reader(path, radius, origin, until).read()

@@ -36,6 +36,14 @@ def sine_and_cosine(degrees: Fraction) -> Tuple[Decimal, Decimal]:
         return sine(radians), sine(PI / 2 - radians)
 
 
+def direction(start: Place, end: Place) -> Tuple[Decimal, Decimal]:
+    """From one place to another: the sine and cosine of the heading. Precondition: they differ."""
+    with decimal.localcontext(DIGITS):
+        x, y = (as_decimal(b - a) for a, b in zip(start, end))
+        length = (x * x + y * y).sqrt()
+        return x / length, y / length
+
+
 class Projection:
     """x to the east and y to the north of a point, in metres, by two factors with PLACES decimals.
 
