@@ -1,6 +1,8 @@
 #include "history/claim.h"
 
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "history/disk_file.h"
 #include "history/error.h"
@@ -20,19 +22,18 @@ void note_horizon(Claim& claim) {
 }
 
 Claim open_event_sequence(const std::string& scene_path, const std::string& path) {
-  const EvtsqHeader header = read_evtsq_header(path);
   Claim claim;
-  std::vector<std::int64_t> ids;
-  std::optional<Rational> horizon;
   if (is_disk_file(scene_path)) {
     DiskFile disks = read_disk_file(scene_path);
-    ids = std::move(disks.ids);
+    std::vector<std::int64_t>& ids = disks.ids;
+    EvtsqSetting setting = read_evtsq_setting(path, ids);
+    const EvtsqHeader& header = setting.header;
     claim.scene = std::move(disks.scene);
     // The nearest binary64, as the writing program had it.
     claim.scene.restitution = to_rational(round_nearest(header.restitution));
     claim.scene.container_restitution = claim.scene.restitution;
     claim.scene.horizon = header.horizon;
-    claim.scene.maneuvers = read_evtsq_maneuvers(path, ids);
+    claim.scene.maneuvers = std::move(setting.maneuvers);
     claim.remarks.push_back("horizon " + number_text(claim.scene.horizon) + " and restitution " +
                             number_text(claim.scene.restitution) +
                             " are from the event sequence, to two decimals; the container scales "
@@ -47,17 +48,18 @@ Claim open_event_sequence(const std::string& scene_path, const std::string& path
     if (claim.scene.restitution == 0) {
       throw InputError(path, 0, "RESTITUTION_COEFFICIENT", "0 is not possible at the container");
     }
+    claim.history = open_evtsq(path, ids, std::nullopt, setting.sha256).history;
   } else {
     claim.scene = read_scene(scene_path);
-    if (abs(Rational(claim.scene.restitution - header.restitution)) > evtsq_rounding()) {
+    std::vector<std::int64_t> ids(claim.scene.disks.size());
+    std::iota(ids.begin(), ids.end(), std::int64_t{0});
+    EventSequence sequence = open_evtsq(path, ids, claim.scene.horizon);
+    if (abs(Rational(claim.scene.restitution - sequence.header.restitution)) > evtsq_rounding()) {
       throw InputError(path, 0, "RESTITUTION_COEFFICIENT", "is not that of " + scene_path);
     }
-    horizon = claim.scene.horizon;
-    ids.resize(claim.scene.disks.size());
-    std::iota(ids.begin(), ids.end(), std::int64_t{0});
+    claim.history = std::move(sequence.history);
+    note_horizon(claim);
   }
-  claim.history = open_evtsq(path, ids, horizon);
-  if (horizon) note_horizon(claim);
   return claim;
 }
 

@@ -8,7 +8,6 @@
 #include "history/error.h"
 #include "history/file_bytes.h"
 #include "history/placement.h"
-#include "history/sha256.h"
 #include "history/text_fields.h"
 
 namespace voroproof::internal {
@@ -19,7 +18,9 @@ constexpr std::int64_t kMaxId = std::int64_t{1} << 40;
 
 class DiskFileReader {
  public:
-  explicit DiskFileReader(const std::string& path) : path_(path), lines_(path) {}
+  explicit DiskFileReader(const std::string& path) : path_(path), lines_(path) {
+    lines_.source().keep_digest();
+  }
 
   DiskFile read() {
     while (lines_.next() && lines_.line().starts_with('#')) {
@@ -33,8 +34,12 @@ class DiskFileReader {
       read_circle();
     }
     if (lines_.next()) lines_.fail("", "text after the last circle");
+    if (lines_.offset() > static_cast<std::int64_t>(max_scene_bytes)) {
+      throw InputError(path_, 0, "", "larger than " + std::to_string(max_scene_bytes) + " bytes");
+    }
     if (!container_seen_) throw InputError(path_, 0, "", "no container: no circle with id < 0");
     DiskFile file = sorted();
+    file.scene.sha256 = lines_.source().content_sha256();
     if (const auto fault = find_placement_fault(file.scene)) {
       throw InputError(path_, lines_of_[fault->disk],
                        "disk " + std::to_string(file.ids[fault->disk]), fault->reason);
@@ -116,10 +121,6 @@ bool is_disk_file(const std::string& path) {
          (beginning[first] == '#' || (beginning[first] >= '0' && beginning[first] <= '9'));
 }
 
-DiskFile read_disk_file(const std::string& path) {
-  DiskFile file = DiskFileReader(path).read();
-  file.scene.sha256 = sha256_hex(file_bytes(path, max_scene_bytes));
-  return file;
-}
+DiskFile read_disk_file(const std::string& path) { return DiskFileReader(path).read(); }
 
 }  // namespace voroproof::internal

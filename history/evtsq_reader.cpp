@@ -72,8 +72,10 @@ EvtsqHeader read_header(FieldLines& lines) {
 // One event line: its letter, its numbers, its generators.
 class EvtsqLines {
  public:
-  EvtsqLines(const std::string& path, const EvtsqIds& ids)
-      : lines_(path), header_(read_header(lines_)), ids_(ids) {}
+  EvtsqLines(const std::string& path, const EvtsqIds& ids) : lines_(path), ids_(ids) {
+    source().keep_digest();
+    header_ = read_header(lines_);
+  }
 
   const EvtsqHeader& header() const { return header_; }
   std::int64_t number() const { return lines_.number(); }
@@ -142,8 +144,9 @@ class EvtsqLines {
 
 class EvtsqHistory : public HistorySource {
  public:
-  EvtsqHistory(const std::string& path, const EvtsqIds& ids, const std::optional<Rational>& horizon)
-      : lines_(path, ids) {
+  EvtsqHistory(const std::string& path, const EvtsqIds& ids, const std::optional<Rational>& horizon,
+               const std::string& sha256)
+      : path_(path), lines_(path, ids), known_sha256_(sha256), keeps_digest_(!sha256.empty()) {
     const EvtsqHeader& h = lines_.header();
     header_.producer = h.generator;
     header_.horizon = h.horizon;
@@ -158,19 +161,30 @@ class EvtsqHistory : public HistorySource {
     if (!h.has_centers) remarks_.push_back("the file gives no centres at collisions");
   }
 
+  const EvtsqHeader& own_header() const { return lines_.header(); }
   const HistoryHeader& header() const override { return header_; }
   std::int64_t line() const override { return lines_.number(); }
   std::int64_t offset() const override { return lines_.offset(); }
-  void keep_digest() override { lines_.source().keep_digest(); }
+  void keep_digest() override { keeps_digest_ = true; }
   void settle(std::int64_t offset) override { lines_.source().settle(offset); }
   Sha256 digest_up_to(std::int64_t offset) override { return lines_.source().digest_up_to(offset); }
   std::string content_sha256() override { return lines_.source().content_sha256(); }
+  void require_unchanged() override {
+    if (known_sha256_.empty()) return;
+    // Once it was read to its end: so a stream does not keep us waiting.
+    while (lines_.source().next(max_text_line)) {
+    }
+    if (content_sha256() == known_sha256_) return;
+    throw InputError(path_, 0, "",
+                     "has other bytes than when its header and velocity changes were read");
+  }
   const std::variant<HistoryEnd, HistoryStop>& ending() const override { return ending_; }
   const HistoryCounts& counts() const override { return counts_; }
   bool counts_match() const override { return lines_.read() == lines_.header().lines; }
   std::vector<std::string> remarks() const override { return remarks_; }
 
   std::optional<Event> next() override {
+    if (!keeps_digest_) lines_.source().drop_digest();
     while (lines_.next()) {
       const double t = lines_.value(1, "t");
       if (t < last_t_) lines_.fail("t", "earlier than the event before it");
@@ -258,7 +272,10 @@ class EvtsqHistory : public HistorySource {
     return m;
   }
 
+  std::string path_;
   EvtsqLines lines_;
+  std::string known_sha256_;
+  bool keeps_digest_;
   HistoryHeader header_;
   std::vector<std::string> remarks_;
   double last_t_ = 0;
@@ -276,13 +293,7 @@ bool is_evtsq_file(const std::string& path) {
          beginning.find("#EVENT_SEQUENCE_FILE_FORMAT_VERSION:") != std::string::npos;
 }
 
-EvtsqHeader read_evtsq_header(const std::string& path) {
-  FieldLines lines(path);
-  return read_header(lines);
-}
-
-std::vector<Maneuver> read_evtsq_maneuvers(const std::string& path,
-                                           const std::vector<std::int64_t>& ids) {
+EvtsqSetting read_evtsq_setting(const std::string& path, const std::vector<std::int64_t>& ids) {
   EvtsqLines lines(path, ids);
   std::vector<Maneuver> maneuvers;
   while (lines.next()) {
@@ -294,12 +305,14 @@ std::vector<Maneuver> read_evtsq_maneuvers(const std::string& path,
     maneuvers.push_back({to_rational(lines.value(1, "t")), disk, to_rational(lines.value(3, "vx")),
                          to_rational(lines.value(4, "vy"))});
   }
-  return maneuvers;
+  return {lines.header(), std::move(maneuvers), lines.source().content_sha256()};
 }
 
-std::unique_ptr<HistorySource> open_evtsq(const std::string& path, const EvtsqIds& ids,
-                                          const std::optional<Rational>& horizon) {
-  return std::make_unique<EvtsqHistory>(path, ids, horizon);
+EventSequence open_evtsq(const std::string& path, const EvtsqIds& ids,
+                         const std::optional<Rational>& horizon, const std::string& sha256) {
+  auto history = std::make_unique<EvtsqHistory>(path, ids, horizon, sha256);
+  const EvtsqHeader header = history->own_header();
+  return {header, std::move(history)};
 }
 
 }  // namespace voroproof::internal

@@ -30,20 +30,30 @@ inline Rational evtsq_rounding() { return {1, 200}; }
 // Whether the file begins as an event sequence does, with a header that names its version.
 bool is_evtsq_file(const std::string& path);
 
-EvtsqHeader read_evtsq_header(const std::string& path);
+// The parts of an event sequence that are a scene's, read before the events are judged.
+struct EvtsqSetting {
+  EvtsqHeader header;
+  std::vector<Maneuver> maneuvers;  // the velocity changes
+  std::string sha256;               // hash of the bytes that these are from
+};
 
-// The velocity changes of the file, for scenes whose format has none. `ids` as in DiskFile.
-std::vector<Maneuver> read_evtsq_maneuvers(const std::string& path,
-                                           const std::vector<std::int64_t>& ids);
+// Reads the whole file, for scenes whose format has no such things. `ids` as in DiskFile.
+EvtsqSetting read_evtsq_setting(const std::string& path, const std::vector<std::int64_t>& ids);
 
 // The ids in an event sequence of the disks 0, 1, ...: ascending. Nothing where the disks are not
 // known: then each id that comes up names a disk of its own, the next one.
 using EvtsqIds = std::optional<std::vector<std::int64_t>>;
 
+struct EventSequence {
+  EvtsqHeader header;
+  std::unique_ptr<HistorySource> history;
+};
+
 // Opens an event sequence. The "shadow flips" of such a file, roots that are said to be no flips,
 // are no events. `horizon`: that of the scene if it has one; where it rounds to the header's, that
-// is what the header means. Throws InputError, now or as the events are read.
-std::unique_ptr<HistorySource> open_evtsq(const std::string& path, const EvtsqIds& ids,
-                                          const std::optional<Rational>& horizon);
+// is what the header means. `sha256`: that of the bytes from which its setting is, if it was read;
+// require_unchanged() compares. Throws InputError, now or as the events are read.
+EventSequence open_evtsq(const std::string& path, const EvtsqIds& ids,
+                         const std::optional<Rational>& horizon, const std::string& sha256 = {});
 
 }  // namespace voroproof::internal

@@ -265,6 +265,7 @@ ManeuverEvent maneuver_of(const Line& line) {
 HistoryReader::HistoryReader(const std::string& path, int disk_count,
                              const std::string& scene_sha256)
     : path_(path), lines_(path_), last_id_(disk_count - 1) {
+  lines_.keep_digest();
   const auto text = lines_.next(max_header_line);
   if (!text) throw InputError(path_, 1, "", "empty file");
   of_this_version(*text, path_, "voroproof-history", [&] { read_header(*text, scene_sha256); });
@@ -326,6 +327,7 @@ std::optional<Event> HistoryReader::next() {
 }
 
 std::optional<Event> HistoryReader::next_line() {
+  if (!keeps_digest_) lines_.drop_digest();
   const auto text = lines_.next(max_event_line);
   if (!text)
     throw InputError(path_, lines_.number(), "", "incomplete: the file ends without an end line");

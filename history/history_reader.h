@@ -92,8 +92,9 @@ class HistoryReader {
   // nothing yet.
   bool skip_to(const HistoryPlace& place);
 
-  // The hash of the content, as LineSource has it.
-  void keep_digest() { lines_.keep_digest(); }
+  // The hash of the content, as LineSource has it, of the header, too. Precondition of the first:
+  // next() has not been called.
+  void keep_digest() { keeps_digest_ = true; }
   void settle(std::int64_t offset) { lines_.settle(offset); }
   const Sha256& digest_up_to(std::int64_t offset) { return lines_.digest_up_to(offset); }
   std::string content_sha256() { return lines_.content_sha256(); }
@@ -119,6 +120,7 @@ class HistoryReader {
 
   std::string path_;
   LineSource lines_;
+  bool keeps_digest_ = false;
   int last_id_;
   HistoryHeader header_;
   double horizon_ = 0;  // rounded to nearest

@@ -20,11 +20,14 @@ class HistorySource {
   virtual std::int64_t offset() const { return 0; }
   // Goes on at the place, as HistoryReader does. False, and nothing is done, where it cannot.
   virtual bool skip_to(const HistoryPlace&) { return false; }
-  // The hash of the content, as LineSource has it: of what is no file that of nothing.
+  // The hash of the content, as HistoryReader has it: of what is no file that of nothing.
   virtual void keep_digest() {}
   virtual void settle(std::int64_t) {}
   virtual Sha256 digest_up_to(std::int64_t) { return {}; }
   virtual std::string content_sha256() { return {}; }
+  // To be called after the last event that is of interest, before a verdict is said. Throws
+  // InputError where something of the scene is from this file, and it had other bytes then.
+  virtual void require_unchanged() {}
   virtual const std::variant<HistoryEnd, HistoryStop>& ending() const = 0;
   virtual const HistoryCounts& counts() const = 0;
   virtual bool counts_match() const = 0;

@@ -65,20 +65,6 @@ bool LineSource::skip_to(std::int64_t offset, std::int64_t number, std::optional
   return true;
 }
 
-void LineSource::keep_digest() {
-  digest_.emplace();
-  ByteSource again(path_);
-  std::string piece(kStep, '\0');
-  for (std::int64_t left = offset_; left > 0;) {
-    const auto wanted = std::min(static_cast<std::size_t>(left), piece.size());
-    const std::size_t got = again.read(piece.data(), wanted);
-    if (got == 0) throw InputError(path_, 0, "", "has become shorter");
-    digest_->add({piece.data(), got});
-    left -= static_cast<std::int64_t>(got);
-  }
-  digested_ = offset_;
-}
-
 const Sha256& LineSource::digest_up_to(std::int64_t offset) {
   const auto more = static_cast<std::size_t>(offset - digested_);
   digest_->add({buffer_.data() + begin_ - (offset_ - digested_), more});

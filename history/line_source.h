@@ -33,9 +33,10 @@ class LineSource {
   // hashed on from `digest`, where that is given, else no more.
   bool skip_to(std::int64_t offset, std::int64_t number, std::optional<Sha256> digest = {});
 
-  // From now on the content is hashed as it is read. What has been read of it is read again.
-  // Throws InputError.
-  void keep_digest();
+  // The content is hashed as it is read: nothing is read a second time, when it may have become
+  // other bytes. Precondition: nothing has been given yet.
+  void keep_digest() { digest_.emplace(); }
+  void drop_digest() { digest_.reset(); }
 
   // The hash of the content up to `offset`: the end of the line given last, or of one before it
   // that is no earlier than what was settled. Offsets do not decrease from call to call.

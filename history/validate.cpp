@@ -86,7 +86,7 @@ std::string validate_history(const std::string& path) {
 
 // Without its disks an event sequence cannot say which ids are right; with them, certify reads it.
 std::string validate_event_sequence(const std::string& path) {
-  const auto history = open_evtsq(path, std::nullopt, std::nullopt);
+  const auto history = open_evtsq(path, std::nullopt, std::nullopt).history;
   const std::string events = events_of(*history);
   if (!history->counts_match()) {
     throw InputError(path, history->line(), "number of events",
@@ -99,21 +99,21 @@ std::string validate_event_sequence(const std::string& path) {
 
 }  // namespace
 
+FileFormat format_of_text(std::string_view text, const std::string& path) {
+  if (const auto format = format_of(text, path)) return *format;
+  throw InputError(path, 1, "format", "missing");
+}
+
 // As a rule the field comes first. Only if it does not, more than the beginning is looked at.
 FileFormat format_of_file(const std::string& path) {
   const std::string bytes = file_bytes(path, beginning, true);
-  if (bytes.size() == beginning) {
-    try {
-      if (const auto format = format_of(bytes, path)) return *format;
-    } catch (const InputError&) {
-      // The fault may be the cut.
-    }
-    const std::string more = file_bytes(path, max_scene_bytes, true);
-    if (const auto format = format_of(more, path)) return *format;
-  } else if (const auto format = format_of(bytes, path)) {
-    return *format;
+  if (bytes.size() < beginning) return format_of_text(bytes, path);
+  try {
+    if (const auto format = format_of(bytes, path)) return *format;
+  } catch (const InputError&) {
+    // The fault may be the cut.
   }
-  throw InputError(path, 1, "format", "missing");
+  return format_of_text(file_bytes(path, max_scene_bytes, true), path);
 }
 
 bool is_history_file(const std::string& path) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace voroproof::internal {
 
@@ -12,8 +13,10 @@ struct FileFormat {
   std::int64_t line;
 };
 
-// Nothing else of the file is checked. Throws InputError, also where there is no such field.
+// Nothing else of the file, or of its text, is checked. Throws InputError, also where there is no
+// such field.
 FileFormat format_of_file(const std::string& path);
+FileFormat format_of_text(std::string_view text, const std::string& path);
 
 // Whether the file looks like a history or an event sequence, and like a scene or a disk file: only
 // its beginning is looked at. False where it cannot be read.

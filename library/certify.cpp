@@ -64,6 +64,7 @@ voroproof::Report judged(Claim&& claim, const std::string& scene_name,
   require_meaningful(options, claim.history->header());
   claim.history->keep_digest();
   Certificate c = certify(claim.scene, *claim.history, options);
+  claim.history->require_unchanged();
   c.remarks.insert(c.remarks.begin(), claim.remarks.begin(), claim.remarks.end());
 
   voroproof::Report out;

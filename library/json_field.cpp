@@ -118,9 +118,12 @@ nlohmann::json parse_report(const std::string& bytes, const std::string& path) {
 }
 
 nlohmann::json read_report(const std::string& path, const std::string& format, std::size_t limit) {
-  const FileFormat found = format_of_file(path);
+  const std::string bytes = file_bytes(path, limit + 1, true);
+  const FileFormat found = format_of_text(bytes, path);
   if (found.name != format) throw InputError(path, found.line, "format", "not \"" + format + "\"");
-  return parse_report(file_bytes(path, limit), path);
+  if (bytes.size() > limit)
+    throw InputError(path, 0, "", "larger than " + std::to_string(limit) + " bytes");
+  return parse_report(bytes, path);
 }
 
 }  // namespace voroproof::internal

@@ -30,6 +30,7 @@ int certify_into(const std::string& scene, const std::string& history, Truth tru
     options.truth = truth;
     options.propose_initial = construct_initial;
     const Certificate certificate = certify(claim.scene, *claim.history, options);
+    claim.history->require_unchanged();
     const std::string evidence = checked_evidence(certificate, scene, history);
     write_text(report, report_text(certification_run("", scene, history, claim, evidence), options,
                                    certificate));

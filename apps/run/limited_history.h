@@ -29,6 +29,7 @@ class LimitedHistory final : public HistorySource {
   void settle(std::int64_t offset) override { whole_->settle(offset); }
   Sha256 digest_up_to(std::int64_t offset) override { return whole_->digest_up_to(offset); }
   std::string content_sha256() override { return whole_->content_sha256(); }
+  void require_unchanged() override { whole_->require_unchanged(); }
   const HistoryCounts& counts() const override { return whole_->counts(); }
   bool counts_match() const override { return cut_ || whole_->counts_match(); }
   std::vector<std::string> remarks() const override { return whole_->remarks(); }

@@ -258,6 +258,7 @@ ExitCode certify_files(Request& request) {
   };
   const bool judged = certify_claim(request, claim, options, interruption, begun, file);
   progress.reset();
+  claim.history->require_unchanged();
   Certificate& certificate = file.shard.certificate;
   if (hashed && !file.shard.end) file.run.history_sha256 = claim.history->content_sha256();
   const SecondWords second = ask(seconds, request, interruption, file);

@@ -200,6 +200,9 @@ void history_to_sequence(const Request& request) {
                            .container_center = {round_nearest(scene.cx), round_nearest(scene.cy)}};
   write_evtsq(file, *claim.history, counted.history->counts(), source,
               {.centers = request.version == "1.1", .hexadecimal = request.numbers != "decimal"});
+  if (claim.history->counts() != counted.history->counts()) {
+    throw InputError(request.input, 0, "", "has other events than when they were counted");
+  }
   file.commit();
 }
 

@@ -83,9 +83,9 @@ bool sequence(std::string_view bytes) {
   const bool alone = accepts([&] { validate_file(path); });
   std::vector<std::int64_t> ids(disks);
   for (std::size_t k = 0; k < ids.size(); ++k) ids[k] = static_cast<std::int64_t>(k);
-  accepts([&] { read_evtsq_maneuvers(path, ids); });
+  accepts([&] { read_evtsq_setting(path, ids); });
   return accepts([&] {
-           const auto source = open_evtsq(path, ids, Rational(40));
+           const auto source = open_evtsq(path, ids, Rational(40)).history;
            while (source->next()) {
            }
          }) &&

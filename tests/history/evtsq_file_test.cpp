@@ -7,6 +7,7 @@
 
 #include "history/error.h"
 #include "history/output_file.h"
+#include "history/sha256.h"
 #include "history/validate.h"
 #include "tests/history/temporary_directory.h"
 
@@ -31,7 +32,7 @@ class EvtsqTest : public ::testing::Test {
  protected:
   std::unique_ptr<HistorySource> open(const std::string& text) {
     directory_.write("a.evtsq", text);
-    return open_evtsq(directory_.file("a.evtsq"), ids_, horizon_);
+    return open_evtsq(directory_.file("a.evtsq"), ids_, horizon_).history;
   }
 
   std::vector<Event> read(const std::string& text) {
@@ -91,9 +92,32 @@ TEST_F(EvtsqTest, EveryKindOfLine) {
   const auto& turn = std::get<ManeuverEvent>(events[3]);
   EXPECT_EQ(turn.disk, 3);
   EXPECT_EQ(*turn.v, (Vec2{1, -3}));
-  const auto maneuvers = read_evtsq_maneuvers(directory_.file("a.evtsq"), ids_);
+  const auto maneuvers = read_evtsq_setting(directory_.file("a.evtsq"), ids_).maneuvers;
   ASSERT_EQ(maneuvers.size(), 1u);
   EXPECT_EQ(maneuvers[0].t, 2);
+}
+
+// The maneuvers of a scene are from one reading, the events from the next.
+TEST_F(EvtsqTest, IsTheOneThatItsManeuversAreFrom) {
+  const std::string turn = "V\t" + kHalf + "\t30\t" + kOne + "\t" + kOne + "\n",
+                    one = sequence("1", turn), other = sequence("2", turn + turn);
+  const std::string path = directory_.write("a.evtsq", one);
+  const EvtsqSetting setting = read_evtsq_setting(path, ids_);
+  EXPECT_EQ(setting.sha256, sha256_hex(one));
+  for (const bool to_its_end : {true, false}) {
+    for (const std::string& now : {one, other}) {
+      directory_.write("a.evtsq", now);
+      const auto history = open_evtsq(path, ids_, horizon_, setting.sha256).history;
+      while (to_its_end && history->next()) {
+      }
+      if (now == one) {
+        EXPECT_NO_THROW(history->require_unchanged());
+        EXPECT_EQ(history->content_sha256(), sha256_hex(one));
+      } else {
+        EXPECT_THROW(history->require_unchanged(), InputError);
+      }
+    }
+  }
 }
 
 TEST_F(EvtsqTest, DecimalNumbersAndTheFirstVersion) {
@@ -159,7 +183,8 @@ TEST_F(EvtsqTest, WhatIsWrittenReadsBack) {
     for (const bool centers : {true, false}) {
       directory_.write("b.evtsq", sequence("3", lines));
       const auto history = open_evtsq(directory_.file("b.evtsq"),
-                                      EvtsqIds(std::vector<std::int64_t>{0, 1, 2, 30}), horizon_);
+                                      EvtsqIds(std::vector<std::int64_t>{0, 1, 2, 30}), horizon_)
+                               .history;
       {
         OutputFile file(directory_.file("c.evtsq"));
         write_evtsq(file, *history, {1, 1, 1}, {"disks", "b.evtsq", Rational(4, 5), {0, 0}},
@@ -171,7 +196,8 @@ TEST_F(EvtsqTest, WhatIsWrittenReadsBack) {
       EXPECT_EQ(std::get<FlipEvent>(again[0]).quad, std::get<FlipEvent>(events[0]).quad);
       EXPECT_EQ(std::get<CollideEvent>(again[1]).p[1].has_value(), centers);
       EXPECT_EQ(std::get<ManeuverEvent>(again[2]).v, std::get<ManeuverEvent>(events[2]).v);
-      EXPECT_EQ(read_evtsq_header(directory_.file("c.evtsq")).restitution, Rational(4, 5));
+      EXPECT_EQ(open_evtsq(directory_.file("c.evtsq"), ids_, horizon_).header.restitution,
+                Rational(4, 5));
     }
   }
 }

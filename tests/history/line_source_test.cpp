@@ -56,8 +56,8 @@ TEST(LineSource, HashesWhatItHasGiven) {
     const std::string path = directory.write("a", text);
     for (const std::size_t behind : {0u, 5u}) {
       LineSource lines(path);
-      lines.next(text.size());
       lines.keep_digest();
+      lines.next(text.size());
       std::vector<std::int64_t> ends{lines.offset()};
       for (std::size_t k = 1; lines.next(text.size()); ++k) {
         ends.push_back(lines.offset());
@@ -77,6 +77,9 @@ TEST(LineSource, HashesTheRestOfWhatItHasNotGiven) {
   const TemporaryDirectory directory;
   const std::string text = some_lines(900'000, 100), path = directory.write("a", text);
   LineSource lines(path);
+  EXPECT_EQ(lines.content_sha256(), "");
+  lines.keep_digest();
+  lines.drop_digest();
   EXPECT_EQ(lines.content_sha256(), "");
   lines.keep_digest();
   for (int k = 0; k < 1000; ++k) lines.next(text.size());
