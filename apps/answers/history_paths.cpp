@@ -1,6 +1,5 @@
 #include "apps/answers/history_paths.h"
 
-#include <algorithm>
 #include <variant>
 
 #include "history/json_text.h"
@@ -10,21 +9,6 @@
 
 namespace voroproof::internal {
 namespace {
-
-Point2 point(const ExactVec2& v) { return {v[0], v[1]}; }
-
-GivenPath path_of(const Scene& scene, const Paths& paths, GenId g, const Rational& end) {
-  GivenPath path{std::to_string(g), scene.disks[static_cast<std::size_t>(g)].radius, {}};
-  const std::vector<RecordedState>& pieces = paths.pieces(g);
-  for (const RecordedState& piece : pieces) {
-    if (piece.since > end) break;
-    path.waypoints.push_back({piece.since, point(piece.center)});
-  }
-  if (path.waypoints.back().t < end) {
-    path.waypoints.push_back({end, point(position_at(paths.piece(g, end), end))});
-  }
-  return path;
-}
 
 // Whether the claim is what the scene schedules, but for rounding.
 bool is_scheduled(const ManeuverEvent& claim, const Maneuver& m) {
@@ -91,7 +75,7 @@ GivenPaths history_paths(const Scene& scene, const std::string& history_path,
   note_missing_maneuvers(scene, history, end, given.missing);
   given.container = {{scene.cx, scene.cy}, scene.container_radius};
   for (GenId g = 0; g < static_cast<GenId>(scene.disks.size()); ++g) {
-    given.paths.push_back(path_of(scene, paths, g, end));
+    given.paths.push_back({std::to_string(g), paths.signed_radius(g), paths.waypoints(g, 0, end)});
   }
   given.contacts = paths.contacts();
   return given;

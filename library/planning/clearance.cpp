@@ -1,53 +1,41 @@
 #include "library/planning/clearance.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "exact/predicates.h"
-#include "filtered/numbers/double_ball.h"
+#include "library/planning/least_distance.h"
 
 namespace voroproof::internal {
 namespace {
-
-struct Ball2 {
-  DoubleBall x, y;
-};
 
 // Starts and ways of the vehicles for the filter.
 class BallPlan {
  public:
   explicit BallPlan(const Plan& plan) : plan_(plan) {
     for (const Vehicle& v : plan.task.vehicles) {
-      starts_.push_back({ball(v.start.x), ball(v.start.y)});
-      ways_.push_back({ball(v.goal.x - v.start.x), ball(v.goal.y - v.start.y)});
-      radii_.push_back(ball(v.radius));
+      starts_.push_back({ball_of(v.start.x), ball_of(v.start.y)});
+      ways_.push_back({ball_of(v.goal.x - v.start.x), ball_of(v.goal.y - v.start.y)});
+      radii_.push_back(ball_of(v.radius));
     }
   }
 
-  // A certain lower bound of the gap. On each piece the offset runs from a to b, and for any
-  // direction n it is at least min(n.a, n.b) / |n| long. The bound is sharp for n towards the
-  // nearest offset, of which n needs to be no more than a guess.
+  // A certain lower bound of the gap.
   double least_gap(int i, int j) const {
     double least = std::numeric_limits<double>::infinity();
     Ball2 a = offset(i, j, 0);
     for_each_piece(plan_.timetables[i], plan_.timetables[j], [&](int, int to) {
       const Ball2 b = offset(i, j, to);
-      least = std::min(least, distance(a, b));
+      least = std::min(least, least_distance(a, b));
       a = b;
     });
-    const DoubleBall gap = DoubleBall(least) - (radii_[i] + radii_[j]);
-    // There is no bound where an overflow made it NaN, either.
-    const double low = gap.mid - gap.rad * (1 + 0x1p-50) - std::fabs(gap.mid) * 0x1p-50;
-    return low == low ? low : -std::numeric_limits<double>::infinity();
+    return low(DoubleBall(least) - (radii_[i] + radii_[j]));
   }
 
  private:
-  static DoubleBall ball(const Rational& q) { return DoubleBall::hull(round_down(q), round_up(q)); }
-
   Ball2 offset(int i, int j, int step) const {
     const Ball2 p = place(i, step), q = place(j, step);
     return {q.x - p.x, q.y - p.y};
@@ -57,20 +45,6 @@ class BallPlan {
     const DoubleBall part =
         progress_at<DoubleBall>(plan_.timetables[i], step) * DoubleBall(1.0 / whole_way);
     return {starts_[i].x + part * ways_[i].x, starts_[i].y + part * ways_[i].y};
-  }
-
-  static double distance(const Ball2& a, const Ball2& b) {
-    const double u = b.x.mid - a.x.mid, v = b.y.mid - a.y.mid, length2 = u * u + v * v;
-    const double part =
-        length2 > 0 ? std::clamp(-(a.x.mid * u + a.y.mid * v) / length2, 0.0, 1.0) : 0;
-    const DoubleBall x(a.x.mid + part * u), y(a.y.mid + part * v);
-    const DoubleBall length = sqrt(x * x + y * y);
-    const auto along = [&](const Ball2& p) {
-      const DoubleBall d = (x * p.x + y * p.y) / length;
-      return d.mid - d.rad * (1 + 0x1p-50) - std::fabs(d.mid) * 0x1p-50;
-    };
-    const double least = std::min(along(a), along(b));
-    return least > 0 ? least : 0;
   }
 
   const Plan& plan_;

@@ -46,7 +46,8 @@ void join(std::vector<Part>& parts, std::vector<NearSpell>& spells) {
 
 Point2 place_at(const GivenPath& path, const Rational& t) {
   const std::vector<Waypoint>& w = path.waypoints;
-  const auto next = std::find_if(w.begin(), w.end(), [&](const Waypoint& p) { return p.t >= t; });
+  const auto next = std::lower_bound(
+      w.begin(), w.end(), t, [](const Waypoint& p, const Rational& at) { return p.t < at; });
   return next == w.begin() ? next->at : place_on(*(next - 1), *next, t);
 }
 
@@ -81,6 +82,21 @@ GivenClearance::GivenClearance(const std::vector<GivenPath>& paths, std::functio
   }
   std::stable_sort(legs_.begin(), legs_.end(),
                    [](const Leg& a, const Leg& b) { return a.from < b.from; });
+  for (const Leg& leg : legs_) {
+    const GivenPath& path = paths[static_cast<std::size_t>(leg.path)];
+    const auto [a, b] = ends(leg);
+    Motion motion{ball_of(a.t), {ball_of(a.at.x), ball_of(a.at.y)}, {}, ball_of(path.radius)};
+    if (b.t > a.t) {
+      const DoubleBall time = ball_of(b.t - a.t);
+      motion.velocity = {ball_of(b.at.x - a.at.x) / time, ball_of(b.at.y - a.at.y) / time};
+    }
+    motions_.push_back(motion);
+  }
+}
+
+std::pair<const Waypoint&, const Waypoint&> GivenClearance::ends(const Leg& leg) const {
+  const std::vector<Waypoint>& w = paths_[static_cast<std::size_t>(leg.path)].waypoints;
+  return {w[leg.first], w[std::min(leg.first + 1, w.size() - 1)]};
 }
 
 // All pairs of legs of two disks that may be there at one time.
@@ -97,19 +113,18 @@ void GivenClearance::each_pair(Visit&& visit) const {
   }
 }
 
-// Nothing where they are not there at one time, or where they meet in a time only in which both
-// have another leg, too.
+// Nothing where they are not there at one time, or for an instant only that a leg before one of
+// them has, too.
 std::optional<GivenClearance::Common> GivenClearance::common(const Leg& a, const Leg& b) const {
   const Leg &p = a.path < b.path ? a : b, &q = a.path < b.path ? b : a;
-  const auto ends = [this](const Leg& leg) {
-    const std::vector<Waypoint>& w = paths_[static_cast<std::size_t>(leg.path)].waypoints;
-    return std::pair<const Waypoint&, const Waypoint&>(w[leg.first],
-                                                       w[std::min(leg.first + 1, w.size() - 1)]);
-  };
   const auto [p_first, p_last] = ends(p);
   const auto [q_first, q_last] = ends(q);
   const Rational from = std::max(p_first.t, q_first.t), to = std::min(p_last.t, q_last.t);
   if (from > to) return std::nullopt;
+  const auto goes_on = [&](const Leg& leg, const Waypoint& first) {
+    return leg.first > 0 && first.t == to;
+  };
+  if (goes_on(p, p_first) || goes_on(q, q_first)) return std::nullopt;
   const auto offset = [&, &p0 = p_first, &p1 = p_last, &q0 = q_first,
                        &q1 = q_last](const Rational& t) -> Point2 {
     const Point2 u = place_on(p0, p1, t), v = place_on(q0, q1, t);
@@ -125,18 +140,53 @@ std::optional<GivenClearance::Common> GivenClearance::common(const Leg& a, const
                          paths_[static_cast<std::size_t>(q.path)].radius)};
 }
 
+// A certain lower bound of the gap on the common piece of two legs, if they have one.
+double GivenClearance::gap_above(const Leg& a, const Leg& b) const {
+  const Motion &p = motions_[static_cast<std::size_t>(&a - legs_.data())],
+               &q = motions_[static_cast<std::size_t>(&b - legs_.data())];
+  const double from = std::max(a.from, b.from), to = std::min(a.to, b.to);
+  const auto offset = [&](const DoubleBall& t) -> Ball2 {
+    const DoubleBall of_p = t - p.t, of_q = t - q.t;
+    return {(q.at.x + of_q * q.velocity.x) - (p.at.x + of_p * p.velocity.x),
+            (q.at.y + of_q * q.velocity.y) - (p.at.y + of_p * p.velocity.y)};
+  };
+  const double apart = least_distance(offset(DoubleBall::hull(from, next_above(from))),
+                                      offset(DoubleBall::hull(next_below(to), to)));
+  return low(DoubleBall(apart) - (p.radius + q.radius));
+}
+
+// By how much two may be apart on their paths where the gap counts as zero: rounded up.
+double GivenClearance::largest_gap_at_contacts() const {
+  double largest = 0;
+  for (const GivenContact& contact : contacts_) {
+    if (contact.i == container_id) continue;
+    const GivenPath &p = paths_[static_cast<std::size_t>(contact.i)],
+                    &q = paths_[static_cast<std::size_t>(contact.j)];
+    if (contact.t < p.waypoints.front().t || contact.t > p.waypoints.back().t) continue;
+    const Point2 a = place_at(p, contact.t), b = place_at(q, contact.t);
+    const DoubleBall x = ball_of(a.x - b.x), y = ball_of(a.y - b.y);
+    largest = std::max(largest, -low(ball_of(p.radius + q.radius) - sqrt(x * x + y * y)));
+  }
+  return largest;
+}
+
 std::optional<Approach> GivenClearance::least() const {
   std::optional<Approach> least;
   double least_above = std::numeric_limits<double>::infinity();
   std::vector<double> radii;
   for (const GivenPath& p : paths_) radii.push_back(round_up(p.radius));
+  const double at_contacts = largest_gap_at_contacts();
+  // Whether gaps of so much and more are not the least, nor one that a contact makes zero.
+  const auto is_more = [&](double gap) {
+    return gap > least_above && (least_above < 0 || gap > at_contacts);
+  };
   each_pair([&](const Leg& a, const Leg& b) {
     // No gap is less than the distance of the boxes along an axis, less the radii.
     const double apart =
         std::max({a.x_lo - b.x_hi, b.x_lo - a.x_hi, a.y_lo - b.y_hi, b.y_lo - a.y_hi, 0.0});
     const double reach = next_above(radii[static_cast<std::size_t>(a.path)] +
                                     radii[static_cast<std::size_t>(b.path)]);
-    if (next_below(next_below(apart) - reach) > least_above) return;
+    if (is_more(next_below(next_below(apart) - reach)) || is_more(gap_above(a, b))) return;
     const auto piece = common(a, b);
     if (!piece) return;
     const Approach approach = piece->nearest(contacts_);

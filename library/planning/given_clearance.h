@@ -12,6 +12,7 @@
 
 #include "history/paths_file.h"
 #include "library/planning/clearance.h"
+#include "library/planning/least_distance.h"
 
 namespace voroproof::internal {
 
@@ -23,7 +24,8 @@ struct NearSpell {
 };
 
 // Pairs of legs are looked at that are there at one time: O(l log l + l m) for l legs of which at
-// most m are there at one time. Boxes in doubles with outward rounding pass over nearly all.
+// most m are there at one time. Boxes in doubles with outward rounding pass over nearly all, and
+// where the least gap is asked for, bounds of their motions over nearly all others.
 class GivenClearance {
  public:
   // The paths outlive this. At a contact the gap of its two is zero. `go_on` is asked now and then;
@@ -46,15 +48,25 @@ class GivenClearance {
     double from, to;                // times, rounded outwards
     double x_lo, x_hi, y_lo, y_hi;  // bounds of the centre, outwards
   };
+  // A leg as it is from `t` on, with bounds of all errors.
+  struct Motion {
+    DoubleBall t;
+    Ball2 at, velocity;
+    DoubleBall radius;
+  };
   struct Common;
+  std::pair<const Waypoint&, const Waypoint&> ends(const Leg& leg) const;
   template <class Visit>
   void each_pair(Visit&& visit) const;
   std::optional<Common> common(const Leg& a, const Leg& b) const;
+  double gap_above(const Leg& a, const Leg& b) const;
+  double largest_gap_at_contacts() const;
 
   const std::vector<GivenPath>& paths_;
   std::function<bool()> go_on_;
   std::set<GivenContact> contacts_;
-  std::vector<Leg> legs_;  // by the time at which they begin
+  std::vector<Leg> legs_;        // by the time at which they begin
+  std::vector<Motion> motions_;  // theirs
 };
 
 // Where the path is at a time from its first waypoint to its last.

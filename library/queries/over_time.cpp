@@ -5,8 +5,6 @@
 #include <set>
 #include <variant>
 
-#include "exact/tower.h"
-
 namespace voroproof::internal {
 namespace {
 
@@ -90,22 +88,6 @@ Ball gap_ball(const Paths& paths, const LeastGap& g, int bits) {
   return g.i == container_id ? -sum - d : d - sum;
 }
 
-// The sign of the gap of `a` minus that of `b`, both of disks.
-Sign compare_gaps(const Paths& paths, const LeastGap& a, const LeastGap& b) {
-  const Enclosure x = gap_of(paths, a), y = gap_of(paths, b);
-  if (x.hi < y.lo) return Sign::negative;
-  if (x.lo > y.hi) return Sign::positive;
-  RadicalField field;
-  const auto gap = [&](const LeastGap& g) {
-    return g.contact ? Tower(0) : field.sqrt(Tower(g.distance2)) - Tower(reach(paths, g));
-  };
-  return sign(gap(a) - gap(b));
-}
-
-bool earlier(const LeastGap& a, const LeastGap& b) {
-  return a.t != b.t ? a.t < b.t : Pair(a.i, a.j) < Pair(b.i, b.j);
-}
-
 }  // namespace
 
 std::vector<Neighbourhood> neighbours_over(HistoryCursor& history, GenId disk,
@@ -161,33 +143,6 @@ LeastGap least_gap(const Paths& paths, GenId i, GenId j, const Window& window) {
     offer(least, *std::move(nearest));
   }
   return *least;
-}
-
-std::optional<LeastGap> least_gap_of_all(const Paths& paths, HistoryCursor& history,
-                                         const Window& window) {
-  const int disks = history.diagram().diagram().disks();
-  if (disks < 2) return std::nullopt;
-  std::optional<LeastGap> least;
-  const auto offer = [&](const LeastGap& gap) {
-    const Sign s = least ? compare_gaps(paths, gap, *least) : Sign::negative;
-    if (s == Sign::negative || (s == Sign::zero && earlier(gap, *least))) least = gap;
-  };
-  for (const auto& [pair, windows] :
-       spells(history, window, [](const Pair& p) { return p.first != container_id; })) {
-    for (const Window& w : windows) offer(least_gap(paths, pair.first, pair.second, w));
-  }
-  const double bound = gap_of(paths, *least).hi;
-  std::vector<GenId> near_wall;
-  for (GenId g = 0; g < disks; ++g) {
-    const LeastGap to_wall = least_gap(paths, container_id, g, window);
-    if (gap_of(paths, to_wall).lo <= bound) near_wall.push_back(g);
-  }
-  for (std::size_t a = 0; a < near_wall.size(); ++a) {
-    for (std::size_t b = a + 1; b < near_wall.size(); ++b) {
-      offer(least_gap(paths, near_wall[a], near_wall[b], window));
-    }
-  }
-  return least;
 }
 
 Enclosure gap_of(const Paths& paths, const LeastGap& least) {

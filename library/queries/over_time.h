@@ -38,13 +38,6 @@ struct LeastGap {
 
 LeastGap least_gap(const Paths& paths, GenId i, GenId j, const Window& window);
 
-// The least gap of any two disks: of equal ones the first in time, then of the smallest pair.
-// Nothing with fewer than two disks. The closest pair is looked for among neighbours while they are
-// neighbours, and among disks that are nearer to the wall than that (see closest_disks()). Moves
-// the cursor.
-std::optional<LeastGap> least_gap_of_all(const Paths& paths, HistoryCursor& history,
-                                         const Window& window);
-
 Enclosure gap_of(const Paths& paths, const LeastGap& least);
 
 // The gap of two generators on their paths at t >= 0, rounded to nearest, or next to that where

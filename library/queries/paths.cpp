@@ -94,6 +94,20 @@ const RecordedState& Paths::piece(GenId g, const Rational& t) const {
   return *std::prev(first_after(pieces(g), t));
 }
 
+std::vector<Waypoint> Paths::waypoints(GenId g, const Rational& from, const Rational& to) const {
+  const std::vector<RecordedState>& all = pieces(g);
+  const auto waypoint = [](const Rational& t, const ExactVec2& at) {
+    return Waypoint{t, {at[0], at[1]}};
+  };
+  auto next = first_after(all, from);
+  std::vector<Waypoint> path{waypoint(from, position_at(*std::prev(next), from))};
+  for (; next != all.end() && next->since < to; ++next) {
+    path.push_back(waypoint(next->since, next->center));
+  }
+  if (from < to) path.push_back(waypoint(to, position_at(*std::prev(next), to)));
+  return path;
+}
+
 std::vector<Rational> Paths::turns(const std::vector<GenId>& generators, const Rational& from,
                                    const Rational& to) const {
   std::vector<Rational> times;

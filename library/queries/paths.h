@@ -29,6 +29,9 @@ class Paths {
   // The instants in (from, to) at which a piece of one of the generators starts, in order.
   std::vector<Rational> turns(const std::vector<GenId>& generators, const Rational& from,
                               const Rational& to) const;
+  // The path of a disk from one time to a later one, or for an instant.
+  std::vector<Waypoint> waypoints(GenId g, const Rational& from, const Rational& to) const;
+  GenId disks() const { return static_cast<GenId>(pieces_.size()) - 1; }
   // The radius of a disk; -R for the container.
   const Rational& signed_radius(GenId g) const { return radii_[g + 1]; }
   // The collisions of the history at which the two touch on their paths, but for what roundings of

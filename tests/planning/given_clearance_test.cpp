@@ -127,6 +127,36 @@ TEST(GivenClearance, FewAndShortPaths) {
   EXPECT_EQ(spells[0].to.hi, 1);
 }
 
+// Two that turn at one time while they are near, over and over: so many spells as they are apart
+// between, and none within another.
+TEST(GivenClearance, WhoTurnAtOneTimeAreNearOnce) {
+  std::vector<GivenPath> paths{path("a", 1, {}), path("b", 1, {})};
+  for (int k = 0; k <= 40; ++k) {
+    paths[0].waypoints.push_back({k, {0, 0}});
+    paths[1].waypoints.push_back({k, {k % 2 == 0 ? 9 : 2, 0}});
+  }
+  const auto spells = GivenClearance(paths, always).spells_below(1);
+  ASSERT_EQ(spells.size(), 20u);
+  for (std::size_t k = 0; k < spells.size(); ++k) {
+    EXPECT_LT(spells[k].from.hi, 2.0 * static_cast<double>(k) + 1);
+    EXPECT_GT(spells[k].to.lo, 2.0 * static_cast<double>(k) + 1);
+  }
+}
+
+// On the recorded path of the second contact, which comes first, the two are apart by a rounding.
+TEST(GivenClearance, AContactIsZeroAlsoWhereRoundingsLeaveAGap) {
+  const Rational apart = Rational(2) + Rational(1) / (Integer(1) << 40);
+  const std::vector<GivenPath> paths{path("a", 1, {{0, {0, 0}}, {9, {0, 0}}}),
+                                     path("b", 1, {{0, {9, 0}}, {5, {2, 0}}, {9, {9, 0}}}),
+                                     path("c", 1, {{0, {0, 50}}, {9, {0, 50}}}),
+                                     path("d", 1, {{0, {9, 50}}, {3, {apart, 50}}, {9, {9, 50}}})};
+  const auto least = GivenClearance(paths, always, {{0, 1, 5}, {2, 3, 3}}).least();
+  ASSERT_TRUE(least);
+  EXPECT_EQ(std::pair(least->i, least->j), std::pair(2, 3));
+  EXPECT_EQ(least->t, 3);
+  EXPECT_EQ(least->distance2, 4);
+}
+
 TEST(GivenClearance, Interrupted) {
   const std::vector<GivenPath> one{path("a", 1, {{0, {0, 0}}})};
   EXPECT_THROW(GivenClearance(one, [] { return false; }).least(), Interrupted);

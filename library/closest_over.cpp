@@ -1,0 +1,22 @@
+#include "library/closest_over.h"
+
+#include <string>
+
+#include "library/planning/given_clearance.h"
+
+namespace voroproof::internal {
+
+std::optional<LeastGap> least_gap_of_all(const Paths& paths, const Window& window) {
+  std::vector<GivenPath> given;
+  for (GenId g = 0; g < paths.disks(); ++g) {
+    given.push_back(
+        {std::to_string(g), paths.signed_radius(g), paths.waypoints(g, window.from, window.to)});
+  }
+  const auto always = [] { return true; };
+  const auto least = GivenClearance(given, always, paths.contacts()).least();
+  if (!least) return std::nullopt;
+  const bool contact = paths.contacts().contains({least->i, least->j, least->t});
+  return LeastGap{least->i, least->j, least->t, least->distance2, contact};
+}
+
+}  // namespace voroproof::internal
