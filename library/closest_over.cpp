@@ -6,7 +6,10 @@
 
 namespace voroproof::internal {
 
-std::optional<LeastGap> least_gap_of_all(const Paths& paths, const Window& window) {
+std::optional<LeastGap> least_gap_of_all(const Paths& paths, HistoryCursor& history,
+                                         const Window& window) {
+  if (paths.disks() < 2) return std::nullopt;
+  history.seek(window.to);
   std::vector<GivenPath> given;
   for (GenId g = 0; g < paths.disks(); ++g) {
     given.push_back(
@@ -14,7 +17,6 @@ std::optional<LeastGap> least_gap_of_all(const Paths& paths, const Window& windo
   }
   const auto always = [] { return true; };
   const auto least = GivenClearance(given, always, paths.contacts()).least();
-  if (!least) return std::nullopt;
   const bool contact = paths.contacts().contains({least->i, least->j, least->t});
   return LeastGap{least->i, least->j, least->t, least->distance2, contact};
 }

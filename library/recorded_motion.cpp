@@ -244,8 +244,8 @@ LeastGap RecordedMotion::least_gap(int i, int j, const Number& from, const Numbe
 
 std::optional<LeastGap> RecordedMotion::least_gap(const Number& from, const Number& to) {
   return with_public_errors([&]() -> std::optional<LeastGap> {
-    const auto least =
-        internal::least_gap_of_all(implementation_->paths, implementation_->window(from, to));
+    const auto least = internal::least_gap_of_all(implementation_->paths, implementation_->cursor,
+                                                  implementation_->window(from, to));
     if (!least) return std::nullopt;
     return value_of(implementation_->paths, *least);
   });

@@ -60,7 +60,7 @@ Answer answer_gap_over(const TimeQuery& query, GenId i, GenId j) {
 
 Answer answer_closest_over(const TimeQuery& query) {
   OrderedJson json = head("closest-over", query);
-  const auto least = least_gap_of_all(query.paths, query.window);
+  const auto least = least_gap_of_all(query.paths, query.history, query.window);
   if (!least) return {std::move(json), "no two disks\n"};
   return with_gap(std::move(json), query, *least);
 }

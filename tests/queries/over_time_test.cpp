@@ -153,7 +153,7 @@ TEST(LeastGap, EnclosuresContainThatOfTheQuadratics) {
 }
 
 void expect_least_of_all(Watched& w, const Window& window) {
-  const auto least = least_gap_of_all(w.paths, window);
+  const auto least = least_gap_of_all(w.paths, w.cursor, window);
   ASSERT_TRUE(least);
   // All pairs, one by one, compared in doubles.
   std::optional<LeastGap> best;
@@ -206,7 +206,7 @@ TEST(LeastGap, OfAllFindsThePairBehindTheWall) {
   Watched w(scene_of(1000, 1,
                      {disk(Rational(51, 100), low, r, 0, 0), disk(Rational(-51, 100), low, r, 0, 0),
                       disk(0, low + Rational(9, 10), r, 0, 0)}));
-  const auto least = least_gap_of_all(w.paths, {0, 1});
+  const auto least = least_gap_of_all(w.paths, w.cursor, {0, 1});
   EXPECT_EQ(std::pair(least->i, least->j), std::pair(0, 1));
   EXPECT_EQ(least->t, 0);
 }
@@ -225,11 +225,11 @@ TEST(LeastGap, OfDisksThatTouchBeforeTheyCollide) {
   EXPECT_EQ(later.t, 7);
   EXPECT_TRUE(later.contact);
   for (const Rational& end : {Rational(1, 2), Rational(8)}) {
-    const auto all = least_gap_of_all(w.paths, {0, end});
+    const auto all = least_gap_of_all(w.paths, w.cursor, {0, end});
     EXPECT_EQ(std::pair(all->i, all->j), std::pair(0, 1));
     EXPECT_EQ(all->t, 0);
   }
-  const auto all = least_gap_of_all(w.paths, {Rational(1, 2), 8});
+  const auto all = least_gap_of_all(w.paths, w.cursor, {Rational(1, 2), 8});
   EXPECT_EQ(std::pair(all->i, all->j), std::pair(2, 3));
   EXPECT_TRUE(all->contact);
 }

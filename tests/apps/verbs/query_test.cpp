@@ -3,6 +3,7 @@
 
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/apps/verbs/cli.h"
 
@@ -183,6 +184,25 @@ TEST_F(QueryCli, APictureOfAProbe) {
   EXPECT_EQ(directory_.read("again.svg"), directory_.read("probe.svg"));
   must({"render", file("d.json"), "--probe", "1e9", "-o", file("wide.svg")});
   refused({"render", file("d.json"), "--probe", "-2", "-o", file("x.svg")}, "--probe: -2");
+}
+
+// The paths alone tell the gap; but flips that cannot be are no history.
+TEST_F(QueryCli, TheClosestOverTimeOfFlipsThatDoNotFitAreRefused) {
+  std::vector<std::string> lines = lines_of(directory_.read("a.history.jsonl")), flips;
+  std::size_t first = 0;
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    if (lines[k].find("\"flip\"") == std::string::npos) continue;
+    if (first == 0) first = k;
+    flips.push_back(Json::parse(lines[k])["flip"].dump());
+  }
+  Json changed = Json::parse(lines[first]);
+  changed["flip"] = Json::parse(flips.back());
+  ASSERT_NE(flips.front(), flips.back());
+  lines[first] = changed.dump();
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  directory_.write("a.history.jsonl", text);
+  refused({"query", "closest-over", scene_, history_}, "flip: the diagram has no edge");
 }
 
 }  // namespace
