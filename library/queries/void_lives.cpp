@@ -139,6 +139,44 @@ class EdgeWalk {
   std::vector<Rational> since_;  // the start of each edge's present life
 };
 
+// Changes of one time, in the order in which they were found.
+using Instant = std::vector<const Change*>;
+
+// All changes, in order of time. Most times are those of several edges, and in scenes of equal
+// disks those of many: each is compared with one of each time that is so near that their intervals
+// overlap, which is one time as a rule.
+std::vector<Instant> in_order(const std::vector<Change>& changes) {
+  std::vector<const Change*> ascending;
+  for (const Change& change : changes) ascending.push_back(&change);
+  std::stable_sort(ascending.begin(), ascending.end(), [](const Change* a, const Change* b) {
+    return a->t.interval().lo < b->t.interval().lo;
+  });
+  std::vector<Instant> instants;
+  std::size_t first_near = 0;  // instants before it are earlier
+  Rational near_up_to;
+  for (const Change* change : ascending) {
+    const RootInterval& interval = change->t.interval();
+    if (instants.empty() || interval.lo > near_up_to) {
+      first_near = instants.size();
+      near_up_to = interval.hi;
+    }
+    near_up_to = std::max(near_up_to, interval.hi);
+    const auto same =
+        std::find_if(instants.begin() + static_cast<std::ptrdiff_t>(first_near), instants.end(),
+                     [&](const Instant& i) { return same_time(change->t, i.front()->t); });
+    if (same == instants.end()) {
+      instants.push_back({change});
+    } else {
+      same->push_back(change);
+    }
+  }
+  for (Instant& instant : instants) std::sort(instant.begin(), instant.end());
+  std::stable_sort(instants.begin(), instants.end(), [](const Instant& a, const Instant& b) {
+    return compare(a.front()->t, b.front()->t) < 0;
+  });
+  return instants;
+}
+
 // The items of the first list that the second has not; both are sorted.
 template <class T>
 std::vector<T> without(const std::vector<T>& all, const std::vector<T>& others) {
@@ -292,19 +330,16 @@ std::vector<VoidLife> void_lives(const Paths& paths, HistoryCursor& history, con
   }
   EdgeWalk walk(paths, history, probe, window);
   walk.run();
-  std::vector<Change>& changes = walk.changes;
-  std::stable_sort(changes.begin(), changes.end(),
-                   [](const Change& a, const Change& b) { return compare(a.t, b.t) < 0; });
   Lives lives(diagram.disks() == 1 ? 1 : static_cast<std::size_t>(diagram.edges()));
   auto meeting = walk.meetings.begin();
-  for (auto change = changes.begin(); change != changes.end();) {
-    const AlgebraicTime t = change->t;
+  for (const Instant& instant : in_order(walk.changes)) {
+    const AlgebraicTime& t = instant.front()->t;
     for (; meeting != walk.meetings.end(); ++meeting) {
       const auto order = compare(t, meeting->t);
       if (order < 0) break;
       if (order == 0) lives.meet(*meeting);
     }
-    for (; change != changes.end() && compare(change->t, t) == 0; ++change) lives.change(*change);
+    for (const Change* change : instant) lives.change(*change);
     lives.settle(enclosure(t));
   }
   return lives.finish(end);
