@@ -1,6 +1,7 @@
 #include "library/closest_over.h"
 
 #include <string>
+#include <vector>
 
 #include "library/planning/given_clearance.h"
 

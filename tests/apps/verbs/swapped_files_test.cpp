@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "history/sha256.h"
 #include "tests/apps/verbs/shards_cli.h"
