@@ -32,6 +32,7 @@ void describe(Verb& program) {
   add_generate(program);
   add_simulate(program);
   add_snapshot(program);
+  add_diagram(program);
   add_query(program);
   add_render(program);
   add_movie(program);

@@ -69,15 +69,13 @@ std::optional<std::pair<GenId, GenId>> touching_point(InstantPredicates& predica
 
 class Construction {
  public:
-  Construction(const Motion& motion, const Rational& t, TierCounts& counts)
-      : predicates_(motion, t, counts), diagram_(motion.size()) {}
+  Construction(const Motion& motion, const Rational& t, Frame frame, TierCounts& counts)
+      : frame_(frame), predicates_(motion, t, counts, {0, 1}), diagram_(motion.size()) {}
+
+  InstantPredicates& predicates() { return predicates_; }
 
   Diagram build(const std::vector<GenId>& order) {
     if (order.size() < 2) return std::move(diagram_);
-    if (const auto touch = touching_point(predicates_)) {
-      throw Undecided("a point touches another generator: the diagram is not defined", touch->first,
-                      touch->second);
-    }
     diagram_.start(order[0], order[1]);
     for (std::size_t k = 2; k < order.size(); ++k) insert(order[k], order[k - 1]);
     return std::move(diagram_);
@@ -92,6 +90,43 @@ class Construction {
     GenId ray_from;  // the generator the ray starts at, if `before` does not count
   };
   static constexpr GenId no_ray = -2;
+
+  bool is_infinity(GenId g) const { return frame_ == Frame::plane && g == container_id; }
+
+  template <class Sites>
+  auto row_of(Sites& at, GenId base, GenId g) const {
+    const auto& from = at(base);
+    using T = std::decay_t<decltype(from.x)>;
+    if (!is_infinity(g)) return row<T>(from, at(g));
+    const T zero = at.constant(0);
+    return GeneratorRow<T>{zero, zero, zero, at.constant(1)};
+  }
+  // The circle that touches a disk and b, c counterclockwise.
+  template <class Sites>
+  auto circle(Sites& at, GenId base, GenId b, GenId c) const {
+    const bool wall = frame_ == Frame::circle && (b == container_id || c == container_id);
+    return TangentTriple(at(base), row_of(at, base, b), row_of(at, base, c), wall);
+  }
+  // The same of the vertex [a,b,c].
+  template <class Sites>
+  auto triple(Sites& at, GenId a, GenId b, GenId c) const {
+    const auto v = disk_first(a, b, c);
+    return circle(at, v[0], v[1], v[2]);
+  }
+  // Direction from the disk `base` to the vertex (base, b, c), up to a positive factor.
+  template <class Sites, class Root>
+  auto vertex_direction(Sites& at, Root& root, GenId base, GenId b, GenId c) const {
+    return circle_direction(circle(at, base, b, c), root);
+  }
+  template <class Sites>
+  auto cotangency_with(Sites& at, GenId a, GenId b, GenId c, GenId i) const {
+    const auto v = disk_first(a, b, c);
+    if (!is_infinity(v[1]) && !is_infinity(v[2])) {
+      return cotangency(at(v[0]), at(v[1]), at(v[2]), at(i));
+    }
+    const auto j = at(v[0]), k = at(is_infinity(v[1]) ? v[2] : v[1]), e = at(i);
+    return cotangency_of(tangency(j, k), tangency(j, e), tangency(k, e));
+  }
 
   void insert(GenId i, GenId near) {
     const HalfEdge h = around(i, diagram_.anchor(near));
@@ -213,6 +248,7 @@ class Construction {
   // Whether the point y where that ray meets the edge j|k is nearer to i than to j. If
   // it is not, the gap between i and k is smaller than that between i and j.
   bool meets(GenId i, GenId j, GenId k) {
+    if (is_infinity(k)) return true;
     return predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
       const auto cj = at(j), ci = at(i), ck = at(k);
       using T = std::decay_t<decltype(cj.x)>;
@@ -274,7 +310,7 @@ class Construction {
         const Sign s = sign(incircle_value(v, site, false));
         if (is_certain(s)) return s == Sign::negative;
       }
-      const Sign f = sign(cotangency(at(l), at(r), at(x), site));
+      const Sign f = sign(cotangency_with(at, l, r, x, i));
       const Sign s = incircle(v, site, false, f);
       if (s == Sign::unknown) return std::nullopt;
       return s == Sign::negative;
@@ -288,7 +324,8 @@ class Construction {
     if (x == i || !in_conflict(i, t)) return false;
     // Both ends of the edge are in conflict. All of it is, unless both circles of (l,
     // r, i) exist and lie on it.
-    const bool both = predicates_.decide([&](auto at, auto) -> std::optional<bool> {
+    const bool line = is_infinity(l) || is_infinity(r);
+    const bool both = line || predicates_.decide([&](auto at, auto) -> std::optional<bool> {
       const Sign a = circle_exists(triple(at, l, r, i));
       if (a == Sign::negative || a == Sign::zero) return false;
       const Sign b = circle_exists(triple(at, l, i, r));
@@ -327,6 +364,7 @@ class Construction {
     return !stops;
   }
 
+  Frame frame_;
   InstantPredicates predicates_;
   Diagram diagram_;
   std::vector<LinkEdge> link_;  // link edges of the growing cell that are not examined
@@ -352,7 +390,18 @@ std::vector<GenId> insertion_order(const Motion& motion, double t) {
 }  // namespace
 
 Diagram static_diagram(const Motion& motion, const Rational& t, TierCounts& counts) {
-  return Construction(motion, t, counts).build(insertion_order(motion, round_nearest(t)));
+  Construction construction(motion, t, Frame::circle, counts);
+  if (motion.size() >= 2) {
+    if (const auto touch = touching_point(construction.predicates())) {
+      throw Undecided("a point touches another generator: the diagram is not defined", touch->first,
+                      touch->second);
+    }
+  }
+  return construction.build(insertion_order(motion, round_nearest(t)));
+}
+
+Diagram overlapping_diagram(const Motion& motion, Frame frame, TierCounts& counts) {
+  return Construction(motion, 0, frame, counts).build(insertion_order(motion, 0));
 }
 
 }  // namespace voroproof::internal

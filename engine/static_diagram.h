@@ -17,12 +17,20 @@
 
 namespace voroproof::internal {
 
+// What bounds a diagram: the container, or nothing. Then the generator -1 is infinity: its cell is
+// where no other is, and the circles that touch it are the lines that touch two disks on one side.
+enum class Frame { circle, plane };
+
 // The diagram at the exact time t. Where more than three generators touch one empty
 // circle it is one of the possible diagrams: see settle().
 // Throws Undecided, with the pair, where a point (radius 0) touches another generator: its cell
 // has no area, and there is no diagram (of two or more disks).
 // Precondition: the states of `motion` are in force at t, the disks do not overlap.
 Diagram static_diagram(const Motion& motion, const Rational& t, TierCounts& counts);
+
+// The same of disks that may overlap, but of which none lies in another or outside of the frame,
+// touching it from inside or not.
+Diagram overlapping_diagram(const Motion& motion, Frame frame, TierCounts& counts);
 
 // Turns a diagram that is right at the instant into the one just after it: flips
 // edges with cotangent generators, smallest quadruplet first, until all are legal.

@@ -146,6 +146,18 @@ T cocircularity(const Site<T>& s0, const Site<T>& s1, const Site<T>& s2, const S
          cocircularity_term(tangency(s3, s0), x1, y1, x2, y2);
 }
 
+// A generator seen from a base disk. Infinity, the frame of a diagram of the plane, has the row
+// (0, 0, 0, 1): the circles that touch it are lines.
+template <class T>
+struct GeneratorRow {
+  T x, y, s, p;
+};
+template <class T>
+GeneratorRow<T> row(const Site<T>& base, const Site<T>& g) {
+  const T x = g.x - base.x, y = g.y - base.y, s = g.r - base.r;
+  return {x, y, s, x * x + y * y - s * s};
+}
+
 // The terms of a triple (base, j, k) in every predicate about its tangent circle. Precondition: the
 // base is a disk; `with_container` says whether j or k is the container.
 template <class T>
@@ -156,25 +168,19 @@ struct TangentTriple {
   bool with_container;
 
   TangentTriple(const Site<T>& i, const Site<T>& j, const Site<T>& k, bool container)
-      : TangentTriple(i, {j.x - i.x, j.y - i.y, j.r - i.r}, {k.x - i.x, k.y - i.y, k.r - i.r},
-                      container, 0) {}
-
- private:
-  TangentTriple(const Site<T>& i, const Site<T>& dj, const Site<T>& dk, bool container, int)
+      : TangentTriple(i, row(i, j), row(i, k), container) {}
+  TangentTriple(const Site<T>& i, const GeneratorRow<T>& j, const GeneratorRow<T>& k,
+                bool container)
       : base(i),
-        xp(dj.x),
-        yp(dj.y),
-        sp(dj.r),
-        xs(dj.x * dk.r - dj.r * dk.x),
-        ys(dj.y * dk.r - dj.r * dk.y),
-        xy(dj.x * dk.y - dj.y * dk.x),
-        pj(dj.x * dj.x + dj.y * dj.y - dj.r * dj.r),
-        pk(dk.x * dk.x + dk.y * dk.y - dk.r * dk.r),
-        with_container(container) {
-    xp = dj.x * pk - pj * dk.x;
-    yp = dj.y * pk - pj * dk.y;
-    sp = dj.r * pk - pj * dk.r;
-  }
+        xp(j.x * k.p - j.p * k.x),
+        yp(j.y * k.p - j.p * k.y),
+        sp(j.s * k.p - j.p * k.s),
+        xs(j.x * k.s - j.s * k.x),
+        ys(j.y * k.s - j.s * k.y),
+        xy(j.x * k.y - j.y * k.x),
+        pj(j.p),
+        pk(k.p),
+        with_container(container) {}
 };
 
 // Gamma = N - D_sp^2, N = D_xp^2 + D_yp^2: the product of the three tangencies.
@@ -206,21 +212,18 @@ inline Sign sign_with_root(Sign u, Sign v, Sign discriminant) {
 template <class T>
 struct InCircleParts {
   InCircleParts(const TangentTriple<T>& triple, const Site<T>& e)
-      : t(triple),
-        x(e.x - t.base.x),
-        y(e.y - t.base.y),
-        s(e.r - t.base.r),
-        p(x * x + y * y - s * s) {}
+      : InCircleParts(triple, row(triple.base, e)) {}
+  InCircleParts(const TangentTriple<T>& triple, const GeneratorRow<T>& e) : t(triple), e(e) {}
   T g() const {
-    const T a = x * t.sp - s * t.xp + p * t.xs;
-    const T b = y * t.sp - s * t.yp + p * t.ys;
+    const T a = e.x * t.sp - e.s * t.xp + e.p * t.xs;
+    const T b = e.y * t.sp - e.s * t.yp + e.p * t.ys;
     return t.xp * a + t.yp * b;
   }
-  T c() const { return x * t.yp - y * t.xp + p * t.xy; }
+  T c() const { return e.x * t.yp - e.y * t.xp + e.p * t.xy; }
 
  private:
   const TangentTriple<T>& t;
-  T x, y, s, p;
+  GeneratorRow<T> e;
 };
 
 // Where site e lies to the counterclockwise tangent circle of the triple: positive

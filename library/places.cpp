@@ -43,6 +43,11 @@ Places::Places(std::shared_ptr<Engine> engine, const Rational& t)
   place();
 }
 
+Places::Places(std::vector<MovingSite<Rational>> sites)
+    : lines_(std::move(sites)), since_(lines_.size()) {
+  place();
+}
+
 Places::Places(const Scene& scene, const std::vector<RecordedState>& states, const Rational& t)
     : t_(t) {
   lines_.push_back({scene.cx, scene.cy, 0, 0, Rational(-scene.container_radius)});

@@ -15,6 +15,8 @@ class Places {
  public:
   // By the motion of the engine, which has been run to t.
   Places(std::shared_ptr<Engine> engine, const Rational& t);
+  // Generators at rest, the container first.
+  explicit Places(std::vector<MovingSite<Rational>> sites);
   // On the lines on which a history puts the disks.
   Places(const Scene& scene, const std::vector<RecordedState>& states, const Rational& t);
 

@@ -6,6 +6,7 @@
 #include "exact/names.h"
 #include "library/diagram_geometry.h"
 #include "library/edge_curves.h"
+#include "library/polylines.h"
 #include "library/values.h"
 #include "voroproof/diagram.h"
 
@@ -96,20 +97,32 @@ std::vector<Points> only_cell(const DiagramFile& file, double tolerance) {
 
 std::vector<Points> cells(const DiagramFile& file, double tolerance) {
   if (file.disks.size() == 1) return only_cell(file, tolerance);
-  const std::vector<Points> edges = edge_points(file, tolerance);
-  std::vector<Sides> sides(file.disks.size() + 1);
-  const auto cell_of = [&](GenId g) { return g == container_id ? sides.size() - 1 : g; };
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const Quad &q = file.edges[k], back{q.r, q.l, q.e, q.s};
-    sides[cell_of(q.l)][start_vertex(q)] = {end_vertex(q), &edges[k], false};
-    sides[cell_of(q.r)][start_vertex(back)] = {end_vertex(back), &edges[k], true};
-  }
-  std::vector<Points> all;
-  for (const Sides& around : sides) all.push_back(around.empty() ? Points() : polygon(around));
-  return all;
+  return polygons(file.disks.size(), file.edges, edge_points(file, tolerance));
 }
 
 }  // namespace
+
+std::vector<Points> polygons(std::size_t disks, const std::vector<Quad>& edges,
+                             const std::vector<Points>& sides) {
+  std::vector<Sides> around(disks + 1);
+  const auto cell_of = [&](GenId g) { return g == container_id ? disks : g; };
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const Quad &q = edges[k], back = reversed(q);
+    around[cell_of(q.l)][start_vertex(q)] = {end_vertex(q), &sides[k], false};
+    around[cell_of(q.r)][start_vertex(back)] = {end_vertex(back), &sides[k], true};
+  }
+  std::vector<Points> all;
+  for (const Sides& cell : around) all.push_back(cell.empty() ? Points() : polygon(cell));
+  return all;
+}
+
+Points only_cell(const Circle& disk, const Circle& frame, double tolerance) {
+  DiagramFile file;
+  file.container_center = frame.center;
+  file.container_radius = frame.radius;
+  file.disks.push_back({disk.center, disk.radius, {}});
+  return only_cell(file, tolerance)[0];
+}
 }  // namespace internal
 
 std::vector<std::vector<Vector>> edge_polylines(const Diagram& diagram, double tolerance) {

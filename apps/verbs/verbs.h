@@ -11,6 +11,7 @@ void add_simulate(Verb& program);
 void add_query(Verb& program);
 void add_queries_over_time(Verb& query);  // below the verb query
 void add_snapshot(Verb& program);
+void add_diagram(Verb& program);
 void add_render(Verb& program);
 void add_movie(Verb& program);
 void add_page(Verb& program);

@@ -6,6 +6,7 @@
 #include "python/core/events.h"
 #include "python/core/number_caster.h"
 #include "voroproof/diagram.h"
+#include "voroproof/static_diagram.h"
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -27,11 +28,11 @@ py::array_t<double> numbers(const Items& items, Field field) {
   return py::array_t<double>(static_cast<py::ssize_t>(all.size()), all.data());
 }
 
-py::array_t<std::int32_t> vertex_names(const Diagram& d) {
-  py::array_t<std::int32_t> out({static_cast<py::ssize_t>(d.vertices.size()), py::ssize_t{3}});
+py::array_t<std::int32_t> vertex_names(const std::vector<Vertex>& vertices) {
+  py::array_t<std::int32_t> out({static_cast<py::ssize_t>(vertices.size()), py::ssize_t{3}});
   auto to = out.mutable_unchecked<2>();
-  for (std::size_t k = 0; k < d.vertices.size(); ++k) {
-    for (const int side : {0, 1, 2}) to(k, side) = d.vertices[k].generators[side];
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    for (const int side : {0, 1, 2}) to(k, side) = vertices[k].generators[side];
   }
   return out;
 }
@@ -40,6 +41,51 @@ py::list list_of(const std::vector<std::vector<Vector>>& lines) {
   py::list all;
   for (const auto& line : lines) all.append(array_of(line));
   return all;
+}
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+StaticDiagram static_diagram(const Numbers& centers, const Numbers& radii,
+                             const std::optional<std::array<double, 3>>& frame) {
+  const auto at = centers.unchecked<2>();
+  const auto radius = radii.unchecked<1>();
+  std::vector<Circle> disks;
+  disks.reserve(radius.shape(0));
+  for (py::ssize_t k = 0; k < radius.shape(0); ++k) {
+    disks.push_back({{at(k, 0), at(k, 1)}, radius(k)});
+  }
+  std::optional<Circle> circle;
+  if (frame) circle = Circle{{(*frame)[0], (*frame)[1]}, (*frame)[2]};
+  return Attention::without_lock([&] { return StaticDiagram(std::move(disks), circle); });
+}
+
+void bind_static_diagram(py::module_& module) {
+  py::class_<StaticDiagram>(module, "StaticDiagram")
+      .def(py::init(&static_diagram), "centers"_a, "radii"_a, "frame"_a)
+      .def("hosts",
+           [](const StaticDiagram& d) {
+             return py::array_t<int>(static_cast<py::ssize_t>(d.hosts().size()), d.hosts().data());
+           })
+      .def("edges", [](const StaticDiagram& d) { return array_of(d.edges()); })
+      .def("vertices", [](const StaticDiagram& d) { return vertex_names(d.vertices()); })
+      .def("vertex_positions",
+           [](const StaticDiagram& d) { return vectors(d.vertices(), &Vertex::center); })
+      .def("vertex_radii",
+           [](const StaticDiagram& d) { return numbers(d.vertices(), &Vertex::radius); })
+      .def("box",
+           [](const StaticDiagram& d) {
+             const Box b = d.box();
+             return std::tuple(b.low[0], b.low[1], b.high[0], b.high[1]);
+           })
+      .def(
+          "cells",
+          [](const StaticDiagram& d, const std::array<double, 4>& box, double tolerance) {
+            py::list all;
+            const Box cut{{box[0], box[1]}, {box[2], box[3]}};
+            for (const auto& cell : d.cells(cut, tolerance)) all.append(list_of(cell));
+            return all;
+          },
+          "box"_a, "tolerance"_a);
 }
 
 }  // namespace
@@ -56,7 +102,7 @@ void bind_diagram(py::module_& module) {
       .def("positions", [](const Diagram& d) { return vectors(d.disks, &PlacedDisk::center); })
       .def("velocities", [](const Diagram& d) { return vectors(d.disks, &PlacedDisk::velocity); })
       .def("radii", [](const Diagram& d) { return numbers(d.disks, &PlacedDisk::radius); })
-      .def("vertices", &vertex_names)
+      .def("vertices", [](const Diagram& d) { return vertex_names(d.vertices); })
       .def("vertex_positions",
            [](const Diagram& d) { return vectors(d.vertices, &Vertex::center); })
       .def("vertex_radii", [](const Diagram& d) { return numbers(d.vertices, &Vertex::radius); })
@@ -67,6 +113,7 @@ void bind_diagram(py::module_& module) {
       .def("cell_polygons",
            [](const Diagram& d, double tolerance) { return list_of(cell_polygons(d, tolerance)); })
       .def("write", [](const Diagram& d, const std::string& path) { write_diagram(path, d); });
+  bind_static_diagram(module);
   module.def("read_diagram", &read_diagram);
   module.def(
       "diagram_of_scene",

@@ -24,6 +24,7 @@ try:
     from .queries import Closest, Instant, NearDisk, Neighbour
     from .report import Divergence, Leniency, Report, Witness, WitnessMotion, certify, certify_files
     from .scene import Disk, Maneuver, Scene
+    from .static import StaticDiagram, voronoi
 except ImportError as error:  # the importers need neither the compiled part nor NumPy
     _missing = error
 
@@ -36,7 +37,7 @@ __all__ = [
     "COLLISION", "CONTAINER", "FLIP", "MANEUVER", "Approach", "Closest", "Critical", "Diagram",
     "Disk", "Divergence", "Ending", "Error", "History", "InputError", "Instant", "Interrupted",
     "LeastGap", "Leniency", "Maneuver", "NearDisk", "Neighbour", "Neighbourhood", "OffsetArc",
-    "OffsetPoint", "Opening", "OutputError", "Place", "Plan", "Report", "Scene", "Tunnel",
-    "Undecided", "Vanishing", "Vehicle", "Void", "VoidLife", "Witness", "WitnessMotion",
-    "__version__", "certify", "certify_files", "event_dtype", "plan", "simulate",
+    "OffsetPoint", "Opening", "OutputError", "Place", "Plan", "Report", "Scene", "StaticDiagram",
+    "Tunnel", "Undecided", "Vanishing", "Vehicle", "Void", "VoidLife", "Witness", "WitnessMotion",
+    "__version__", "certify", "certify_files", "event_dtype", "plan", "simulate", "voronoi",
 ]
