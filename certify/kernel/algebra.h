@@ -2,17 +2,28 @@
 #pragma once
 
 #include <array>
+#ifdef __EMSCRIPTEN__
+#include <boost/multiprecision/cpp_int.hpp>
+#else
 #include <boost/multiprecision/gmp.hpp>
+#endif
 #include <vector>
 
 #include "certify/kernel/kernel.h"
 
 namespace voroproof_kernel {
 
-using Int =
-    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
-using Rat = boost::multiprecision::number<boost::multiprecision::gmp_rational,
-                                          boost::multiprecision::et_off>;
+namespace numbers = boost::multiprecision;
+#ifdef __EMSCRIPTEN__  // a browser has no GMP
+using Whole = numbers::cpp_int_backend<>;
+using Fraction = numbers::rational_adaptor<Whole>;
+using numbers::default_ops::eval_multiply_add;
+#else
+using Whole = numbers::gmp_int;
+using Fraction = numbers::gmp_rational;
+#endif
+using Int = numbers::number<Whole, numbers::et_off>;
+using Rat = numbers::number<Fraction, numbers::et_off>;
 using Vec = std::array<Rat, 2>;
 
 // A verdict that ends the work; line 0: the line at hand.
@@ -21,10 +32,13 @@ struct Stop {
   std::string reason;
   std::int64_t line = 0;
   bool last = false;  // no rule holds after it, so that no later line is refuted
+  Sight sight{};
 };
-[[noreturn]] inline void refute(std::string why) { throw Stop{Verdict::refuted, std::move(why)}; }
-[[noreturn]] inline void undecided(std::string why) {
-  throw Stop{Verdict::undecided, std::move(why)};
+[[noreturn]] inline void refute(std::string why, const Sight& sight = {}) {
+  throw Stop{Verdict::refuted, std::move(why), 0, false, sight};
+}
+[[noreturn]] inline void undecided(std::string why, const Sight& sight = {}) {
+  throw Stop{Verdict::undecided, std::move(why), 0, false, sight};
 }
 [[noreturn]] inline void invalid(std::string why) { throw Stop{Verdict::invalid, std::move(why)}; }
 
