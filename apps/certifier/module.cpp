@@ -40,7 +40,7 @@ Json counts(const Counts& c) {
 
 double near(const Rat& x) { return x.convert_to<double>(); }
 
-// What the verdict names, or the claim of its line.
+// Where the verdict sees its fault, or the place of the claim in its line.
 Sight sight_of(const Problem& p, const Result& r) {
   if (r.sight.named > 0 || r.line == 0) return r.sight;
   for (const Claim& c : p.history.claims) {

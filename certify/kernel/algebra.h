@@ -3,7 +3,7 @@
 
 #include <array>
 #ifdef __EMSCRIPTEN__
-#include <boost/multiprecision/cpp_int.hpp>
+#include "certify/kernel/gcd.h"
 #else
 #include <boost/multiprecision/gmp.hpp>
 #endif
@@ -14,16 +14,21 @@
 namespace voroproof_kernel {
 
 namespace numbers = boost::multiprecision;
-#ifdef __EMSCRIPTEN__  // a browser has no GMP
-using Whole = numbers::cpp_int_backend<>;
-using Fraction = numbers::rational_adaptor<Whole>;
 using numbers::default_ops::eval_multiply_add;
+using Int = numbers::number<
+#ifdef __EMSCRIPTEN__  // a browser has no GMP
+    numbers::cpp_int_backend<>,
 #else
-using Whole = numbers::gmp_int;
-using Fraction = numbers::gmp_rational;
+    numbers::gmp_int,
 #endif
-using Int = numbers::number<Whole, numbers::et_off>;
-using Rat = numbers::number<Fraction, numbers::et_off>;
+    numbers::et_off>;
+using Rat = numbers::number<
+#ifdef __EMSCRIPTEN__
+    numbers::rational_adaptor<numbers::cpp_int_backend<>>,
+#else
+    numbers::gmp_rational,
+#endif
+    numbers::et_off>;
 using Vec = std::array<Rat, 2>;
 
 // A verdict that ends the work; line 0: the line at hand.

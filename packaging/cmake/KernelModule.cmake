@@ -28,7 +28,7 @@ foreach(source IN LISTS sources ITEMS apps/certifier/module.cpp)
 endforeach()
 set(KERNEL_MODULE ${module_dir}/kernel-module.js CACHE INTERNAL "")
 add_custom_command(OUTPUT ${KERNEL_MODULE}
-  COMMAND ${em++} ${objects} --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=4GB
+  COMMAND ${em++} ${objects} --no-entry -Wl,--stack-first -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=4GB
     -sWARN_ON_UNDEFINED_SYMBOLS=0 -sERROR_ON_UNDEFINED_SYMBOLS=0 -o ${module_dir}/kernel.wasm
   COMMAND sh -c "printf 'const KERNEL_MODULE = \"%s\";\\n' $(gzip -n9 < kernel.wasm | base64 -w0) > kernel-module.js"
   DEPENDS ${objects} WORKING_DIRECTORY ${module_dir} VERBATIM)

@@ -1,4 +1,4 @@
-// What histories reach seldom: spellings of numbers, options, pictures of faults, and a kernel without memory.
+// Histories reach these seldom: spellings of numbers, options, pictures of faults, and a kernel without memory.
 //
 // usage: MODULE=... KERNEL=... CORPUS=... node module_test.mjs
 import assert from "node:assert/strict";

@@ -9,7 +9,7 @@ async function kernelModule() {
   return WebAssembly.compile(await new Response(bytes).arrayBuffer());
 }
 
-// What the kernel answers on the bytes of both files. It tells `progress(rule, claim, of)` how far it is. Throws where
+// The kernel's answer on the bytes of both files. It tells `progress(rule, claim, of)` how far it is. Throws where
 // there is no answer. Each call has a memory of its own.
 function judge(module, scene, history, options, progress) {
   const memory = () => new Uint8Array(exports.memory.buffer);

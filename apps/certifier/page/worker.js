@@ -13,7 +13,7 @@ function lineOf(bytes, line) {
   return new TextDecoder().decode(text);
 }
 
-// What the verdict is about, in the words of `certify`. Empty where a file could not be read.
+// States what the verdict is about, in the words of `certify`. Empty where a file could not be read.
 function aboutOf({ truth, tolerance, lawTolerance, strict }, { horizon, horizonNote }) {
   if (horizon === null) return "";
   return [`all events, ${truth} truth, up to t = ${horizon}`, `times within ${tolerance}`, `velocities within ${lawTolerance}`,
