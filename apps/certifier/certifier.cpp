@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/certifier/certifier_page.h"
+#include "history/error.h"
 #include "history/output_file.h"
 
 namespace voroproof::internal {
