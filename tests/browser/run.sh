@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 for needed in $1; do
-  if [ "$needed" = module ]; then needed=${MODULE:-em++}; fi
+  if [ "$needed" = module ]; then needed=${MODULE:-the module of the page}; fi
   [ -f "$needed" ] || command -v "$needed" >/dev/null || {
     echo "$needed is missing: scripts/install-deps.sh test browser"
     exit 77
