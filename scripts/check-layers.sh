@@ -62,7 +62,7 @@ check apps/cli $rooms apps/cli
 check apps/run $rooms certify/kernel/kernel.h apps/cli apps/run
 check apps/answers $rooms apps/answers
 check apps/draw $rooms apps/answers apps/draw
-check apps/certifier $rooms apps/draw apps/certifier
+check apps/certifier $rooms certify/kernel apps/draw apps/certifier
 check apps/corpus $rooms apps/run apps/draw apps/corpus
 check apps/paper $rooms apps/paper
 check apps/verbs $rooms apps

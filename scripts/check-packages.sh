@@ -91,6 +91,7 @@ inside sh -ec '
   voroproof certify a.scene.json a.history.jsonl
   voroproof certify a.scene.json a.history.jsonl --truth recorded --kernel
   voroproof-kernel a.scene.json a.history.jsonl
+  voroproof page -o a.html
   voroproof corpus run --family few
   VOROPROOF_VARIANT=baseline voroproof corpus run --family few
   python3 -c "import voroproof as v; s = v.Scene.read(\"a.scene.json\"); assert v.certify(s, v.simulate(s)).certified"

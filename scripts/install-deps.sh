@@ -8,12 +8,12 @@
 #   plots: what bench/paper/plot.py, plot-growth.py and plot-plan.py take
 #   python: what building the Python module takes, and its tests with notebooks
 #   ci:    the second compiler, the formatter, the counter of instructions, doxygen, man, shells and an old processor besides
-#   packages: what scripts/check-packages.sh takes besides
+#   packages: what scripts/check-packages.sh takes besides, and the compiler of the certifier's page (large)
 #   proofs: Coq, OCaml and the libraries of voroproof-proved, Gappa
-#   site:  Sphinx with its theme, and what runs the notebooks and makes the references
+#   site:  Sphinx with its theme, what runs the notebooks and makes the references, and the compiler of the certifier's page
 #   cluster: what packaging/cluster/ takes, and a Slurm to test it with
-#   browser: what testing pages and photographing that of `movie` takes besides (large); axe-core, which Debian does not have,
-#          from npm into the folder of caches: one file, held against the hash below
+#   browser: what making and testing pages and photographing that of `movie` takes besides (large); axe-core, which Debian does
+#          not have, from npm into the folder of caches: one file, held against the hash below
 #
 # Where nothing is missing it neither asks for root nor uses the network.
 set -euo pipefail
@@ -43,17 +43,17 @@ for group in "$@"; do
       ;;
     ci) packages+=(clang clang-format valgrind doxygen man-db fish zsh qemu-user) ;;
     browser)
-      packages+=(chromium)
+      packages+=(chromium emscripten)
       with_axe=true
       # Where Node.js is not Debian's, npm comes with it.
       command -v npm > /dev/null || packages+=(npm)
       ;;
     site)
       packages+=(python3-sphinx python3-myst-parser furo doxygen git python3-numpy python3-matplotlib python3-pandas)
-      packages+=(python3-nbclient python3-nbconvert python3-ipykernel)
+      packages+=(python3-nbclient python3-nbconvert python3-ipykernel emscripten)
       ;;
     packages)
-      packages+=(debhelper dh-python lintian mmdebstrap pybind11-dev python3-dev python3-numpy)
+      packages+=(debhelper dh-python emscripten lintian mmdebstrap pybind11-dev python3-dev python3-numpy)
       ;;
     cluster) packages+=(openmpi-bin python3-mpi4py slurmctld slurmd slurm-client munge snakemake) ;;
     proofs)

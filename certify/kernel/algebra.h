@@ -2,17 +2,33 @@
 #pragma once
 
 #include <array>
+#ifdef __EMSCRIPTEN__
+#include "certify/kernel/gcd.h"
+#else
 #include <boost/multiprecision/gmp.hpp>
+#endif
 #include <vector>
 
 #include "certify/kernel/kernel.h"
 
 namespace voroproof_kernel {
 
-using Int =
-    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
-using Rat = boost::multiprecision::number<boost::multiprecision::gmp_rational,
-                                          boost::multiprecision::et_off>;
+namespace numbers = boost::multiprecision;
+using numbers::default_ops::eval_multiply_add;
+using Int = numbers::number<
+#ifdef __EMSCRIPTEN__  // a browser has no GMP
+    numbers::cpp_int_backend<>,
+#else
+    numbers::gmp_int,
+#endif
+    numbers::et_off>;
+using Rat = numbers::number<
+#ifdef __EMSCRIPTEN__
+    numbers::rational_adaptor<numbers::cpp_int_backend<>>,
+#else
+    numbers::gmp_rational,
+#endif
+    numbers::et_off>;
 using Vec = std::array<Rat, 2>;
 
 // A verdict that ends the work; line 0: the line at hand.
@@ -21,10 +37,13 @@ struct Stop {
   std::string reason;
   std::int64_t line = 0;
   bool last = false;  // no rule holds after it, so that no later line is refuted
+  Sight sight{};
 };
-[[noreturn]] inline void refute(std::string why) { throw Stop{Verdict::refuted, std::move(why)}; }
-[[noreturn]] inline void undecided(std::string why) {
-  throw Stop{Verdict::undecided, std::move(why)};
+[[noreturn]] inline void refute(std::string why, const Sight& sight = {}) {
+  throw Stop{Verdict::refuted, std::move(why), 0, false, sight};
+}
+[[noreturn]] inline void undecided(std::string why, const Sight& sight = {}) {
+  throw Stop{Verdict::undecided, std::move(why), 0, false, sight};
 }
 [[noreturn]] inline void invalid(std::string why) { throw Stop{Verdict::invalid, std::move(why)}; }
 

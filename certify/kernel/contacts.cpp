@@ -42,7 +42,7 @@ class Contacts {
     std::int64_t number = 0;
     for (const Claim& c : p_.history.claims) {
       line_ = c.line;
-      ++number;
+      p_.tell("contacts", number++);
       const bool collision = c.kind == Claim::Kind::collision;
       if (c.kind == Claim::Kind::flip) flip(c);
       if (p_.exact() && c.first < 2) {
@@ -96,9 +96,10 @@ class Contacts {
     } else if (!p_.exact() && o.from.against(p_.history.horizon - slack_) >= 0) {
       ++counts_.horizon_events;
     } else {
-      const Rat& turn = walk_.leg(two.second).start;
-      refute("overlap: " + name(two) + " overlap before " +
-             about(turn > 0 ? turn : p_.history.horizon) + " and no collision in time answers it");
+      const Rat turn = walk_.leg(two.second).start, by = turn > 0 ? turn : p_.history.horizon;
+      refute("overlap: " + name(two) + " overlap before " + about(by) +
+                 " and no collision in time answers it",
+             sight(by, {two.first, two.second}));
     }
   }
 
@@ -204,7 +205,7 @@ class Contacts {
       if (i == j || p_.radius(j) != 0) return;
       if (!gap({i, j}).meet(t)) return;
       const std::string why = "points " + std::to_string(i) + " and " + std::to_string(j) + " meet";
-      throw Stop{Verdict::undecided, why, 0, true};
+      throw Stop{Verdict::undecided, why, 0, true, sight(t, {i, j})};
     };
     for (const auto& [i, k] : {two, Two(two.second, two.first)}) {
       if (p_.radius(i) != 0) continue;

@@ -1,7 +1,5 @@
 #include "certify/kernel/files.h"
 
-#include <openssl/sha.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -31,7 +29,7 @@ class StrictReader : public nlohmann::detail::json_sax_dom_parser<Json> {
   bool end_object() { return close() && Base::end_object(); }
   bool end_array() { return close() && Base::end_array(); }
   bool key(std::string& name) {
-    if (!keys_.back().insert(name).second) invalid("the field '" + name + "' occurs twice");
+    if (!keys_.back().insert(name).second) invalid("a field occurs twice");
     is_seed_ = name == "seed";
     return Base::key(name);
   }
@@ -328,16 +326,6 @@ History read_history(const std::string& text, int n) {
     throw;
   }
   return history;
-}
-
-std::string sha256(const std::string& text) {
-  unsigned char hash[SHA256_DIGEST_LENGTH];
-  SHA256(reinterpret_cast<const unsigned char*>(text.data()), text.size(), hash);
-  std::string hex;
-  for (const unsigned char byte : hash) {
-    for (const int digit : {byte >> 4, byte & 15}) hex += "0123456789abcdef"[digit];
-  }
-  return hex;
 }
 
 }  // namespace voroproof_kernel

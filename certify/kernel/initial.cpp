@@ -81,8 +81,11 @@ bool check_cell(const Walk& walk, int g, const Rat& t) {
     moves |= step != 0;
   }
   const std::string cell = "the vertices around generator " + std::to_string(g);
-  if (!moves) undecided(cell + " coincide");
-  if (falls != 1) refute("wrong diagram: " + cell + " turn " + std::to_string(falls) + " times");
+  const Sight seen = sight(t, {g});
+  if (!moves) undecided(cell + " coincide", seen);
+  if (falls != 1) {
+    refute("wrong diagram: " + cell + " turn " + std::to_string(falls) + " times", seen);
+  }
   return true;
 }
 
@@ -91,12 +94,15 @@ void check_initial(const Walk& walk) {
   for (int k = 0; k < count; ++k) {
     const Four four = walk.four(k);
     const std::string edge = "edge " + name(four.quad);
+    const Sight seen = sight(0, four.quad);
     for (const bool start : {true, false}) {
       const int exists = four.exists(0, start);
-      if (exists == 0) undecided("a point touches another generator at the start");
-      if (exists < 0) refute("wrong initial diagram: a circle of " + edge + " does not exist");
+      if (exists == 0) undecided("a point touches another generator at the start", seen);
+      if (exists < 0) {
+        refute("wrong initial diagram: a circle of " + edge + " does not exist", seen);
+      }
       if (four.quad.s != four.quad.e && four.incircle(0, start) < 0) {
-        refute("wrong initial diagram: " + edge + " is not legal");
+        refute("wrong initial diagram: " + edge + " is not legal", seen);
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "certify/kernel/motion.h"
 
@@ -16,6 +17,7 @@ struct Found {
   Verdict verdict = Verdict::undecided;
   std::int64_t line = 0;
   bool last = false;
+  Sight sight;
   Counts counts;
   char reason[256] = "a process ended early";
   // The first refuted claim counts, unless no rule holds by then; else the first undecided one.
@@ -46,6 +48,7 @@ void work(const Problem& p, const std::vector<Part>& parts, std::size_t task, Fo
   std::snprintf(found.reason, sizeof found.reason, "%s", stop.reason.c_str());
   found.verdict = stop.verdict;
   found.last = stop.last;
+  found.sight = stop.sight;
 }
 
 // The tasks k, k + jobs, ... in each of several processes.
@@ -83,7 +86,9 @@ void judge(Problem& p, Result& result) {
   for (const Found& found : all) add(result.counts, found.counts);
   const Found& first = *std::min_element(
       all.begin(), all.end(), [](const Found& x, const Found& y) { return x.rank() < y.rank(); });
-  if (first.verdict != Verdict::certified) throw Stop{first.verdict, first.reason, first.line};
+  if (first.verdict != Verdict::certified) {
+    throw Stop{first.verdict, first.reason, first.line, false, first.sight};
+  }
   result.is_first = true;
   const Counts& c = result.counts;
   if (h.ended[0] != c.flips || h.ended[1] != c.collisions || h.ended[2] != c.maneuvers) {
@@ -96,12 +101,15 @@ void judge(Problem& p, Result& result) {
 
 Result check(const std::string& scene_text, const std::string& history_text,
              const Options& options) {
+  Problem p{.options = options};
+  return check(scene_text, history_text, p);
+}
+
+Result check(const std::string& scene_text, const std::string& history_text, Problem& p) {
   Result result;
   try {
-    Problem p;
-    p.options = options;
-    p.tolerance = exact_string(options.tolerance);
-    p.law_tolerance = exact_string(options.law_tolerance);
+    p.tolerance = exact_string(p.options.tolerance);
+    p.law_tolerance = exact_string(p.options.law_tolerance);
     if (p.tolerance <= 0 || p.law_tolerance < 0 || p.law_tolerance > 1) invalid("a bad tolerance");
     p.scene = read_scene(scene_text);
     p.history = read_history(history_text, p.disks());
@@ -116,8 +124,29 @@ Result check(const std::string& scene_text, const std::string& history_text,
     result.verdict = stop.verdict;
     result.reason = stop.reason;
     result.line = stop.line;
+    result.sight = stop.sight;
   }
   return result;
+}
+
+std::string lines_of(const Result& r) {
+  const Counts& c = r.counts;
+  std::ostringstream lines;
+  lines << "c " << c.flips << " flips, " << c.collisions << " collisions, " << c.maneuvers
+        << " maneuvers; " << c.lives << " lives of edges, " << c.pair_lives << " of pairs, "
+        << c.fresh_proofs << " fresh proofs\n"
+        << "c " << c.swaps << " swaps, " << c.grazes << " grazes, " << c.rounding_overlaps
+        << " overlaps by rounding, " << c.horizon_events << " events at the horizon, "
+        << c.unoriented << " quadruplets without orientation\n";
+  if (!r.horizon_note.empty()) lines << "c " << r.horizon_note << "\n";
+  if (r.verdict == Verdict::refuted && !r.is_first) {
+    lines << "c the first fault that was found; an earlier one may exist\n";
+  }
+  const std::string line = r.line > 0 ? "line " + std::to_string(r.line) + ": " : "";
+  if (!r.reason.empty()) lines << "c " << line << r.reason << "\n";
+  const char* words[] = {"CERTIFIED", "REFUTED", "UNDECIDED", "INVALID"};
+  lines << "s " << words[static_cast<int>(r.verdict)] << "\n";
+  return lines.str();
 }
 
 }  // namespace voroproof_kernel

@@ -38,6 +38,7 @@ class Lives {
     births_.assign(walk_.edges().size(), {latest_});
     taken_.assign(part_.last - part_.first, false);
     for (std::size_t k = part_.first; k < part_.last; ++k) {
+      p_.tell("edges", k);
       take(k);
       check_cells(k + 1 < part_.last ? Rat(claims_[k + 1].filed - p_.tolerance) : part_.end);
     }
@@ -199,8 +200,10 @@ class Lives {
         undecided("edge " + name(q) + " changes while a generator lies inside another");
       }
     }
-    refute("edge " + name(walk_.edges()[k]) + " collapses at " + about(found.at.lo) +
-           ", and no flip is claimed");
+    Instant seen = found.at;
+    for (int n = 0; n < 64 && !seen.is_point(); ++n) seen.split((seen.lo + seen.hi) / 2);
+    refute("edge " + name(q) + " collapses at " + about(found.at.lo) + ", and no flip is claimed",
+           sight(seen.lo, q));
   }
 
   void flip(std::size_t claim) {

@@ -48,21 +48,7 @@ int main(int argc, char** argv) {
     }
   }
   const Result r = check(texts[0], texts[1], options);
-  const Counts& c = r.counts;
-  std::cout << "c " << c.flips << " flips, " << c.collisions << " collisions, " << c.maneuvers
-            << " maneuvers; " << c.lives << " lives of edges, " << c.pair_lives << " of pairs, "
-            << c.fresh_proofs << " fresh proofs\n"
-            << "c " << c.swaps << " swaps, " << c.grazes << " grazes, " << c.rounding_overlaps
-            << " overlaps by rounding, " << c.horizon_events << " events at the horizon, "
-            << c.unoriented << " quadruplets without orientation\n";
-  if (!r.horizon_note.empty()) std::cout << "c " << r.horizon_note << "\n";
-  if (r.verdict == Verdict::refuted && !r.is_first) {
-    std::cout << "c the first fault that was found; an earlier one may exist\n";
-  }
-  const std::string line = r.line > 0 ? "line " + std::to_string(r.line) + ": " : "";
-  if (!r.reason.empty()) std::cout << "c " << line << r.reason << "\n";
-  const char* words[] = {"CERTIFIED", "REFUTED", "UNDECIDED", "INVALID"};
+  std::cout << lines_of(r);
   const int codes[] = {0, 1, 3, 2};
-  std::cout << "s " << words[static_cast<int>(r.verdict)] << "\n";
   return codes[static_cast<int>(r.verdict)];
 }

@@ -1,6 +1,7 @@
 // The problem to judge: the files, the options, and the paths of the disks that the claims define.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "certify/kernel/diagram.h"
@@ -9,17 +10,29 @@
 namespace voroproof_kernel {
 
 struct Problem {
-  Scene scene;
-  History history;
+  Scene scene{};
+  History history{};
   Options options;
-  Rat tolerance, law_tolerance;
-  std::vector<std::vector<Leg>> legs;  // paths, of generator g at [g + 1], one leg for each turn
+  Rat tolerance{}, law_tolerance{};
+  std::vector<std::vector<Leg>> legs{};  // paths, of generator g at [g + 1], one leg for each turn
 
   bool exact() const { return options.truth == Truth::exact; }
   int disks() const { return static_cast<int>(scene.disks.size()); }
   Rat radius(int g) const { return g == container ? -scene.radius : scene.disks[g].radius; }
   Rat reach(int i, int j) const { return abs(radius(i) + radius(j)); }
+  void tell(const char* rule, std::size_t claim) const {
+    if (options.progress) options.progress(rule, claim, history.claims.size());
+  }
 };
+
+// As check() of kernel.h. The problem has options; what else of it was read and found stays in it.
+Result check(const std::string& scene_text, const std::string& history_text, Problem& p);
+inline Sight sight(const Rat& t, std::initializer_list<int> generators) {
+  Sight s{t.convert_to<double>(), static_cast<int>(generators.size())};
+  std::copy(generators.begin(), generators.end(), s.generators);
+  return s;
+}
+inline Sight sight(const Rat& t, const Quad& q) { return sight(t, {q.l, q.r, q.s, q.e}); }
 
 // The gap |d(t)|^2 - reach^2 = a s^2 + 2 b s + c of two on their lines, s = t - start.
 struct Gap {

@@ -56,7 +56,8 @@ class Tracer {
     for (std::size_t k = 0; k < done_.size(); ++k) {
       const Maneuver& m = p_.scene.maneuvers[k];
       if (done_[k] || m.t > p_.history.horizon) continue;
-      refute("disk " + std::to_string(m.disk) + " has a maneuver at " + about(m.t));
+      refute("disk " + std::to_string(m.disk) + " has a maneuver at " + about(m.t),
+             sight(m.t, {m.disk}));
     }
   }
 
@@ -206,6 +207,7 @@ Gap::Gap(const Leg& i, const Leg& j) : start(std::max(i.start, j.start)) {
 void trace_paths(Problem& p, Counts& counts) {
   Tracer tracer(p, counts);
   for (std::size_t k = 0; k < p.history.claims.size(); ++k) {
+    p.tell("paths", k);
     try {
       tracer.claim(p.history.claims[k], k);
     } catch (Stop& stop) {

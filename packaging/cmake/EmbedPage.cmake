@@ -1,14 +1,18 @@
 # Makes OUTPUT, a C++ source that defines the PageTemplate NAME (library/html.h), which HEADER declares, of
 # FOLDER/page.html: a page with {{title}} and {{data}} where these belong. Style sheets and scripts of FOLDER that it
-# refers to are put into it, so that it needs no other file.
+# refers to are put into it, so that it needs no other file; the file MADE stands for one of its name.
 #
-# usage: cmake -DFOLDER=... -DNAME=... -DHEADER=... -DOUTPUT=... -P EmbedPage.cmake
+# usage: cmake -DFOLDER=... [-DMADE=...] -DNAME=... -DHEADER=... -DOUTPUT=... -P EmbedPage.cmake
 
 # Replaces each element of `page` that matches by an ELEMENT with the content of the file that the expression's group names.
 function(put_files expression element)
   while(page MATCHES "${expression}")
     set(reference "${CMAKE_MATCH_0}")
-    file(READ ${FOLDER}/${CMAKE_MATCH_1} content)
+    set(file ${FOLDER}/${CMAKE_MATCH_1})
+    if(MADE AND MADE MATCHES "/${CMAKE_MATCH_1}$")
+      set(file ${MADE})
+    endif()
+    file(READ ${file} content)
     string(REPLACE "${reference}" "<${element}>\n${content}</${element}>" page "${page}")
   endwhile()
   set(page "${page}" PARENT_SCOPE)

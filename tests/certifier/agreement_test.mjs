@@ -1,13 +1,13 @@
-// The rules in JavaScript say what voroproof-kernel says: all lines where a history can be read, else verdict and line.
+// The page's module says what voroproof-kernel says.
 //
-// usage: KERNEL=... CORPUS=... node agreement_test.mjs                  all histories of the corpus
-//        KERNEL=... WORLDS=... node agreement_test.mjs --worlds COUNT  wrong worlds (tests/adversary)
-//        KERNEL=... node agreement_test.mjs --folders FOLDER...        all histories in the folders, beside their scenes
+// usage: MODULE=... KERNEL=... CORPUS=... node agreement_test.mjs                  all histories of the corpus
+//        MODULE=... KERNEL=... WORLDS=... node agreement_test.mjs --worlds COUNT  wrong worlds (tests/adversary)
+//        MODULE=... KERNEL=... node agreement_test.mjs --folders FOLDER...        all histories in the folders, beside their scenes
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { certify, corpusHistories } from "./kernel.mjs";
+import { answer, corpusHistories } from "./kernel.mjs";
 
 const { KERNEL: kernel, CORPUS: corpus, WORLDS: writeWorlds } = process.env, [mode, ...rest] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), "worlds-"));
@@ -25,19 +25,7 @@ function histories() {
 }
 
 function kernelSays(scene, history, truth) {
-  const { stdout } = spawnSync(kernel, [scene, history, "--truth", truth], { encoding: "utf8" });
-  return stdout.trimEnd().split("\n");
-}
-
-// The kernel has no names of fields, and other words for some; verdict and line are the same.
-function lineOfInvalid(lines) {
-  const found = /^c (?:line |history:)([0-9]+): /.exec(lines[lines.length - 2]);
-  return found ? found[1] : "0";
-}
-
-function isSame(ours, theirs) {
-  if (ours.at(-1) !== "s INVALID" || theirs.at(-1) !== "s INVALID") return ours.join("\n") === theirs.join("\n");
-  return lineOfInvalid(ours) === lineOfInvalid(theirs);
+  return spawnSync(kernel, [scene, history, "--truth", truth], { encoding: "utf8" }).stdout;
 }
 
 const verdicts = {};
@@ -45,13 +33,13 @@ let different = 0, compared = 0;
 for (const [scene, history] of histories()) {
   const files = [readFileSync(scene), readFileSync(history)];
   for (const truth of ["recorded", "exact"]) {
-    const ours = certify(...files, { truth }), theirs = kernelSays(scene, history, truth);
-    const verdict = `${truth} ${ours.at(-1).slice(2)}`;
+    const { lines, verdict: ours } = answer(...files, { truth }), theirs = kernelSays(scene, history, truth);
+    const verdict = `${truth} ${ours}`;
     verdicts[verdict] = (verdicts[verdict] ?? 0) + 1;
     ++compared;
-    if (isSame(ours, theirs)) continue;
+    if (lines === theirs) continue;
     ++different;
-    console.log(`${history}, ${truth}:\n${ours.join("\n")}\nbut voroproof-kernel:\n${theirs.join("\n")}\n`);
+    console.log(`${history}, ${truth}:\n${lines}but voroproof-kernel:\n${theirs}`);
   }
 }
 console.log(`${compared} verdicts compared, ${different} differ;`, verdicts);

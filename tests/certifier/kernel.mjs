@@ -1,20 +1,17 @@
-// The rules of the certifier's page without a page: the scripts that it gives its worker, but for the worker's own.
-import { readFileSync, readdirSync, existsSync } from "node:fs";
+// The kernel's module without a page: the scripts that the page gives its worker, but for the worker's own.
+import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { runInThisContext } from "node:vm";
 
-const pageFolder = new URL("../../apps/certifier/page/", import.meta.url);
-const page = readFileSync(new URL("page.html", pageFolder), "utf8");
-const template = /<template id="core">([^]*?)<\/template>/.exec(page)[1];
-const scripts = [...template.matchAll(/src="([^"]+)"/g)].map(([, name]) => name).filter((name) => name !== "worker.js");
-const text = scripts.map((name) => readFileSync(new URL(name, pageFolder), "utf8")).join("\n");
-const names = "Certification, linesOf, drawingOf, Fraction, Form, JsonReader, Stop, sha256, nearestBinary64, "
-  + "binary64OfText, exactOfText, wholeRoot, lengthAbove";
-export const core = runInThisContext(`(() => {\n${text}\nreturn { ${names} };\n})()`, { filename: "certifier" });
+const loader = new URL("../../apps/certifier/page/kernel.js", import.meta.url);
+const text = [process.env.MODULE, loader].map((file) => readFileSync(file, "utf8")).join("\n");
+const { kernelModule, judge } = runInThisContext(`(() => {\n${text}\nreturn { kernelModule, judge };\n})()`, { filename: "kernel" });
+const module = await kernelModule();
 
-// The lines that the page and voroproof-kernel end with; `progress` as in Certification.
-export function certify(scene, history, options = {}, progress = () => true) {
-  return core.linesOf(new core.Certification(options, progress).run(scene, history));
+const DEFAULTS = { truth: "recorded", tolerance: "1e-6", lawTolerance: "1e-9", strict: false, unoriented: false };
+
+export function answer(scene, history, options = {}, progress = () => {}) {
+  return judge(module, scene, history, { ...DEFAULTS, ...options }, progress);
 }
 
 // [scene, history] of all histories of the corpus that are no .evtsq files.

@@ -4,12 +4,13 @@
 usage: tests/fuzz/checkers.py page FUZZ PROGRAM KERNEL [--runs N] [--seed S] [--out FOLDER]
        tests/fuzz/checkers.py proved FUZZ PROGRAM PROVED [--runs N] [--seed S] [--out FOLDER]
 
-FUZZ is the driver, PROGRAM voroproof, which makes the seeds. `page` gives the pairs to the rules of the
-certifier's page (page.mjs), `proved` to the proved checker: that must end with a verdict and its exit code,
+FUZZ is the driver, PROGRAM voroproof, which makes the seeds. `page` gives the pairs to the module
+of the certifier's page, the file MODULE (page.mjs), `proved` to the proved checker: that must end with a verdict and its exit code,
 within ten seconds of the processor and a gigabyte, and what it certifies `certify` must not refute nor refuse.
-Exit code 1 where there is a find, whose files are in FOLDER then; 77 where node or PROVED is missing.
+Exit code 1 where there is a find, whose files are in FOLDER then; 77 where node, MODULE or PROVED is missing.
 """
 import argparse
+import os
 import resource
 import shutil
 import subprocess
@@ -77,8 +78,8 @@ def main():
     parser.add_argument("--out", default=".")
     a = parser.parse_args()
     needed = "node" if a.kind == "page" else a.checker
-    if shutil.which(needed) is None:
-        print(f"{needed} is not there")
+    if shutil.which(needed) is None or (a.kind == "page" and not os.environ.get("MODULE")):
+        print(f"{needed}, or the page's module, is not there")
         return MISSING
     with tempfile.TemporaryDirectory() as folder:
         seeds, changed = Path(folder) / "seeds", Path(folder) / "changed"

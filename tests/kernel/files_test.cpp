@@ -53,6 +53,15 @@ TEST(KernelFiles, LengthsAreBoundedFromAbove) {
   }
 }
 
+TEST(KernelFiles, HashesAreThoseOfTheStandard) {
+  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(sha256(std::string(1000000, 'a')),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
 const std::string kScene = R"({"format": "voroproof-scene", "version": 1,
  "container": {"center": [0, 0], "radius": 10}, "horizon": 3,
  "disks": [{"center": [-2, 0], "radius": 1, "velocity": [1, 0]},

@@ -3,6 +3,26 @@
 
 const MOST_DRAWN = 4000;
 
+// The circle that touches i, a disk, j and k counterclockwise; null where there is none.
+function nearCircle(i, j, k) {
+  const to = (o) => ({ x: o.x - i.x, y: o.y - i.y, r: o.r - i.r });
+  const u = to(j), v = to(k), p = u.x * u.x + u.y * u.y - u.r * u.r, o = v.x * v.x + v.y * v.y - v.r * v.r;
+  const xp = u.x * o - p * v.x, yp = u.y * o - p * v.y, sp = u.r * o - p * v.r, below = xp * xp + yp * yp;
+  const eps = j.id < 0 || k.id < 0 ? 1 : -1, root = eps * Math.sqrt(Math.max(0, below - sp * sp));
+  const nx = (-sp * xp + root * yp) / below, ny = (-sp * yp - root * xp) / below;
+  const [d, power] = Math.abs(p) > Math.abs(o) ? [u, p] : [v, o];
+  const away = power / (2 * (d.x * nx + d.y * ny + d.r)), radius = away - i.r;
+  return radius >= 0 && Number.isFinite(radius) ? { x: i.x + away * nx, y: i.y + away * ny, radius } : null;
+}
+
+// Those of the two ends of the edge that is named, if one is.
+function circlesOf({ generators, named }) {
+  if (named.length !== 4) return [];
+  const [l, r, s, e] = named.map((g) => generators[g + 1]), disk = (g) => g.id >= 0;
+  const circle = (j, k) => (disk(l) ? nearCircle(l, j, k) : nearCircle(j, k, l));
+  return [circle(s, r), circle(r, e)].filter((one) => one !== null);
+}
+
 class FaultDrawing {
   constructor(svg) {
     this.svg = svg;
@@ -11,7 +31,7 @@ class FaultDrawing {
   }
 
   show(data) {
-    this.data = data;
+    this.data = { ...data, named: [...new Set(data.named)], circles: circlesOf(data) };
     this.isWhole = false;
     this.draw();
   }

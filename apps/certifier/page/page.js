@@ -8,6 +8,7 @@ class CertifierPage {
   constructor() {
     this.files = { scene: null, history: null };
     this.worker = null;
+    this.timer = null;
     this.drawing = new FaultDrawing(element("picture"));
     const facts = JSON.parse(element("certifier-facts").textContent);
     element("producer").textContent = facts.producer;
@@ -37,14 +38,14 @@ class CertifierPage {
       event.preventDefault();
       this.start();
     });
-    element("cancel").addEventListener("click", () => this.cancel());
+    element("cancel").addEventListener("click", () => this.end("ended on request"));
     element("whole").addEventListener("click", () => {
       this.drawing.toggle();
       this.updatePicture();
     });
     element("save").addEventListener("click", () => this.savePicture());
     window.addEventListener("keydown", (event) => {
-      if (event.key === "Escape" && this.worker) this.cancel();
+      if (event.key === "Escape" && this.worker) this.end("ended on request");
     });
   }
 
@@ -100,7 +101,9 @@ class CertifierPage {
     this.address = address;
     this.worker.onmessage = ({ data }) => this.hear(data);
     this.worker.onerror = (event) => this.hear({ kind: "failure", reason: event.message });
-    this.worker.postMessage({ scene: scene.bytes, history: history.bytes, options: this.options });
+    const { options } = this, { seconds } = options;
+    this.worker.postMessage({ scene: scene.bytes, history: history.bytes, options });
+    if (seconds > 0) this.timer = setTimeout(() => this.end("ended for the limit of time"), 1000 * seconds);
     this.showProgress("starting", 0, 1);
     this.update();
     element("cancel").focus();
@@ -108,44 +111,45 @@ class CertifierPage {
 
   stop() {
     this.worker.terminate();
+    clearTimeout(this.timer);
     URL.revokeObjectURL(this.address);
     this.worker = null;
     this.update();
   }
 
-  cancel() {
+  end(reason) {
     if (this.worker === null) return;
     this.stop();
-    this.showOutcome({ verdict: "UNDECIDED", reason: "ended on request", lines: ["c ended on request", "s UNDECIDED"] });
+    this.showOutcome({ verdict: "UNDECIDED", reason, lines: `c ${reason}\ns UNDECIDED` });
   }
 
   hear(message) {
     if (message.kind === "progress") {
-      this.showProgress(message.phase, message.done, message.of);
+      this.showProgress(message.rule, message.claim, message.of);
       return;
     }
     this.stop();
     if (message.kind === "result") this.showOutcome(message);
-    else this.showOutcome({ verdict: "FAILED", reason: `no verdict: ${message.reason}`, lines: [`c ${message.reason}`] });
+    else this.showOutcome({ verdict: "FAILED", reason: `no verdict: ${message.reason}`, lines: `c ${message.reason}` });
   }
 
-  showProgress(phase, done, of) {
-    const share = Math.floor((100 * done) / Math.max(1, of));
+  showProgress(rule, claim, of) {
+    const share = Math.floor((100 * claim) / of);
     element("bar").value = share;
-    element("phase").textContent = `${phase}, ${share}%`;
+    element("phase").textContent = `${rule}, ${share}%`;
   }
 
   // ---- What came out
 
-  showOutcome({ verdict, reason, isFirst, lines, about, counts, line, place, claim, seconds, drawing }) {
-    const kind = verdict.toLowerCase(), where = place?.file ? `${this.files[place.file].name}:${place.line}` : line > 0 ? `line ${line}` : "";
+  showOutcome({ verdict, reason, isFirst, lines, about, counts, line, claim, seconds, drawing }) {
+    const kind = verdict.toLowerCase();
     element("outcome").hidden = false;
     element("verdict").textContent = kind;
     element("verdict").className = kind;
-    element("meaning").textContent = this.meaning(verdict, reason, about, where, place?.field, isFirst);
+    element("meaning").textContent = this.meaning(verdict, reason, about, line, isFirst);
     element("claim").textContent = claim ?? "";
     element("claim").hidden = !claim;
-    element("lines").textContent = lines.join("\n");
+    element("lines").textContent = lines;
     element("took").textContent = seconds === undefined ? ""
       : `${counts.lives.toLocaleString("en")} lives of edges in ${seconds.toFixed(2)} s`;
     this.fillCounts(counts);
@@ -158,11 +162,10 @@ class CertifierPage {
   }
 
   // The options are those of the work, which need not be those that the form has by now.
-  meaning(verdict, reason, about, where, field, isFirst) {
+  meaning(verdict, reason, about, line, isFirst) {
     if (verdict === "CERTIFIED") return `Every claim is proved, and none is missing: ${about}.`;
-    const place = [where, field].filter((word) => word).join(", ");
     const more = verdict === "REFUTED" && isFirst === false ? " An earlier fault may exist." : "";
-    return `${place ? `${place}: ` : ""}${reason}.${more}${about ? ` Judged: ${about}.` : ""}`;
+    return `${line > 0 ? `line ${line}: ` : ""}${reason}.${more}${about ? ` Judged: ${about}.` : ""}`;
   }
 
   fillCounts(counts) {

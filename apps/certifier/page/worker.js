@@ -13,25 +13,27 @@ function lineOf(bytes, line) {
   return new TextDecoder().decode(text);
 }
 
-self.onmessage = ({ data: { scene, history, options } }) => {
+// States what the verdict is about, in the words of `certify`. Empty where a file could not be read.
+function aboutOf({ truth, tolerance, lawTolerance, strict }, { horizon, horizonNote }) {
+  if (horizon === null) return "";
+  return [`all events, ${truth} truth, up to t = ${horizon}`, `times within ${tolerance}`, `velocities within ${lawTolerance}`,
+    ...(strict ? ["strict"] : []), ...(horizonNote ? [horizonNote] : [])].join(", ");
+}
+
+self.onmessage = async ({ data: { scene, history, options } }) => {
   const started = performance.now();
   let told = started;
-  const certification = new Certification(options, (phase, done, of) => {
+  const progress = (rule, claim, of) => {
     const now = performance.now();
-    if (now - told > PROGRESS_INTERVAL) {
-      told = now;
-      self.postMessage({ kind: "progress", phase, done, of });
-    }
-    return !(options.seconds > 0 && now - started > 1000 * options.seconds);
-  });
+    if (now - told < PROGRESS_INTERVAL) return;
+    told = now;
+    self.postMessage({ kind: "progress", rule, claim, of });
+  };
   try {
-    const result = certification.run(scene, history);
+    const answer = judge(await kernelModule(), scene, history, options, progress);
     self.postMessage({
-      kind: "result", verdict: result.verdict, reason: result.reason, line: result.line,
-      place: { file: result.file, line: result.fileLine, field: result.field },
-      isFirst: result.isFirst, counts: result.counts, lines: linesOf(result), about: result.about, seconds: (performance.now() - started) / 1000,
-      claim: lineOf(result.file === "scene" ? scene : history, result.fileLine || result.line),
-      drawing: drawingOf(certification.problem, result.witness),
+      kind: "result", ...answer, about: aboutOf(options, answer), seconds: (performance.now() - started) / 1000,
+      claim: answer.line > 0 ? lineOf(history, answer.line) : "",
     });
   } catch (error) {
     self.postMessage({ kind: "failure", reason: String(error?.message ?? error) });
