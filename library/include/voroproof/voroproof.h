@@ -15,4 +15,5 @@
 #include "voroproof/recorded_motion.h"
 #include "voroproof/scene.h"
 #include "voroproof/simulate.h"
+#include "voroproof/static_diagram.h"
 #include "voroproof/version.h"
