@@ -6,12 +6,9 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
-#include <iterator>
-#include <limits>
-#include <set>
 #include <utility>
 
-#include "exact/dual.h"
+#include "engine/legalize.h"
 #include "filtered/motion/given_motion.h"
 #include "filtered/search/edge_predicates.h"
 
@@ -77,33 +74,15 @@ std::vector<GenId> hosts(const MotionInput& input, Frame frame) {
 // of as infinitely little larger than it is.
 class RestingEdges {
  public:
-  RestingEdges(const Motion& motion, Frame frame, Diagram& diagram)
-      : motion_(motion), frame_(frame), diagram_(diagram) {}
+  RestingEdges(const Motion& motion, Frame frame) : motion_(motion), frame_(frame) {}
 
-  // Flips edges whose circles are one until the rule holds.
-  void settle() {
-    for (HalfEdge h = 0; h < 2 * diagram_.edges(); h += 2) examine(h);
-    while (!wrong_.empty()) {
-      const HalfEdge h = wrong_.begin()->second;
-      wrong_.erase(wrong_.begin());
-      const HalfEdge around[4] = {diagram_.next(h), diagram_.previous(h), diagram_.next(h ^ 1),
-                                  diagram_.previous(h ^ 1)};
-      for (const HalfEdge a : around) wrong_.erase({canonical(diagram_.quad(a)), a & ~1});
-      diagram_.flip(h);
-      examine(h);
-      for (const HalfEdge a : around) examine(a & ~1);
-    }
+  // Whether the rule wants another edge in the place of this one, both circles of which are one.
+  bool is_illegal(const Quad& q) const {
+    const bool has_largest = std::max(q.s, q.e) < std::max(q.l, q.r);
+    return !has_largest && !certainly_apart(q) && is_point(q);
   }
 
  private:
-  using HalfEdge = Diagram::HalfEdge;
-
-  void examine(HalfEdge h) {
-    const Quad q = diagram_.quad(h);
-    const bool has_largest = q.s == q.e || std::max(q.s, q.e) < std::max(q.l, q.r);
-    if (!has_largest && !certainly_apart(q) && is_point(q)) wrong_.insert({canonical(q), h & ~1});
-  }
-
   bool is_infinity(GenId g) const { return frame_ == Frame::plane && g == container_id; }
 
   // Whether doubles prove that no circle touches all four.
@@ -159,8 +138,6 @@ class RestingEdges {
 
   const Motion& motion_;
   Frame frame_;
-  Diagram& diagram_;
-  std::set<std::pair<Quad, HalfEdge>> wrong_;
 };
 
 }  // namespace
@@ -168,7 +145,7 @@ class RestingEdges {
 RestingDiagram resting_diagram(const MotionInput& input, Frame frame, const MotionOptions& options,
                                TierCounts& counts) {
   RestingDiagram out{hosts(input, frame), {}};
-  std::vector<GenId> names;  // of the visible disks
+  std::vector<GenId> names;  // the visible disks
   MotionInput seen = input;
   seen.disks.clear();
   for (GenId g = 0; g < static_cast<GenId>(out.host.size()); ++g) {
@@ -179,7 +156,8 @@ RestingDiagram resting_diagram(const MotionInput& input, Frame frame, const Moti
   if (names.size() < 2) return out;
   const GivenMotion motion(std::move(seen), options);
   Diagram diagram = overlapping_diagram(motion, frame, counts);
-  RestingEdges(motion, frame, diagram).settle();
+  const RestingEdges edges(motion, frame);
+  legalize(diagram, [&](const Quad& q) { return edges.is_illegal(q); });
   const auto name = [&](GenId g) { return g == container_id ? g : names[g]; };
   for (const Quad& q : diagram.quads()) {
     out.edges.push_back({name(q.l), name(q.r), name(q.s), name(q.e)});

@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "engine/touching_point.h"
 #include "exact/directions.h"
 #include "filtered/search/instant_predicates.h"
 
@@ -22,50 +23,6 @@ using HalfEdge = Diagram::HalfEdge;
 
 // Where the spatial order leads from disk to disk, a walk takes a few steps.
 constexpr int kLongestWalk = 100;
-
-// The smallest pair of a point (radius 0) and another generator that touch. Tangencies vanish there
-// and nowhere else: the point's cell has no area, the vertices around it coincide, and neither walk
-// of the construction needs to end. Each disk is tried with the points between its extreme
-// abscissas, the container with all.
-std::optional<std::pair<GenId, GenId>> touching_point(InstantPredicates& predicates) {
-  const Motion& motion = predicates.motion();
-  struct Point {
-    double x;
-    GenId g;
-  };
-  std::vector<Point> points;
-  double error = 0;
-  for (GenId g = 0; g < motion.size(); ++g) {
-    if (motion.input().disks[g].radius != 0) continue;
-    const DoubleBall& x = predicates.rough(g).x;
-    points.push_back({x.mid, g});
-    error = std::fmax(error, x.rad);
-  }
-  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
-  std::optional<std::pair<GenId, GenId>> smallest;
-  const auto examine = [&](GenId g, GenId point) {
-    const std::pair<GenId, GenId> pair = std::minmax(g, point);
-    if (smallest && *smallest <= pair) return;
-    const bool touch = predicates.decide([&](auto at, auto) -> std::optional<bool> {
-      const Sign s = sign(tangency(at(g), at(point)));
-      if (s == Sign::unknown) return std::nullopt;
-      return s == Sign::zero;
-    });
-    if (touch) smallest = pair;
-  };
-  for (const Point& p : points) examine(container_id, p.g);
-  for (GenId g = 0; g < motion.size(); ++g) {
-    if (motion.input().disks[g].radius == 0) continue;  // points do not coincide
-    const Site<DoubleBall>& disk = predicates.rough(g);
-    // The last term is above the roundings of both ends.
-    const double reach = (disk.r.mid + disk.r.rad + disk.x.rad + error) * (1 + 0x1p-50) +
-                         std::fabs(disk.x.mid) * 0x1p-51;
-    const auto first = std::lower_bound(points.begin(), points.end(), disk.x.mid - reach,
-                                        [](const Point& p, double x) { return p.x < x; });
-    for (auto p = first; p != points.end() && p->x <= disk.x.mid + reach; ++p) examine(g, p->g);
-  }
-  return smallest;
-}
 
 class Construction {
  public:

@@ -17,7 +17,7 @@
 
 namespace voroproof::internal {
 
-// What bounds a diagram: the container, or nothing. Then the generator -1 is infinity: its cell is
+// The bound of a diagram: the container, or nothing. Then the generator -1 is infinity: its cell is
 // where no other is, and the circles that touch it are the lines that touch two disks on one side.
 enum class Frame { circle, plane };
 

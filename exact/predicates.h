@@ -153,7 +153,7 @@ struct GeneratorRow {
   T x, y, s, p;
 };
 template <class T>
-GeneratorRow<T> row(const Site<T>& base, const Site<T>& g) {
+[[gnu::always_inline]] inline GeneratorRow<T> row(const Site<T>& base, const Site<T>& g) {
   const T x = g.x - base.x, y = g.y - base.y, s = g.r - base.r;
   return {x, y, s, x * x + y * y - s * s};
 }

@@ -151,7 +151,7 @@ class Reader {
   LineSource lines_;
   char separator_ = ' ';
   std::size_t size_ = 0;
-  std::vector<int> columns_{-1, -1, -1};  // of x, y and radius
+  std::vector<int> columns_{-1, -1, -1};  // where x, y and radius are
   std::vector<std::size_t> rest_;
   DiskTable table_;
 };

@@ -7,11 +7,12 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <map>
-#include <set>
 #include <stdexcept>
 #include <string>
 
 #include "engine/resting_diagram.h"
+#include "filtered/numbers/dd_ball.h"
+#include "filtered/search/collapse.h"
 #include "library/diagram_geometry.h"
 #include "library/places.h"
 #include "library/polylines.h"
@@ -65,26 +66,68 @@ MotionInput motion_input(const std::vector<Circle>& disks, const std::optional<C
   return input;
 }
 
-// The circles of all vertices that are not at infinity.
+// The double to which all values of the ball round.
+std::optional<double> nearest(const DdBall& b) {
+  const double off = b.rad * (1 + 0x1p-40) + std::fabs(b.lo) * 0x1p-51;
+  const double low = b.hi + (b.lo - off), high = b.hi + (b.lo + off);
+  if (!(low == high) || !std::isfinite(low)) return std::nullopt;
+  return low == 0 ? 0 : low;
+}
+
+// The circles of vertices, rounded to nearest.
+class Circles {
+ public:
+  Circles(const std::vector<Circle>& disks, const std::optional<Circle>& frame)
+      : disks_(disks), frame_(frame) {}
+
+  Vertex of(const Triple& name) {
+    const auto site = [&](GenId g) {
+      const auto& [c, r] = g == container_id ? *frame_ : disks_[g];
+      return Site<DdBall>{c[0], c[1], g == container_id ? -r : r};
+    };
+    const auto [i, j, k] = disk_first(name[0], name[1], name[2]);
+    const auto at = tangent_circle(
+        TangentTriple<DdBall>(site(i), site(j), site(k), j == container_id || k == container_id));
+    const auto x = nearest(at[0]), y = nearest(at[1]), r = nearest(at[2]);
+    if (x && y && r) return {name, {*x, *y}, *r};
+    const Places::Rounded circle = exactly().circle(name);
+    return {name, circle.center, circle.radius};
+  }
+
+ private:
+  // All generators with more bits, and exactly.
+  Places& exactly() {
+    if (places_) return *places_;
+    const auto site = [](const Circle& c, int sign) {
+      return MovingSite<Rational>{to_rational(c.center[0]), to_rational(c.center[1]), 0, 0,
+                                  to_rational(sign * c.radius)};
+    };
+    std::vector<MovingSite<Rational>> sites{site(frame_.value_or(Circle{{}, 1}), -1)};
+    for (const Circle& d : disks_) sites.push_back(site(d, 1));
+    return places_.emplace(std::move(sites));
+  }
+
+  const std::vector<Circle>& disks_;
+  const std::optional<Circle>& frame_;
+  std::optional<Places> places_;
+};
+
+// All vertices that are not at infinity.
 std::vector<Vertex> vertices_of(const std::vector<Circle>& disks,
                                 const std::optional<Circle>& frame,
                                 const std::vector<Quad>& edges) {
-  std::set<Triple> names;
-  for (const Quad& q : edges) names.insert({start_vertex(q), end_vertex(q)});
-  std::vector<MovingSite<Rational>> sites{{0, 0, 0, 0, -1}};
-  const auto site = [](const Circle& c, int sign) {
-    return MovingSite<Rational>{to_rational(c.center[0]), to_rational(c.center[1]), 0, 0,
-                                to_rational(sign * c.radius)};
-  };
-  if (frame) sites[0] = site(*frame, -1);
-  for (const Circle& d : disks) sites.push_back(site(d, 1));
-  Places places(std::move(sites));
-  std::vector<Vertex> vertices;
-  for (const Triple& name : names) {
-    if (!frame && name[0] == container_id) continue;
-    const Places::Rounded circle = places.circle(name);
-    vertices.push_back({name, circle.center, circle.radius});
+  std::vector<Triple> names;
+  for (const Quad& q : edges) {
+    for (const Triple& name : {start_vertex(q), end_vertex(q)}) {
+      if (frame || name[0] != container_id) names.push_back(name);
+    }
   }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  Circles circles(disks, frame);
+  std::vector<Vertex> vertices;
+  vertices.reserve(names.size());
+  for (const Triple& name : names) vertices.push_back(circles.of(name));
   return vertices;
 }
 
@@ -227,7 +270,7 @@ std::vector<Points> whole_cells(const StaticDiagram& diagram, double far, double
     if (turned) std::reverse(sides.back().begin(), sides.back().end());
   }
   std::vector<Points> cells = polygons(file.disks.size(), file.edges, sides);
-  cells.pop_back();  // of the frame
+  cells.pop_back();  // that of the frame
   return cells;
 }
 

@@ -38,18 +38,18 @@ CODE = [
     ("filtered/search/rough_judge.cpp", "  return {bx * cy - by * cx, "),
     ("exact/predicates.h", "  return squared(dx) + squared(dy) - squared(dr);\n"),
     ("exact/predicates.h", "  return x1 * y2 - y1 * x2;\n"),
-    ("exact/predicates.h", """    const T a = x * t.sp - s * t.xp + p * t.xs;
-    const T b = y * t.sp - s * t.yp + p * t.ys;
+    ("exact/predicates.h", """    const T a = e.x * t.sp - e.s * t.xp + e.p * t.xs;
+    const T b = e.y * t.sp - e.s * t.yp + e.p * t.ys;
     return t.xp * a + t.yp * b;
 """),
-    ("exact/predicates.h", "  T c() const { return x * t.yp - y * t.xp + p * t.xy; }\n"),
-    ("exact/predicates.h", """    xp = dj.x * pk - pj * dk.x;
-    yp = dj.y * pk - pj * dk.y;
-    sp = dj.r * pk - pj * dk.r;
-"""),
-    ("exact/predicates.h", """        xs(dj.x * dk.r - dj.r * dk.x),
-        ys(dj.y * dk.r - dj.r * dk.y),
-        xy(dj.x * dk.y - dj.y * dk.x),
+    ("exact/predicates.h", "  T c() const { return e.x * t.yp - e.y * t.xp + e.p * t.xy; }\n"),
+    ("exact/predicates.h", "  return {x, y, s, x * x + y * y - s * s};\n"),
+    ("exact/predicates.h", """        xp(j.x * k.p - j.p * k.x),
+        yp(j.y * k.p - j.p * k.y),
+        sp(j.s * k.p - j.p * k.s),
+        xs(j.x * k.s - j.s * k.x),
+        ys(j.y * k.s - j.s * k.y),
+        xy(j.x * k.y - j.y * k.x),
 """),
     ("filtered/search/rough_circles.h", "    const Lanes direct = t_.xp * t_.xs + t_.yp * t_.ys;\n"),
     ("filtered/search/rough_circles.h",

@@ -65,7 +65,7 @@ check apps/draw $rooms apps/answers apps/draw
 check apps/certifier $rooms certify/kernel apps/draw apps/certifier
 check apps/corpus $rooms apps/run apps/draw apps/corpus
 check apps/paper $rooms apps/paper
-check apps/verbs $rooms apps
+check apps/verbs $rooms voroproof apps
 # The library of the command line takes seconds to compile: one file includes it.
 if grep -rlE '#include <CLI/' apps | grep -vx apps/cli/parser.cpp; then
   echo "check-layers: includes CLI11, which only apps/cli/parser.cpp may" >&2
