@@ -142,6 +142,40 @@ TEST(StaticDiagram, OneDiskHasTheBoxOrAnEllipse) {
   EXPECT_TRUE(StaticDiagram({}).cells({{0, 0}, {1, 1}}, 0.1).empty());
 }
 
+// The lines that touch all of them are circles of three: their vertices are at infinity.
+TEST(StaticDiagram, CellsOfEqualDisksOnALineAreStrips) {
+  std::vector<Circle> disks;
+  for (int k = 0; k < 5; ++k) disks.push_back({{static_cast<double>(k), 0}, 0.25});
+  const StaticDiagram d(disks);
+  EXPECT_TRUE(d.vertices().empty());
+  const auto cells = d.cells({{-0.5, -1}, {4.5, 1}}, 1e-3);
+  for (const auto& cell : cells) {
+    ASSERT_EQ(cell.size(), 1U);
+    EXPECT_NEAR(area(cell[0]), 2, 1e-9);
+  }
+}
+
+TEST(StaticDiagram, CellsDoNotDependOnTheUnit) {
+  for (const double unit : {1e-90, 1e90}) {
+    std::vector<Circle> disks = random_disks(9, 50, 1);
+    for (Circle& d : disks) {
+      d = {{unit * d.center[0], unit * d.center[1]}, unit * d.radius};
+    }
+    const StaticDiagram d(disks);
+    const Box box = d.box();
+    double part = 0;
+    for (const auto& cell : d.cells(box, unit / 100)) {
+      for (auto piece : cell) {
+        for (Vector& p : piece) p = {p[0] / unit, p[1] / unit};
+        part += area(piece);
+      }
+    }
+    const double whole =
+        (box.high[0] / unit - box.low[0] / unit) * (box.high[1] / unit - box.low[1] / unit);
+    EXPECT_NEAR(part, whole, 1e-9 * whole);
+  }
+}
+
 TEST(StaticDiagram, BadValuesAreRefused) {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   EXPECT_THROW(StaticDiagram({{{nan, 0}, 1}}), std::invalid_argument);
