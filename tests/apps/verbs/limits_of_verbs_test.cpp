@@ -84,6 +84,7 @@ const std::map<std::string, std::string> lacks_both{
     {"generate grid", "as generate reference"},
     {"generate swarm", "as generate reference"},
     {"generate formation", "as generate reference"},
+    {"diagram", "disks at rest have no events, and their predicates few bits"},
     {"render", "it draws a diagram that is given, in binary64"},
     {"page", "it writes a page that is the same each time"},
     {"explain", "it puts a report into words"},
