@@ -23,7 +23,7 @@ using Box = bg::model::box<Point>;
 // The box of a disk, made larger (out) or smaller by more than what its numbers are rounded by.
 Box box_of(const DiskInput& d, bool out) {
   const double x = round_nearest(d.x), y = round_nearest(d.y), r = round_nearest(d.radius);
-  const double off = (std::fabs(x) + std::fabs(y) + r) * 0x1p-50 + 1e-300;
+  const double off = (std::fabs(x) + std::fabs(y) + r) * 0x1p-50;
   const double half = out ? r + off : std::max(0.0, r - off);
   return {{x - half, y - half}, {x + half, y + half}};
 }

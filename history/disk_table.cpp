@@ -109,7 +109,7 @@ class Reader {
     for (std::size_t k = 0; k < size_; ++k) {
       const int what = meaning(names[k]);
       if (what < 0) {
-        table_.rest.push_back(names[k]);
+        table_.rest.push_back({names[k], {}});
         rest_.push_back(k);
         continue;
       }
@@ -126,12 +126,11 @@ class Reader {
       fail("", std::to_string(row.size()) + " fields, not " + std::to_string(size_));
     }
     if (table_.disks.size() == most_disks) fail("", "too many disks");
-    TableDisk disk{number(row, 0, "x"),
-                   number(row, 1, "y"),
-                   columns_[2] < 0 ? 0 : number(row, 2, "radius"),
-                   {}};
-    for (const std::size_t k : rest_) disk.rest.push_back(row[k]);
-    table_.disks.push_back(std::move(disk));
+    table_.disks.push_back(
+        {number(row, 0, "x"), number(row, 1, "y"), columns_[2] < 0 ? 0 : number(row, 2, "radius")});
+    for (std::size_t k = 0; k < rest_.size(); ++k) {
+      table_.rest[k].second.push_back(row[rest_[k]]);
+    }
   }
 
   double number(const std::vector<std::string>& row, int what, const char* name) const {

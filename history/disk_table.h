@@ -9,12 +9,12 @@ namespace voroproof::internal {
 
 struct TableDisk {
   double x = 0, y = 0, radius = 0;
-  std::vector<std::string> rest;  // the values of the other columns
 };
 
 struct DiskTable {
-  std::vector<std::string> rest;  // the names of the other columns
   std::vector<TableDisk> disks;
+  // The other columns: name and values.
+  std::vector<std::pair<std::string, std::vector<std::string>>> rest;
 };
 
 // Fields are separated by commas, semicolons or tabs, or else by blanks; a field may stand in

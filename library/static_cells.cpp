@@ -11,76 +11,13 @@
 #include "exact/predicates.h"
 #include "filtered/search/collapse.h"
 #include "library/diagram_geometry.h"
-#include "library/polylines.h"
+#include "library/edge_points.h"
 #include "library/values.h"
 #include "voroproof/static_diagram.h"
 
 namespace voroproof {
 namespace internal {
 namespace {
-
-using Points = std::vector<Vec2>;
-
-// The edge q between a disk, l, and another generator as points on it. Seen from either side its
-// points follow each other in angle, as those of the edge do, so that the polygon of a cell is
-// simple however few they are.
-class EdgePoints {
- public:
-  EdgePoints(const DiagramFile& file, const Quad& q, double tolerance)
-      : c_(center(file, q.l)),
-        other_(center(file, q.r)),
-        d_(other_ - c_),
-        s_(signed_radius(file, q.r) - signed_radius(file, q.l)),
-        p_(dot(d_, d_) - s_ * s_),
-        tolerance_(tolerance),
-        is_one_of_two_(q.s == q.e) {}
-
-  Points between(const Vec2& start, const Vec2& end) const {
-    const double from = angle(start - c_);
-    double sweep = angle(end - c_) - from;
-    if (sweep < 0) sweep += 2 * pi;
-    if (sweep > 2 * pi - least_angle) sweep = 0;  // the ends coincide but for their rounding
-    Points points{start};
-    append(start, end, from, sweep, 0, points);
-    return points;
-  }
-
- private:
-  static constexpr int most_halvings = 24;
-  static constexpr double least_angle = 1e-9, most_angle = pi / 4;
-
-  void append(const Vec2& start, const Vec2& end, double from, double sweep, int depth,
-              Points& out) const {
-    const double rho = p_ / (2 * (dot(d_, direction(from + sweep / 2)) + s_));
-    const Vec2 middle = c_ + rho * direction(from + sweep / 2);
-    // The two edges of a cell that has no more must not be one chord.
-    const bool is_fine = is_straight(start, middle, end) && sweep <= most_angle &&
-                         turned(start, end) <= most_angle && !(is_one_of_two_ && depth == 0);
-    if (is_fine || depth == most_halvings || sweep <= least_angle || !(rho > 0) ||
-        !std::isfinite(rho)) {
-      out.push_back(end);
-      return;
-    }
-    append(start, middle, from, sweep / 2, depth + 1, out);
-    append(middle, end, from + sweep / 2, sweep / 2, depth + 1, out);
-  }
-
-  bool is_straight(const Vec2& a, const Vec2& m, const Vec2& b) const {
-    const Vec2 chord = b - a, off = m - a;
-    const double far = length(chord);
-    const double bend = std::fabs(chord[0] * off[1] - chord[1] * off[0]);
-    return far > 0 ? bend <= tolerance_ * far : length(off) <= tolerance_;
-  }
-  // The angle between the two, seen from the other side.
-  double turned(const Vec2& a, const Vec2& b) const {
-    const Vec2 u = a - other_, v = b - other_;
-    return std::fabs(std::atan2(u[0] * v[1] - u[1] * v[0], dot(u, v)));
-  }
-
-  Vec2 c_, other_, d_;
-  double s_, p_, tolerance_;
-  bool is_one_of_two_;  // edges of a cell
-};
 
 // The edges of a diagram as chains of points. In the plane those of vertices at infinity are `far`
 // away.
@@ -103,10 +40,8 @@ class Drawn {
       for (const bool at_end : {false, true}) {
         const Triple name = at_end ? end_vertex(q) : start_vertex(q);
         if (finite_.contains(name)) continue;
-        const Vec2 n = normal(name), c = center(file_, q.l);
         const bool is_of_three = name[0] != container_id;
-        const Vec2 joint = c + 2 * (far_ + length(c)) * n;
-        infinite_.emplace(name, Infinite{n, is_of_three ? joint : far_end(q, at_end)});
+        infinite_.emplace(name, is_of_three ? joint(name) : far_end(q, at_end));
       }
     }
   }
@@ -119,18 +54,15 @@ class Drawn {
     if (plane_ && q.r == container_id) return rim(q);
     const auto from = finite_.find(start), to = finite_.find(end);
     const bool begins = from != finite_.end(), ends = to != finite_.end();
-    if (!begins && !ends) {
-      const Infinite &a = infinite_.at(start), &b = infinite_.at(end);
-      if (length(a.normal - b.normal) < 1e-9) return {a.place, b.place};  // all of it is there
+    // The edge leads along its whole bisector, or from a vertex at infinity to the same place.
+    if (!begins && !ends && is_left(start, q) == is_left(end, q)) {
+      return {infinite_.at(start), infinite_.at(end)};
     }
     // At a vertex at infinity of three disks their edges, which are parallel there, are joined.
-    Points points = EdgePoints(file_, q, tolerance_)
-                        .between(begins ? from->second : far_end(q, false),
-                                 ends ? to->second : far_end(q, true));
-    if (!ends && end[0] != container_id) points.push_back(infinite_.at(end).place);
-    if (!begins && start[0] != container_id) {
-      points.insert(points.begin(), infinite_.at(start).place);
-    }
+    Points points = edge_points(file_, q, begins ? from->second : far_end(q, false),
+                                ends ? to->second : far_end(q, true), tolerance_);
+    if (!ends && end[0] != container_id) points.push_back(infinite_.at(end));
+    if (!begins && start[0] != container_id) points.insert(points.begin(), infinite_.at(start));
     return points;
   }
 
@@ -145,25 +77,45 @@ class Drawn {
     return c + away * direction(angle(d) + (at_end ? off : -off));
   }
 
-  // The direction in which a vertex at infinity is.
-  Vec2 normal(const Triple& name) const {
+  // The line of a vertex at infinity.
+  template <class T, class Number>
+  TangentTriple<T> line(const Triple& name, const Number& number) const {
     const auto v = disk_first(name[0], name[1], name[2]);
     const auto site = [&](GenId g) {
-      return Site<double>{center(file_, g)[0], center(file_, g)[1], signed_radius(file_, g)};
+      const Vec2& c = center(file_, g);
+      return Site<T>{number(c[0]), number(c[1]), number(signed_radius(file_, g))};
     };
     const auto seen = [&](GenId g) {
-      return g == container_id ? GeneratorRow<double>{0, 0, 0, 1} : row(site(v[0]), site(g));
+      return g == container_id ? GeneratorRow<T>{0, 0, 0, 1} : row(site(v[0]), site(g));
     };
-    const TangentTriple<double> line(site(v[0]), seen(v[1]), seen(v[2]), false);
-    const auto n = circle_direction(line, [](double x) { return std::sqrt(std::max(x, 0.0)); });
-    return (1 / length(n)) * n;
+    return {site(v[0]), seen(v[1]), seen(v[2]), false};
+  }
+
+  // Whether that line touches l and r on the left of the way from l to r, exactly. It is in the
+  // direction n of circle_direction(), and d x n = u + sqrt(Gamma) v for d from l to r.
+  bool is_left(const Triple& name, const Quad& q) const {
+    const TangentTriple<Rational> t = line<Rational>(name, to_rational);
+    const Vec2 &l = center(file_, q.l), &r = center(file_, q.r);
+    const Rational x = to_rational(r[0]) - to_rational(l[0]),
+                   y = to_rational(r[1]) - to_rational(l[1]);
+    const Rational u = t.sp * (y * t.xp - x * t.yp), v = x * t.xp + y * t.yp;
+    return sign_with_root(sign(u), sign(v), sign(Rational(u * u - gamma(t) * v * v))) ==
+           Sign::positive;
+  }
+
+  // A place beyond the far ends of edges in that direction.
+  Vec2 joint(const Triple& name) const {
+    const auto t = line<double>(name, [](double x) { return x; });
+    const auto way = circle_direction(t, [](double x) { return std::sqrt(std::max(x, 0.0)); });
+    const Vec2 c{t.base.x, t.base.y};
+    return c + (2 * (far_ + length(c)) / length(way)) * way;
   }
 
   // The rim between the far ends of the edges beside that of a disk and infinity, counterclockwise
   // around the disk.
   Points rim(const Quad& q) const {
-    const Vec2 c = center(file_, q.l), start = infinite_.at(start_vertex(q)).place,
-               end = infinite_.at(end_vertex(q)).place;
+    const Vec2 c = center(file_, q.l), start = infinite_.at(start_vertex(q)),
+               end = infinite_.at(end_vertex(q));
     const double from = angle(start - c), radius = std::max(length(start - c), length(end - c));
     double sweep = angle(end - c) - from;
     if (sweep <= 0) sweep += 2 * pi;
@@ -176,14 +128,10 @@ class Drawn {
     return points;
   }
 
-  struct Infinite {
-    Vec2 normal, place;
-  };
   bool plane_;
   double far_, tolerance_;
   DiagramFile file_;
-  std::map<Triple, Vec2> finite_;
-  std::map<Triple, Infinite> infinite_;
+  std::map<Triple, Vec2> finite_, infinite_;
 };
 
 // Each disk's cell as one polygon, whole.
@@ -196,7 +144,7 @@ std::vector<Points> whole_cells(const StaticDiagram& diagram, double far, double
     sides.push_back(drawn.edge(turned ? reversed(q) : q));
     if (turned) std::reverse(sides.back().begin(), sides.back().end());
   }
-  std::vector<Points> cells = polygons(file.disks.size(), file.edges, sides);
+  std::vector<Points> cells = cells_between(file, sides);
   cells.pop_back();  // that of the frame
   return cells;
 }
@@ -251,8 +199,13 @@ std::vector<std::vector<std::vector<Vector>>> StaticDiagram::cells(const Box& bo
       if (hosts_[k] != visible) continue;
       const internal::Points whole = {low, {high[0], low[1]}, high, {low[0], high[1]}};
       all[k] = {whole};
-      if (frame_)
-        all[k] = internal::clipped(internal::only_cell(disks_[k], *frame_, tolerance), box);
+      if (frame_) {
+        internal::DiagramFile file;
+        file.container_center = frame_->center;
+        file.container_radius = frame_->radius;
+        file.disks.push_back({disks_[k].center, disks_[k].radius, {}});
+        all[k] = internal::clipped(internal::only_cell(file, tolerance), box);
+      }
     }
     return all;
   }

@@ -151,6 +151,10 @@ StaticDiagram::StaticDiagram(std::vector<Circle> disks, std::optional<Circle> fr
   });
 }
 
+double StaticDiagram::tolerance(const Box& box) {
+  return std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]) / 1000;
+}
+
 Box StaticDiagram::box() const {
   if (frame_) {
     const auto& [c, r] = *frame_;

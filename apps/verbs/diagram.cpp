@@ -44,45 +44,6 @@ std::string edge_text(const voroproof::Edge& e) {
          std::to_string(e.e) + "]";
 }
 
-std::string ring_text(const std::vector<Vector>& ring) {
-  std::string text = "[[";
-  for (const Vector& p : ring) text += pair_text(p) + ",";
-  return text + pair_text(ring.front()) + "]]";
-}
-
-// The cells as features of a map, each with what the table says of its disk.
-void write_geojson(OutputFile& file, const StaticDiagram& diagram, const DiskTable& table,
-                   const Box& box, double tolerance) {
-  const auto cells = diagram.cells(box, tolerance);
-  file.write("{\"type\":\"FeatureCollection\",\"features\":[");
-  for (std::size_t k = 0; k < table.disks.size(); ++k) {
-    const TableDisk& disk = table.disks[k];
-    std::string text = k == 0 ? "\n" : ",\n";
-    text += "{\"type\":\"Feature\",\"geometry\":";
-    if (cells[k].empty()) text += "null";
-    if (cells[k].size() == 1) {
-      text += "{\"type\":\"Polygon\",\"coordinates\":" + ring_text(cells[k][0]) + "}";
-    }
-    if (cells[k].size() > 1) {
-      text += "{\"type\":\"MultiPolygon\",\"coordinates\":[";
-      for (std::size_t n = 0; n < cells[k].size(); ++n) {
-        text += (n == 0 ? "" : ",") + ring_text(cells[k][n]);
-      }
-      text += "]}";
-    }
-    text += ",\"properties\":{\"disk\":" + std::to_string(k) + ",\"x\":" + number_text(disk.x) +
-            ",\"y\":" + number_text(disk.y) + ",\"radius\":" + number_text(disk.radius);
-    if (const int host = diagram.hosts()[k]; host != StaticDiagram::visible) {
-      text += ",\"hidden_by\":" + std::to_string(host);
-    }
-    for (std::size_t n = 0; n < table.rest.size(); ++n) {
-      text += "," + string_text(table.rest[n]) + ":" + string_text(disk.rest[n]);
-    }
-    file.write(text + "}}");
-  }
-  file.write("\n]}\n");
-}
-
 void write_json(OutputFile& file, const StaticDiagram& diagram) {
   file.write("{\"format\":\"voroproof-static-diagram\",\"version\":1,\n\"frame\":");
   if (const auto& frame = diagram.frame()) {
@@ -154,17 +115,17 @@ ExitCode make_diagram(const Request& request) {
     box = {{x0, y0}, {x1, y1}};
     if (!(x0 < x1 && y0 < y1)) throw UsageError("--box: no area");
   }
-  const double size = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
-  double tolerance = size / 1000;
+  double tolerance = StaticDiagram::tolerance(box);
   if (!request.tolerance.empty()) {
+    const double least = 1e-6 * tolerance;
     tolerance = round_nearest(number_argument("--tolerance", request.tolerance));
-    if (!(tolerance >= 1e-9 * size)) {
+    if (!(tolerance >= least)) {
       throw UsageError("--tolerance: less than 1e-9 of the box's size");
     }
   }
   OutputFile file(request.output);
   if (geojson) {
-    write_geojson(file, diagram, table, box, tolerance);
+    file.write(diagram.geojson(box, tolerance, table.rest));
   } else if (csv) {
     write_csv(file, diagram);
   } else {

@@ -59,6 +59,14 @@ StaticDiagram static_diagram(const Numbers& centers, const Numbers& radii,
   return Attention::without_lock([&] { return StaticDiagram(std::move(disks), circle); });
 }
 
+using Corners = std::optional<std::array<double, 4>>;
+
+Box box_of(const StaticDiagram& diagram, const Corners& corners) {
+  if (!corners) return diagram.box();
+  const auto& [x0, y0, x1, y1] = *corners;
+  return {{x0, y0}, {x1, y1}};
+}
+
 void bind_static_diagram(py::module_& module) {
   py::class_<StaticDiagram>(module, "StaticDiagram")
       .def(py::init(&static_diagram), "centers"_a, "radii"_a, "frame"_a)
@@ -79,13 +87,23 @@ void bind_static_diagram(py::module_& module) {
            })
       .def(
           "cells",
-          [](const StaticDiagram& d, const std::array<double, 4>& box, double tolerance) {
+          [](const StaticDiagram& d, const Corners& box, std::optional<double> tolerance) {
+            const Box cut = box_of(d, box);
             py::list all;
-            const Box cut{{box[0], box[1]}, {box[2], box[3]}};
-            for (const auto& cell : d.cells(cut, tolerance)) all.append(list_of(cell));
+            for (const auto& cell : d.cells(cut, tolerance.value_or(d.tolerance(cut)))) {
+              all.append(list_of(cell));
+            }
             return all;
           },
-          "box"_a, "tolerance"_a);
+          "box"_a, "tolerance"_a)
+      .def(
+          "geojson",
+          [](const StaticDiagram& d, const Corners& box, std::optional<double> tolerance,
+             const std::vector<StaticDiagram::Column>& columns) {
+            const Box cut = box_of(d, box);
+            return d.geojson(cut, tolerance.value_or(d.tolerance(cut)), columns);
+          },
+          "box"_a, "tolerance"_a, "columns"_a);
 }
 
 }  // namespace

@@ -15,7 +15,34 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-class Diagram:
+class Incidences:
+    """The vertices and edges of a diagram, which has them in `_core`."""
+
+    _core: "_core.Diagram | _core.StaticDiagram"
+
+    @property
+    def vertices(self) -> np.ndarray:
+        """The three generators of each vertex, counterclockwise, shape (m, 3), sorted."""
+        return self._core.vertices()
+
+    @property
+    def vertex_positions(self) -> np.ndarray:
+        """The centre of the circle that touches the three, shape (m, 2)."""
+        return self._core.vertex_positions()
+
+    @property
+    def vertex_radii(self) -> np.ndarray:
+        """The radius of that circle, shape (m,)."""
+        return self._core.vertex_radii()
+
+    @property
+    def edges(self) -> np.ndarray:
+        """Each edge as l, r, s, e, shape (k, 4), sorted: l to its left, r to its right, s and e at
+        its ends."""
+        return self._core.edges()
+
+
+class Diagram(Incidences):
     """The diagram of n disks and their container at a time `t`: exact topology, rounded places.
 
     Made by `Scene.diagram(t)`, `History.diagram(t)` and `Diagram.read(path)`.
@@ -60,27 +87,6 @@ class Diagram:
     def radii(self) -> np.ndarray:
         """The radii of the disks, shape (n,)."""
         return self._core.radii()
-
-    @property
-    def vertices(self) -> np.ndarray:
-        """The three generators of each vertex, counterclockwise, shape (m, 3), sorted."""
-        return self._core.vertices()
-
-    @property
-    def vertex_positions(self) -> np.ndarray:
-        """The centre of the circle that touches the three, shape (m, 2)."""
-        return self._core.vertex_positions()
-
-    @property
-    def vertex_radii(self) -> np.ndarray:
-        """The radius of that circle, shape (m,)."""
-        return self._core.vertex_radii()
-
-    @property
-    def edges(self) -> np.ndarray:
-        """Each edge as l, r, s, e, shape (k, 4), sorted: l to its left, r to its right, s and e at
-        its ends."""
-        return self._core.edges()
 
     def neighbours(self, generator: int) -> "list[int]":
         """The generators whose cells share an edge with that of the generator, sorted."""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
-from typing import TYPE_CHECKING, Optional, Sequence
+from typing import TYPE_CHECKING, Mapping, Optional, Sequence
 
 import numpy as np
 
 from . import _core
+from .diagram import Incidences
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -15,11 +15,22 @@ if TYPE_CHECKING:
 Box = "tuple[float, float, float, float]"
 
 
-class StaticDiagram:
+def _corners(box: Optional[Sequence[float]]) -> "Optional[list[float]]":
+    if box is None:
+        return None
+    corners = [float(x) for x in box]
+    if len(corners) != 4:
+        raise ValueError("box: not x0, y0, x1, y1")
+    return corners
+
+
+class StaticDiagram(Incidences):
     """The additively weighted (Apollonius) diagram of n disks, made by `voronoi`.
 
     All decisions are exact; coordinates are rounded to nearest. Disks may overlap, lie in each other
-    and coincide. A disk that another one contains is hidden: it has no cell.
+    and coincide. A disk that another one contains is hidden: it has no cell. In `edges`, -1 is the
+    frame; without one it is infinity. `vertices` have none at infinity, and where disks overlap
+    `vertex_radii` are negative.
     """
 
     def __init__(self, centers: np.ndarray, radii: np.ndarray,
@@ -42,32 +53,10 @@ class StaticDiagram:
         return self.hosts != -2
 
     @property
-    def edges(self) -> np.ndarray:
-        """The edges [l, r, s, e], shape (m, 4): between the cells of l and r, from the vertex [l, s, r]
-        to the vertex [l, r, e]. -1 is the frame; without one it is infinity."""
-        return self._core.edges()
-
-    @property
     def neighbours(self) -> np.ndarray:
         """The pairs of disks whose cells share an edge, each once, sorted, shape (k, 2)."""
         pairs = np.sort(self.edges[:, :2], axis=1)
         return np.unique(pairs[pairs[:, 0] >= 0], axis=0)
-
-    @property
-    def vertices(self) -> np.ndarray:
-        """The three generators of each vertex, counterclockwise, shape (v, 3), sorted; without those at
-        infinity."""
-        return self._core.vertices()
-
-    @property
-    def vertex_positions(self) -> np.ndarray:
-        """The centre of the circle that touches the three, shape (v, 2)."""
-        return self._core.vertex_positions()
-
-    @property
-    def vertex_radii(self) -> np.ndarray:
-        """The radius of that circle, negative where disks overlap, shape (v,)."""
-        return self._core.vertex_radii()
 
     @property
     def box(self) -> Box:
@@ -82,28 +71,16 @@ class StaticDiagram:
         of the size of the box where none is given. Raises ValueError for a box without area, and a
         tolerance less than 1e-9 of its size.
         """
-        cut = tuple(float(x) for x in (self.box if box is None else box))
-        if len(cut) != 4:
-            raise ValueError("box: not x0, y0, x1, y1")
-        size = max(cut[2] - cut[0], cut[3] - cut[1])
-        return self._core.cells(cut, size / 1000 if tolerance is None else float(tolerance))
+        return self._core.cells(_corners(box), tolerance)
 
-    def to_geojson(self, box: Optional[Sequence[float]] = None,
-                   tolerance: Optional[float] = None) -> str:
-        """The cells as a feature collection, with the properties `disk`, `radius` and `hidden_by`."""
-        features = []
-        for k, (cell, host) in enumerate(zip(self.cells(box, tolerance), self.hosts)):
-            rings = [[[*p] for p in (*ring.tolist(), ring[0].tolist())] for ring in cell]
-            geometry = None
-            if len(rings) == 1:
-                geometry = {"type": "Polygon", "coordinates": rings}
-            elif rings:
-                geometry = {"type": "MultiPolygon", "coordinates": [[ring] for ring in rings]}
-            properties = {"disk": k, "radius": float(self.radii[k])}
-            if host != -2:
-                properties["hidden_by"] = int(host)
-            features.append({"type": "Feature", "geometry": geometry, "properties": properties})
-        return json.dumps({"type": "FeatureCollection", "features": features})
+    def to_geojson(self, box: Optional[Sequence[float]] = None, tolerance: Optional[float] = None,
+                   columns: "Optional[Mapping[str, Sequence]]" = None) -> str:
+        """The cells as a feature collection, a feature a disk, with the properties `disk`, `x`, `y`,
+        `radius`, `hidden_by`, and those of `columns` (a data frame, say), one value a disk, as text.
+        Raises ValueError as `cells` does, and for a column of another length."""
+        given = [] if columns is None else [(str(name), [str(value) for value in columns[name]])
+                                            for name in columns]
+        return self._core.geojson(_corners(box), tolerance, given)
 
     def plot(self, ax: "Optional[Axes]" = None, box: Optional[Sequence[float]] = None) -> "Axes":
         """Draws cells and disks with matplotlib, and returns the axes."""

@@ -9,6 +9,8 @@
 namespace voroproof::internal {
 namespace {
 
+using namespace std::string_literals;
+
 class DiskTableFile : public ::testing::Test {
  protected:
   DiskTable read(const std::string& text) {
@@ -41,10 +43,10 @@ TEST_F(DiskTableFile, IsReadWithAnyHeadingAndSeparator) {
 
 TEST_F(DiskTableFile, KeepsOtherColumnsAndQuotes) {
   const DiskTable table = read("name,x,y,note\n\"Ada, \"\"B\"\"\",1,2,\nC,3,4,d\n");
-  EXPECT_EQ(table.rest, (std::vector<std::string>{"name", "note"}));
   ASSERT_EQ(table.disks.size(), 2U);
-  EXPECT_EQ(table.disks[0].rest, (std::vector<std::string>{"Ada, \"B\"", ""}));
-  EXPECT_EQ(table.disks[1].rest, (std::vector<std::string>{"C", "d"}));
+  ASSERT_EQ(table.rest.size(), 2U);
+  EXPECT_EQ(table.rest[0], std::pair("name"s, std::vector{"Ada, \"B\""s, "C"s}));
+  EXPECT_EQ(table.rest[1], std::pair("note"s, std::vector{""s, "d"s}));
   EXPECT_EQ(table.disks[1].radius, 0);
 }
 

@@ -187,6 +187,7 @@ TEST(StaticDiagram, BadValuesAreRefused) {
   EXPECT_THROW(d.cells({{0, 0}, {0, 1}}, 0.1), std::invalid_argument);
   EXPECT_THROW(d.cells({{0, 0}, {1, 1}}, 1e-10), std::invalid_argument);
   EXPECT_THROW(d.cells({{0, 0}, {1, 1}}, nan), std::invalid_argument);
+  EXPECT_THROW(d.geojson(d.box(), 0.1, {{"name", {"a"}}}), std::invalid_argument);
 }
 
 }  // namespace

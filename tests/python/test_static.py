@@ -48,8 +48,11 @@ def test_cells_fill_the_box(diagram):
 
 
 def test_geojson(diagram):
-    features = json.loads(diagram.to_geojson())["features"]
-    assert len(features) == 400
+    names = [f"town {k}" for k in range(400)]
+    features = json.loads(diagram.to_geojson(columns={"name": names}))["features"]
+    assert [feature["properties"]["name"] for feature in features] == names
+    with pytest.raises(ValueError, match="name"):
+        diagram.to_geojson(columns={"name": names[1:]})
     for feature, hidden in zip(features, diagram.hidden):
         assert (feature["geometry"] is None) == hidden
         if not hidden:

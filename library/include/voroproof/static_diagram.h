@@ -2,8 +2,9 @@
 // circle or in the plane.
 #pragma once
 
-#include <array>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "voroproof/diagram.h"
@@ -54,6 +55,16 @@ class VOROPROOF_API StaticDiagram {
   std::vector<std::vector<std::vector<Vector>>> cells(const Box& box, double tolerance) const;
   // That of all visible disks, and a tenth of its size on each side; in a frame, that of the frame.
   Box box() const;
+  // A thousandth of the box's size.
+  static double tolerance(const Box& box);
+
+  // The cells as a feature collection of GeoJSON (RFC 7946), a feature a disk, without geometry
+  // where it has no cell in the box. Properties are `disk`, `x`, `y`, `radius`, `hidden_by` of a
+  // hidden disk, and further columns: names, and a text for each disk. Throws as cells() does, and
+  // std::invalid_argument for a column of another length.
+  using Column = std::pair<std::string, std::vector<std::string>>;
+  std::string geojson(const Box& box, double tolerance,
+                      const std::vector<Column>& columns = {}) const;
 
  private:
   std::vector<Circle> disks_;
