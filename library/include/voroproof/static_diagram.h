@@ -30,7 +30,7 @@ class VOROPROOF_API StaticDiagram {
   // In the plane only differences of radii count, which may be negative. In a frame, whose cell is
   // what lies beyond it and of which the id is `container`, radii are >= 0. Numbers are exactly
   // what the doubles are; all decisions are exact. n disks take O(n log n) time where few are
-  // hidden by many, and some 400 bytes each. Throws std::invalid_argument, naming the disk, for
+  // hidden by many, and some 600 bytes each. Throws std::invalid_argument, naming the disk, for
   // numbers that are not finite or in magnitude beyond 1e-100 to 1e100, and for negative radii in a
   // frame.
   explicit StaticDiagram(std::vector<Circle> disks, std::optional<Circle> frame = std::nullopt);
