@@ -10,7 +10,8 @@ results=$build/bench/results
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DVOROPROOF_BENCH=ON
 cmake --build "$build" --target voroproof_bench_runs voroproof_bench_growth \
-  voroproof_bench_rebuild voroproof_bench_slices voroproof_bench_first_diagram voroproof_bench_dense
+  voroproof_bench_rebuild voroproof_bench_slices voroproof_bench_first_diagram voroproof_bench_resting \
+  voroproof_bench_dense
 # Not there without Google Benchmark.
 predicates=$build/voroproof_bench_predicates
 if cmake --build "$build" --target help | grep -q voroproof_bench_predicates; then
@@ -43,6 +44,8 @@ done
 echo
 
 "$build/voroproof_bench_first_diagram" --json "$results/first_diagram.json"
+echo
+"$build/voroproof_bench_resting" --json "$results/resting.json"
 echo
 "$build/voroproof_bench_slices" --json "$results/slices.json"
 echo

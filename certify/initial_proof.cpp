@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "certify/edge_signs.h"
 #include "exact/names.h"
 #include "filtered/search/collapse.h"
 #include "filtered/search/instant_predicates.h"
@@ -41,17 +40,20 @@ Sign angle_order(const std::array<T, 2>& a, const std::array<T, 2>& b) {
 
 class InitialProof {
  public:
-  InitialProof(const Diagram& diagram, Motion& motion, const Rational& t, TierCounts& counts,
-               int threads)
+  InitialProof(const Diagram& diagram, Frame frame, const Motion& motion, const Rational& t,
+               TierCounts& counts, int threads)
       : diagram_(diagram),
+        frame_(frame),
+        framed_(frame),
         motion_(motion),
-        t_(t),
         counts_(counts),
         threads_(threads),
         predicates_(motion, t, counts) {}
 
-  // All threads prove what doubles can prove. This thread proves the rest.
-  std::optional<InitialFault> fault() {
+  // All threads prove what doubles can prove. This thread proves the rest. `is_legal_after` tells
+  // of an edge of which both circles touch all four generators whether it is there just after.
+  template <class IsLegalAfter>
+  std::optional<InitialFault> fault(const IsLegalAfter& is_legal_after) {
     const int edges = diagram_.edges();
     for (const int e : unproved(edges, [this](int k) { return prove_tangency(2 * k); })) {
       require_tangency(diagram_.org(2 * e), diagram_.dest(2 * e));
@@ -61,7 +63,7 @@ class InitialProof {
     }
     for (const int e :
          unproved(edges, [this](int k) { return prove_edge(diagram_.quad(2 * k)); })) {
-      if (auto f = edge_fault(diagram_.quad(2 * e))) return f;
+      if (auto f = edge_fault(diagram_.quad(2 * e), is_legal_after)) return f;
     }
     for (const int k :
          unproved(diagram_.disks() + 1, [this](int k) { return prove_cell(k - 1); })) {
@@ -71,11 +73,6 @@ class InitialProof {
   }
 
  private:
-  template <class Sites>
-  static auto triple_at(Sites& at, GenId a, GenId b, GenId c) {
-    return tangent_triple(a, at(a), b, at(b), c, at(c));
-  }
-
   // `predicate` as InstantPredicates takes it; gives a sign.
   template <class F>
   Sign decide(F&& predicate) {
@@ -89,11 +86,12 @@ class InitialProof {
 
   // The direction from g to its vertex with i and j.
   template <class Sites, class Root>
-  static auto direction(Sites& at, Root& root, GenId g, GenId i, GenId j) {
+  auto direction(Sites& at, Root& root, GenId g, GenId i, GenId j) const {
+    const auto v = framed_.triple(at, g, i, j);
+    using Vec = std::array<std::decay_t<decltype(v.pj)>, 2>;
+    // From infinity all lines to a vertex have the direction of those from disks.
+    if (g != container_id || framed_.is_infinity(g)) return Vec(circle_direction(v, root));
     const auto base = at(g);
-    using Vec = std::array<std::decay_t<decltype(base.x)>, 2>;
-    const auto v = triple_at(at, g, i, j);
-    if (g != container_id) return Vec(circle_direction(v, root));
     const auto z = tangent_circle(v, root);
     return Vec{z[0] - base.x, z[1] - base.y};
   }
@@ -137,34 +135,31 @@ class InitialProof {
 
   std::optional<int> prove_tangency(HalfEdge h) const {
     const GenId a = diagram_.org(h), b = diagram_.dest(h);
-    const Sign s = sign(tangency(predicates_.rough(a), predicates_.rough(b)));
+    const Sign s = sign(framed_.tangency(rough_, a, b));
     return s == tangency_sign(a, b) ? std::optional(1) : std::nullopt;
   }
   std::optional<int> prove_vertex(HalfEdge h) const {
     if (!is_named_by(h)) return 0;
-    const auto at = [this](GenId g) { return predicates_.rough(g); };
-    const Sign s =
-        circle_exists(triple_at(at, diagram_.org(h), diagram_.dest(h), diagram_.apex(h)));
+    const GenId a = diagram_.org(h), b = diagram_.dest(h), c = diagram_.apex(h);
+    if (is_line(a, b, c)) return 0;
+    const Sign s = circle_exists(framed_.triple(rough_, a, b, c));
     return s == Sign::positive ? std::optional(1) : std::nullopt;
   }
   // Legal: both in-circle functions at once.
   std::optional<int> prove_edge(const Quad& q) const {
     if (q.s == q.e) return 0;
-    const auto at = [this](GenId g) { return predicates_.rough(g); };
-    const auto l = at(q.l), r = at(q.r), s = at(q.s), e = at(q.e);
-    const Sign f = sign(cotangency(l, r, s, e));
-    const auto [start, end] = EdgeTriples<DoubleBall>::of(q, {l, r, s, e});
-    const bool legal = incircle(start, e, q.e == container_id, f) == Sign::positive &&
-                       incircle(end, s, q.s == container_id, f) == Sign::positive;
+    const Sign f = sign(framed_.cotangency(rough_, q.l, q.s, q.r, q.e));
+    const bool legal = framed_.incircle(rough_, start_vertex(q), q.e, f) == Sign::positive &&
+                       framed_.incircle(rough_, end_vertex(q), q.s, f) == Sign::positive;
     return legal ? std::optional(2) : std::nullopt;
   }
   // The vertices turn once; each direction is computed once.
   std::optional<int> prove_cell(GenId g) const {
-    const auto at = [this](GenId i) { return predicates_.rough(i); };
     const OwnRoot root;
     const HalfEdge first = diagram_.anchor(g);
+    if (first < 0) return 0;  // hidden
     const auto vertex = [&](HalfEdge h) {
-      return direction(at, root, g, diagram_.dest(h), diagram_.apex(h));
+      return direction(rough_, root, g, diagram_.dest(h), diagram_.apex(h));
     };
     int falls = 0, steps = 0;
     auto d = vertex(first);
@@ -186,13 +181,18 @@ class InitialProof {
 
   // Each vertex is named once: by its smallest half-edge.
   bool is_named_by(HalfEdge h) const { return h < diagram_.next(h) && h < diagram_.previous(h); }
-  static Sign tangency_sign(GenId a, GenId b) {
-    return a == container_id || b == container_id ? Sign::negative : Sign::positive;
+  Sign tangency_sign(GenId a, GenId b) const {
+    const bool wall = frame_ == Frame::circle && (a == container_id || b == container_id);
+    return wall ? Sign::negative : Sign::positive;
+  }
+  // The circle of such a vertex is a line, which exists where the tangency is right.
+  bool is_line(GenId a, GenId b, GenId c) const {
+    return framed_.is_infinity(a) || framed_.is_infinity(b) || framed_.is_infinity(c);
   }
 
   // Two generators, neither of which lies in the other nor is a point of its boundary.
   void require_tangency(GenId a, GenId b) {
-    const Sign s = decide([&](auto at, auto) { return sign(tangency(at(a), at(b))); });
+    const Sign s = decide([&](auto at, auto) { return sign(framed_.tangency(at, a, b)); });
     if (s == tangency_sign(a, b)) return;
     throw Undecided(s == Sign::zero ? "a point touches another generator: its cell has no area"
                                     : "a generator lies inside another",
@@ -202,8 +202,11 @@ class InitialProof {
   std::optional<InitialFault> vertex_fault(HalfEdge h) {
     if (!is_named_by(h)) return std::nullopt;
     const GenId a = diagram_.org(h), b = diagram_.dest(h), c = diagram_.apex(h);
-    const Sign s = decide([&](auto at, auto) { return circle_exists(triple_at(at, a, b, c)); });
-    if (s == Sign::positive) return std::nullopt;
+    if (is_line(a, b, c)) return std::nullopt;
+    const Sign s =
+        decide([&](auto at, auto) { return circle_exists(framed_.triple(at, a, b, c)); });
+    // In the plane a circle may be a line.
+    if (s == Sign::positive || (frame_ == Frame::plane && s == Sign::zero)) return std::nullopt;
     const Triple v = canonical(Triple{a, b, c});
     return InitialFault{"no circle touches the generators of vertex " + text_of(v) +
                             " counterclockwise in this order",
@@ -213,16 +216,16 @@ class InitialProof {
                         {}};
   }
 
-  std::optional<InitialFault> edge_fault(const Quad& q) {
+  template <class IsLegalAfter>
+  std::optional<InitialFault> edge_fault(const Quad& q, const IsLegalAfter& is_legal_after) {
     if (q.s == q.e) return std::nullopt;
-    const auto side = [&](bool at_start) {
+    const auto side = [&](const Triple& v, GenId other) {
       return decide([&](auto at, auto) {
-        const auto l = at(q.l), r = at(q.r), s = at(q.s), e = at(q.e);
-        const EdgeSigns signs = edge_signs(q, l, r, s, e, sign(cotangency(l, r, s, e)));
-        return at_start ? signs.end_in_start : signs.start_in_end;
+        const Sign f = sign(framed_.cotangency(at, q.l, q.s, q.r, q.e));
+        return framed_.incircle(at, v, other, f);
       });
     };
-    const Sign start = side(true), end = side(false);
+    const Sign start = side(start_vertex(q), q.e), end = side(end_vertex(q), q.s);
     if (start == Sign::negative || end == Sign::negative) {
       const bool first = start == Sign::negative;
       const Triple v = first ? start_vertex(q) : end_vertex(q);
@@ -235,10 +238,7 @@ class InitialProof {
                           {}};
     }
     if (start == Sign::positive || end == Sign::positive) return std::nullopt;
-    // Cotangent at t: legal just after?
-    const Moment now = Moment::at(t_);
-    CollapseSearch search(motion_, counts_);
-    if (search.from(q, now, now.hi).kind != Collapse::Kind::now) return std::nullopt;
+    if (is_legal_after(q)) return std::nullopt;
     return InitialFault{"the four generators of edge " + text_of(q) +
                             " are cotangent and the edge is not legal just after",
                         q,
@@ -250,6 +250,7 @@ class InitialProof {
   // The vertices around g must turn exactly once: among the steps from each to the next exactly
   // one falls back in angle.
   std::optional<InitialFault> cell_fault(GenId g) {
+    if (diagram_.anchor(g) < 0) return std::nullopt;  // hidden
     int falls = 0;
     bool turns = false;
     for (const HalfEdge h : diagram_.ring(g)) {
@@ -280,18 +281,36 @@ class InitialProof {
   }
 
   const Diagram& diagram_;
-  Motion& motion_;
-  Rational t_;
+  Frame frame_;
+  Framed framed_;
+  const Motion& motion_;
   TierCounts& counts_;
   int threads_;
   InstantPredicates predicates_;
+  // The sites in doubles.
+  struct Rough {
+    const InstantPredicates& predicates;
+    const Site<DoubleBall>& operator()(GenId g) const { return predicates.rough(g); }
+  };
+  const Rough rough_{predicates_};
 };
 
 }  // namespace
 
 std::optional<InitialFault> initial_fault(const Diagram& diagram, Motion& motion, const Rational& t,
                                           TierCounts& counts, int threads) {
-  return InitialProof(diagram, motion, t, counts, threads).fault();
+  return InitialProof(diagram, Frame::circle, motion, t, counts, threads).fault([&](const Quad& q) {
+    const Moment now = Moment::at(t);
+    CollapseSearch search(motion, counts);
+    return search.from(q, now, now.hi).kind != Collapse::Kind::now;
+  });
+}
+
+std::optional<InitialFault> resting_fault(const Diagram& diagram, Frame frame, const Motion& motion,
+                                          TierCounts& counts, int threads) {
+  return InitialProof(diagram, frame, motion, 0, counts, threads).fault([](const Quad&) {
+    return true;
+  });
 }
 
 }  // namespace voroproof::internal

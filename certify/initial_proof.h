@@ -15,6 +15,7 @@
 #include "exact/topology/diagram.h"
 #include "filtered/motion/motion.h"
 #include "filtered/numbers/stats.h"
+#include "filtered/search/framed.h"
 
 namespace voroproof::internal {
 
@@ -31,6 +32,12 @@ struct InitialFault {
 // motion just after t. So many threads work on it, which changes nothing that is found. Throws
 // Undecided, also where point 0 fails: there is no diagram then.
 std::optional<InitialFault> initial_fault(const Diagram& diagram, Motion& motion, const Rational& t,
+                                          TierCounts& counts, int threads);
+
+// The same at t = 0 for disks that rest for ever and of which none lies in another or outside of
+// the frame, touching it from inside or not. They may overlap. Edges of which both circles touch
+// all four generators are not judged: other edges in their place are as right.
+std::optional<InitialFault> resting_fault(const Diagram& diagram, Frame frame, const Motion& motion,
                                           TierCounts& counts, int threads);
 
 }  // namespace voroproof::internal

@@ -27,7 +27,7 @@ constexpr int kLongestWalk = 100;
 class Construction {
  public:
   Construction(const Motion& motion, const Rational& t, Frame frame, TierCounts& counts)
-      : frame_(frame), predicates_(motion, t, counts, {0, 1}), diagram_(motion.size()) {}
+      : framed_(frame), predicates_(motion, t, counts), diagram_(motion.size()) {}
 
   InstantPredicates& predicates() { return predicates_; }
 
@@ -47,43 +47,6 @@ class Construction {
     GenId ray_from;  // the generator the ray starts at, if `before` does not count
   };
   static constexpr GenId no_ray = -2;
-
-  bool is_infinity(GenId g) const { return frame_ == Frame::plane && g == container_id; }
-
-  template <class Sites>
-  auto row_of(Sites& at, GenId base, GenId g) const {
-    const auto& from = at(base);
-    using T = std::decay_t<decltype(from.x)>;
-    if (!is_infinity(g)) return row<T>(from, at(g));
-    const T zero = at.constant(0);
-    return GeneratorRow<T>{zero, zero, zero, at.constant(1)};
-  }
-  // The circle that touches a disk and b, c counterclockwise.
-  template <class Sites>
-  auto circle(Sites& at, GenId base, GenId b, GenId c) const {
-    const bool wall = frame_ == Frame::circle && (b == container_id || c == container_id);
-    return TangentTriple(at(base), row_of(at, base, b), row_of(at, base, c), wall);
-  }
-  // The same of the vertex [a,b,c].
-  template <class Sites>
-  auto triple(Sites& at, GenId a, GenId b, GenId c) const {
-    const auto v = disk_first(a, b, c);
-    return circle(at, v[0], v[1], v[2]);
-  }
-  // Direction from the disk `base` to the vertex (base, b, c), up to a positive factor.
-  template <class Sites, class Root>
-  auto vertex_direction(Sites& at, Root& root, GenId base, GenId b, GenId c) const {
-    return circle_direction(circle(at, base, b, c), root);
-  }
-  template <class Sites>
-  auto cotangency_with(Sites& at, GenId a, GenId b, GenId c, GenId i) const {
-    const auto v = disk_first(a, b, c);
-    if (!is_infinity(v[1]) && !is_infinity(v[2])) {
-      return cotangency(at(v[0]), at(v[1]), at(v[2]), at(i));
-    }
-    const auto j = at(v[0]), k = at(is_infinity(v[1]) ? v[2] : v[1]), e = at(i);
-    return cotangency_of(tangency(j, k), tangency(j, e), tangency(k, e));
-  }
 
   void insert(GenId i, GenId near) {
     const HalfEdge h = around(i, diagram_.anchor(near));
@@ -190,12 +153,12 @@ class Construction {
       using T = std::decay_t<decltype(base.x)>;
       const Direction<T> ray{target.x - base.x, target.y - base.y};
       if (j != container_id) {
-        return on_arc<T>(vertex_direction(at, root, j, s, k), vertex_direction(at, root, j, k, e),
+        return on_arc<T>(framed_.direction(at, root, j, s, k), framed_.direction(at, root, j, k, e),
                          ray, true);
       }
       // The edges run clockwise around the container's centre.
       const auto direction = [&](GenId a, GenId b) {
-        const auto z = tangent_circle(triple(at, j, a, b), root);
+        const auto z = tangent_circle(framed_.triple(at, j, a, b), root);
         return Direction<T>{z[0] - base.x, z[1] - base.y};
       };
       return on_arc<T>(direction(k, e), direction(s, k), ray, true);
@@ -205,7 +168,7 @@ class Construction {
   // Whether the point y where that ray meets the edge j|k is nearer to i than to j. If
   // it is not, the gap between i and k is smaller than that between i and j.
   bool meets(GenId i, GenId j, GenId k) {
-    if (is_infinity(k)) return true;
+    if (framed_.is_infinity(k)) return true;
     return predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
       const auto cj = at(j), ci = at(i), ck = at(k);
       using T = std::decay_t<decltype(cj.x)>;
@@ -261,13 +224,13 @@ class Construction {
     const GenId l = diagram_.org(h), r = diagram_.dest(h), x = diagram_.apex(h);
     const auto in_circle = [&](auto at, auto) -> std::optional<bool> {
       const auto& site = at(i);
-      const auto v = triple(at, l, r, x);
+      const auto v = framed_.triple(at, l, r, x);
       if constexpr (std::is_same_v<std::decay_t<decltype(site)>, Site<DoubleBall>>) {
         // Cheaper than the cotangency, and nearly always enough.
         const Sign s = sign(incircle_value(v, site, false));
         if (is_certain(s)) return s == Sign::negative;
       }
-      const Sign f = sign(cotangency_with(at, l, r, x, i));
+      const Sign f = sign(framed_.cotangency(at, l, r, x, i));
       const Sign s = incircle(v, site, false, f);
       if (s == Sign::unknown) return std::nullopt;
       return s == Sign::negative;
@@ -281,11 +244,11 @@ class Construction {
     if (x == i || !in_conflict(i, t)) return false;
     // Both ends of the edge are in conflict. All of it is, unless both circles of (l,
     // r, i) exist and lie on it.
-    const bool line = is_infinity(l) || is_infinity(r);
+    const bool line = framed_.is_infinity(l) || framed_.is_infinity(r);
     const bool both = line || predicates_.decide([&](auto at, auto) -> std::optional<bool> {
-      const Sign a = circle_exists(triple(at, l, r, i));
+      const Sign a = circle_exists(framed_.triple(at, l, r, i));
       if (a == Sign::negative || a == Sign::zero) return false;
-      const Sign b = circle_exists(triple(at, l, i, r));
+      const Sign b = circle_exists(framed_.triple(at, l, i, r));
       if (b == Sign::negative || b == Sign::zero) return false;
       if (a == Sign::unknown || b == Sign::unknown) return std::nullopt;
       return true;
@@ -308,20 +271,20 @@ class Construction {
         const auto target = at(i);
         inside = {target.x - origin.x, target.y - origin.y};
       } else {
-        inside = from_l ? vertex_direction(at, root, base, other, edge.before)
-                        : vertex_direction(at, root, base, edge.before, other);
+        inside = from_l ? framed_.direction(at, root, base, other, edge.before)
+                        : framed_.direction(at, root, base, edge.before, other);
       }
-      const Direction<T> outside = from_l ? vertex_direction(at, root, base, x, other)
-                                          : vertex_direction(at, root, base, other, x);
-      const Direction<T> stop = from_l ? vertex_direction(at, root, base, other, i)
-                                       : vertex_direction(at, root, base, i, other);
+      const Direction<T> outside = from_l ? framed_.direction(at, root, base, x, other)
+                                          : framed_.direction(at, root, base, other, x);
+      const Direction<T> stop = from_l ? framed_.direction(at, root, base, other, i)
+                                       : framed_.direction(at, root, base, i, other);
       return from_l ? on_arc<T>(outside, inside, stop, false)
                     : on_arc<T>(inside, outside, stop, false);
     });
     return !stops;
   }
 
-  Frame frame_;
+  Framed framed_;
   InstantPredicates predicates_;
   Diagram diagram_;
   std::vector<LinkEdge> link_;  // link edges of the growing cell that are not examined

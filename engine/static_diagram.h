@@ -14,12 +14,9 @@
 #include "filtered/motion/motion.h"
 #include "filtered/numbers/stats.h"
 #include "filtered/search/collapse.h"
+#include "filtered/search/framed.h"
 
 namespace voroproof::internal {
-
-// The bound of a diagram: the container, or nothing. Then the generator -1 is infinity: its cell is
-// where no other is, and the circles that touch it are the lines that touch two disks on one side.
-enum class Frame { circle, plane };
 
 // The diagram at the exact time t. Where more than three generators touch one empty
 // circle it is one of the possible diagrams: see settle().

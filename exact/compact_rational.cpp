@@ -65,6 +65,18 @@ CompactRational square(const CompactRational& a) {
   return Rational(q * q);
 }
 
+CompactRational operator-(const CompactRational& a, const CompactRational& b) {
+  const double difference = a.leading_ - b.leading_;
+  if (!a.is_double() || !b.is_double() || !std::isfinite(difference)) {
+    return Rational(a.value() - b.value());
+  }
+  // Its error is a double, too (Knuth).
+  CompactRational out(difference);
+  const double subtracted = a.leading_ - difference;
+  out.second_ = (a.leading_ - (difference + subtracted)) + (subtracted - b.leading_) + 0.0;
+  return out;
+}
+
 double round_nearest(const CompactRational& q) {
   return q.exact() != nullptr ? round_nearest(*q.exact()) : q.leading();
 }

@@ -45,6 +45,7 @@ class CompactRational {
     return (a.leading_ > 0) - (a.leading_ < 0);
   }
   friend CompactRational square(const CompactRational& a);
+  friend CompactRational operator-(const CompactRational& a, const CompactRational& b);
 
  private:
   bool is_allocated() const { return leading_ != leading_; }

@@ -3,14 +3,14 @@
 namespace voroproof::internal {
 
 MotionInput about_center(MotionInput input) {
-  const Rational x = input.container_x, y = input.container_y;
+  const CompactRational x = input.container_x, y = input.container_y;
   if (sgn(x) == 0 && sgn(y) == 0) return input;
   for (DiskInput& d : input.disks) {
-    d.x = Rational(d.x.value() - x);
-    d.y = Rational(d.y.value() - y);
+    d.x = d.x - x;
+    d.y = d.y - y;
   }
-  input.origin[0] += x;
-  input.origin[1] += y;
+  input.origin[0] += input.container_x;
+  input.origin[1] += input.container_y;
   input.container_x = input.container_y = 0;
   return input;
 }

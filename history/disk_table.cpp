@@ -50,6 +50,7 @@ class Reader {
   explicit Reader(const std::string& path) : path_(path), lines_(path) {}
 
   DiskTable read() {
+    lines_.keep_digest();
     bool first = true;
     while (const auto line = lines_.next(longest_line)) {
       const std::string_view text = trimmed(*line);
@@ -61,6 +62,7 @@ class Reader {
       }
       take_row(fields(text));
     }
+    table_.sha256 = lines_.content_sha256();
     return std::move(table_);
   }
 

@@ -15,6 +15,7 @@ struct DiskTable {
   std::vector<TableDisk> disks;
   // The other columns: name and values.
   std::vector<std::pair<std::string, std::vector<std::string>>> rest;
+  std::string sha256;  // the hash of the bytes that were read
 };
 
 // Fields are separated by commas, semicolons or tabs, or else by blanks; a field may stand in

@@ -60,8 +60,8 @@ check library exact exact/topology filtered history engine certify certify/evide
 rooms="exact exact/topology filtered history engine certify certify/evidence corpus library library/queries library/planning"
 check apps/cli $rooms apps/cli
 check apps/run $rooms certify/kernel/kernel.h apps/cli apps/run
-check apps/answers $rooms apps/answers
-check apps/draw $rooms apps/answers apps/draw
+check apps/answers $rooms voroproof/certify_diagram.h apps/answers
+check apps/draw $rooms voroproof/static_diagram.h apps/answers apps/draw
 check apps/certifier $rooms certify/kernel apps/draw apps/certifier
 check apps/corpus $rooms apps/run apps/draw apps/corpus
 check apps/paper $rooms apps/paper

@@ -85,8 +85,11 @@ void require_order(const std::string& scene, const std::string& history) {
 
 void require_picture(const std::string& option, const std::string& path) {
   const std::string_view name = without_compression(path);
-  if (is_stream(path) || name.ends_with(".svg") || name.ends_with(".png")) return;
-  throw UsageError(option + ": " + printable(path) + ": must end in .svg or .png");
+  if (is_stream(path)) return;
+  for (const char* end : {".svg", ".png", ".pdf"}) {
+    if (name.ends_with(end)) return;
+  }
+  throw UsageError(option + ": " + printable(path) + ": must end in .svg, .png or .pdf");
 }
 
 std::ostream& words_beside(const std::vector<std::string>& outputs) {

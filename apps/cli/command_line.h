@@ -56,8 +56,8 @@ void require_distinct(const std::vector<std::string>& inputs,
 // history. An empty name of a history is none.
 void require_order(const std::string& scene, const std::string& history);
 
-// Throws UsageError where a picture of this name could not be drawn: it must end in .svg or .png,
-// compressed or not, or be a stream, into which an SVG is drawn.
+// Throws UsageError where a picture of this name could not be drawn: it must end in .svg, .png
+// or .pdf, compressed or not, or be a stream, into which an SVG is drawn.
 void require_picture(const std::string& option, const std::string& path);
 
 // Where a verb with these outputs says what it did: standard output, or standard error where one of

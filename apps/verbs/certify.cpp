@@ -14,6 +14,7 @@
 #include "apps/run/limited_history.h"
 #include "apps/run/second_checker.h"
 #include "apps/run/told_certificate.h"
+#include "apps/verbs/certify_diagram.h"
 #include "apps/verbs/verbs.h"
 #include "certify/certifier.h"
 #include "history/claim.h"
@@ -32,6 +33,7 @@ struct Request {
   std::string scene, history, report, truth = "exact", events = "all", order = "format",
                                       tolerance = "1e-6", law_tolerance = "1e-9", part, index;
   std::vector<std::string> shards;  // to be merged
+  DiagramRequest diagram;
   CertifyOptions options;
   std::uint64_t max_events = 0, checkpoint = 10;
   bool quiet = false, kernel = false, proved = false, resume = false;
@@ -299,9 +301,12 @@ ExitCode merge_files(Request& request) {
 void add_certify(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb("certify", "Prove or refute a history of a scene");
-  verb.input("scene", request->scene, "The scene.").required_unless("--merge");
+  verb.input("scene", request->scene, "The scene.")
+      .required_unless("--merge")
+      .required_unless("--diagram");
   verb.input("history", request->history, "The history, whoever wrote it.")
-      .required_unless("--merge");
+      .required_unless("--merge")
+      .required_unless("--diagram");
   verb.choice(
       "--truth", {"exact", "recorded"}, request->truth,
       "Which motion the history must describe: the true motion of the scene, or the one that "
@@ -350,6 +355,7 @@ void add_certify(Verb& program) {
       .excludes({"--truth", "--events", "--order", "--tolerance", "--law-tolerance", "--strict",
                  "--unoriented", "--kernel", "--proved", "--threads", "--part", "--index",
                  "--resume", "--checkpoint", "--max-bits", "--max-events"});
+  add_diagram_options(verb, request->diagram);
   verb.flag("--resume", request->resume,
             "Take up what a run that was interrupted or killed, or that a limit ended, has left "
             "beside this report; the report is the same as without the break. With --part, nothing "
@@ -371,6 +377,11 @@ void add_certify(Verb& program) {
   verb.example("voroproof certify a.scene.json a.history.jsonl --truth recorded --report r.json");
   verb.does([request] {
     try {
+      if (!request->diagram.files.empty()) {
+        request->diagram.threads = request->options.threads;
+        request->diagram.quiet = request->quiet;
+        return certify_diagram_files(request->diagram);
+      }
       return request->shards.empty() ? certify_files(*request) : merge_files(*request);
     } catch (const InputError& error) {
       std::cerr << "voroproof: " << printable(error.what(), 4096) << '\n';

@@ -119,16 +119,18 @@ std::vector<Quad> Diagram::quads() const {
   return sorted_by_generator<Quad>(halves_.size() / 2, disks_, smaller, named).items;
 }
 
-bool Diagram::is_valid(std::string* why) const {
+bool Diagram::is_valid(std::string* why, const std::vector<bool>& hidden) const {
   const auto fail = [why](const std::string& reason) {
     if (why != nullptr) *why = reason;
     return false;
   };
+  const auto is_hidden = [&](GenId g) { return g >= 0 && !hidden.empty() && hidden[g]; };
   const auto halves = static_cast<HalfEdge>(halves_.size());
-  if (disks_ < 2) {
+  const int seen_disks = disks_ - static_cast<int>(std::count(hidden.begin(), hidden.end(), true));
+  if (seen_disks < 2) {
     return halves == 0 ? true : fail("a diagram of fewer than two disks has no edges");
   }
-  if (edges() != 3 * (disks_ + 1) - 6) return fail("wrong number of edges");
+  if (edges() != 3 * (seen_disks + 1) - 6) return fail("wrong number of edges");
   std::vector<int> degree(disks_ + 1, 0);
   for (HalfEdge h = 0; h < halves; ++h) {
     if (previous(h) < 0 || previous(h) >= halves) return fail("a half-edge has no predecessor");
@@ -138,9 +140,11 @@ bool Diagram::is_valid(std::string* why) const {
     if (dest(previous(h)) != org(h)) return fail("consecutive half-edges do not meet");
     if (org(h) < container_id || org(h) >= disks_) return fail("a generator does not exist");
     if (org(h) == dest(h)) return fail("an edge has one generator on both sides");
+    if (is_hidden(org(h))) return fail("generator " + std::to_string(org(h)) + " has no cell");
     ++degree[org(h) + 1];
   }
   for (GenId g = container_id; g < disks_; ++g) {
+    if (is_hidden(g)) continue;
     const HalfEdge first = anchor_[g + 1];
     if (first < 0 || org(first) != g) return fail("generator " + std::to_string(g) + " is lost");
     int seen = 0;
@@ -166,7 +170,7 @@ bool Diagram::is_valid(std::string* why) const {
       pending.push_back(dest(h));
     }
   }
-  if (count != disks_ + 1) return fail("the edges do not hang together");
+  if (count != seen_disks + 1) return fail("the edges do not hang together");
   return true;
 }
 
@@ -257,7 +261,7 @@ class Corners {
 
 }  // namespace
 
-Diagram diagram_of(int disks, const std::vector<Quad>& edges) {
+Diagram diagram_of(int disks, const std::vector<Quad>& edges, const std::vector<bool>& hidden) {
   Diagram d(disks);
   const auto fail = [](const std::string& reason) { throw std::invalid_argument(reason); };
   d.halves_.reserve(2 * edges.size());
@@ -271,7 +275,7 @@ Diagram diagram_of(int disks, const std::vector<Quad>& edges) {
   const Corners corners(disks, edges);
   corners.each_vertex([&](auto a, auto b, auto c) { d.link(a, b, c); });
   std::string why;
-  if (!d.is_valid(&why)) fail(why);
+  if (!d.is_valid(&why, hidden)) fail(why);
   return d;
 }
 

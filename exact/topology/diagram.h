@@ -71,9 +71,10 @@ class Diagram {
   // Canonical quads of all edges, sorted.
   std::vector<Quad> quads() const;
   // Whether the incidences are those of a triangulation of the sphere by all
-  // generators: cycles of three, consistent ends, one ring of edges around each
-  // generator, connected, Euler's count. On failure `why` (if given) says what is wrong.
-  bool is_valid(std::string* why = nullptr) const;
+  // generators but hidden disks (by disk; none where it is empty): cycles of three, consistent
+  // ends, one ring of edges around each generator, connected, Euler's count. On failure `why` (if
+  // given) says what is wrong.
+  bool is_valid(std::string* why = nullptr, const std::vector<bool>& hidden = {}) const;
 
  private:
   // Side by side, twins too: a quadruplet is read from three places of memory.
@@ -83,7 +84,8 @@ class Diagram {
     bool operator==(const Half&) const = default;
   };
 
-  friend Diagram diagram_of(int disks, const std::vector<Quad>& edges);
+  friend Diagram diagram_of(int disks, const std::vector<Quad>& edges,
+                            const std::vector<bool>& hidden);
   friend Diagram numbered_diagram(int disks, const std::vector<GenId>& origins,
                                   const std::vector<HalfEdge>& previous,
                                   const std::vector<HalfEdge>& anchors);
@@ -144,8 +146,8 @@ Diagram::HalfEdge find_edge(const Diagram& diagram, const Quad& q);
 
 // Rebuilds the incidences from the quads of all edges (as in a history's
 // header or a diagram file). Throws std::invalid_argument, with the reason, where
-// they are not those of a diagram of `disks` disks.
-Diagram diagram_of(int disks, const std::vector<Quad>& edges);
+// they are not those of a diagram of `disks` disks without the hidden ones, as is_valid() says.
+Diagram diagram_of(int disks, const std::vector<Quad>& edges, const std::vector<bool>& hidden = {});
 
 // The diagram with these half-edges, by their numbers: where each starts and which is before it;
 // and these anchors, that of the container first. Throws std::invalid_argument as diagram_of()

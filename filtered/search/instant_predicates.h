@@ -150,18 +150,4 @@ class InstantPredicates {
   std::vector<DoubleBall> double_constants_;
 };
 
-// The counterclockwise tangent circle of the vertex [a,b,c].
-template <class Sites>
-auto triple(Sites& at, GenId a, GenId b, GenId c) {
-  const auto v = disk_first(a, b, c);
-  return TangentTriple(at(v[0]), at(v[1]), at(v[2]), v[1] == container_id || v[2] == container_id);
-}
-
-// Direction from the disk `base` to the vertex (base, b, c), up to a positive factor.
-template <class Sites, class Root>
-auto vertex_direction(Sites& at, Root& root, GenId base, GenId b, GenId c) {
-  return circle_direction(
-      TangentTriple(at(base), at(b), at(c), b == container_id || c == container_id), root);
-}
-
 }  // namespace voroproof::internal

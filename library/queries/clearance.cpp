@@ -3,8 +3,12 @@
 #include <optional>
 #include <utility>
 
+#include "filtered/search/framed.h"
+
 namespace voroproof::internal {
 namespace {
+
+const Framed framed(Frame::circle);
 
 // Twice the clearance at a node: of a gate the gap.
 template <class Sites, class Root>
@@ -12,7 +16,7 @@ auto twice_clearance(Sites& at, Root& root, const ClearanceNode& node) {
   const auto [i, j, k] = node.generators;
   using T = std::decay_t<decltype(at(i).x)>;
   if (node.kind == ClearanceNode::Kind::vertex) {
-    const T rho = tangent_circle(triple(at, i, j, k), root)[2];
+    const T rho = tangent_circle(framed.triple(at, i, j, k), root)[2];
     return T(rho + rho);
   }
   const auto a = at(i), b = at(j);
@@ -54,12 +58,12 @@ std::vector<ClearanceNode> edge_profile(InstantPredicates& predicates, const Qua
       using T = std::decay_t<decltype(at(base).x)>;
       const auto direction = [&](int which) -> Direction<T> {
         if (which == start) {
-          return left ? vertex_direction(at, root, base, q.s, q.r)
-                      : vertex_direction(at, root, base, q.l, q.s);
+          return left ? framed.direction(at, root, base, q.s, q.r)
+                      : framed.direction(at, root, base, q.l, q.s);
         }
         if (which == end) {
-          return left ? vertex_direction(at, root, base, q.r, q.e)
-                      : vertex_direction(at, root, base, q.e, q.l);
+          return left ? framed.direction(at, root, base, q.r, q.e)
+                      : framed.direction(at, root, base, q.e, q.l);
         }
         const auto a = at(base), b = at(other);
         return wall == (which == gate) ? Direction<T>{a.x - b.x, a.y - b.y}

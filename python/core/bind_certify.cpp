@@ -5,6 +5,7 @@
 #include "python/core/events.h"
 #include "python/core/number_caster.h"
 #include "voroproof/certify.h"
+#include "voroproof/certify_diagram.h"
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -88,6 +89,40 @@ py::dict judged(py::object progress, const std::string& truth, const std::string
   return dict_of(report);
 }
 
+using Vertices = std::tuple<std::vector<std::array<int, 3>>, std::vector<Vector>,
+                            std::vector<double>>;  // generators, centres, radii
+
+py::dict judged_diagram(const std::vector<Vector>& centers, const std::vector<double>& radii,
+                        const std::optional<std::array<double, 3>>& frame,
+                        const std::optional<std::vector<int>>& hosts,
+                        const std::optional<std::vector<std::array<int, 4>>>& edges,
+                        const std::optional<std::vector<std::array<int, 2>>>& neighbours,
+                        const std::optional<Vertices>& vertices, double tolerance, int threads) {
+  DiagramClaim claim;
+  for (std::size_t k = 0; k < radii.size(); ++k) claim.disks.push_back({centers[k], radii[k]});
+  if (frame) claim.frame = Circle{{(*frame)[0], (*frame)[1]}, (*frame)[2]};
+  claim.hosts = hosts;
+  if (edges) {
+    claim.edges.emplace();
+    for (const auto& [l, r, s, e] : *edges) claim.edges->push_back({l, r, s, e});
+  }
+  claim.neighbours = neighbours;
+  if (vertices) {
+    claim.vertices.emplace();
+    const auto& [names, places, sizes] = *vertices;
+    if (names.size() != places.size() || names.size() != sizes.size()) {
+      throw std::invalid_argument("vertices: arrays of several lengths");
+    }
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      claim.vertices->push_back({names[k], places[k], sizes[k]});
+    }
+  }
+  const DiagramReport r =
+      Attention::without_lock([&] { return certify_diagram(claim, tolerance, threads); });
+  return py::dict("verdict"_a = name(r.verdict), "about"_a = r.about,
+                  "reservations"_a = r.reservations, "reason"_a = r.reason);
+}
+
 }  // namespace
 
 void bind_certify(py::module_& module) {
@@ -117,6 +152,8 @@ void bind_certify(py::module_& module) {
       },
       "scene"_a, "history"_a, "progress"_a, "truth"_a, "events"_a, "tolerance"_a, "law_tolerance"_a,
       "order"_a, "strict"_a, "threads"_a, "max_bits"_a);
+  module.def("certify_diagram", &judged_diagram, "centers"_a, "radii"_a, "frame"_a, "hosts"_a,
+             "edges"_a, "neighbours"_a, "vertices"_a, "tolerance"_a, "threads"_a);
   module.def("explain", [](const std::string& json) {
     Report report;
     report.json = json;

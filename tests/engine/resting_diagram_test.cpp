@@ -2,59 +2,36 @@
 #include "engine/resting_diagram.h"
 
 #include <CGAL/Apollonius_graph_2.h>
+#include <CGAL/Apollonius_graph_filtered_traits_2.h>
+#include <CGAL/Apollonius_graph_hierarchy_2.h>
 #include <CGAL/Apollonius_graph_traits_2.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Simple_cartesian.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <optional>
+#include <random>
 #include <set>
 #include <string>
 
 #include "exact/topology/diagram.h"
-#include "tests/support/dice.h"
+#include "filtered/search/hidden_disks.h"
+#include "tests/support/resting_disks.h"
 
 namespace voroproof::internal::testing {
 namespace {
 
-struct Disk {
-  Rational x, y, r;
-};
-using Disks = std::vector<Disk>;
-
-MotionInput input_of(const Disks& disks, const Rational& radius = 10) {
-  MotionInput input;
-  input.container_radius = radius;
-  for (const Disk& d : disks) input.disks.push_back({d.x, d.y, d.r, 0, 0, 1});
-  return input;
+int number_from(const char* variable, int usual) {
+  const char* given = std::getenv(variable);
+  return given == nullptr ? usual : std::atoi(given);
 }
 
 RestingDiagram diagram(const Disks& disks, Frame frame, const Rational& radius = 10) {
   TierCounts counts;
   return resting_diagram(input_of(disks, radius), frame, {}, counts);
-}
-
-std::string text(const Disks& disks) {
-  std::string all;
-  for (const Disk& d : disks) {
-    all += "\n" + d.x.get_str() + " " + d.y.get_str() + " " + d.r.get_str();
-  }
-  return all;
-}
-
-// Centres within [-6, 6], radii up to `largest`, some of them 0.
-Disks random_disks(Dice& dice, int n, const Rational& largest) {
-  constexpr int fine = 1 << 20;
-  const auto part = [&] { return Rational(dice(0, fine), fine); };
-  Disks disks;
-  for (int k = 0; k < n; ++k) {
-    const Rational x = part(), y = part(), r = part();
-    disks.push_back(
-        {12 * x - 6, 12 * y - 6, dice(0, 4) == 0 ? Rational(0) : Rational(largest * r)});
-  }
-  return disks;
 }
 
 // ---- Brute force, in long double: for disks in general position. ----
@@ -179,9 +156,9 @@ void expect_sphere(const Disks& disks, const RestingDiagram& d) {
   int visible = 0;
   std::map<GenId, GenId> number{{-1, -1}};
   for (std::size_t g = 0; g < disks.size(); ++g) {
-    if (d.host[g] == RestingDiagram::visible) number[static_cast<GenId>(g)] = visible++;
+    if (d.host[g] == visible_disk) number[static_cast<GenId>(g)] = visible++;
     if (d.host[g] < 0) continue;
-    EXPECT_EQ(d.host[d.host[g]], RestingDiagram::visible);
+    EXPECT_EQ(d.host[d.host[g]], visible_disk);
   }
   if (visible < 2) {
     EXPECT_TRUE(d.edges.empty());
@@ -201,7 +178,7 @@ void expect_right(const Disks& disks, Frame frame, const Rational& radius = 10) 
   Disks seen;
   std::vector<GenId> names;
   for (std::size_t g = 0; g < disks.size(); ++g) {
-    EXPECT_EQ(d.host[g] != RestingDiagram::visible, truth[g]) << g << text(disks);
+    EXPECT_EQ(d.host[g] != visible_disk, truth[g]) << g << text(disks);
     if (truth[g]) continue;
     seen.push_back(disks[g]);
     names.push_back(static_cast<GenId>(g));
@@ -218,9 +195,10 @@ void expect_right(const Disks& disks, Frame frame, const Rational& radius = 10) 
 
 TEST(RestingDiagram, IsThatOfBruteForce) {
   Dice dice(1);
-  for (int round = 0; round < 1500; ++round) {
-    const Disks disks =
-        random_disks(dice, dice(0, 12), dice(0, 1) == 0 ? Rational(3, 2) : Rational(5));
+  const int sets = number_from("VOROPROOF_SETS", 1500);
+  for (int round = 0; round < sets; ++round) {
+    const Disks disks = random_disks(dice, dice(0, 19) == 0 ? dice(0, 40) : dice(0, 12),
+                                     dice(0, 1) == 0 ? Rational(3, 2) : Rational(5));
     expect_right(disks, Frame::plane);
     expect_right(disks, Frame::circle, dice(0, 2) == 0 ? Rational(5) : Rational(10));
     if (HasFailure()) return;
@@ -229,62 +207,84 @@ TEST(RestingDiagram, IsThatOfBruteForce) {
 
 // ---- CGAL ----
 
-using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
-using Graph = CGAL::Apollonius_graph_2<
-    CGAL::Apollonius_graph_traits_2<Kernel, CGAL::Integral_domain_without_division_tag>>;
-
-void expect_as_cgal(const Disks& disks) {
-  const RestingDiagram d = diagram(disks, Frame::plane);
-  const auto number = [](const Rational& q) { return CGAL::Gmpq(q.get_mpq_t()); };
-  Graph graph;
-  std::map<std::pair<CGAL::Gmpq, CGAL::Gmpq>, GenId> ids;
-  for (std::size_t g = 0; g < disks.size(); ++g) {
-    const CGAL::Gmpq x = number(disks[g].x), y = number(disks[g].y);
-    ids[{x, y}] = static_cast<GenId>(g);
-    graph.insert(Graph::Site_2(Graph::Point_2(x, y), number(disks[g].r)));
-  }
-  std::set<GenId> hidden_ones;
-  for (auto s = graph.hidden_sites_begin(); s != graph.hidden_sites_end(); ++s) {
-    hidden_ones.insert(ids.at({s->point().x(), s->point().y()}));
-  }
-  for (std::size_t g = 0; g < disks.size(); ++g) {
-    EXPECT_EQ(d.host[g] != RestingDiagram::visible, hidden_ones.count(static_cast<GenId>(g)) == 1);
-  }
-  if (disks.size() - hidden_ones.size() < 3) return;
-  const auto id = [&](Graph::Vertex_handle v) {
-    return graph.is_infinite(v) ? -1 : ids.at({v->site().point().x(), v->site().point().y()});
-  };
+// The edges of a graph of CGAL's, of which `id` gives the disks by their places.
+template <class Graph, class Id>
+std::set<Quad> edges_of(const Graph& graph, const Id& id_of) {
+  using Vertex = typename Graph::Vertex_handle;
+  const auto id = [&](Vertex v) { return graph.is_infinite(v) ? -1 : id_of(v->site().point()); };
   std::set<Quad> edges;
   const auto& faces = graph.data_structure();
   for (auto face = graph.all_faces_begin(); face != graph.all_faces_end(); ++face) {
     for (int i = 0; i < 3; ++i) {
-      const Graph::Face_handle other = face->neighbor(i);
+      const auto other = face->neighbor(i);
       edges.insert(
           canonical(Quad{id(face->vertex((i + 2) % 3)), id(face->vertex((i + 1) % 3)),
                          id(face->vertex(i)), id(other->vertex(faces.mirror_index(face, i)))}));
     }
   }
-  EXPECT_EQ(std::set<Quad>(d.edges.begin(), d.edges.end()), edges) << text(disks);
+  return edges;
+}
+
+// `Number` is that of the graph's coordinates; no two centres are one.
+template <class Graph, class Number, class ToNumber>
+void expect_as_cgal(const Disks& disks, const ToNumber& number) {
+  const RestingDiagram d = diagram(disks, Frame::plane);
+  std::map<std::pair<Number, Number>, GenId> ids;
+  std::vector<typename Graph::Site_2> sites;
+  for (std::size_t g = 0; g < disks.size(); ++g) {
+    const Number x = number(disks[g].x), y = number(disks[g].y);
+    ids[{x, y}] = static_cast<GenId>(g);
+    sites.emplace_back(typename Graph::Point_2(x, y), number(disks[g].r));
+  }
+  const Graph graph(sites.begin(), sites.end());
+  const auto id = [&](const auto& point) { return ids.at({point.x(), point.y()}); };
+  std::set<GenId> hidden_ones;
+  for (auto s = graph.hidden_sites_begin(); s != graph.hidden_sites_end(); ++s) {
+    hidden_ones.insert(id(s->point()));
+  }
+  for (std::size_t g = 0; g < disks.size(); ++g) {
+    ASSERT_EQ(d.host[g] != visible_disk, hidden_ones.count(static_cast<GenId>(g)) == 1);
+  }
+  if (disks.size() - hidden_ones.size() < 3) return;
+  EXPECT_TRUE(std::set<Quad>(d.edges.begin(), d.edges.end()) == edges_of(graph, id))
+      << text(disks).substr(0, 4096);
 }
 
 TEST(RestingDiagram, IsThatOfCgal) {
+  using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
+  using Graph = CGAL::Apollonius_graph_2<
+      CGAL::Apollonius_graph_traits_2<Kernel, CGAL::Integral_domain_without_division_tag>>;
   Dice dice(2);
   for (int round = 0; round < 60; ++round) {
-    expect_as_cgal(random_disks(dice, dice(3, 60), dice(0, 1) == 0 ? Rational(4, 5) : Rational(4)));
+    const Rational largest = dice(0, 1) == 0 ? Rational(4, 5) : Rational(4);
+    expect_as_cgal<Graph, CGAL::Gmpq>(random_disks(dice, dice(3, 60), largest),
+                                      [](const Rational& q) { return CGAL::Gmpq(q.get_mpq_t()); });
+    if (HasFailure()) return;
+  }
+}
+
+// Many disks, some or most of them hidden, behind CGAL's interval filter. VOROPROOF_SETS and
+// VOROPROOF_DISKS ask for more.
+TEST(RestingDiagram, IsThatOfCgalWhereDisksAreMany) {
+  using Graph = CGAL::Apollonius_graph_hierarchy_2<
+      CGAL::Apollonius_graph_filtered_traits_2<CGAL::Simple_cartesian<double>>>;
+  const int sets = number_from("VOROPROOF_SETS", 3), n = number_from("VOROPROOF_DISKS", 3000);
+  std::mt19937_64 random(3);
+  const auto part = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  for (int round = 0; round < sets; ++round) {
+    // The larger the disks, the more of them are hidden: up to 60%.
+    const double largest = (round % 4 + 0.5) * 12 / std::sqrt(static_cast<double>(n));
+    Disks disks;
+    for (int k = 0; k < n; ++k) {
+      const double x = 12 * part() - 6, y = 12 * part() - 6, r = part();
+      disks.push_back({to_rational(x), to_rational(y), to_rational(largest * r * r * r)});
+    }
+    expect_as_cgal<Graph, double>(disks, [](const Rational& q) { return q.get_d(); });
     if (HasFailure()) return;
   }
 }
 
 // ---- Degenerate sets ----
-
-// Coordinates and radii from few whole numbers: many disks touch, coincide, or are cotangent.
-Disks lattice_disks(Dice& dice, int n, int most) {
-  Disks disks;
-  for (int k = 0; k < n; ++k) {
-    disks.push_back({dice(-most, most), dice(-most, most), dice(0, 2)});
-  }
-  return disks;
-}
 
 // Ties are broken as if the disks were larger by numbers that grow from id to id beyond measure.
 TEST(RestingDiagram, TiesAreThoseOfInfinitelyLittleLargerDisks) {
@@ -297,7 +297,7 @@ TEST(RestingDiagram, TiesAreThoseOfInfinitelyLittleLargerDisks) {
       Disks larger;
       std::vector<GenId> names;
       for (std::size_t g = 0; g < disks.size(); ++g) {
-        if (d.host[g] != RestingDiagram::visible) continue;
+        if (d.host[g] != visible_disk) continue;
         names.push_back(static_cast<GenId>(g));
         larger.push_back(disks[g]);
         larger.back().r += Rational(1) >> (60 * (12 - static_cast<int>(names.size())));
@@ -319,7 +319,7 @@ TEST(RestingDiagram, FewDisks) {
   EXPECT_TRUE(diagram({{1, 2, 3}}, Frame::plane).edges.empty());
   // Two that coincide: the second is hidden.
   EXPECT_EQ(diagram({{1, 2, 3}, {1, 2, 3}}, Frame::plane).host,
-            (std::vector<GenId>{RestingDiagram::visible, 0}));
+            (std::vector<GenId>{visible_disk, 0}));
   // Two, and infinity: the two lines that touch both.
   EXPECT_EQ(diagram({{0, 0, 1}, {5, 0, 2}}, Frame::plane).edges,
             (std::vector<Quad>{{-1, 0, 1, 1}, {-1, 1, 0, 0}, {0, 1, -1, -1}}));
@@ -327,7 +327,7 @@ TEST(RestingDiagram, FewDisks) {
   EXPECT_EQ(diagram({{0, 0, 1}, {2, 0, 1}, {4, 0, 1}}, Frame::plane).edges.size(), 6u);
   // A chain of hosts ends at a visible one; a disk outside is hidden by the circle.
   EXPECT_EQ(diagram({{0, 0, 1}, {0, 0, 3}, {0, 0, 2}, {20, 0, 1}}, Frame::circle).host,
-            (std::vector<GenId>{1, RestingDiagram::visible, 1, -1}));
+            (std::vector<GenId>{1, visible_disk, 1, -1}));
 }
 
 // ---- Transformations after which the edges are the same ----

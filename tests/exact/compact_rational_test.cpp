@@ -68,6 +68,20 @@ TEST(CompactRational, SquaresHaveTheFormOfTheirValue) {
   }
 }
 
+TEST(CompactRational, DifferencesHaveTheFormOfTheirValue) {
+  std::mt19937_64 random(2);
+  std::vector<Rational> all = values();
+  for (int k = 0; k < 60; ++k) {
+    const int e = static_cast<int>(random() % 200) - 100;
+    all.push_back(to_rational(std::ldexp(static_cast<double>(random() >> 11), e)));
+  }
+  for (const Rational& p : all) {
+    for (const Rational& q : all) {
+      EXPECT_EQ(CompactRational(p) - CompactRational(q), CompactRational(Rational(p - q)));
+    }
+  }
+}
+
 // From and to each kind, and to itself.
 TEST(CompactRational, CopiesAndMoves) {
   const Rational kinds[] = {5, Rational(1 + to_rational(0x1p-60)), Rational(1, 3), Rational(2, 7)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voroproof/certify.h"
+#include "voroproof/certify_diagram.h"
 #include "voroproof/diagram.h"
 #include "voroproof/error.h"
 #include "voroproof/extensions.h"

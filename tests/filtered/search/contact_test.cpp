@@ -38,8 +38,11 @@ std::optional<ExactTime> true_contact(const MotionInput& in, GenId i, GenId j,
   const DiskInput& b = in.disks[j];
   DiskInput a{in.container_x, in.container_y, Rational(-in.container_radius), 0, 0, 1};
   if (!wall) a = in.disks[i];
-  const Polynomial<Tower> x{Tower(b.x - a.x), Tower(b.vx - a.vx)};
-  const Polynomial<Tower> y{Tower(b.y - a.y), Tower(b.vy - a.vy)};
+  const auto off = [](const CompactRational& p, const CompactRational& q) {
+    return Tower(Rational(p - q));
+  };
+  const Polynomial<Tower> x{off(b.x, a.x), off(b.vx, a.vx)};
+  const Polynomial<Tower> y{off(b.y, a.y), off(b.vy, a.vy)};
   const Tower reach(a.radius + b.radius);
   const Polynomial<Tower> f = x * x + y * y - Polynomial<Tower>{Tower(reach * reach)};
   if (f.degree() < 2) return std::nullopt;

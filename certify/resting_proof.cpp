@@ -1,0 +1,87 @@
+#include "certify/resting_proof.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "exact/names.h"
+#include "filtered/motion/given_motion.h"
+#include "filtered/search/hidden_disks.h"
+#include "filtered/search/resting_ties.h"
+
+namespace voroproof::internal {
+
+namespace {
+
+InitialFault fault_of_disk(GenId g, const std::string& truth) {
+  return {"disk " + std::to_string(g) + truth, {}, {}, {}, g};
+}
+
+std::string hidden_by(GenId host) {
+  return host == container_id ? " lies outside of the frame"
+                              : " is hidden by disk " + std::to_string(host);
+}
+
+// The fault of the host that is claimed for g, if there is one.
+std::optional<InitialFault> host_fault(const RestingClaim& claim, GenId g,
+                                       const std::vector<GenId>& hosts) {
+  const GenId claimed = claim.hosts[g];
+  if (hosts[g] == visible_disk) {
+    if (claimed == visible_disk) return std::nullopt;
+    return fault_of_disk(g, " is not hidden");
+  }
+  if (claimed == visible_disk) return fault_of_disk(g, hidden_by(hosts[g]));
+  const DiskInput& disk = claim.input.disks[g];
+  if (claimed == container_id) {
+    if (claim.frame == Frame::circle && is_outside(claim.input, disk)) return std::nullopt;
+    return fault_of_disk(g, " does not lie outside of a frame");
+  }
+  if (!contains(claim.input.disks[claimed], disk)) {
+    return fault_of_disk(g, " does not lie in disk " + std::to_string(claimed));
+  }
+  if (hosts[claimed] == visible_disk) return std::nullopt;
+  return fault_of_disk(claimed, hidden_by(hosts[claimed]) + ", and hides nobody");
+}
+
+}  // namespace
+
+RestingProof resting_proof(const RestingClaim& claim, const MotionOptions& options,
+                           TierCounts& counts, int threads) {
+  RestingProof proof;
+  const std::vector<GenId> hosts = hosts_of(claim.input, claim.frame);
+  const auto n = static_cast<GenId>(hosts.size());
+  std::vector<bool> hidden;
+  for (GenId g = 0; g < n; ++g) {
+    hidden.push_back(hosts[g] != visible_disk);
+    proof.visible += hidden.back() ? 0 : 1;
+    if (claim.hosts.empty()) continue;
+    if ((proof.fault = host_fault(claim, g, hosts))) return proof;
+  }
+  Diagram diagram(n);
+  for (const Quad& q : claim.edges) {
+    for (const GenId g : {q.l, q.r, q.s, q.e}) {
+      if (g < 0 || g >= n || !hidden[g]) continue;
+      proof.fault =
+          fault_of_disk(g, hidden_by(hosts[g]) + ", and edge " + text_of(q) + " names it");
+      return proof;
+    }
+  }
+  try {
+    diagram = diagram_of(n, claim.edges, hidden);
+  } catch (const std::invalid_argument& why) {
+    proof.fault = InitialFault{why.what(), {}, {}, {}, {}};
+    return proof;
+  }
+  if (proof.visible < 2) return proof;
+  const GivenMotion motion(claim.input, options);
+  proof.fault = resting_fault(diagram, claim.frame, motion, counts, threads);
+  if (proof.fault) return proof;
+  const RestingTies ties(motion, claim.frame);
+  for (const Quad& q : claim.edges) {
+    if (q.s == q.e || !ties.is_point(q)) continue;
+    ++proof.points;
+    if (!legal_while_cotangent(q)) ++proof.chosen_otherwise;
+  }
+  return proof;
+}
+
+}  // namespace voroproof::internal

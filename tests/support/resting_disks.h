@@ -1,0 +1,55 @@
+// Sets of disks at rest.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "exact/motion_input.h"
+#include "exact/rational.h"
+#include "tests/support/dice.h"
+
+namespace voroproof::internal::testing {
+
+struct Disk {
+  Rational x, y, r;
+};
+using Disks = std::vector<Disk>;
+
+inline MotionInput input_of(const Disks& disks, const Rational& radius = 10) {
+  MotionInput input;
+  input.container_radius = radius;
+  for (const Disk& d : disks) input.disks.push_back({d.x, d.y, d.r, 0, 0, 1});
+  return input;
+}
+
+inline std::string text(const Disks& disks) {
+  std::string all;
+  for (const Disk& d : disks) {
+    all += "\n" + d.x.get_str() + " " + d.y.get_str() + " " + d.r.get_str();
+  }
+  return all;
+}
+
+// Centres within [-6, 6], radii up to `largest`, some of them 0.
+inline Disks random_disks(Dice& dice, int n, const Rational& largest) {
+  constexpr int fine = 1 << 20;
+  const auto part = [&] { return Rational(dice(0, fine), fine); };
+  Disks disks;
+  for (int k = 0; k < n; ++k) {
+    const Rational x = part(), y = part(), r = part();
+    disks.push_back(
+        {12 * x - 6, 12 * y - 6, dice(0, 4) == 0 ? Rational(0) : Rational(largest * r)});
+  }
+  return disks;
+}
+
+// Coordinates and radii from few whole numbers: many disks touch, coincide, or are cotangent.
+inline Disks lattice_disks(Dice& dice, int n, int most) {
+  Disks disks;
+  for (int k = 0; k < n; ++k) {
+    disks.push_back({dice(-most, most), dice(-most, most), dice(0, 2)});
+  }
+  return disks;
+}
+
+}  // namespace voroproof::internal::testing
