@@ -132,6 +132,33 @@ PYTHON
 # evidence NAME FILE: what refutes its history.
 evidence() { "$program" explain "$work/$1.report.json" -o "$2" >"$work/words"; }
 
+# at_rest NAME TABLE [OPTION...]: the diagram of x, y and radius, disk by disk, as $work/rest/NAME.png.
+at_rest() {
+  local name=$1 table=$2
+  shift 2
+  mkdir -p "$work/rest"
+  tr ' ' '\n' <<<"$table" >"$work/disks.csv"
+  "$program" diagram "$work/disks.csv" "$@" --size 300 -o "$work/rest/$name.png"
+}
+
+# degenerate FILE: six of them, three in a row.
+degenerate() {
+  at_rest 1 "$(for x in 0 4 8 12; do for y in 0 4 8 12; do printf '%s' "$x,$y,1 "; done; done | sed 's/ $//')"
+  at_rest 2 "25,0,4 7,24,4 -7,24,4 -25,0,4 -24,-7,4 0,-25,4 15,-20,4 24,7,4"
+  at_rest 3 "0,0,1 4,0,1 8,0,1 12,0,1 16,0,1" --box=-2,-10,18,10
+  at_rest 4 "0,0,6 1,1,2 1,1,2 2,-3,1 14,0,3 14,0,3 5,12,0 5,12,0"
+  at_rest 5 "0,0,5 3,0,2 -4,0,1 12,3,2 12,4,1 3,12,1"
+  at_rest 6 "0,0,1 3,0,2 0,4,3" --frame 3,4,6
+  /usr/bin/python3 - "$work/rest" "$1" <<'PYTHON'
+import pathlib, sys
+from PIL import Image
+whole = Image.new("RGB", (900, 600), "white")
+for k, path in enumerate(sorted(pathlib.Path(sys.argv[1]).iterdir())):
+    whole.paste(Image.open(path), (300 * (k % 3), 300 * (k // 3)))
+whole.quantize(96, dither=Image.Dither.NONE).save(sys.argv[2], optimize=True)
+PYTHON
+}
+
 # ---- The index
 
 open_row=
@@ -160,7 +187,7 @@ mkdir -p "$out"
 cat >"$index" <<'TEXT'
 # Gallery
 
-`scripts/gallery.sh` makes this page: counterparts of the paper's figures, and other pictures that the program draws.
+`scripts/gallery.sh` makes this page: counterparts of the paper's figures, and more.
 
 TEXT
 
@@ -172,14 +199,14 @@ figure "Figure 2: offsets, voids and tunnels" \
 for t in 0 40; do
   panel "figure2-t$t.png" 270 "Diagram at t=$t" diagram probed "$t" 400
   for radius in 5 7; do
-    panel "figure2-t$t-probe$radius.png" 270 "Probe of radius $radius, t=$t" \
+    panel "figure2-t$t-probe$radius.png" 270 "Probe radius $radius, t=$t" \
       probed probed "$t" "$radius" 400
   done
   close_row
 done
 
 figure "Figures 18 to 22: the experiments" \
-  "These are the paper's data sets at full size. Bars are standard deviations over five seeds, but among the disks for distances and speeds. [experiments.md](../experiments.md) has the commands and compares the results with the paper. Predictions are all roots of a flip polynomial. The seconds are no measurements; [benchmarks.md](../benchmarks.md) has these."
+  "These are the paper's data sets at full size. Bars are standard deviations over five seeds, but among the disks for distances and speeds. [experiments.md](../experiments.md) has the commands, and compares with the paper. Predictions are all roots of a flip polynomial. [benchmarks.md](../benchmarks.md) has measured seconds."
 panel figure18.png 820 "Fig. 18, number of disks: seconds" measured reference
 close_row
 panel figure19.png 820 "Fig. 19, initial speed: seconds, events, predictions" measured speed
@@ -191,7 +218,7 @@ close_row
 panel figure22.png 820 "Fig. 22, restitution: flips and collisions" measured restitution
 
 figure "Figure 23: five vehicles" \
-  "\`voroproof plan --preset five -o SCENE --picture FILE\` draws this. At even speeds vehicle 0 would hit vehicle 1 at t = 8. It waits at the orange dot instead, and so avoids all four others. The violet cross is the conjunction avoided, and red is the nearest approach."
+  "\`voroproof plan --preset five -o SCENE --picture FILE\` draws this. At even speeds vehicle 0 would hit vehicle 1 at t = 8 (violet cross). It waits at the orange dot instead, and so avoids all four others. Red is the nearest approach."
 panel figure23.png 480 "Five vehicles and their ways" ways five 600
 
 planned square-to-circle
@@ -201,12 +228,12 @@ panel figure24a.png 560 "Twenty straight ways" ways square-to-circle 720
 
 "$program" simulate "$work/square-to-circle.scene.json" -o "$work/square-to-circle.history.jsonl" --quiet
 figure "Figure 24: from a square to a circle" \
-  "The twenty vehicles are at the start (t = 0) and at the goals (t = 60)."
+  "They start at t = 0 and end at t = 60."
 for t in 0 60; do
   panel "figure24-t$t.png" 400 "Diagram at t=$t" diagram square-to-circle "$t" 480
 done
 
-figure "Figure 25: on the way" "This is the same flight at t = 22, 34 and 46."
+figure "Figure 25: on the way" "The same flight is shown at t = 22, 34 and 46."
 for t in 22 34 46; do
   panel "figure25-t$t.png" 270 "Diagram at t=$t" diagram square-to-circle "$t" 420
 done
@@ -218,7 +245,7 @@ panel figure26.png 820 "The flight at six times" moments square-to-circle 0,22,3
 scene small reference --n 30 --seed 1 --horizon 100
 certified small
 figure "The movie" \
-  "\`voroproof movie\` makes a page that plays a history. This is a flip: four disks and their common circle."
+  "\`voroproof movie\` makes a page that plays a history, here a flip: four disks and their common circle."
 panel movie-flip.webp 820 "A flip of the edge between the wall and disk 9" still small "event=118" 1200,780
 
 scene large reference --n 1000 --seed 1 --horizon 60
@@ -237,6 +264,10 @@ scene flight formation --preset h-to-y
 certified flight
 figure "A flight in formation" "19 vehicles turn an H into a Y. Every tie of their events is proved."
 panel movie-formation.webp 820 "From H to Y, coloured by speed" still flight "t=7&colours=speed" 1200,780
+
+figure "Degenerate diagrams at rest" \
+  "\`voroproof diagram\` draws a grid, disks on a circle and on a line, nested and coinciding ones, some hidden at tangency (broken rims), and disks that touch each other and their frame."
+panel degenerate.png 820 "Six diagrams" degenerate
 
 scene show formation --preset drones2018
 figure "A show of 2018 drones" "This is the third figure of the preset \`drones2018\`."

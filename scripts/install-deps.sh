@@ -37,7 +37,8 @@ for group in "$@"; do
     bench) packages+=(libbenchmark-dev libmpfi-dev) ;;
     plots) packages+=(python3-matplotlib) ;;
     python)
-      packages+=(pybind11-dev python3-dev python3-numpy python3-matplotlib python3-pandas python3-pytest)
+      packages+=(pybind11-dev python3-dev python3-numpy python3-matplotlib python3-pandas python3-pytest
+        python3-shapely)
       packages+=(python3-gsd)  # one of the formats that are imported
       packages+=(python3-nbclient python3-nbconvert python3-ipykernel)
       ;;

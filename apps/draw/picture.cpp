@@ -1,5 +1,6 @@
 #include "apps/draw/picture.h"
 
+#include <cairo-pdf.h>
 #include <cairo-svg.h>
 
 #include <memory>
@@ -77,16 +78,38 @@ std::string svg(const Paint& paint, int size) {
   return bytes;
 }
 
+std::string pdf(const Paint& paint, int size) {
+  constexpr double points = 0.75;  // in a pixel, 96 of which are an inch
+  std::string bytes;
+  const Surface surface(
+      cairo_pdf_surface_create_for_stream(collect, &bytes, points * size, points * size));
+  // Else it is the clock's.
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                 "2000-01-01T00:00:00Z");
+  paint_on(surface.get(), [&](cairo_t* cairo) {
+    cairo_scale(cairo, points, points);
+    paint(cairo);
+  });
+  cairo_surface_finish(surface.get());
+  check_cairo(cairo_surface_status(surface.get()));
+  return bytes;
+}
+
 }  // namespace
 
-void write_picture(const std::string& path, int size, const std::function<void(cairo_t*)>& paint) {
+bool names_picture(const std::string& path) {
   const std::string_view name = without_compression(path);
-  const bool is_svg = name.ends_with(".svg") || is_stream(path);
-  if (!is_svg && !name.ends_with(".png"))
-    throw std::invalid_argument("picture: the name must end in .svg or .png");
+  return name.ends_with(".svg") || name.ends_with(".png") || name.ends_with(".pdf");
+}
+
+void write_picture(const std::string& path, int size, const std::function<void(cairo_t*)>& paint) {
+  if (!names_picture(path) && !is_stream(path))
+    throw std::invalid_argument("picture: the name must end in .svg, .png or .pdf");
   if (size < 16 || size > 20000)
     throw std::invalid_argument("picture: the size must lie between 16 and 20000 pixels");
-  const std::string bytes = is_svg ? svg(paint, size) : png(paint, size);
+  const std::string_view name = without_compression(path);
+  const auto draw = name.ends_with(".png") ? png : name.ends_with(".pdf") ? pdf : svg;
+  const std::string bytes = draw(paint, size);
   OutputFile file(path);
   file.write(bytes);
   file.commit();

@@ -7,7 +7,7 @@
 
 namespace voroproof::internal {
 
-// Draws the plan into an SVG or a PNG: each vehicle at its start (outlined) and at its goal
+// Draws the plan into a picture file: each vehicle at its start (outlined) and at its goal
 // (filled), its way as a dotted line, a dot where it changes its speed, a cross at each conjunction
 // that was predicted and is avoided, and the nearest pair at its nearest, in red, with the line
 // between. Ids where there are at most 60 vehicles. Errors as for write_picture.

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "apps/draw/colours.h"
 #include "apps/draw/digit_pen.h"
 #include "apps/draw/picture.h"
 #include "apps/draw/render_probe.h"
@@ -25,7 +26,7 @@ std::vector<Cubic> reversed(std::vector<Cubic> chain) {
   return chain;
 }
 
-// ---- Cells and their colours
+// ---- Cells
 
 // The boundary of each disk's cell, counterclockwise, from the curves of all edges.
 std::vector<std::vector<Cubic>> cell_boundaries(const DiagramFile& diagram,
@@ -67,64 +68,6 @@ std::vector<std::vector<Cubic>> cell_boundaries(const DiagramFile& diagram,
   return cells;
 }
 
-// The colour with `share` of it left in white.
-Colour pale(const Colour& c, double share) {
-  return {1 - share * (1 - c.red), 1 - share * (1 - c.green), 1 - share * (1 - c.blue)};
-}
-
-// An index into the palette for each disk, different for neighbours. The dual graph is planar, so
-// every subgraph has a disk with at most 5 neighbours: taking such disks away one by one and
-// colouring them in reverse order needs no more than 6 colours. The ids make use of the others.
-std::vector<std::size_t> colours(const DiagramFile& diagram) {
-  const std::size_t n = diagram.disks.size();
-  std::vector<std::vector<GenId>> neighbours(n);
-  for (const Quad& q : diagram.edges) {
-    if (q.l == container_id || q.r == container_id) continue;
-    neighbours[q.l].push_back(q.r);
-    neighbours[q.r].push_back(q.l);
-  }
-  std::vector<std::size_t> degree(n);
-  std::vector<std::vector<GenId>> of_degree(6);
-  const auto file = [&](GenId disk) {
-    if (degree[disk] < of_degree.size()) of_degree[degree[disk]].push_back(disk);
-  };
-  for (std::size_t i = 0; i < n; ++i) {
-    std::sort(neighbours[i].begin(), neighbours[i].end());
-    neighbours[i].erase(std::unique(neighbours[i].begin(), neighbours[i].end()),
-                        neighbours[i].end());
-    degree[i] = neighbours[i].size();
-    file(static_cast<GenId>(i));
-  }
-  std::vector<bool> taken(n, false);
-  std::vector<GenId> order;
-  while (order.size() < n) {
-    const auto bucket = std::find_if(of_degree.begin(), of_degree.end(),
-                                     [](const auto& disks) { return !disks.empty(); });
-    if (bucket == of_degree.end()) throw std::invalid_argument("diagram: not a planar one");
-    const GenId disk = bucket->back();
-    bucket->pop_back();
-    if (taken[disk]) continue;  // filed again since, under a smaller degree
-    taken[disk] = true;
-    order.push_back(disk);
-    for (GenId other : neighbours[disk]) {
-      if (taken[other]) continue;
-      --degree[other];
-      file(other);
-    }
-  }
-
-  constexpr std::size_t none = palette.size();
-  std::vector<std::size_t> colour(n, none);
-  for (auto disk = order.rbegin(); disk != order.rend(); ++disk) {
-    std::array<bool, palette.size() + 1> used{};
-    for (GenId other : neighbours[*disk]) used[colour[other]] = true;
-    std::size_t choice = static_cast<std::size_t>(*disk) % palette.size();
-    while (used[choice]) choice = (choice + 1) % palette.size();
-    colour[*disk] = choice;
-  }
-  return colour;
-}
-
 // ---- Painting
 
 class Painter {
@@ -157,13 +100,12 @@ class Painter {
     const auto cells = cell_boundaries(diagram_, curves, edges);
     if (edges.empty() && !cells.empty()) edges.push_back(cells[0]);
 
-    const auto colour = colours(diagram_);
     if (probe_) {
       paint_free_space(edges);
     } else {
       for (std::size_t i = 0; i < cells.size(); ++i) {
         trace(cells[i]);
-        use(pale(palette[colour[i]], 0.32));
+        use(pale(disk_colour(i), cell_share));
         cairo_fill(cairo_);
       }
       for (const auto& edge : edges) stroke(edge, ink, stroke_);
@@ -172,7 +114,7 @@ class Painter {
     use(ink);
     cairo_set_line_width(cairo_, std::max(2 * stroke_, 0.001 * half_));
     cairo_stroke(cairo_);
-    paint_disks(colour);
+    paint_disks();
     if (diagram_.disks.size() <= 200) paint_vertices();
     paint_velocities();
     if (diagram_.disks.size() <= 60) paint_ids();
@@ -227,11 +169,11 @@ class Painter {
     return std::max(scale_ * disk.radius, 0.9 * stroke_);
   }
 
-  void paint_disks(const std::vector<std::size_t>& colour) {
+  void paint_disks() {
     for (std::size_t i = 0; i < diagram_.disks.size(); ++i) {
       const DiagramDisk& disk = diagram_.disks[i];
       circle(disk.center, disk_pixels(disk));
-      use(palette[colour[i]]);
+      use(disk_colour(i));
       cairo_fill_preserve(cairo_);
       use(ink);
       cairo_set_line_width(cairo_, 0.6 * stroke_);

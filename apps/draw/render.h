@@ -1,4 +1,4 @@
-// Pictures of diagrams: SVG and PNG files drawn with Cairo.
+// Pictures of diagrams: SVG, PNG and PDF files drawn with Cairo.
 #pragma once
 
 #include <optional>
@@ -14,11 +14,11 @@ struct RenderOptions {
   std::optional<double> probe{};
 };
 
-// Draws the diagram into a file, an SVG or a PNG by the extension of its name:
-// the container, a pale cell for each disk (neighbours in different colours), the
+// Draws the diagram into a file, an SVG, a PNG or a PDF by the extension of its name:
+// the container, a pale cell for each disk (in the colour of its id, disk_colour()), the
 // edges, the disks and their velocities; ids where there are at most 60 disks,
 // vertices where there are at most 200. The y axis points upwards. On one system,
-// equal diagrams give equal SVG files.
+// equal diagrams give equal files.
 //
 // The file appears whole or not at all. Throws std::invalid_argument for another
 // extension, a size out of range or a diagram that is none (edges that do not fit

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "apps/draw/colours.h"
 #include "apps/draw/digit_pen.h"
 #include "apps/draw/picture.h"
 #include "library/palette.h"
@@ -82,14 +83,13 @@ class WitnessPainter {
       use(tangent_ink, 0.02);
       cairo_fill(cairo_);
     }
-    std::size_t next_colour = 0;
     for (const DrawnGenerator& g : generators_) {
       circle({g.center, std::fabs(g.radius)});
       if (g.radius < 0) {
         stroke(ink, 2.5);
         continue;
       }
-      use(palette[next_colour++ % palette.size()]);
+      use(disk_colour(static_cast<std::size_t>(g.id)));
       cairo_fill_preserve(cairo_);
       stroke(ink, 1.2);
     }

@@ -1,17 +1,20 @@
 // voroproof diagram: the weighted Voronoi diagram of any disks at rest.
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <memory>
-#include <sstream>
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
+#include "apps/cli/numbers_argument.h"
+#include "apps/draw/picture.h"
+#include "apps/draw/static_picture.h"
 #include "apps/verbs/verbs.h"
 #include "history/compressor.h"
 #include "history/disk_table.h"
 #include "history/error.h"
 #include "history/json_text.h"
 #include "history/output_file.h"
+#include "history/utf8.h"
 #include "voroproof/static_diagram.h"
 
 namespace voroproof::internal {
@@ -19,21 +22,11 @@ namespace {
 
 struct Request {
   std::string input, output, frame, box, tolerance;
+  int size = 1000;
+  bool has_size = false;
 };
 
-// The numbers of an option, separated by commas.
-template <std::size_t N>
-std::array<double, N> numbers(const std::string& option, const std::string& text) {
-  std::array<double, N> all{};
-  std::istringstream words(text);
-  std::string word;
-  for (double& x : all) {
-    if (!std::getline(words, word, ',')) throw UsageError(option + ": too few numbers");
-    x = round_nearest(number_argument(option, word));
-  }
-  if (std::getline(words, word)) throw UsageError(option + ": too many numbers");
-  return all;
-}
+enum class Kind { map, diagram, edges, picture };
 
 std::string pair_text(const Vector& v) {
   return "[" + number_text(v[0]) + "," + number_text(v[1]) + "]";
@@ -81,24 +74,52 @@ void write_csv(OutputFile& file, const StaticDiagram& diagram) {
   }
 }
 
-ExitCode make_diagram(const Request& request) {
-  require_distinct({request.input}, {request.output});
+// By the name of the output. Throws UsageError for options that are for others.
+Kind checked_kind(const Request& request) {
   const std::string_view name = without_compression(request.output);
-  const bool geojson = name.ends_with(".geojson"), csv = name.ends_with(".csv");
-  if (!geojson && !csv && !name.ends_with(".json")) {
-    throw UsageError("--output: none of .geojson, .json and .csv");
+  const bool is_map = name.ends_with(".geojson"), is_picture = names_picture(request.output);
+  if (!request.tolerance.empty() && !is_map) {
+    throw UsageError("--tolerance is for maps: --output ends in .geojson");
   }
-  if (!geojson && !(request.box.empty() && request.tolerance.empty())) {
-    throw UsageError("--box and --tolerance are for cells: --output ends in .geojson");
+  if (!request.box.empty() && !is_map && !is_picture) {
+    throw UsageError("--box is for maps and pictures: --output ends in .json or .csv");
   }
-  std::optional<Circle> frame;
-  if (!request.frame.empty()) {
-    const auto [x, y, r] = numbers<3>("--frame", request.frame);
-    if (!(r > 0)) throw UsageError("--frame: its radius is not positive");
-    frame = Circle{{x, y}, r};
+  if (request.has_size && !is_picture) {
+    throw UsageError("--size is for pictures: --output ends in .svg, .png or .pdf");
   }
-  const CooperativeInterruption interruption;
-  const DiskTable table = read_disk_table(request.input);
+  if (is_map) return Kind::map;
+  if (is_picture) return Kind::picture;
+  if (name.ends_with(".json")) return Kind::diagram;
+  if (name.ends_with(".csv")) return Kind::edges;
+  throw UsageError("--output: none of .geojson, .json, .csv, .svg, .png and .pdf");
+}
+
+std::optional<Circle> frame_of(const Request& request) {
+  if (request.frame.empty()) return {};
+  const auto [x, y, r] = numbers_argument<3>("--frame", request.frame);
+  if (!(r > 0)) throw UsageError("--frame: its radius is not positive");
+  return Circle{{x, y}, r};
+}
+
+std::optional<Box> box_of(const Request& request) {
+  if (request.box.empty()) return {};
+  const auto [x0, y0, x1, y1] = numbers_argument<4>("--box", request.box);
+  if (!(x0 < x1 && y0 < y1)) throw UsageError("--box: no area");
+  return Box{{x0, y0}, {x1, y1}};
+}
+
+double tolerance_of(const Request& request, const Box& box) {
+  const double usual = StaticDiagram::tolerance(box);
+  if (request.tolerance.empty()) return usual;
+  const double tolerance = round_nearest(number_argument("--tolerance", request.tolerance));
+  if (!(tolerance >= 1e-6 * usual)) {
+    throw UsageError("--tolerance: less than 1e-9 of the box's size");
+  }
+  return tolerance;
+}
+
+StaticDiagram diagram_of(const Request& request, const DiskTable& table) {
+  const std::optional<Circle> frame = frame_of(request);
   std::vector<Circle> disks;
   for (std::size_t k = 0; k < table.disks.size(); ++k) {
     const TableDisk& d = table.disks[k];
@@ -108,29 +129,53 @@ ExitCode make_diagram(const Request& request) {
     }
     disks.push_back({{d.x, d.y}, d.radius});
   }
-  const StaticDiagram diagram(std::move(disks), frame);
-  Box box = diagram.box();
-  if (!request.box.empty()) {
-    const auto [x0, y0, x1, y1] = numbers<4>("--box", request.box);
-    box = {{x0, y0}, {x1, y1}};
-    if (!(x0 < x1 && y0 < y1)) throw UsageError("--box: no area");
-  }
-  double tolerance = StaticDiagram::tolerance(box);
-  if (!request.tolerance.empty()) {
-    const double least = 1e-6 * tolerance;
-    tolerance = round_nearest(number_argument("--tolerance", request.tolerance));
-    if (!(tolerance >= least)) {
-      throw UsageError("--tolerance: less than 1e-9 of the box's size");
+  return StaticDiagram(std::move(disks), frame);
+}
+
+// Bytes that are not UTF-8 become U+FFFD, as in maps.
+std::string readable(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t length = utf8_character(text);
+    if (length > 0) {
+      out += text.substr(0, length);
+    } else {
+      append_utf8(out, 0xFFFD);
     }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
   }
+  return out;
+}
+
+// The column `name`, or ids where the table has none.
+std::vector<std::string> labels_of(const DiskTable& table) {
+  std::vector<std::string> labels;
+  for (const auto& [name, values] : table.rest) {
+    if (name != "name") continue;
+    for (const std::string& value : values) labels.push_back(readable(value));
+    return labels;
+  }
+  for (std::size_t k = 0; k < table.disks.size(); ++k) labels.push_back(std::to_string(k));
+  return labels;
+}
+
+ExitCode make_diagram(const Request& request) {
+  require_distinct({request.input}, {request.output});
+  const Kind kind = checked_kind(request);
+  const std::optional<Box> asked = box_of(request);
+  const CooperativeInterruption interruption;
+  const DiskTable table = read_disk_table(request.input);
+  const StaticDiagram diagram = diagram_of(request, table);
+  const Box box = asked.value_or(diagram.box());
+  if (kind == Kind::picture) {
+    draw_static_diagram(diagram, box, labels_of(table), request.output, request.size);
+    return ExitCode::ok;
+  }
+  const double tolerance = tolerance_of(request, box);
   OutputFile file(request.output);
-  if (geojson) {
-    file.write(diagram.geojson(box, tolerance, table.rest));
-  } else if (csv) {
-    write_csv(file, diagram);
-  } else {
-    write_json(file, diagram);
-  }
+  if (kind == Kind::map) file.write(diagram.geojson(box, tolerance, table.rest));
+  if (kind == Kind::diagram) write_json(file, diagram);
+  if (kind == Kind::edges) write_csv(file, diagram);
   file.commit();
   return ExitCode::ok;
 }
@@ -140,7 +185,8 @@ ExitCode make_diagram(const Request& request) {
 void add_diagram(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb(
-      "diagram", "Write the weighted Voronoi diagram of any disks at rest, or a map of its cells");
+      "diagram",
+      "Write the weighted Voronoi diagram of any disks at rest, a map or a picture of it");
   verb.input("table", request->input,
              "A line a disk: x, y and radius (weight), with a heading or without one. Disks may "
              "overlap, lie in each other and coincide; radii may be negative.")
@@ -149,16 +195,23 @@ void add_diagram(Verb& program) {
             "The circle in which the disks are: centre and radius. Without one they are in the "
             "plane.");
   verb.text("--box", request->box, "X0,Y0,X1,Y1",
-            "The box that cells are cut to. Without one it is that of all disks and a tenth of its "
-            "size around, or that of the frame.");
+            "The box that cells, or the picture, are cut to. Without one it is that of all disks "
+            "and a tenth of its size around, or that of the frame.");
   verb.text("--tolerance", request->tolerance, "LENGTH",
             "How far the sides of a cell may be from its true arcs; a thousandth of the box's size "
             "where none is given.");
+  verb.whole("--size", request->size, 16, 20000,
+             "The width and the height of a picture in pixels, 96 an inch.");
   verb.output(request->output,
-              "The cells as a map (.geojson), edges and vertices (.json), or edges (.csv).")
+              "The cells as a map (.geojson), edges and vertices (.json), edges (.csv), or a "
+              "picture (.svg, .png, .pdf), with the column `name` or else ids as labels.")
       .required();
   verb.example("voroproof diagram towns.csv -o towns.geojson");
-  verb.does([request] { return make_diagram(*request); });
+  verb.example("voroproof diagram towns.csv --size 600 -o towns.png");
+  verb.does([request, &verb] {
+    request->has_size = verb.given("--size");
+    return make_diagram(*request);
+  });
 }
 
 }  // namespace voroproof::internal

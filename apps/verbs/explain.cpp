@@ -43,7 +43,7 @@ void add_explain(Verb& program) {
       "explain",
       "Say in words what a report of certify found, and draw it where that is asked for");
   verb.input("report", request->report, "The report.").required();
-  verb.output(request->picture, "Draw the evidence here; the name ends in .svg or .png.");
+  verb.output(request->picture, "Draw the evidence here; the name ends in .svg, .png or .pdf.");
   verb.example("voroproof explain r.json -o r.png");
   verb.does([request] { return explain(*request); });
 }

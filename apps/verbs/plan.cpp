@@ -125,7 +125,7 @@ void add_plan(Verb& program) {
   verb.output("--report", request->report,
               "Write the smallest gap, what was avoided, and all ways here, as JSON.");
   verb.output("--picture", request->picture,
-              "Draw starts, goals and ways here; the name ends in .svg or .png.");
+              "Draw starts, goals and ways here; the name ends in .svg, .png or .pdf.");
   verb.whole("--size", request->size, 16, 20000,
              "The width and the height of the picture, in pixels.");
   verb.text("--clearance", request->clearance, "LENGTH",

@@ -58,13 +58,15 @@ ExitCode render(const Request& request) {
 
 void add_render(Verb& program) {
   auto request = std::make_shared<Request>();
-  Verb& verb = program.add_verb("render", "Draw a diagram or a plan as SVG or PNG");
+  Verb& verb = program.add_verb("render", "Draw a diagram or a plan as SVG, PNG or PDF");
   verb.input("input", request->input,
              "A diagram file; or the report of a plan, of which starts, goals, ways, changes of "
              "speed, avoided conjunctions (crosses) and the nearest pair (red) are drawn.")
       .required();
-  verb.output(request->output, "The picture to write; its name ends in .svg or .png.").required();
-  verb.whole("--size", request->options.size, 16, 20000, "The width and the height in pixels.");
+  verb.output(request->output, "The picture to write; its name ends in .svg, .png or .pdf.")
+      .required();
+  verb.whole("--size", request->options.size, 16, 20000,
+             "The width and the height in pixels, 96 an inch.");
   verb.text("--probe", request->probe, "RADIUS",
             "Draw the voids of a probe in colours, the tunnels it passes as strong lines and the "
             "offset of the disks and the container in red, instead of the cells.");

@@ -67,6 +67,56 @@ Box box_of(const StaticDiagram& diagram, const Corners& corners) {
   return {{x0, y0}, {x1, y1}};
 }
 
+// Start, control, end, weight, error: shape (k, 8).
+py::array_t<double> array_of_arcs(const std::vector<Arc>& arcs) {
+  py::array_t<double> out({static_cast<py::ssize_t>(arcs.size()), py::ssize_t{8}});
+  auto to = out.mutable_unchecked<2>();
+  for (std::size_t k = 0; k < arcs.size(); ++k) {
+    const auto& [start, control, end, weight, error] = arcs[k];
+    int column = 0;
+    for (const Vector& v : {start, control, end}) {
+      for (const double x : v) to(k, column++) = x;
+    }
+    to(k, column++) = weight;
+    to(k, column) = error;
+  }
+  return out;
+}
+
+// Shape (n, 7).
+py::array_t<double> array_of_measures(const std::vector<Measure>& measures) {
+  py::array_t<double> out({static_cast<py::ssize_t>(measures.size()), py::ssize_t{7}});
+  auto to = out.mutable_unchecked<2>();
+  for (std::size_t k = 0; k < measures.size(); ++k) {
+    const Measure& m = measures[k];
+    int column = 0;
+    for (const double x : {m.area, m.perimeter, m.centroid[0], m.centroid[1], m.area_error,
+                           m.perimeter_error, m.centroid_error}) {
+      to(k, column++) = x;
+    }
+  }
+  return out;
+}
+
+// Shapes (n,): generators and distances.
+py::tuple nearest(const StaticDiagram& diagram, const Numbers& points) {
+  const auto at = points.unchecked<2>();
+  std::vector<Vector> places;
+  places.reserve(at.shape(0));
+  for (py::ssize_t k = 0; k < at.shape(0); ++k) places.push_back({at(k, 0), at(k, 1)});
+  const std::vector<Nearest> all = Attention::without_lock([&] { return diagram.nearest(places); });
+  py::array_t<int> generators(at.shape(0));
+  auto to = generators.mutable_unchecked<1>();
+  for (py::ssize_t k = 0; k < at.shape(0); ++k) to(k) = all[k].generator;
+  return py::make_tuple(generators, numbers(all, &Nearest::distance));
+}
+
+// Centre, radius, generators.
+py::tuple empty_circle(const EmptyCircle& circle) {
+  return py::make_tuple(py::make_tuple(circle.center[0], circle.center[1]), circle.radius,
+                        py::tuple(py::cast(circle.generators)));
+}
+
 void bind_static_diagram(py::module_& module) {
   py::class_<StaticDiagram>(module, "StaticDiagram")
       .def(py::init(&static_diagram), "centers"_a, "radii"_a, "frame"_a)
@@ -96,6 +146,42 @@ void bind_static_diagram(py::module_& module) {
             return all;
           },
           "box"_a, "tolerance"_a)
+      .def(
+          "arcs",
+          [](const StaticDiagram& d, const Corners& box) {
+            py::list all;
+            for (const auto& edge : Attention::without_lock([&] { return d.arcs(box_of(d, box)); }))
+              all.append(array_of_arcs(edge));
+            return all;
+          },
+          "box"_a)
+      .def(
+          "measures",
+          [](const StaticDiagram& d, const Corners& box) {
+            return array_of_measures(
+                Attention::without_lock([&] { return d.measures(box_of(d, box)); }));
+          },
+          "box"_a)
+      .def("nearest", &nearest, "points"_a)
+      .def(
+          "largest_empty_circle",
+          [](const StaticDiagram& d, const Corners& box) -> py::object {
+            const auto circle =
+                Attention::without_lock([&] { return d.largest_empty_circle(box_of(d, box)); });
+            return circle ? py::object(empty_circle(*circle)) : py::none();
+          },
+          "box"_a)
+      .def(
+          "voids",
+          [](const StaticDiagram& d, double probe, const Corners& box) {
+            py::list all;
+            for (const EmptyCircle& circle :
+                 Attention::without_lock([&] { return d.voids(box_of(d, box), probe); })) {
+              all.append(empty_circle(circle));
+            }
+            return all;
+          },
+          "probe"_a, "box"_a)
       .def(
           "geojson",
           [](const StaticDiagram& d, const Corners& box, std::optional<double> tolerance,

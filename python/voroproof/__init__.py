@@ -24,7 +24,7 @@ try:
     from .queries import Closest, Instant, NearDisk, Neighbour
     from .report import Divergence, Leniency, Report, Witness, WitnessMotion, certify, certify_files
     from .scene import Disk, Maneuver, Scene
-    from .static import StaticDiagram, voronoi
+    from .static import DiagramReport, EmptyCircle, StaticDiagram, certify_diagram, voronoi
 except ImportError as error:  # the importers need neither the compiled part nor NumPy
     _missing = error
 
@@ -35,9 +35,10 @@ except ImportError as error:  # the importers need neither the compiled part nor
 
 __all__ = [
     "COLLISION", "CONTAINER", "FLIP", "MANEUVER", "Approach", "Closest", "Critical", "Diagram",
-    "Disk", "Divergence", "Ending", "Error", "History", "InputError", "Instant", "Interrupted",
-    "LeastGap", "Leniency", "Maneuver", "NearDisk", "Neighbour", "Neighbourhood", "OffsetArc",
-    "OffsetPoint", "Opening", "OutputError", "Place", "Plan", "Report", "Scene", "StaticDiagram",
-    "Tunnel", "Undecided", "Vanishing", "Vehicle", "Void", "VoidLife", "Witness", "WitnessMotion",
-    "__version__", "certify", "certify_files", "event_dtype", "plan", "simulate", "voronoi",
+    "DiagramReport", "Disk", "Divergence", "EmptyCircle", "Ending", "Error", "History", "InputError", "Instant",
+    "Interrupted", "LeastGap", "Leniency", "Maneuver", "NearDisk", "Neighbour", "Neighbourhood",
+    "OffsetArc", "OffsetPoint", "Opening", "OutputError", "Place", "Plan", "Report", "Scene",
+    "StaticDiagram", "Tunnel", "Undecided", "Vanishing", "Vehicle", "Void", "VoidLife", "Witness",
+    "WitnessMotion", "__version__", "certify", "certify_diagram", "certify_files", "event_dtype", "plan", "simulate",
+    "voronoi",
 ]

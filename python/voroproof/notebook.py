@@ -1,15 +1,17 @@
-"""Views of a history and of a scene in notebooks."""
+"""Views of a history, of a scene and of a diagram at rest in notebooks."""
 
 from __future__ import annotations
 
 from html import escape
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Tuple
 
+from .colours import cell_colour, disk_colour
 from .errors import Error
 
 if TYPE_CHECKING:
     from .history import History
     from .scene import Scene
+    from .static import StaticDiagram
 
 #: A notebook keeps what it shows: some 30 bytes an event, 100 a disk. Beyond these it gets a line of text.
 MAX_EVENTS = 20_000
@@ -50,3 +52,30 @@ def scene_html(scene: "Scene") -> str:
     return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="-1.01 -1.01 2.02 2.02" width="320" height="320" '
             f'role="img" aria-label="{escape(repr(scene))}"><g stroke="#5a6478" stroke-width="0.006">{drawn}</g></svg>'
             + _told(scene))
+
+
+def _hex(colour: Tuple[float, float, float]) -> str:
+    return "#" + "".join(f"{round(255 * x):02x}" for x in colour)
+
+
+def static_html(diagram: "StaticDiagram") -> str:
+    """The cells and the disks, hidden ones with broken rims, or a line where there are too many."""
+    if len(diagram.radii) > MAX_DISKS:
+        return _told(diagram)
+    x0, y0, x1, y1 = diagram.box
+    size = max(x1 - x0, y1 - y0)
+    unit = 1000 / size
+    drawn = []
+    for k, cell in enumerate(diagram.cells(tolerance=2e-3 * size)):
+        for ring in cell:
+            points = " ".join(f"{unit * (x - x0):.1f},{unit * (y1 - y):.1f}" for x, y in ring)
+            drawn.append(f'<polygon points="{points}" fill="{_hex(cell_colour(k))}"/>')
+    for k, ((x, y), radius, hidden) in enumerate(zip(diagram.centers, diagram.radii, diagram.hidden)):
+        # A point is a dot.
+        r = max(unit * radius, 2.0)
+        look = 'fill="none" stroke-dasharray="6"' if hidden else f'fill="{_hex(disk_colour(k))}" fill-opacity="0.6"'
+        drawn.append(f'<circle cx="{unit * (x - x0):.1f}" cy="{unit * (y1 - y):.1f}" r="{r:.1f}" {look}/>')
+    width, height = unit * (x1 - x0), unit * (y1 - y0)
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.1f} {height:.1f}" width="{0.48 * width:.0f}" '
+            f'height="{0.48 * height:.0f}" role="img" aria-label="{escape(repr(diagram))}">'
+            f'<g stroke="#333c4d" stroke-width="2">{"".join(drawn)}</g></svg>' + _told(diagram))

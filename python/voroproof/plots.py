@@ -1,17 +1,19 @@
-"""The three pictures that are wanted first. They need matplotlib."""
+"""The pictures that are wanted first. They need matplotlib."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING, Optional, Sequence
 
 import numpy as np
 
+from .colours import INK, cell_colour, disk_colour
 from .history import COLLISION, KINDS, History
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from .diagram import Diagram
+    from .static import StaticDiagram
 
 
 def _axes(ax: "Optional[Axes]") -> "Axes":
@@ -79,4 +81,35 @@ def plot_diagram(diagram: "Diagram", ax: "Optional[Axes]" = None) -> "Axes":
     ax.set_ylim(y - 1.02 * radius, y + 1.02 * radius)
     ax.set_aspect("equal")
     ax.set_title(f"t = {float(diagram.t):g}")
+    return ax
+
+
+def plot_static(diagram: "StaticDiagram", ax: "Optional[Axes]", box: "Optional[Sequence[float]]",
+                labels: "Optional[Sequence[object]]") -> "Axes":
+    """See StaticDiagram.plot."""
+    from matplotlib.collections import PolyCollection
+    from matplotlib.patches import Circle
+
+    cells, hidden = diagram.cells(box), diagram.hidden
+    if labels is not None and len(labels) != len(hidden):
+        raise ValueError(f"labels: {len(labels)}, not {len(hidden)}")
+    ax = _axes(ax)
+    pieces = [(ring, cell_colour(k)) for k, cell in enumerate(cells) for ring in cell]
+    ax.add_collection(PolyCollection([ring for ring, _ in pieces], edgecolors=[INK], linewidths=0.8,
+                                     facecolors=[colour for _, colour in pieces]))
+    for k, (center, radius) in enumerate(zip(diagram.centers, diagram.radii)):
+        if radius > 0:
+            fill = "none" if hidden[k] else (*disk_colour(k), 0.6)
+            ax.add_patch(Circle(center, radius, facecolor=fill, edgecolor=INK, linewidth=0.6,
+                                linestyle=":" if hidden[k] else "-"))
+    points = diagram.centers[diagram.radii <= 0]
+    ax.plot(points[:, 0], points[:, 1], ".", color=INK, markersize=3)
+    x0, y0, x1, y1 = diagram.box if box is None else map(float, box)
+    for k in np.flatnonzero(~hidden) if labels is not None else ():
+        x, y = diagram.centers[k]
+        if x0 <= x <= x1 and y0 <= y <= y1:
+            ax.annotate(str(labels[k]), (x, y), (0, 2), textcoords="offset points", ha="center", fontsize=8)
+    ax.set_xlim(x0, x1)
+    ax.set_ylim(y0, y1)
+    ax.set_aspect("equal")
     return ax

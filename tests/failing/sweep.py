@@ -31,12 +31,13 @@ ERRORS = {"memory": [errno.ENOMEM], "write": [errno.ENOSPC, errno.EIO], "short":
           "read": [errno.EIO], "rename": [errno.EIO, errno.ENOSPC], "fsync": [errno.EIO, errno.ENOSPC],
           "close": [errno.EIO], "thread": [errno.EAGAIN], "fork": [errno.EAGAIN]}
 # libcairo 1.16 itself crashes where it gets no memory for a path that it strokes. docs/trust.md says so.
-PICTURES, CAIRO_CRASHES = (".svg", ".png"), (-signal.SIGABRT, -signal.SIGSEGV)
+PICTURES, CAIRO_CRASHES = (".svg", ".png", ".pdf"), (-signal.SIGABRT, -signal.SIGSEGV)
 FILE_SIZES = (0, 100, 1000)
 PLAN = """{"format": "voroproof-plan", "version": 1, "container": {"center": [0, 0], "radius": 50},
  "arrive": 10, "clearance": 1, "vehicles": [{"id": 0, "radius": 1, "start": [-10, 0], "goal": [10, 0]},
  {"id": 1, "radius": 1, "start": [0, -10], "goal": [0, 10]}]}
 """
+DISKS = "x,y,radius\n0,0,1\n4,0,2\n4,0,1\n1,3,0.5\n"
 TRACKS = "disk,t,x,y,radius\na,0,0,0,1\na,2,3,4,1\nb,0,9,9,1\nb,2,9,-9,1\n"
 
 # Words of a command; those that begin with "=" are files that it writes.
@@ -50,6 +51,8 @@ COMMANDS = [
     "query voids-over a.scene.json a.history.jsonl --probe 1 -o =o.json",
     "render a.diagram.json -o =o.svg",
     "render a.diagram.json --size 64 -o =o.png",
+    "diagram disks.csv -o =o.geojson",
+    "diagram disks.csv --size 64 -o =o.pdf",
     "movie a.scene.json a.history.jsonl -o =o.html",
     "page -o =o.html",
     "validate a.history.jsonl",
@@ -87,6 +90,7 @@ class Runs:
         folder = Path(self.inputs.name)
         (folder / "plan.json").write_text(PLAN)
         (folder / "tracks.csv").write_text(TRACKS)
+        (folder / "disks.csv").write_text(DISKS)
         for command in ("generate reference --n 5 --density 0.2 --seed 3 --horizon 8 -o a.scene.json",
                         "simulate a.scene.json -o a.history.jsonl --quiet",
                         "snapshot a.scene.json a.history.jsonl --at 2 -o a.diagram.json"):

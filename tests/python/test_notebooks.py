@@ -13,6 +13,7 @@ pytest.importorskip("matplotlib")
 FOLDER = pathlib.Path(os.environ["VOROPROOF_SOURCE"]) / "docs" / "notebooks"
 
 SAID = {
+    "catchment-areas": ["Potsdam is hidden by Berlin", "Cologne and Düsseldorf overlap by 11 km", "13 cells of 14 cities"],
     "certify-your-engine": ["recorded: CERTIFIED", "exact:    REFUTED", "in single precision       REFUTED",
                             "99.9 % elastic            REFUTED", "one collision forgotten   REFUTED",
                             "confirmed"],

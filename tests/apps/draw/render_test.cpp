@@ -109,7 +109,7 @@ TEST_F(Render, NeighboursDifferInColour) {
 }
 
 TEST_F(Render, RefusesOtherExtensions) {
-  for (const char* name : {"picture", "picture.pdf", "picture.gz", "png"})
+  for (const char* name : {"picture", "picture.ps", "picture.gz", "png"})
     EXPECT_THROW(render_diagram(lone_disk(), path(name)), std::invalid_argument);
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }

@@ -129,7 +129,7 @@ TEST_F(CertifyCli, ReportsAreExplainedAndDrawn) {
   refused({"explain", half}, ": incomplete\n");
   refused({"explain", scene}, scene + ":1: format: not \"voroproof-report\"\n");
   refused({"explain", path}, path + ":1: format: not \"voroproof-report\"\n");
-  refused({"explain", file("r.json"), "-o", file("r.gif")}, ".svg or .png");
+  refused({"explain", file("r.json"), "-o", file("r.gif")}, ".svg, .png or .pdf");
 }
 
 TEST_F(CertifyCli, WhatIsNotAHistoryOfTheSceneIsInvalid) {

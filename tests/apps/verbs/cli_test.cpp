@@ -214,7 +214,7 @@ TEST_F(Cli, RendersAndValidates) {
   must({"render", file("a.diagram.json"), "-o", file("a.png"), "--size", "64"});
   EXPECT_NE(directory_.read("a.svg").find("<svg"), std::string::npos);
   EXPECT_EQ(directory_.read("a.png").substr(1, 3), "PNG");
-  refused({"render", file("a.diagram.json"), "-o", file("a.gif")}, ".svg or .png");
+  refused({"render", file("a.diagram.json"), "-o", file("a.gif")}, ".svg, .png or .pdf");
   const Result valid = must({"validate", scene, file("a.history.jsonl"), file("a.diagram.json")});
   const std::vector<std::string> lines = lines_of(valid.out);
   ASSERT_EQ(lines.size(), 3u);

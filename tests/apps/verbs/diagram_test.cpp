@@ -47,6 +47,108 @@ TEST_F(Cli, DiagramRefusesWhatItCannotRead) {
   refused({"diagram", file("b.csv"), "--box", "0,0,1,1", "-o", file("a.json")}, "--box");
   refused({"diagram", file("b.csv"), "--box", "0,0,1", "-o", file("a.geojson")}, "--box");
   refused({"diagram", file("b.csv"), "--frame", "0,0,0", "-o", file("a.json")}, "--frame");
+  refused({"diagram", file("b.csv"), "--size", "100", "-o", file("a.geojson")}, "--size");
+  for (const std::string picture : {"a.svg", "a.png", "a.pdf"}) {
+    refused({"diagram", file("a.csv"), "-o", file(picture)}, "a.csv:2: radius: ");
+    refused({"diagram", file("b.csv"), "--size", "15", "-o", file(picture)}, "--size");
+    refused({"diagram", file("b.csv"), "--box", "0,0,0,1", "-o", file(picture)}, "--box");
+    refused({"diagram", file("b.csv"), "--tolerance", "1", "-o", file(picture)}, "--tolerance");
+  }
+}
+
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST_F(Cli, DiagramOfATableIsAPicture) {
+  directory_.write("towns.csv", towns);
+  must({"diagram", file("towns.csv"), "-o", file("a.svg")});
+  const std::string svg = directory_.read("a.svg");
+  must({"diagram", file("towns.csv"), "-o", file("b.svg")});
+  EXPECT_EQ(svg, directory_.read("b.svg"));
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  // The hidden disk alone has a broken rim; edges are curves; names are written in letters.
+  EXPECT_EQ(count(svg, "stroke-dasharray"), 1);
+  EXPECT_GE(count(svg, " C "), 6);
+  EXPECT_GE(count(svg, "<use "), 3);
+  must({"diagram", file("towns.csv"), "--size", "300", "-o", file("a.png")});
+  EXPECT_EQ(directory_.read("a.png").substr(16, 8), std::string("\0\0\1\x2c\0\0\1\x2c", 8));
+  must({"diagram", file("towns.csv"), "--size", "400", "-o", file("a.pdf")});
+  const std::string pdf = directory_.read("a.pdf");
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  EXPECT_EQ(count(pdf, "20000101000000"), 1);  // not the clock's
+  EXPECT_EQ(count(pdf, "[ 0 0 300 300 ]"), 1);
+}
+
+TEST_F(Cli, DiskHasOneColourInAllPictures) {
+  // Disk 9 has colours between two of the palette, here alone and there in company.
+  constexpr const char *cell = "rgb(96.177833%,84.233437%,81.206563%)",
+                       *disk = "rgb(88.055728%,50.72949%,41.27051%)";
+  std::string table = "x,y,r\n";
+  for (int k = 0; k < 10; ++k)
+    table += std::to_string(3 * k) + "," + std::to_string(k * k) + ",1\n";
+  directory_.write("a.csv", table);
+  must({"diagram", file("a.csv"), "--box", "26,80,28,82", "-o", file("a.svg")});
+  directory_.write("b.csv", table + "27,-80,2\n20,90,1\n");
+  must({"diagram", file("b.csv"), "-o", file("b.svg")});
+  const std::string scene = reference(10, "1");
+  must({"snapshot", scene, "--at", "0", "-o", file("c.json")});
+  must({"render", file("c.json"), "-o", file("c.svg")});
+  for (const char* picture : {"a.svg", "b.svg", "c.svg"}) {
+    for (const char* colour : {cell, disk}) {
+      EXPECT_EQ(count(directory_.read(picture), colour), 1) << picture << ' ' << colour;
+    }
+  }
+}
+
+TEST_F(Cli, DiagramIsDrawnWhateverTheDisksAre) {
+  const auto draw = [&](const std::string& table, const Arguments& more = {}) {
+    directory_.write("a.csv", table);
+    Arguments words{"diagram", file("a.csv"), "-o", file("a.svg")};
+    words.insert(words.end(), more.begin(), more.end());
+    must(words);
+    const std::string svg = directory_.read("a.svg");
+    EXPECT_EQ(svg.find("nan"), std::string::npos) << table;
+    EXPECT_EQ(svg.find("inf"), std::string::npos) << table;
+    return svg;
+  };
+  draw("x,y,r\n");
+  draw("1,2,3\n");
+  draw("1,2,3\n", {"--frame", "0,0,9"});
+  draw("0,0,0\n1,0,0\n2,0,0\n");
+  draw("0,0,-5\n10,0,3\n");
+  draw("0,0,1e90\n5,0,1\n");
+  draw("0,0,1e90\n3e90,0,1e90\n", {"--box", "1.5e90,0,1.6e90,1e80"});
+  // From inside of a disk, and at the rim of one that is a million times larger than the box.
+  draw("0,0,1e9\n3e9,0,1\n", {"--box", "0,0,1,1"});
+  EXPECT_GE(count(draw("0,0,1e6\n3e6,0,1\n", {"--box", "999999,-1,1000001,1"}), "<path"), 3);
+  std::string dense;
+  for (int k = 0; k < 300; ++k)
+    dense += std::to_string(k % 7) + "," + std::to_string(k % 11) + ",1\n";
+  draw(dense);
+}
+
+// In cells that have room for them, and not on the centre of a disk that is hidden there.
+TEST_F(Cli, DiagramHasLabelsOnlyWhereTheyFit) {
+  const auto labels = [&](const std::string& table) {
+    directory_.write("a.csv", table);
+    must({"diagram", file("a.csv"), "-o", file("a.svg")});
+    const std::string svg = directory_.read("a.svg");
+    return count(svg, "<use ");
+  };
+  EXPECT_EQ(labels("name,x,y,r\nA,0,0,1\nB,9,0,1\n"), 2);
+  EXPECT_EQ(labels("name,x,y,r\n,0,0,1\nB,9,0,1\n"), 1);
+  EXPECT_EQ(labels("name,x,y,r\n\xff,0,0,1\n\xed\xa0\x80,9,0,1\n"), 4);  // no UTF-8
+  // The cell of the one in the middle has no room for its name.
+  EXPECT_EQ(labels("name,x,y\nA,-9,0\nBBBB,0,0\nC,0.1,0\nD,-0.1,0\nE,9,0\n"), 4);
+  EXPECT_EQ(labels("name,x,y,r\n" + std::string(300, 'm') + ",0,0,1\nB,9,0,1\n"), 1);
+  EXPECT_EQ(labels("name,x,y,r\nA,0,0,5\n"), 1);
+  EXPECT_NE(directory_.read("a.svg").find(" x=\"49"), std::string::npos);
+  EXPECT_NE(directory_.read("a.svg").find(" y=\"50"), std::string::npos);
+  EXPECT_EQ(labels("name,x,y,r\nA,0,0,5\nB,0,0,1\n"), 2);
+  EXPECT_EQ(directory_.read("a.svg").find(" y=\"50"), std::string::npos);
 }
 
 }  // namespace

@@ -224,7 +224,7 @@ TEST_F(Limits, ADiagramFarBeyondItsContainerIsNotDrawn) {
   const Json whole = json("a.diagram.json");
   const auto refuse = [&](const Json& changed, const std::string& message) {
     directory_.write("a.diagram.json", changed.dump());
-    for (const std::string picture : {"p.svg", "p.png"})
+    for (const std::string picture : {"p.svg", "p.png", "p.pdf"})
       refused({"render", path, "-o", file(picture), "--time-limit", "60"}, message);
   };
   Json changed = whole;
