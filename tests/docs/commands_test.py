@@ -8,9 +8,10 @@ A block that is not marked and has a line with a command is one that is not run.
 NOT_RUN, with the reason; a name there without a block is an error as well.
 
 Blocks with the Python module's commands take --python, its interpreter and the folder of the module; without that they are
-passed over, and counted.
+passed over, and counted. Documents that take a program with the page, which is made where Emscripten is, come behind
+--page; without that they are named, and passed over.
 
-usage: commands_test.py [--python PYTHON FOLDER] PROGRAM DOCUMENT...
+usage: commands_test.py [--python PYTHON FOLDER] PROGRAM DOCUMENT... [--page | --no-page DOCUMENT...]
 """
 import os
 import pathlib
@@ -121,9 +122,15 @@ def main():
     arguments, python = sys.argv[1:], None
     if arguments[0] == "--python":
         python, arguments = arguments[1:3], arguments[3:]
-    program, *documents = (pathlib.Path(p).resolve() for p in arguments)
-    for document in documents:
+    has_page = "--page" in arguments
+    place = arguments.index("--page" if has_page else "--no-page")
+    program, *documents = (pathlib.Path(p).resolve() for p in arguments[:place])
+    with_page = [pathlib.Path(p).resolve() for p in arguments[place + 1:]]
+    for document in documents + (with_page if has_page else []):
         check(program, document, python)
+    if not has_page:
+        print("passed over, without the page: " + ", ".join(document.name for document in with_page))
+    documents += with_page
     names = {str(d.relative_to(ROOT)) for d in documents}
     marked = {str(d.relative_to(ROOT)) for d in [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")]
               if re.search(r"^```sh$", d.read_text(), re.M)}
