@@ -49,7 +49,7 @@ RestingProof resting_proof(const RestingClaim& claim, const MotionOptions& optio
   RestingProof proof;
   const std::vector<GenId> hosts = hosts_of(claim.input, claim.frame);
   const auto n = static_cast<GenId>(hosts.size());
-  std::vector<bool> hidden;
+  std::vector<bool>& hidden = proof.hidden;
   for (GenId g = 0; g < n; ++g) {
     hidden.push_back(hosts[g] != visible_disk);
     proof.visible += hidden.back() ? 0 : 1;

@@ -104,6 +104,9 @@ void require_area(const Box& box) {
   if (!(high[0] > low[0] && high[1] > low[1] && std::isfinite(size))) {
     throw std::invalid_argument("box: no area");
   }
+  for (const double x : {low[0], low[1], high[0], high[1]}) {
+    if (std::fabs(x) > 1e100) throw std::invalid_argument("box: beyond 1e100 in magnitude");
+  }
 }
 
 BallBox::BallBox(const Box& box, const Vec2& origin) {

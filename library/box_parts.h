@@ -9,7 +9,7 @@
 
 namespace voroproof::internal {
 
-// Throws std::invalid_argument for a box without area.
+// Throws std::invalid_argument for a box without area, or beyond 1e100 in magnitude.
 void require_area(const Box& box);
 
 // A box relative to an origin. Its sides are left, right, bottom and top.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <set>
@@ -42,31 +43,62 @@ class VertexPlaces {
         sets.union_set(numbers_.at(start_vertex(q)), numbers_.at(end_vertex(q)));
       }
     }
-    generators_.resize(numbers_.size());
+    std::vector<std::set<Pair>> sides(numbers_.size());
     for (auto& [name, number] : numbers_) {
       number = sets.find_set(number);
-      generators_[number].insert(name.begin(), name.end());
+      for (int k = 0; k < 3; ++k) sides[number].insert({name[k], name[(k + 1) % 3]});
     }
-    for (std::size_t k = 0; k < generators_.size(); ++k) {
-      for (const GenId g : generators_[k]) of_generator_[g].push_back(k);
+    for (const auto& of_place : sides) {
+      contacts_.push_back(cycle_of(of_place));
+      for (const GenId g : contacts_.back()) of_generator_[g].push_back(contacts_.size() - 1);
     }
   }
 
   bool is_vertex(const Triple& name) const { return numbers_.contains(name); }
   const std::map<Triple, std::size_t>& vertices() const { return numbers_; }
-  // Whether all of them touch the circle of one vertex.
+  // Whether the circle of one vertex touches all of them counterclockwise in this order.
   bool meet(const std::vector<GenId>& all) const {
     const auto found = of_generator_.find(all.front());
     if (found == of_generator_.end()) return false;
-    return std::any_of(found->second.begin(), found->second.end(), [&](std::size_t k) {
-      return std::all_of(all.begin(), all.end(),
-                         [&](GenId g) { return generators_[k].contains(g); });
-    });
+    return std::any_of(found->second.begin(), found->second.end(),
+                       [&](std::size_t k) { return has_in_order(contacts_[k], all); });
   }
 
  private:
-  std::map<Triple, std::size_t> numbers_;
-  std::vector<std::set<GenId>> generators_;  // by place
+  using Contacts = std::vector<GenId>;
+
+  // The generators that a vertex's circle touches, counterclockwise. Each triple is so, and two of
+  // one place that share an edge without length are on either side of its chord: the chords that
+  // are sides of one triple only are those of the whole polygon.
+  static Contacts cycle_of(const std::set<Pair>& sides) {
+    std::map<GenId, GenId> next;
+    for (const auto& [a, b] : sides) {
+      if (!sides.contains({b, a})) next.emplace(a, b);
+    }
+    Contacts cycle;
+    if (next.empty()) return cycle;
+    const GenId first = next.begin()->first;
+    GenId g = first;
+    do {
+      cycle.push_back(g);
+      g = next.at(g);
+    } while (g != first);
+    return cycle;
+  }
+
+  static bool has_in_order(const Contacts& contacts, const std::vector<GenId>& all) {
+    std::vector<std::size_t> places;
+    for (const GenId g : all) {
+      const auto found = std::find(contacts.begin(), contacts.end(), g);
+      if (found == contacts.end()) return false;
+      places.push_back(static_cast<std::size_t>(found - contacts.begin()));
+    }
+    std::rotate(places.begin(), std::min_element(places.begin(), places.end()), places.end());
+    return std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) == places.end();
+  }
+
+  std::map<Triple, std::size_t> numbers_;  // the places
+  std::vector<Contacts> contacts_;         // by place
   std::map<GenId, std::vector<std::size_t>> of_generator_;
 };
 
@@ -144,6 +176,12 @@ class DiagramJudge {
     for (const Quad& q : resting_.edges) {
       if (q.s == q.e || !ties.is_point(q)) true_pairs.insert(std::minmax(q.l, q.r));
     }
+    // The edge all around a lone disk has no name.
+    if (claim_.frame && proof_.visible == 1) {
+      for (GenId g = 0; g < static_cast<GenId>(proof_.hidden.size()); ++g) {
+        if (!proof_.hidden[g]) true_pairs.insert({container_id, g});
+      }
+    }
     const bool framed = !claimed.empty() && claimed.begin()->first == container_id;
     for (const Pair& p : true_pairs) {
       if (claimed.contains(p)) continue;
@@ -168,7 +206,7 @@ class DiagramJudge {
     std::set<Triple> named;
     for (const Vertex& v : *claim_.vertices) {
       const Triple name = canonical(v.generators);
-      named.insert(name);
+      if (!named.insert(name).second) return "vertex " + text_of(name) + " is named twice";
       const bool is_one =
           places.is_vertex(name) || (!claim_.edges && places.meet({name.begin(), name.end()}));
       if (!is_one || is_at_infinity(name)) return "there is no vertex " + text_of(name);
@@ -216,7 +254,7 @@ class DiagramJudge {
   std::int64_t touching_ = 0, left_out_ = 0;
 };
 
-void require_claim(const DiagramClaim& claim, double tolerance) {
+void require_claim(const DiagramClaim& claim, double tolerance, int threads) {
   require_disks(claim.disks, claim.frame);
   const int n = static_cast<int>(claim.disks.size());
   const auto fail = [](const std::string& why) { throw std::invalid_argument(why); };
@@ -227,6 +265,12 @@ void require_claim(const DiagramClaim& claim, double tolerance) {
     fail("the claim says nothing");
   }
   if (!(tolerance >= 0 && tolerance <= 1)) fail("tolerance: not within 0 to 1");
+  if (threads < 1 || threads > 1024) fail("threads: not in 1 to 1024");
+  if (claim.edges) {
+    for (const Edge& e : *claim.edges) {
+      for (const int g : {e.l, e.r, e.s, e.e}) require("edges", g, container_id);
+    }
+  }
   if (claim.hosts) {
     if (claim.hosts->size() != claim.disks.size()) fail("hosts: not as many as disks");
     for (std::size_t k = 0; k < claim.hosts->size(); ++k) {
@@ -253,7 +297,7 @@ void require_claim(const DiagramClaim& claim, double tolerance) {
 
 DiagramReport certify_diagram(const DiagramClaim& claim, double tolerance, int threads) {
   return internal::with_public_errors([&] {
-    internal::require_claim(claim, tolerance);
+    internal::require_claim(claim, tolerance, threads);
     internal::DiagramJudge judge(claim, tolerance, threads);
     DiagramReport report;
     try {

@@ -77,6 +77,13 @@ class ClaimReader {
     return all;
   }
 
+  // The disks that are judged are those of the file: no number is rounded without a word.
+  double number() {
+    const Number n = json_.number();
+    if (n.exact && *n.exact != to_rational(n.nearest)) json_.fail("not a binary64");
+    return n.nearest;
+  }
+
   // An object of a centre, a radius, and one field more, which `read_rest` reads.
   template <class ReadRest>
   Circle read_circle(std::string_view rest, bool needs_rest, const ReadRest& read_rest) {
@@ -84,16 +91,16 @@ class ClaimReader {
     Circle circle;
     const std::array<std::string_view, 3> names = {"center", "radius", rest};
     const auto bit = JsonReader::bit;
-    json_.object(
-        names, bit(center) | bit(radius) | (needs_rest ? bit(other) : 0u), [&](std::size_t member) {
-          if (member == center) {
-            json_.array_of<2>([&](std::size_t k) { circle.center[k] = json_.number().nearest; });
-          } else if (member == radius) {
-            circle.radius = json_.number().nearest;
-          } else {
-            read_rest();
-          }
-        });
+    json_.object(names, bit(center) | bit(radius) | (needs_rest ? bit(other) : 0u),
+                 [&](std::size_t member) {
+                   if (member == center) {
+                     json_.array_of<2>([&](std::size_t k) { circle.center[k] = number(); });
+                   } else if (member == radius) {
+                     circle.radius = number();
+                   } else {
+                     read_rest();
+                   }
+                 });
     return circle;
   }
 

@@ -44,8 +44,9 @@ void add_diagram_options(Verb& verb, DiagramRequest& request) {
   verb.text("--frame", request.frame, "X,Y,R", "The circle in which the disks of the table are.")
       .needs("--diagram");
   verb.text("--vertex-tolerance", request.tolerance, "RATIO",
-            "How far the circles of a diagram's vertices may be off, relative to the numbers that "
-            "they are computed from.")
+            "How far the circles of a diagram's vertices may be off, relative to the largest "
+            "number of "
+            "circle and generators.")
       .needs("--diagram");
 }
 

@@ -84,7 +84,7 @@ class StaticDiagram(Incidences):
         """The cells by disk, cut to the box: each a list of polygons, counterclockwise, shape (k, 2).
 
         A hidden disk has none. The sides keep within about `tolerance` of the true arcs: a thousandth
-        of the size of the box where none is given. Raises ValueError for a box without area, and a
+        of the size of the box where none is given. Raises ValueError for a box without area or beyond 1e100, and a
         tolerance less than 1e-9 of its size.
         """
         return self._core.cells(_corners(box), tolerance)
@@ -97,7 +97,7 @@ class StaticDiagram(Incidences):
 
         With `errors` an eighth column says how far its points may be from the true edge. Where an arc does not
         start at the end of the one before the edge leaves the box in between. Edges with infinity have none.
-        Raises ValueError for a box without area.
+        Raises ValueError for a box without area or beyond 1e100.
         """
         return [arcs if errors else arcs[:, :7] for arcs in self._core.arcs(_corners(box))]
 
@@ -107,7 +107,7 @@ class StaticDiagram(Incidences):
         `centroid_error`, which include about 1e-8 of the perimeter.
 
         They are those of the true arcs. A disk that is hidden, or whose cell misses the box, has zeros and a
-        centroid that is no number. Raises ValueError for a box without area.
+        centroid that is no number. Raises ValueError for a box without area or beyond 1e100.
         """
         return self._core.measures(_corners(box)).view(_MEASURE).reshape(-1)
 
@@ -226,7 +226,7 @@ def certify_diagram(centers: "np.ndarray | Sequence[Sequence[float]]", radii: "n
 
     `hosts`, `edges`, `neighbours` are as in `StaticDiagram`; of pairs of neighbours those with the frame
     may all be left out. `vertices` are generators, centres and radii of vertices, with `edges` of all,
-    and may be off by `tolerance` times the largest of the numbers that they are computed from. Raises
+    and may be off by `tolerance` times the largest number of the circle and its generators. Raises
     ValueError as `voronoi` does, and for a claim that says nothing or names disks that do not exist.
     """
     def lists(values: Any) -> Any:

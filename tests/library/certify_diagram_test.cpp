@@ -117,6 +117,42 @@ TEST(CertifyDiagram, VerticesAreJudged) {
   EXPECT_NE(reason_of(claim).find("is missing"), std::string::npos);
 }
 
+// Of the two circles that touch three disks at a place one is the vertex's.
+TEST(CertifyDiagram, AVertexWithoutEdgesIsJudgedByItsOrder) {
+  const StaticDiagram three({{{0, 0}, 1}, {{4, 0}, 1}, {{1, 3}, 1}}, std::nullopt);
+  DiagramClaim claim{three.disks(), {}, {}, {}, {}, three.vertices()};
+  EXPECT_EQ(certify_diagram(claim).verdict, Verdict::certified);
+  claim.vertices = {{{0, 2, 1}, {2, 1}, -3.23606797749979}};
+  EXPECT_EQ(reason_of(claim), "there is no vertex [0,2,1]");
+  // The circle of [0,1,2] exists, and contains disk 3.
+  claim = {{{{-5, 0}, 1}, {{0, 0}, 0.5}, {{5, 0}, 1}, {{0, 6}, 1}}, {}, {}, {}, {}, {}};
+  claim.vertices = {{{0, 1, 2}, {0, 24.75}, 24.25}};
+  EXPECT_EQ(reason_of(claim), "there is no vertex [0,1,2]");
+  // Of a tie each three in their order name it.
+  const StaticDiagram tie({{{1, 0}, 0}, {{0, 1}, 0}, {{-1, 0}, 0}, {{0, -1}, 0}}, std::nullopt);
+  claim = {tie.disks(), {}, {}, {}, {}, {}};
+  for (const std::array<int, 3> name : {std::array{0, 1, 2}, {1, 2, 3}, {0, 2, 3}, {0, 1, 3}}) {
+    claim.vertices = {{name, {0, 0}, 1}};
+    EXPECT_EQ(reason_of(claim), "");
+    claim.vertices = {{{name[0], name[2], name[1]}, {0, 0}, 1}};
+    EXPECT_NE(reason_of(claim), "");
+  }
+  claim.vertices = {{{0, 0, 1}, {0, 0}, 1}};
+  EXPECT_EQ(reason_of(claim), "there is no vertex [0,0,1]");
+  claim.vertices = {{{0, 1, 2}, {0, 0}, 1}, {{0, 1, 2}, {0, 0}, 1}};
+  EXPECT_EQ(reason_of(claim), "vertex [0,1,2] is named twice");
+}
+
+TEST(CertifyDiagram, ALoneDiskIsANeighbourOfTheFrame) {
+  DiagramClaim claim{{{{0, 0}, 1}, {{0, 0}, 0.5}}, Circle{{0, 0}, 5}, {}, {}, Pairs{{0, -1}}, {}};
+  EXPECT_EQ(reason_of(claim), "");
+  claim.neighbours = Pairs{{1, -1}};
+  EXPECT_NE(reason_of(claim), "");
+  claim.neighbours = Pairs{};
+  EXPECT_EQ(certify_diagram(claim).reservations.front(),
+            "1 neighbours of the frame are not claimed");
+}
+
 TEST(CertifyDiagram, SaysWhatWasJudged) {
   const StaticDiagram d({{{0, 0}, 1}, {{4, 0}, 1}, {{4, 0}, 0.5}}, std::nullopt);
   EXPECT_EQ(certify_diagram({d.disks(), {}, d.hosts(), d.edges(), {}, {}}).about,
@@ -132,6 +168,9 @@ TEST(CertifyDiagram, RefusesClaimsThatAreNone) {
   EXPECT_THROW(certify_diagram({two, {}, std::vector{-2, 1}, {}, {}, {}}), std::invalid_argument);
   EXPECT_THROW(certify_diagram({two, {}, {}, {}, Pairs{{0, 2}}, {}}), std::invalid_argument);
   EXPECT_THROW(certify_diagram({two, {}, {}, {}, Pairs{{0, 1}}, {}}, 2), std::invalid_argument);
+  EXPECT_THROW(certify_diagram({two, {}, {}, std::vector<Edge>{{0, 7, 1, -1}}, {}, {}}),
+               std::invalid_argument);
+  EXPECT_THROW(certify_diagram({two, {}, {}, {}, Pairs{{0, 1}}, {}}, 0, 0), std::invalid_argument);
   EXPECT_THROW(certify_diagram({two, Circle{{0, 0}, 0}, {}, {}, Pairs{}, {}}),
                std::invalid_argument);
 }

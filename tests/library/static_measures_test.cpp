@@ -323,6 +323,11 @@ TEST(StaticMeasures, HiddenDisksAndMissedCellsHaveNone) {
   EXPECT_TRUE(StaticDiagram({}).measures({{0, 0}, {1, 1}}).empty());
   EXPECT_THROW(d.measures({{0, 0}, {0, 1}}), std::invalid_argument);
   EXPECT_THROW(d.measures({{0, 0}, {1, std::nan("")}}), std::invalid_argument);
+  EXPECT_THROW(d.measures({{0, 0}, {1, 1e101}}), std::invalid_argument);
+  // At the end of the range bounds hold, however wide.
+  const Measure most =
+      StaticDiagram({{{0, 0}, 1}, {{4, 0}, 1}}).measures({{0, 0}, {1e100, 1e100}})[1];
+  EXPECT_LE(std::fabs(most.area - 1e200), most.area_error);
 }
 
 }  // namespace

@@ -36,9 +36,10 @@ struct DiagramReport {
 // Proves the claim or refutes it. Edges are judged by exact predicates one by one, whatever made
 // them; edges without length, in whose place others are as right, may be any of these. Neighbours
 // are compared with proved edges. Centres and radii of vertices may be off by `tolerance` times the
-// largest of the numbers that they are computed from. Throws std::invalid_argument as StaticDiagram
-// does, for a claim that says nothing or that does not fit its disks (a disk that does not exist,
-// hosts of another number), and for a tolerance that is not within 0 to 1.
+// largest number of the true circle and its three generators. Throws std::invalid_argument as
+// StaticDiagram does, for a claim that says nothing or that does not fit its disks (a disk that
+// does not exist, hosts of another number), for a tolerance that is not within 0 to 1, and for
+// threads that are not 1 to 1024.
 VOROPROOF_API DiagramReport certify_diagram(const DiagramClaim& claim, double tolerance = 1e-9,
                                             int threads = 1);
 

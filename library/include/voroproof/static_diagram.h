@@ -83,7 +83,8 @@ class VOROPROOF_API StaticDiagram {
   // The cells in the box, by disk: closed polygons (the first point is not repeated) that run
   // counterclockwise, whose chords keep within about `tolerance` of the true arcs. A cell that the
   // box cuts in pieces has several; a hidden one, or one that the box misses, none. Throws
-  // std::invalid_argument for a box without area, and a tolerance less than 1e-9 of its size.
+  // std::invalid_argument for a box without area or beyond 1e100, and a tolerance less than 1e-9 of
+  // its size.
   std::vector<std::vector<std::vector<Vector>>> cells(const Box& box, double tolerance) const;
   // That of all visible disks, and a tenth of its size on each side; in a frame, that of the frame.
   Box box() const;
@@ -95,14 +96,14 @@ class VOROPROOF_API StaticDiagram {
   // before the edge leaves the box in between. Ends are in the box, controls may be out of it by
   // the height of an arc. Errors are some roundings of the coordinates, more where disks nearly
   // touch each other from inside. The edges of infinity have no arcs. Throws std::invalid_argument
-  // for a box without area.
+  // for a box without area or beyond 1e100.
   std::vector<std::vector<Arc>> arcs(const Box& box) const;
   // By disk, its cell in the box, in closed form for the true arcs. Errors are proved, roundings
   // and the quadrature of perimeters (some 1e-8) included. A cell that is hidden or misses the box
   // has zeros, and a centroid that is no number, and so has one whose area is not known to be more
   // than its error; its area and its perimeter are still less than their errors. Where an edge and
   // a side of the box seem to coincide the error of the perimeter may be their length. Powers of
-  // two scale all exactly. O(n) time. Throws std::invalid_argument for a box without area.
+  // two scale all exactly. O(n) time. Throws as arcs() does.
   std::vector<Measure> measures(const Box& box) const;
 
   // The nearest generator of each point, decided exactly: the disk of least |x - c| - r that is not

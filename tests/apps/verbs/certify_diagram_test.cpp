@@ -68,6 +68,12 @@ TEST_F(CertifyDiagramCli, BadInputIsRefused) {
   result = judged({file("bad.json")});
   EXPECT_EQ(result.code, 2);
   EXPECT_NE(result.err.find("bad.json:2: disks[0].center: "), std::string::npos) << result.err;
+  // An exact number that is no binary64 would be another disk.
+  directory_.write("bad.json", R"({"format":"voroproof-static-diagram","version":1,"frame":"none",
+                   "disks":[{"center":[0,"1/3"],"radius":1}],"edges":[]})");
+  result = judged({file("bad.json")});
+  EXPECT_NE(result.err.find("bad.json:2: disks[0].center[1]: not a binary64"), std::string::npos)
+      << result.err;
   EXPECT_EQ(run({"certify", file("a"), "--diagram", file("bad.json")}).code, 2);
   EXPECT_EQ(run({"certify", "--frame", "0,0,1"}).code, 2);
 }
