@@ -23,7 +23,7 @@ struct RestingClaim {
 
 struct RestingProof {
   std::optional<InitialFault> fault;  // none: the claim is proved
-  std::vector<bool> hidden;  // by disk
+  std::vector<bool> hidden;           // by disk
   int visible = 0;
   // Edges without length, in whose place others are as right; and of these the ones that the rule
   // of the largest id (docs/formats.md, section 3) does not choose.
