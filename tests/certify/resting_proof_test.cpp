@@ -93,6 +93,60 @@ TEST(RestingProof, AFlippedEdgeIsWrongIfItHasALength) {
   EXPECT_GT(other, 10);
 }
 
+// The verdict on a right or wrong claim is that of its image under exact maps: other units, another
+// origin, a reflection, other ids, and in the plane one number added to all radii.
+TEST(RestingProof, ExactMapsKeepTheVerdict) {
+  Dice dice(15);
+  int wrong = 0;
+  for (int round = 0; round < 600; ++round) {
+    const Disks disks = some_disks(dice);
+    const Frame frame = dice(0, 1) == 0 ? Frame::plane : Frame::circle;
+    RestingClaim claim = claim_of(disks, frame);
+    const auto n = static_cast<GenId>(disks.size());
+    std::vector<bool> hidden;
+    for (const GenId host : claim.hosts) hidden.push_back(host != visible_disk);
+    Diagram diagram = diagram_of(n, claim.edges, hidden);
+    const Diagram::HalfEdge h = diagram.edges() == 0 ? -1 : 2 * dice(0, diagram.edges() - 1);
+    if (h >= 0 && dice(0, 1) == 0 && diagram.quad(h).s != diagram.quad(h).e) diagram.flip(h);
+    claim.edges = diagram.quads();
+    claim.hosts.clear();
+    const bool is_right = fault_of(claim) == "none";
+    wrong += is_right ? 0 : 1;
+
+    RestingClaim image = claim;
+    const Rational scale = to_rational(dice(0, 1) == 0 ? 0x1p-80 : 0x1p80), shift = dice(-9, 9);
+    const Rational more = frame == Frame::plane ? dice(0, 3) : 0;
+    image.input.container_x += shift;
+    image.input.container_x *= -scale;
+    image.input.container_radius *= scale;
+    for (GenId g = 0; g < n; ++g) {
+      const Disk& d = disks[g];
+      image.input.disks[n - 1 - g] = {Rational(-scale * (d.x + shift)),
+                                      Rational(scale * d.y),
+                                      Rational(scale * (d.r + more)),
+                                      0,
+                                      0,
+                                      1};
+    }
+    for (Quad& q : image.edges) {
+      const auto name = [&](GenId g) { return g < 0 ? g : n - 1 - g; };
+      q = {name(q.r), name(q.l), name(q.s), name(q.e)};
+    }
+    // Of disks that are equal another one is hidden then.
+    const bool same_hidden = [&] {
+      const std::vector<GenId> hosts = hosts_of(image.input, frame);
+      for (GenId g = 0; g < n; ++g) {
+        if ((hosts[n - 1 - g] != visible_disk) != hidden[g]) return false;
+      }
+      return true;
+    }();
+    if (!same_hidden) continue;
+    EXPECT_EQ(fault_of(image) == "none", is_right) << text(disks);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(wrong, 100);
+}
+
 // The other orientation everywhere: every cell winds the wrong way.
 TEST(RestingProof, AMirrorImageIsWrong) {
   Dice dice(13);
