@@ -161,6 +161,32 @@ TEST(RestingProof, AMirrorImageIsWrong) {
   }
 }
 
+// Five disks around a sixth, told in the order of a pentagram: all circles exist, all edges are
+// legal, and the cells of the sixth and of the frame wind twice.
+TEST(RestingProof, ACellThatWindsTwiceIsWrong) {
+  const int corner[5][2] = {{5, 0}, {2, 5}, {-4, 3}, {-4, -3}, {2, -5}};
+  for (const int step : {1, 2}) {
+    Disks disks;
+    std::vector<Quad> quads;
+    for (int k = 0; k < 5; ++k) {
+      const auto& [x, y] = corner[k * step % 5];
+      disks.push_back({x, y, 1});
+      const int before = (k + 4) % 5, after = (k + 1) % 5;
+      for (const Quad& q : {Quad{5, k, before, after}, {k, after, -1, 5}, {-1, k, after, before}}) {
+        quads.push_back(canonical(q));
+      }
+    }
+    disks.push_back({0, 0, 1});
+    for (const Frame frame : {Frame::plane, Frame::circle}) {
+      for (const bool filters : {true, false}) {
+        const RestingProof proof = proof_of({input_of(disks, 50), frame, {}, quads}, filters);
+        EXPECT_EQ(proof.fault ? proof.fault->truth.substr(0, 31) : "none",
+                  step == 1 ? "none" : "the vertices around generator -");
+      }
+    }
+  }
+}
+
 TEST(RestingProof, HiddenDisksAreJudged) {
   const Disks disks{{0, 0, 4}, {1, 0, 1}, {6, 0, 1}, {0, 0, 4}, {0, 6, 2}};
   const RestingClaim right = claim_of(disks, Frame::plane);
