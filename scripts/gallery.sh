@@ -195,7 +195,7 @@ TEXT
 
 scene probed reference --n 30 --seed 3 --density 0.2 --horizon 60
 figure "Figure 2: offsets, voids and tunnels" \
-  "The rows show 30 disks at t = 0 and 40: the diagram, then where probes of radius 5 and 7 fit, by \`voroproof render DIAGRAM --probe R\`. Red is the offset, and strong lines are tunnels."
+  "The rows show 30 disks at t = 0 and 40: the diagram, then where probes of radius 5 and 7 fit (\`voroproof render DIAGRAM --probe R\`). Red is the offset, strong lines are tunnels."
 for t in 0 40; do
   panel "figure2-t$t.png" 270 "Diagram at t=$t" diagram probed "$t" 400
   for radius in 5 7; do
@@ -206,7 +206,7 @@ for t in 0 40; do
 done
 
 figure "Figures 18 to 22: the experiments" \
-  "These are the paper's data sets at full size. Bars are standard deviations over five seeds, but among the disks for distances and speeds. [experiments.md](../experiments.md) has the commands, and compares with the paper. Predictions are all roots of a flip polynomial. [benchmarks.md](../benchmarks.md) has measured seconds."
+  "These are the paper's data sets at full size ([experiments.md](../experiments.md)). Bars are standard deviations over five seeds, but among the disks for distances and speeds. Predictions are all roots of a flip polynomial."
 panel figure18.png 820 "Fig. 18, number of disks: seconds" measured reference
 close_row
 panel figure19.png 820 "Fig. 19, initial speed: seconds, events, predictions" measured speed
@@ -218,12 +218,12 @@ close_row
 panel figure22.png 820 "Fig. 22, restitution: flips and collisions" measured restitution
 
 figure "Figure 23: five vehicles" \
-  "\`voroproof plan --preset five -o SCENE --picture FILE\` draws this. At even speeds vehicle 0 would hit vehicle 1 at t = 8 (violet cross). It waits at the orange dot instead, and so avoids all four others. Red is the nearest approach."
+  "\`voroproof plan --preset five -o SCENE --picture FILE\` draws this. At even speeds vehicle 0 would hit vehicle 1 at t = 8 (violet cross). It waits at the orange dot instead. Red is the nearest approach."
 panel figure23.png 480 "Five vehicles and their ways" ways five 600
 
 planned square-to-circle
 figure "Figure 24a: ways from square to circle" \
-  "The preset is \`square-to-circle\`; \`voroproof render REPORT\` draws the same from the report. Orange dots are changes of speed."
+  "The preset is \`square-to-circle\`; \`voroproof render REPORT\` draws the same. Orange dots are changes of speed."
 panel figure24a.png 560 "Twenty straight ways" ways square-to-circle 720
 
 "$program" simulate "$work/square-to-circle.scene.json" -o "$work/square-to-circle.history.jsonl" --quiet
@@ -245,7 +245,7 @@ panel figure26.png 820 "The flight at six times" moments square-to-circle 0,22,3
 scene small reference --n 30 --seed 1 --horizon 100
 certified small
 figure "The movie" \
-  "\`voroproof movie\` makes a page that plays a history, here a flip: four disks and their common circle."
+  "\`voroproof movie\` makes a page that plays a history, here a flip."
 panel movie-flip.webp 820 "A flip of the edge between the wall and disk 9" still small "event=118" 1200,780
 
 scene large reference --n 1000 --seed 1 --horizon 60
@@ -256,7 +256,7 @@ panel movie-thousand.webp 640 "1000 disks in the player" still large "t=40&colou
 without_flip small wrong 100
 certified wrong
 figure "A refutation" \
-  "This history lacks one flip. It is proved up to there, and refuted where four disks touch one circle."
+  "This history lacks one flip, and is refuted where four disks touch one circle."
 panel movie-refuted.webp 560 "The refuted history, played up to its fault" film wrong 48.956677 52.956677 16 1200,780 720
 panel refutation.png 260 "The evidence, as explain draws it" evidence wrong
 
