@@ -8,7 +8,7 @@ cd "${1:-$(dirname "$0")/..}"
 
 failed=0
 # Rooms in the folder of another room. They are no part of it: who may include the one may not include these.
-inner=(exact/topology certify/kernel certify/evidence library/include library/queries library/planning)
+inner=(exact/topology corpus/truth corpus/truth/readers certify/kernel certify/evidence library/include library/queries library/planning)
 # check ROOM ALLOWED...: the project headers that files of ROOM include; ALLOWED are rooms or headers.
 check() {
   local room=$1
@@ -50,6 +50,10 @@ check certify/kernel certify/kernel
 check certify/evidence exact history certify/certificate.h certify/evidence
 check library/queries exact exact/topology filtered history library/queries
 check corpus exact history corpus
+# Its makers ask the engine, and the certifier whether it is right.
+check corpus/truth exact exact/topology filtered engine certify corpus/truth
+# For everybody: they stand alone.
+check corpus/truth/readers voroproof_truth.h voroproof_truth_score.h judge_plain.h
 # Headers for others see each other only.
 check library/include voroproof
 # What Python sees is what others see.
@@ -65,7 +69,7 @@ check apps/draw $rooms voroproof/static_diagram.h apps/answers apps/draw
 check apps/certifier $rooms certify/kernel apps/draw apps/certifier
 check apps/corpus $rooms apps/run apps/draw apps/corpus
 check apps/paper $rooms apps/paper
-check apps/verbs $rooms voroproof apps
+check apps/verbs $rooms corpus/truth voroproof apps
 # The library of the command line takes seconds to compile: one file includes it.
 if grep -rlE '#include <CLI/' apps | grep -vx apps/cli/parser.cpp; then
   echo "check-layers: includes CLI11, which only apps/cli/parser.cpp may" >&2
