@@ -3,7 +3,7 @@
 # lintian finds no error; a program is built against the library's packages; in a bare Debian the
 # packages are installed, used and purged, and nothing is left; installed once more as users do, with what they
 # recommend, they are enough for all that the documents tell users to do; the archive has the licence,
-# and its program runs where it was unpacked.
+# and its program runs where it was unpacked; the wheel has what it needs but NumPy.
 #
 # The bare system is made from the mirror that apt is configured with. Needs root, and what
 # `scripts/install-deps.sh packages` installs.
@@ -46,9 +46,15 @@ tar -xzf "$archive" -C "$work/unpacked" --strip-components=1
 cmp LICENSE "$work/unpacked/share/doc/voroproof/LICENSE"
 "$work/unpacked/bin/voroproof" --version
 
+echo "== wheel"
+python=$(sed -n 's/^VOROPROOF_PYTHON_FOUND:[A-Z]*=//p' "$build/CMakeCache.txt")
+VOROPROOF_BUILD=$build "$python" -m pip wheel . --no-deps --quiet -w "$work"
+wheel=$(echo "$work"/voroproof-*.whl)
+[ "$(stat -c %s "$wheel")" -le 20000000 ] || fail "the wheel is too large: $(stat -c %s "$wheel") bytes"
+
 if [ -n "$destination" ]; then
   mkdir -p "$destination"
-  cp "$work"/*.deb "$archive" "$destination"
+  cp "$work"/*.deb "$archive" "$wheel" "$destination"
 fi
 
 echo "== bare system"
@@ -109,6 +115,17 @@ diff "$work/before" "$work/after" || fail "that is what purging leaves"
 if inside dpkg-query -W -f '${Package} ${db:Status-Status}\n' '*voroproof*' 2>/dev/null | grep .; then
   fail "packages are left"
 fi
+echo "== wheel without the packages"
+inside apt-get install -y -qq --no-install-recommends python3-numpy python3-pip > "$work/numpy.log" 2>&1 ||
+  { cat "$work/numpy.log"; fail "no NumPy"; }
+cp "$wheel" "$root/packages"
+inside sh -ec 'pip install --quiet --no-deps --no-index --target /wheel /packages/*.whl
+  cd /tmp
+  PYTHONPATH=/wheel python3 -c "
+import voroproof as v
+scene = v.Scene.reference(n=20, seed=1, horizon=20)
+assert v.certify(scene, v.simulate(scene)).certified
+assert len(v.voronoi([[0, 0], [4, 0], [1, 3]], [1, 0.5, 0.25]).vertices) == 1"'
 echo "== paths of users"
 mkdir "$root/paths"
 cp tests/docs/blocks.py tests/docs/installed_test.py "$root/paths"
@@ -116,4 +133,4 @@ inside sh -ec 'apt-get install -y -qq /packages/*.deb
   apt-get install -y -qq --no-install-recommends g++ pkg-config' > "$work/paths.log" 2>&1 ||
   { cat "$work/paths.log"; fail "the packages cannot be installed with what they recommend"; }
 inside python3 -B /paths/installed_test.py
-echo "check-packages: $(ls "$work"/*.deb | wc -l) packages and an archive made, installed, used and purged"
+echo "check-packages: $(ls "$work"/*.deb | wc -l) packages, an archive and a wheel made, installed and used"

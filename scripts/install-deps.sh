@@ -54,7 +54,7 @@ for group in "$@"; do
       packages+=(python3-nbclient python3-nbconvert python3-ipykernel emscripten)
       ;;
     packages)
-      packages+=(debhelper dh-python emscripten lintian mmdebstrap pybind11-dev python3-dev python3-numpy)
+      packages+=(debhelper dh-python emscripten lintian mmdebstrap patchelf pybind11-dev python3-dev python3-numpy python3-pip)
       ;;
     cluster) packages+=(openmpi-bin python3-mpi4py slurmctld slurmd slurm-client munge snakemake) ;;
     proofs)
