@@ -43,6 +43,7 @@ NOT_RUN = {
         "make packages": "installs packages and needs root",
     },
     "docs/install.md": {
+        "scripts/install-deps.sh python packages": "installs packages and builds; scripts/check-packages.sh makes a wheel",
         "make packages": "installs packages and needs root",
         "apt install ./packages/*.deb": "installs packages",
         "tar -xf voroproof-0.1.0-linux-x86_64.tar.gz": "takes an archive, which scripts/check-packages.sh makes and tries",
