@@ -45,6 +45,7 @@ void describe(Verb& program) {
   add_convert(program);
   add_corpus(program);
   add_plan(program);
+  add_minimize(program);
   add_truth(program);
   add_process_limits(program);
   add_help(program);

@@ -14,22 +14,19 @@
 #include "apps/corpus/report.h"
 #include "apps/corpus/run.h"
 #include "apps/corpus/text.h"
+#include "apps/verbs/program_run.h"
 #include "apps/verbs/verbs.h"
 #include "history/output_file.h"
 
 namespace voroproof::internal {
 namespace {
 
-constexpr std::uint64_t bytes_per_megabyte = std::uint64_t{1} << 20;
-
 struct Request {
   std::string root;  // empty: the corpus beside the program
   CaseSelection selection;
   // The options of `corpus run`.
-  std::string command, truth = "both", json, html;
-  double seconds = 60;
-  std::uint64_t megabytes = 4096;
-  std::size_t jobs = 1;
+  ProgramRun program;
+  std::string json, html;
 };
 
 std::vector<CorpusCase> cases_of(const Request& request) {
@@ -81,12 +78,6 @@ class CaseCounter {
   std::optional<std::size_t> last_;
 };
 
-std::vector<Truth> truths_of(const std::string& word) {
-  if (word == "exact") return {Truth::exact};
-  if (word == "recorded") return {Truth::recorded};
-  return {Truth::exact, Truth::recorded};
-}
-
 // Writes the reports asked for and returns whether all cases passed.
 template <class Result>
 bool report(std::ostream& out, const CorpusRunInfo& info, const std::vector<Result>& results,
@@ -104,18 +95,9 @@ bool report(std::ostream& out, const CorpusRunInfo& info, const std::vector<Resu
                      [](const Result& result) { return result.passed(); });
 }
 
-void require_placeholders(const std::string& command) {
-  for (const char* placeholder : {"{scene}", "{history}"}) {
-    if (command.find(placeholder) == std::string::npos) {
-      throw UsageError(std::string("--against: the command does not name ") + placeholder);
-    }
-  }
-}
-
 ExitCode run_cases(const Request& request) {
-  const bool against = !request.command.empty();
-  if (against) require_placeholders(request.command);
-  if (!(request.seconds > 0)) throw UsageError("--timeout: must be more than 0");
+  const bool against = !request.program.command.empty();
+  request.program.require_valid();
   require_distinct({}, {request.json, request.html});
   std::optional<OutputFile> json, html;
   if (!request.json.empty()) json.emplace(request.json);
@@ -124,18 +106,13 @@ ExitCode run_cases(const Request& request) {
   const CooperativeInterruption interruption;
   std::optional<CaseCounter> counter;
   counter.emplace(cases.size());
-  CorpusRunOptions options;
-  options.command = request.command;
-  options.truths = truths_of(request.truth);
-  options.limits = {.seconds = request.seconds, .bytes = request.megabytes * bytes_per_megabyte};
-  options.jobs = request.jobs;
-  options.progress = [&](std::size_t finished) {
+  const CorpusRunOptions options = request.program.options([&](std::size_t finished) {
     counter->report(finished);
     interruption.check();
     return true;
-  };
+  });
   const CorpusRunInfo info{.producer = producer(),
-                           .command = request.command,
+                           .command = options.command,
                            .truths = options.truths,
                            .limits = options.limits};
   std::ostream& out = words_beside({request.json, request.html});
@@ -187,23 +164,9 @@ void add_run(Verb& corpus) {
       "run",
       "Certify the corpus: its own histories and wrong ones or, with --against, the histories that "
       "another program writes for its scenes");
-  verb.text("--against", request->command, "COMMAND",
-            "The program, run by the shell for each case, in this folder: {scene} stands for the "
-            "scene to read, {history} for the history or event sequence to write. Both are put in "
-            "quotes where they need them.");
+  request->program.add_to(verb, false);
   add_selection(verb, *request);
   verb.list("--case", request->selection.names, "NAME", "Only this case, NAME or FAMILY/NAME.");
-  verb.choice(
-          "--truth", {"exact", "recorded", "both"}, request->truth,
-          "What the program's histories are certified against: the true motion, the motion that "
-          "each history itself records, or either, whichever holds.")
-      .needs("--against");
-  verb.real("--timeout", request->seconds,
-            "The seconds for each run of the program and for each certification.");
-  verb.whole("--memory", request->megabytes, 0, 1 << 30,
-             "The megabytes for each of these processes; 0: no limit.");
-  verb.whole("--jobs", request->jobs, 1, 1024,
-             "The number of cases side by side; more than 1 makes the seconds longer.");
   verb.output("--json", request->json, "Write everything that was found here.");
   verb.output("--html", request->html, "Write a page to look at here, pictures included.");
   add_corpus_folder(verb, *request);

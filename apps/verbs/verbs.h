@@ -23,6 +23,7 @@ void add_explain(Verb& program);
 void add_convert(Verb& program);
 void add_corpus(Verb& program);
 void add_plan(Verb& program);
+void add_minimize(Verb& program);
 void add_truth(Verb& program);
 
 }  // namespace voroproof::internal

@@ -40,6 +40,8 @@ NOT_RUN = {
         "cmake --install build --prefix PREFIX": "installs; the test of the library's consumer does so",
         "build/voroproof corpus run --against 'mysim {scene} {history}' --html corpus.html":
             "takes an engine of the reader's",
+        "build/voroproof minimize gas.scene.json --against 'mysim {scene} {history}' -o small.scene.json":
+            "takes an engine of the reader's",
         "make packages": "installs packages and needs root",
     },
     "docs/install.md": {
