@@ -164,7 +164,9 @@ class Lives {
       found = collapse(k, end->hi + p_.tolerance);
     }
     if (!found || compare(found->at, *end) >= (last ? 1 : 0)) return {};
-    if (p_.exact() || compare(found->at, p_.history.horizon - p_.tolerance) < 0) return found;
+    // The diagram at 0 is the one just after: that it is another is no matter of the horizon.
+    const bool early = compare(found->at, p_.history.horizon - p_.tolerance) < 0;
+    if (p_.exact() || early || compare(found->at, Rat(0)) == 0) return found;
     ++counts_.horizon_events;
     if (!left_out_ || compare(found->at, *left_out_) < 0) left_out_ = found->at;
     return {};

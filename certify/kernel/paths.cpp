@@ -119,7 +119,7 @@ class Tracer {
     const std::string two = std::to_string(c.id[0]) + " and " + std::to_string(c.id[1]);
     const bool points = c.first == 0 && p_.reach(c.id[0], c.id[1]) == 0;
     if (points && g.meet(c.t + p_.tolerance)) undecided("two points that meet");
-    if (!g.has_roots()) refute("generators " + two + " do not touch");
+    if (!g.has_roots()) refute("generators " + two + " do not come into contact");
     const Rat square = g.b * g.b - g.a * g.c;
     const Rat root(sqrt(numerator(square)), sqrt(denominator(square)));
     if (root * root != square) undecided("the collision time of " + two + " is irrational");

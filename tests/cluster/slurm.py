@@ -162,7 +162,9 @@ def check_workflow(folder, program, environment):
                         "60", "-o", f"s{seed}.scene.json"], cwd=many, check=True)
     subprocess.run([program, "simulate", "s2.scene.json", "-o", "s2.history.jsonl", "--quiet"], cwd=many, check=True,
                    capture_output=True)
+    # It is older than its scene, and still the one to be judged.
     (many / "s2.history.jsonl").write_text(without_a_flip((many / "s2.history.jsonl").read_text()))
+    os.utime(many / "s2.history.jsonl", (0, 0))
     run_workflow(folder, program, environment, ["CERTIFIED", "REFUTED", "CERTIFIED"])
     # A replaced history that looks as old as the one before it.
     history = many / "s3.history.jsonl"
