@@ -119,7 +119,7 @@ echo "== wheel without the packages"
 inside apt-get install -y -qq --no-install-recommends python3-numpy python3-pip > "$work/numpy.log" 2>&1 ||
   { cat "$work/numpy.log"; fail "no NumPy"; }
 cp "$wheel" "$root/packages"
-inside sh -ec 'pip install --quiet --no-deps --no-index --break-system-packages --target /wheel /packages/*.whl
+inside sh -ec 'pip install --quiet --root-user-action=ignore --no-deps --no-index --break-system-packages --target /wheel /packages/*.whl
   cd /
   PYTHONPATH=/wheel python3 -c "
 import voroproof as v
