@@ -4,8 +4,10 @@
 #include <stdlib.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -45,6 +47,16 @@ void remove_abandoned(const fs::path& parent) {
   }
 }
 
+// Where this process has no memory left to look into the folder. Takes none.
+void remove_by_another_process(const char* path) {
+  const pid_t child = fork();
+  if (child == 0) {
+    execl("/bin/rm", "rm", "-rf", "--", path, static_cast<char*>(nullptr));
+    _exit(1);
+  }
+  if (child > 0) waitpid(child, nullptr, 0);
+}
+
 }  // namespace
 
 ScratchFolder::ScratchFolder() {
@@ -64,8 +76,13 @@ ScratchFolder::ScratchFolder() {
 }
 
 ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
+  std::error_code error;
+  try {
+    fs::remove_all(path_, error);
+  } catch (const std::bad_alloc&) {
+    error = std::make_error_code(std::errc::not_enough_memory);
+  }
+  if (error) remove_by_another_process(path_.c_str());
   if (lock_ >= 0) close(lock_);
 }
 

@@ -91,9 +91,11 @@ const std::map<std::string, std::string> lacks_both{
     {"validate", "it reads each file once and computes nothing"},
     {"corpus list", "it reads the cases once and computes nothing"},
     {"corpus show", "as corpus list"},
+    {"truth", "its questions are of few generators with few bits"},
     {"corpus run",
      "each run of a program and each certification has --timeout and --memory; the "
      "verdicts of the cases are those of the certifier's usual options"},
+    {"minimize", "as corpus run"},
     {"help", "it computes nothing"},
 };
 
