@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <regex>
+#include <sstream>
 
 namespace voroproof_kernel {
 
@@ -67,10 +69,9 @@ Rat length_above(const Vec& v) {
 }
 
 std::string about(const Rat& x) {
-  std::string digits = Int(abs(numerator(x)) * 1000000000 / denominator(x)).str();
-  if (digits.size() < 10) digits.insert(0, 10 - digits.size(), '0');
-  digits.insert(digits.size() - 9, 1, '.');
-  return (x < 0 ? "-" : "") + digits;
+  std::ostringstream text;
+  text << std::setprecision(12) << x.convert_to<double>();
+  return text.str();
 }
 
 Form operator+(Form p, const Form& q) {

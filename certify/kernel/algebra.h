@@ -66,7 +66,7 @@ Rat nearest_binary64(const Rat& x);
 Rat exact_string(const std::string& text);
 // An upper bound of the length of v, less than 2^-60 of it too great.
 Rat length_above(const Vec& v);
-// The number for messages: nine digits after the point.
+// The number for messages: twelve digits.
 std::string about(const Rat& x);
 
 // Over [a, b] time is t = (a + z b)/(1 + z), z in (0, oo). A form of degree d is the polynomial in

@@ -187,6 +187,12 @@ class Lives {
     return gap.value(std::clamp(nearest, gap.start, x.lo)) < inside;
   }
 
+  // For words.
+  static Instant narrowed(Instant at) {
+    for (int n = 0; n < 64 && !at.is_point(); ++n) at.split((at.lo + at.hi) / 2);
+    return at;
+  }
+
   [[noreturn]] void unclaimed(int k, const Collapse& found) const {
     const Quad q = walk_.edges()[k];
     for (const int g : {q.l, q.r, q.s, q.e}) {
@@ -202,10 +208,9 @@ class Lives {
         undecided("edge " + name(q) + " changes while a generator lies inside another");
       }
     }
-    Instant seen = found.at;
-    for (int n = 0; n < 64 && !seen.is_point(); ++n) seen.split((seen.lo + seen.hi) / 2);
-    refute("edge " + name(q) + " collapses at " + about(found.at.lo) + ", and no flip is claimed",
-           sight(seen.lo, q));
+    const Rat seen = narrowed(found.at).lo;
+    refute("edge " + name(q) + " collapses at " + about(seen) + ", and no flip is claimed",
+           sight(seen, q));
   }
 
   void flip(std::size_t claim) {
@@ -254,7 +259,7 @@ class Lives {
       refute("edge " + name(q) + " leads from one circle to another and stays");
     }
     if (compare(*now, lo) < 0 || compare(*now, hi) > 0) {
-      refute("edge " + name(q) + " collapses at " + about(now->lo));
+      refute("edge " + name(q) + " collapses at " + about(narrowed(*now).lo));
     }
     if (p_.exact() && compare(*now, p_.history.horizon) > 0) refute("it is after the horizon");
     if (compare(*now, Rat(0)) <= 0) refute("the diagram at 0+ is that after all flips at 0");
