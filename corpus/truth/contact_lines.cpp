@@ -104,7 +104,8 @@ Generators grazing(Dice& dice, int t, int grows) {
   g[0] = {'d', 0, 0, first, vx, vy, 0};
   g[1] = {'d',     far * double(d.a) - wx * t, far * double(d.b) - wy * t, reach - first, wx + vx,
           wy + vy, double(d.h) * grows};
-  translate(g, dice.whole(-4000, 4000), dice.whole(-4000, 4000));
+  const double y = dice.whole(-4000, 4000);
+  translate(g, dice.whole(-4000, 4000), y);
   return g;
 }
 

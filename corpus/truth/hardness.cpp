@@ -36,8 +36,8 @@ void put_at(Distance distance, Dice& dice, Generators& g) {
 void change_frame(Dice& dice, std::string_view name, Generators& g) {
   if (name == "far") {
     const int exponent = dice.whole(20, 36);
-    translate(g, std::ldexp(dice.whole(-99, 99), exponent),
-              std::ldexp(dice.whole(-99, 99), exponent));
+    const double y = std::ldexp(dice.whole(-99, 99), exponent);
+    translate(g, std::ldexp(dice.whole(-99, 99), exponent), y);
   }
   if (name == "wide") scale(g, dice.whole(-100, 60));
 }

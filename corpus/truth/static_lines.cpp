@@ -29,7 +29,11 @@ struct Disks {
   std::optional<Generator> frame;
 };
 
-double coordinate(Dice& dice) { return std::ldexp(dice.whole(-999, 999), -dice.whole(0, 4)); }
+// One draw a statement: the order of arguments is the compiler's.
+double coordinate(Dice& dice) {
+  const int exponent = -dice.whole(0, 4);
+  return std::ldexp(dice.whole(-999, 999), exponent);
+}
 
 Generators anywhere(Dice& dice, int n, int largest) {
   Generators all;
@@ -88,7 +92,10 @@ Generators draw(Dice& dice, std::string_view name) {
   const int base = random                            ? 0
                    : name == "tie" || name == "near" ? dice.whole(1, 2)
                                                      : dice.whole(0, 2);
-  if (base == 2) return touching(dice, dice.whole(4, 7), ingredients(dice, name));
+  if (base == 2) {
+    const Ingredients with = ingredients(dice, name);
+    return touching(dice, dice.whole(4, 7), with);
+  }
   Generators all = base == 1 ? lattice(dice, n) : anywhere(dice, n, name == "overlap" ? 900 : 120);
   for (Generator& g : all) {
     if (name == "equal" || name == "close") g.r = base == 1 ? 1 : 50;
