@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "apps/corpus/scratch_folder.h"
+#include "exact/ball.h"
 #include "history/error.h"
 #include "history/scene_writer.h"
 
@@ -65,22 +66,12 @@ void erase_disks(Scene& scene, std::size_t first, std::size_t count) {
   }
 }
 
-// x rounded to so many significant bits; up where `up` says so, else to nearest.
-Rational with_bits(const Rational& x, int bits, bool up = false) {
-  if (sgn(x) == 0) return x;
-  Rational unit = 1;
-  const Rational size = abs(x);
-  while (size >= unit) unit *= 2;
-  while (size * 2 < unit) unit /= 2;
-  for (int k = 0; k < bits; ++k) unit /= 2;
-  const Rational scaled = x / unit + (up ? Rational(0) : Rational(1, 2));
-  Integer whole;
-  if (up) {
-    mpz_cdiv_q(whole.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
-  } else {
-    mpz_fdiv_q(whole.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
-  }
-  return unit * Rational(whole);
+// x rounded to nearest to so many bits.
+Rational with_bits(const Rational& x, int bits) { return Ball(x, bits).midpoint(); }
+
+// A number of about so many bits that is larger than x > 0.
+Rational above(const Rational& x, int bits) {
+  return with_bits(x + x / Rational(Integer(1) << (bits - 1)), bits);
 }
 
 // A number of a disk; a mass that follows from the radius keeps to it.
@@ -152,36 +143,21 @@ bool Minimization::shorten() {
     });
   };
   if (mistake_.outcome == CaseOutcome::refuted) {
-    for (const int bits : {2, 4, 8, 16}) to(with_bits(to_rational(mistake_.t), bits, true));
+    for (const int bits : {2, 4, 8, 16}) to(above(to_rational(mistake_.t), bits));
   } else {
     to(0);
-    for (const int part : {16, 4, 2}) to(with_bits(scene_.horizon / part, 4, true));
+    for (const int part : {16, 4, 2}) to(with_bits(scene_.horizon / part, 4));
   }
   return take(changes);
 }
 
-bool Minimization::drop_maneuvers() {
+// Erases parts of a list of so many, first all of it, then halves, and so on.
+bool Minimization::drop(const std::function<std::size_t(const Scene&)>& size, Erase erase) {
   bool any = false;
-  for (std::size_t part = scene_.maneuvers.size(); part > 0;) {
+  for (std::size_t part = size(scene_); part > 0;) {
     std::vector<Change> changes;
-    for (std::size_t k = 0; k + part <= scene_.maneuvers.size(); k += part) {
-      changes.emplace_back([k, part](Scene& scene) { erase_maneuvers(scene, k, part); });
-    }
-    if (take(changes)) {
-      any = true;
-    } else {
-      part /= 2;
-    }
-  }
-  return any;
-}
-
-bool Minimization::drop_disks() {
-  bool any = false;
-  for (std::size_t part = scene_.disks.size() / 2; part > 0;) {
-    std::vector<Change> changes;
-    for (std::size_t k = 0; k + part <= scene_.disks.size(); k += part) {
-      changes.emplace_back([k, part](Scene& scene) { erase_disks(scene, k, part); });
+    for (std::size_t k = 0; k + part <= size(scene_); k += part) {
+      changes.emplace_back([=](Scene& scene) { erase(scene, k, part); });
     }
     if (take(changes)) {
       any = true;
@@ -204,14 +180,14 @@ bool Minimization::simplify_numbers() {
         return true;
       };
       bool differs = to(0);
-      for (int bits = 1; differs && bits <= 16; bits *= 2) differs = to(with_bits(value, bits));
+      for (int bits = 2; differs && bits <= 16; bits *= 2) differs = to(with_bits(value, bits));
       any = take(changes) || any;
     }
   }
   std::vector<Change> rounder;
-  for (const int bits : {1, 2, 4, 8}) {
-    const Rational radius = with_bits(scene_.container_radius, bits, true);
-    if (radius == scene_.container_radius) break;
+  for (const int bits : {2, 4, 8}) {
+    if (with_bits(scene_.container_radius, bits) == scene_.container_radius) break;
+    const Rational radius = above(scene_.container_radius, bits);
     rounder.emplace_back([radius](Scene& s) { s.container_radius = radius; });
   }
   return take(rounder) || any;
@@ -224,8 +200,8 @@ void Minimization::run() {
   bool smaller = true;
   while (smaller) {
     smaller = shorten();
-    smaller = drop_disks() || smaller;
-    smaller = drop_maneuvers() || smaller;
+    smaller = drop([](const Scene& s) { return s.disks.size(); }, erase_disks) || smaller;
+    smaller = drop([](const Scene& s) { return s.maneuvers.size(); }, erase_maneuvers) || smaller;
     if (!smaller) smaller = simplify_numbers();
   }
 }

@@ -41,11 +41,11 @@ class Minimization {
 
  private:
   using Change = std::function<void(Scene&)>;
+  using Erase = void (*)(Scene& scene, std::size_t first, std::size_t count);
   std::vector<Mistake> judge(const std::vector<Scene>& scenes);
   bool take(const std::vector<Change>& changes);
   bool shorten();
-  bool drop_maneuvers();
-  bool drop_disks();
+  bool drop(const std::function<std::size_t(const Scene&)>& size, Erase erase);
   bool simplify_numbers();
 
   Scene scene_;

@@ -165,8 +165,9 @@ class Lives {
     }
     if (!found || compare(found->at, *end) >= (last ? 1 : 0)) return {};
     // The diagram at 0 is the one just after: that it is another is no matter of the horizon.
-    const bool early = compare(found->at, p_.history.horizon - p_.tolerance) < 0;
-    if (p_.exact() || early || compare(found->at, Rat(0)) == 0) return found;
+    const bool excused = !p_.exact() && compare(found->at, Rat(0)) != 0 &&
+                         compare(found->at, p_.history.horizon - p_.tolerance) >= 0;
+    if (!excused) return found;
     ++counts_.horizon_events;
     if (!left_out_ || compare(found->at, *left_out_) < 0) left_out_ = found->at;
     return {};

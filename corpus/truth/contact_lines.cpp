@@ -95,7 +95,8 @@ Time time_of(const Gap<Rational>& k, Kind kind) {
 // Two disks that graze each other at time t, the reach growing by h * grows.
 Generators grazing(Dice& dice, int t, int grows) {
   const Direction d = any_direction(dice);
-  const int far = grows * t + dice.whole(1, 400), along = dice.sign() * dice.whole(1, 40);
+  const int far = grows * t + dice.whole(1, 400), side = dice.sign();
+  const int along = side * dice.whole(1, 40);
   const double wx = grows * d.a - along * d.b, wy = grows * d.b + along * d.a;
   const double reach = double(d.h) * (far - grows * t);
   const double first = std::floor(reach * dice.whole(0, 8) / 8);
@@ -141,7 +142,6 @@ Generators draw(Dice& dice, std::string_view name) {
   }
   Generators g =
       grazing(dice, name == "late" ? dice.whole(1 << 16, 1 << 24) : dice.whole(1, 200), grows);
-  if (name == "point") g[1].r = g[0].r = 0;
   if (name == "start") {
     // They touch, and part, meet or keep their distance.
     const Direction d = any_direction(dice);
@@ -170,7 +170,7 @@ std::string contact_line(std::uint64_t k) {
   static constexpr std::array<std::string_view, 3> kinds{"none", "graze", "hit"};
   const std::string_view name = classes[k % classes.size()];
   for (Dice dice(3, k);;) {
-    Distance distance =
+    const Distance distance =
         name == "double" || name == "start" ? Distance::tie : distance_of(dice, name);
     Generators g = draw(dice, name);
     make_long(dice, g);

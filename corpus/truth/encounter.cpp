@@ -25,7 +25,8 @@ void set_equal_speeds(Dice& dice, Generators& all) {
 // The first three drift together, and the last one along the circle.
 void set_along_circle(Dice& dice, Generators& all) {
   const double vx = speed_unit * dice.whole(-20, 20), vy = speed_unit * dice.whole(-20, 20);
-  const double turn = dice.sign() * std::ldexp(dice.whole(1, 7), -9);
+  const int side = dice.sign();
+  const double turn = side * std::ldexp(dice.whole(1, 7), -9);
   for (Generator& g : all) {
     g.vx = vx;
     g.vy = vy;

@@ -6,11 +6,6 @@ namespace voroproof::truth {
 
 namespace {
 
-template <class Parts>
-auto row_for_last(const Parts& g) {
-  return row_of(g[0], g[3]);
-}
-
 template <class T>
 std::array<Numbers<T>, 4> ordered(const std::array<Numbers<T>, 4>& g) {
   const auto v = disk_first(g[0], g[1], g[2]);
@@ -64,7 +59,7 @@ std::string text_in_motion(const Generator& g) {
 Sign gap_sign(const std::array<Numbers<Rational>, 4>& given) {
   const auto g = ordered(given);
   const auto triple = circle(g[0], g[1], g[2]);
-  const internal::InCircleParts<Rational> parts(triple, row_for_last(g));
+  const internal::InCircleParts<Rational> parts(triple, row_of(g[0], g[3]));
   return internal::sign_with_root(internal::sign(parts.g()), internal::sign(parts.c()),
                                   internal::sign(cotangency(g)));
 }
@@ -73,7 +68,7 @@ Sign gap_sign(const std::array<Numbers<Rational>, 4>& given) {
 Sign gap_sign(const std::array<Numbers<Ball>, 4>& given) {
   const auto g = ordered(given);
   const auto triple = circle(g[0], g[1], g[2]);
-  const internal::InCircleParts<Ball> parts(triple, row_for_last(g));
+  const internal::InCircleParts<Ball> parts(triple, row_of(g[0], g[3]));
   return sign(parts.g() + sqrt(gamma(triple)) * parts.c());
 }
 

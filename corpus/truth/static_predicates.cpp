@@ -13,6 +13,9 @@ namespace {
 
 using internal::Sign;
 
+constexpr std::array<std::string_view, 10> classes{
+    "generic", "near", "tie", "equal", "close", "far", "wide", "container", "wall", "point"};
+
 template <class T, std::size_t N, class Make>
 std::array<Numbers<T>, N> numbers(const Generators& g, const Make& make) {
   return [&]<std::size_t... k>(std::index_sequence<k...>) {
@@ -46,8 +49,6 @@ std::string line(std::string_view name, const Proof& proof, Sign sign, const Gen
 }  // namespace
 
 std::string incircle_line(std::uint64_t k) {
-  static constexpr std::array<std::string_view, 10> classes{
-      "generic", "near", "tie", "equal", "close", "far", "wide", "container", "wall", "point"};
   const std::string_view name = classes[k % classes.size()];
   for (Dice dice(1, k);;) {
     const Distance distance = distance_of(dice, name);
@@ -66,8 +67,6 @@ std::string incircle_line(std::uint64_t k) {
 }
 
 std::string exists_line(std::uint64_t k) {
-  static constexpr std::array<std::string_view, 10> classes{
-      "generic", "near", "tie", "equal", "close", "far", "wide", "container", "wall", "point"};
   const std::string_view name = classes[k % classes.size()];
   for (Dice dice(2, k);;) {
     const Ingredients with = ingredients(dice, name);
