@@ -93,27 +93,6 @@ TEST(KernelDiagram, CellsThatWindTwice) {
   }
 }
 
-// Three disks and the container are cotangent at 0, and a flip leads to the diagram just after. No
-// tolerance makes the one before it right, however long it is for the horizon.
-TEST(KernelDiagram, TheOneJustBefore0) {
-  const std::string scene =
-      R"({"format":"voroproof-scene","version":1,"container":{"center":[0,0],"radius":16},"horizon":1,)"
-      R"("disks":[)" +
-      disk("\"-9/10\"", "\"46/5\"", "1.5", "0.000732421875", "-0.00048828125") + "," +
-      disk("-5.5", "0", "1.5", "0.000244140625", "0") + "," +
-      disk("6", "11", "1", "0.000732421875", "0.00048828125") + "]}";
-  const std::string before = "[[-1,0,1,2],[-1,1,2,0],[-1,2,0,1],[0,1,-1,2],[0,2,1,-1],[1,2,-1,0]]";
-  for (const Truth truth : {Truth::recorded, Truth::exact}) {
-    for (const char* tolerance : {"0.001", "0.9", "1"}) {
-      Options options;
-      options.truth = truth;
-      options.tolerance = tolerance;
-      EXPECT_EQ(check(scene, history_of(scene, {}, "1", before), options).verdict,
-                Verdict::refuted);
-    }
-  }
-}
-
 // What a part does not decide is not decided, whatever the others find.
 TEST(KernelDiagram, APointThatTouchesAtTheStart) {
   const std::string scene =
