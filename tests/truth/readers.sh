@@ -26,5 +26,5 @@ for file in "$readers"/../short/*.txt.gz; do
   fi
   sed '3s/ [^ ]*$//' "$text" > "$scratch/bad"
   if "$scratch/judge" "$scratch/bad" > /dev/null 2> "$scratch/why"; then exit 1; fi
-  grep -q 3 "$scratch/why"
+  grep -q "line 3, field" "$scratch/why"
 done
