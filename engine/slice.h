@@ -122,8 +122,10 @@ struct Slice {
   int number = 0;
   double begin = 0;
   MotionSnapshot start;  // the leader's motion at the begin, for the follower
-  // The same, and what the leader knows of collapses then, of a run that is to be kept.
+  // The same, with states as accurate as the leader's are by now, and what the leader knows of
+  // collapses then, of a run that is to be kept.
   std::optional<MotionSnapshot> kept;
+  std::shared_ptr<MotionStates::LastingSnapshot> kept_states;
   std::vector<InelasticCollapse::Past> collapses;
 
   // Written by the leader before `led`, read by the follower.

@@ -131,6 +131,7 @@ void SlicedRun::lead(Slice& slice) {
     next->start = motion.snapshot();
     if (options_.keep) {
       next->kept = next->start;
+      next->kept_states = motion.lasting_states();
       next->collapses = leader_.collapses();
     }
   }
@@ -298,7 +299,9 @@ void SlicedRun::keep(const Slice& slice) {
   kept.collapses = next->collapses;
   const ComputedMotion& leaders = leader_.motion();
   ComputedMotion motion(leaders.input(), leaders.options(), leaders.log());
-  motion.follow(*next->kept);
+  MotionSnapshot then = *next->kept;
+  then.full = next->kept_states->get();
+  motion.follow(then);
   keep_motion(motion, kept);
   options_.keep(std::move(kept));
 }

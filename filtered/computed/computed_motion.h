@@ -62,6 +62,9 @@ class ComputedMotion final : public Motion {
   // The log and the snapshot that another motion needs to follow this one.
   const std::shared_ptr<MotionLog>& log() const { return states_->log(); }
   MotionSnapshot snapshot();
+  std::shared_ptr<MotionStates::LastingSnapshot> lasting_states() {
+    return states_->lasting_snapshot();
+  }
   TurnedState turned(GenId g) const;
   std::int64_t v_scale() const { return states_->v_scale(); }
   // This motion, which follows another, is as that one was then.

@@ -8,7 +8,18 @@ namespace voroproof::internal {
 MotionStates::Snapshot MotionStates::snapshot() {
   apply_rest();
   are_shared_ = true;
-  return {fixed_, balls_, size_, bits_.goal, bits_.slope, bits_.reserve, v_scale_};
+  return states_after(size_);
+}
+
+MotionStates::Snapshot MotionStates::states_after(std::size_t records) const {
+  return {fixed_, balls_, records, bits_.goal, bits_.slope, bits_.reserve, v_scale_};
+}
+
+std::shared_ptr<MotionStates::LastingSnapshot> MotionStates::lasting_snapshot() {
+  std::erase_if(lasting_, [](const auto& snapshot) { return snapshot.expired(); });
+  const auto snapshot = std::make_shared<LastingSnapshot>(this->snapshot());
+  lasting_.push_back(snapshot);
+  return snapshot;
 }
 
 void MotionStates::follow(const Snapshot& then) {

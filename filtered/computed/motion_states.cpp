@@ -160,7 +160,15 @@ void MotionStates::replay() {
   begin();
   // States of very many bits take long.
   const unsigned steps = 1 + static_cast<unsigned>(bits_at(0)) / 4096;
-  for (std::size_t k = 0; k < applied_; ++k) {
+  auto next = lasting_.begin();
+  for (std::size_t k = 0;; ++k) {
+    for (; next != lasting_.end(); ++next) {
+      const std::shared_ptr<LastingSnapshot> snapshot = next->lock();
+      if (!snapshot) continue;
+      if (snapshot->records_ != k) break;
+      snapshot->set(states_after(k));
+    }
+    if (k == applied_) break;
     Patience::ask(steps);
     apply(log_->record(k));
   }

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include "exact/ball.h"
@@ -53,6 +55,10 @@ class MotionStates {
   // made anew.
   struct Snapshot;
   Snapshot snapshot();
+  // The same, and as accurate as these states, which may be used by one thread and this by another:
+  // wherever all records are applied anew, it is made anew.
+  class LastingSnapshot;
+  std::shared_ptr<LastingSnapshot> lasting_snapshot();
   // These states, which follow() others, are as those were then.
   void follow(const Snapshot& then);
   // Adds the maneuver; returns its index, for a record.
@@ -101,6 +107,7 @@ class MotionStates {
   void respond(const Record& r);
   bool is_accurate_enough(const Record& r) const;
   void replay();
+  Snapshot states_after(std::size_t records) const;
   bool raise_for(double t);
 
   const MotionInput& input_;
@@ -118,6 +125,7 @@ class MotionStates {
   // States in balls: those after a maneuver, others from when they are asked for.
   mutable std::vector<std::shared_ptr<State<Ball>>> balls_;
   bool are_shared_ = false;  // the states, with snapshots
+  std::vector<std::weak_ptr<LastingSnapshot>> lasting_;  // oldest first
   CollisionFactors laws_;
   FixedCollision collision_;
 };
@@ -130,6 +138,26 @@ struct MotionStates::Snapshot {
   double slope = 0;
   int reserve = 0;
   std::int64_t v_scale = 0;
+};
+
+class MotionStates::LastingSnapshot {
+ public:
+  explicit LastingSnapshot(Snapshot then) : records_(then.records), then_(std::move(then)) {}
+  Snapshot get() const {
+    const std::lock_guard lock(mutex_);
+    return then_;
+  }
+
+ private:
+  friend MotionStates;
+  void set(Snapshot then) {
+    const std::lock_guard lock(mutex_);
+    then_ = std::move(then);
+  }
+
+  const std::size_t records_;
+  mutable std::mutex mutex_;
+  Snapshot then_;
 };
 
 }  // namespace voroproof::internal

@@ -226,6 +226,49 @@ TEST(Motion, RaisingThePrecisionKeepsTheStates) {
   EXPECT_LE(motion.highest_bits(), 1024);
 }
 
+// The width of the enclosure of a disk's x, of all disks the most.
+Rational widest(const Motion& motion, Ball::Precision bits) {
+  Rational most = 0;
+  for (GenId g = 0; g < motion.size(); ++g) {
+    const auto [lo, hi] =
+        motion.moving_site(g, Ball(motion.doubles(g).t, bits)).x.rational_interval();
+    most = std::max(most, Rational(hi - lo));
+  }
+  return most;
+}
+
+// Whoever follows a snapshot that lasts has the bits that its owner needed later.
+TEST(Motion, SnapshotsThatLastAreAsAccurateAsTheirOwner) {
+  Random random(5);
+  const Scene scene = thirds(random_scene({.n = 4, .rmin = 10, .rmax = 20}, random));
+  ComputedMotion motion(motion_input(scene), {});
+  std::vector<MotionSnapshot> then;
+  std::vector<std::shared_ptr<MotionStates::LastingSnapshot>> lasting;
+  collide(motion, 3, false);
+  for (int k = 0; k < 3; ++k) {
+    motion.maneuver(k, Rational(1000 + k, 3), Rational(1, 3), k);
+    then.push_back(motion.snapshot());
+    lasting.push_back(motion.lasting_states());
+  }
+  lasting[1].reset();
+  const int goal = motion.goal_bits();
+  ASSERT_TRUE(motion.raise_precision());
+  for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
+    for (const bool lasts : {false, true}) {
+      ComputedMotion follower(motion.input(), motion.options(), motion.log());
+      MotionSnapshot start = then[k];
+      if (lasts) start.full = lasting[k]->get();
+      follower.follow(start);
+      EXPECT_EQ(follower.records(), static_cast<int>(4 + k));
+      EXPECT_EQ(follower.goal_bits(), lasts ? motion.goal_bits() : goal);
+      EXPECT_EQ(
+          widest(follower, motion.highest_bits()) < to_rational(std::ldexp(1, -2 * goal + 32)),
+          lasts);
+      EXPECT_EQ(follower.replays(), 0u);
+    }
+  }
+}
+
 TEST(Motion, Maneuver) {
   ComputedMotion motion(motion_input(scene_of(100, 50, {disk(0, 0, 1, 1, 2), disk(9, 0, 1, 0, 1)})),
                         {});
