@@ -11,7 +11,8 @@ namespace voroproof::internal {
 ComputedMotion::ComputedMotion(MotionInput input, MotionOptions options,
                                std::shared_ptr<MotionLog> log)
     : Motion(std::move(input), options),
-      states_(std::make_unique<MotionStates>(*input_, options, std::move(log))) {}
+      states_(std::make_unique<MotionStates>(*input_, options, std::move(log))),
+      rational_(state_.size()) {}
 
 bool ComputedMotion::is_rational(GenId g) const {
   int id = state_[g + 1];

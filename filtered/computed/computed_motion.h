@@ -111,6 +111,8 @@ class ComputedMotion final : public Motion {
     return states_->balls(g, doubles(g).t);
   }
   void compute_exactly(int record, ExactMotion& exact) const;
+  bool is_known(int id, GenId g, ExactMotion& exact) const;
+  void remember(int id, GenId g, ExactMotion& exact) const;
   void refresh(GenId g) { set_state(g, states_->double_doubles(g)); }
   void take(GenId g, const TurnedState& s);
   void append(const Record& r);
@@ -120,6 +122,9 @@ class ComputedMotion final : public Motion {
 
   std::unique_ptr<MotionStates> states_;
   CollisionRelations relations_;
+  // The last exact state of each generator that was asked for and came about without a radical.
+  struct RationalState;
+  mutable std::vector<std::shared_ptr<const RationalState>> rational_;
 };
 
 }  // namespace voroproof::internal

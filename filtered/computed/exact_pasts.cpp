@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "exact/collision_response.h"
@@ -10,7 +11,14 @@
 
 namespace voroproof::internal {
 
-void ComputedMotion::compute_exactly(int id, GenId, ExactMotion& exact) const {
+struct ComputedMotion::RationalState {
+  int id;
+  ExactMotion::State state;
+  Tower start;
+};
+
+void ComputedMotion::compute_exactly(int id, GenId g, ExactMotion& exact) const {
+  if (is_known(id, g, exact)) return;
   // The records of the causal past that are not known yet, oldest first, found
   // without recursion: a past can be long.
   std::vector<int> pending{id - 1};
@@ -21,14 +29,39 @@ void ComputedMotion::compute_exactly(int id, GenId, ExactMotion& exact) const {
     pending.pop_back();
     order.push_back(record);
     const Record& r = states_->record(record);
-    for (const int before : {r.before_i, r.before_j}) {
-      if (before > 0 && seen.insert(before - 1).second) pending.push_back(before - 1);
+    for (const auto& [before, of] : {std::pair(r.before_i, r.i), std::pair(r.before_j, r.j)}) {
+      if (before > 0 && !is_known(before, of, exact) && seen.insert(before - 1).second) {
+        pending.push_back(before - 1);
+      }
     }
   }
   std::sort(order.begin(), order.end());
   for (const int record : order) {
-    if (!exact.knows(record + 1, states_->record(record).j)) compute_exactly(record, exact);
+    compute_exactly(record, exact);
+    const Record& r = states_->record(record);
+    for (const GenId of : {r.i, r.j}) {
+      if (of != container_id) remember(record + 1, of, exact);
+    }
   }
+}
+
+// Whether the state is noted, or can be since it is remembered.
+bool ComputedMotion::is_known(int id, GenId g, ExactMotion& exact) const {
+  if (exact.knows(id, g)) return true;
+  const RationalState* known = rational_[g + 1].get();
+  if (known == nullptr || known->id != id) return false;
+  exact.note(id, g, known->state, known->start);
+  return true;
+}
+
+// Rational states grow with every collision, and each is asked for when the next one is rounded.
+// Others are not remembered: their radicals are of one field, which ends.
+void ComputedMotion::remember(int id, GenId g, ExactMotion& exact) const {
+  if (exact.field().size() > 0) return;
+  std::shared_ptr<const RationalState>& known = rational_[g + 1];
+  if (known && known->id >= id) return;
+  known =
+      std::make_shared<RationalState>(RationalState{id, exact.state(id, g), exact.start(id, g)});
 }
 
 namespace {

@@ -124,7 +124,7 @@ class MotionStates {
   std::vector<std::shared_ptr<FixedState>> fixed_;
   // States in balls: those after a maneuver, others from when they are asked for.
   mutable std::vector<std::shared_ptr<State<Ball>>> balls_;
-  bool are_shared_ = false;  // the states, with snapshots
+  bool are_shared_ = false;                              // the states, with snapshots
   std::vector<std::weak_ptr<LastingSnapshot>> lasting_;  // oldest first
   CollisionFactors laws_;
   FixedCollision collision_;

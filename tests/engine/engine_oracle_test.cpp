@@ -146,6 +146,21 @@ TEST(EngineAgainstOracles, MassesOfTheirOwn) {
   EXPECT_GT(expect_right(3, 90, make).collisions, 20u);
 }
 
+// G. Galperin, Playing pool with pi: between a wall and a disk 100^n times as heavy, a disk
+// collides as often as the first n + 1 digits of pi say. All states are rational, and longer after
+// each.
+TEST(EngineAgainstOracles, CollisionsThatCountTheDigitsOfPi) {
+  const std::vector<std::pair<int, std::size_t>> counts{{1, 3}, {100, 31}, {10000, 314}};
+  for (const auto& [mass, collisions] : counts) {
+    Scene scene = scene_of(100, 100, {disk(-90, 0, 1, 0, 0), disk(-80, 0, 1, -1, 0)});
+    scene.disks[0].mass = 1;
+    scene.disks[1].mass = mass;
+    const RecordedRun counted = run(scene);
+    EXPECT_TRUE(counted.complete());
+    EXPECT_EQ(counted.count(Event::Kind::collision), collisions);
+  }
+}
+
 // A ring of disks that all touch a middle one, exactly, and the container or not; radii such
 // that lattice directions (3,4,5), (5,12,13) and so on make every contact rational.
 Scene touching_ring(Random& random) {
