@@ -297,7 +297,8 @@ Symmetry::Cotangency ComputedSymmetry::cotangency(const QuadStates& q, const Coi
 }
 
 bool ComputedSymmetry::same_contact(const PairStates& a, const PairStates& b) const {
-  return !carry(a, b).empty() || !carry(a, PairStates{b[1], b[0]}).empty();
+  const PairStates swapped{b[1], b[0]};
+  return a == b || a == swapped || !carry(a, b).empty() || !carry(a, swapped).empty();
 }
 
 bool ComputedSymmetry::same_flip(const QuadStates& a, const Ball& time, const QuadStates& b,
