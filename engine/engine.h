@@ -55,10 +55,14 @@ struct EngineOptions {
   // Called now and then, also within a long decision, with the time reached and the number of
   // events; false stops the run (Outcome::interrupted).
   std::function<bool(double t, std::uint64_t events)> monitor;
-  // Both or none. Asked as often as the monitor: whether what the run has come to is to be kept.
+  // All three or none. Asked as often as the monitor: whether what the run has come to is to be
+  // kept.
   std::function<bool()> is_to_keep;
-  // Given that, once all events up to it are told, as soon as there is a time at which nothing
-  // happens; also where the monitor ends the run between two instants.
+  // Called once all events are told up to a time at which nothing happens, and from which the run
+  // may be kept.
+  std::function<void()> mark;
+  // Given the run as it was at the last mark(), soon after that where it is to be kept; also where
+  // the monitor ends it.
   std::function<void(KeptRun&& kept)> keep;
 };
 

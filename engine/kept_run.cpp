@@ -1,5 +1,6 @@
 #include "engine/kept_run.h"
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -39,6 +40,17 @@ TurnedState turned_of(double t, const DdBall& x, const DdBall& y, const DdBall& 
 }
 
 }  // namespace
+
+void keep_quietly(const std::function<void()>& keep) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point until = Clock::now() + std::chrono::milliseconds(400);
+  const Patience patience([until] { return Clock::now() < until; });
+  try {
+    keep();
+  } catch (const GivenUp&) {
+  } catch (const Undecided&) {
+  }
+}
 
 void keep_motion(ComputedMotion& motion, KeptRun& kept) {
   const MotionStates::Snapshot full = motion.snapshot().full;

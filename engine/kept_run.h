@@ -41,6 +41,10 @@ struct KeptRun {
   std::vector<InelasticCollapse::Past> collapses;  // per disk, or none
 };
 
+// Keeps a run that was given up. That need not be possible, and may not take long: whoever gave it
+// up waits.
+void keep_quietly(const std::function<void()>& keep);
+
 // Sets what is kept of a motion. Throws Undecided where the motion's last states cannot be had, and
 // GivenUp.
 void keep_motion(ComputedMotion& motion, KeptRun& kept);

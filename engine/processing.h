@@ -71,7 +71,7 @@ class EngineOver : OwnMotion,
       outcome.t = round_nearest(motion_.input().horizon);
     } catch (const GivenUp&) {
       if (!begun_) sink_->begin({});
-      keep_quietly();
+      if (options_.keep && is_between_) keep_quietly([this] { keep(); });
       outcome.kind = Outcome::Kind::interrupted;
       outcome.t = instant_.told_time();
       outcome.reason = "interrupted";
@@ -103,6 +103,7 @@ class EngineOver : OwnMotion,
     const double last = arithmetic_.now().hi, next = schedule_.frontier();
     const double t0 = last + 0.5 * (next - last);
     if (!(last < t0 && t0 < next)) return false;
+    options_.mark();
     try {
       keep_at(t0);
     } catch (const std::bad_alloc&) {
@@ -121,19 +122,6 @@ class EngineOver : OwnMotion,
     kept.collapses = collapse_watch_.pasts();
     keep_motion(motion_, kept);
     options_.keep(std::move(kept));
-  }
-  // The same for a run that was given up; it need not be possible, and may not take long: whoever
-  // gave it up waits.
-  void keep_quietly() {
-    if (!options_.keep || !is_between_) return;
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point until = Clock::now() + std::chrono::milliseconds(400);
-    const Patience patience([until] { return Clock::now() < until; });
-    try {
-      keep();
-    } catch (const GivenUp&) {
-    } catch (const Undecided&) {
-    }
   }
 
   // ---- The start: t = 0. ----

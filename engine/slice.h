@@ -118,15 +118,18 @@ SliceWork next_work(std::size_t count, const IsLed& is_led, const IsTaken& is_ta
 // its number from 0 and the work that is still to come.
 std::uint64_t work_of_slice(int slice, double ahead, int disks, int threads);
 
+// The begin of a slice, from which a run can be taken up.
+struct SliceBegin {
+  MotionSnapshot motion;
+  std::shared_ptr<MotionStates::LastingSnapshot> states;  // as accurate as the leader's are by now
+  std::vector<InelasticCollapse::Past> collapses;         // what the leader knew of them
+};
+
 struct Slice {
   int number = 0;
   double begin = 0;
   MotionSnapshot start;  // the leader's motion at the begin, for the follower
-  // The same, with states as accurate as the leader's are by now, and what the leader knows of
-  // collapses then, of a run that is to be kept.
-  std::optional<MotionSnapshot> kept;
-  std::shared_ptr<MotionStates::LastingSnapshot> kept_states;
-  std::vector<InelasticCollapse::Past> collapses;
+  std::optional<SliceBegin> kept;  // of a run that is to be kept
 
   // Written by the leader before `led`, read by the follower.
   Rational end;

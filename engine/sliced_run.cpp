@@ -4,7 +4,6 @@
 #include <chrono>
 #include <utility>
 
-#include "engine/kept_run.h"
 #include "exact/patience.h"
 
 namespace voroproof::internal {
@@ -129,11 +128,7 @@ void SlicedRun::lead(Slice& slice) {
     next->number = slice.number + 1;
     next->begin = *border;
     next->start = motion.snapshot();
-    if (options_.keep) {
-      next->kept = next->start;
-      next->kept_states = motion.lasting_states();
-      next->collapses = leader_.collapses();
-    }
+    if (options_.keep) next->kept = {next->start, motion.lasting_states(), leader_.collapses()};
   }
   slice.end = border ? to_rational(*border) : motion.input().horizon;
   {
@@ -212,6 +207,7 @@ std::optional<Outcome> SlicedRun::run(EventSink& sink) {
   } catch (const GivenUp&) {
     end();
     if (!told_.begun) sink.begin({});
+    keep_quietly([this] { keep(); });
     return outcome(Outcome::Kind::interrupted);
   } catch (const Undecided&) {
     end();
@@ -260,7 +256,8 @@ bool SlicedRun::tell_slices(EventSink& sink) {
       slice = slices_.front().get();
     }
     if (!tell_slice(*slice, sink)) return false;
-    if (options_.keep && options_.is_to_keep()) keep(*slice);
+    if (options_.keep) join(*slice);
+    if (options_.keep && options_.is_to_keep()) keep();
     bool is_last = false;
     {
       std::unique_lock lock(mutex_);
@@ -278,15 +275,18 @@ bool SlicedRun::tell_slices(EventSink& sink) {
   }
 }
 
-// All of the slice is told: the run is kept as it is at the begin of the next one, if there is one.
-void SlicedRun::keep(const Slice& slice) {
-  const Slice* next = nullptr;
+// All of the slice is told: the run may be kept as it is at the begin of the next one, if there is
+// one.
+void SlicedRun::join(const Slice& slice) {
+  join_.reset();
+  Slice* next = nullptr;
   {
     const std::lock_guard lock(mutex_);
     if (slices_.size() > 1) next = slices_[1].get();
   }
   if (next == nullptr) return;
-  KeptRun kept;
+  join_ = {{}, *std::exchange(next->kept, std::nullopt)};
+  KeptRun& kept = join_->run;
   kept.t0 = next->begin;
   kept.events = told_.events;
   kept.last = told_.t;
@@ -296,12 +296,17 @@ void SlicedRun::keep(const Slice& slice) {
       slice.number == 0 ? slice.stats.settling_flips : stats_.settling_flips;
   kept.diagram = slice.last;
   kept.divisions = divisions_;
-  kept.collapses = next->collapses;
+  kept.collapses = std::move(join_->begin.collapses);
+  options_.mark();
+}
+
+void SlicedRun::keep() {
+  if (!join_) return;
+  auto [kept, begin] = *std::exchange(join_, std::nullopt);
   const ComputedMotion& leaders = leader_.motion();
   ComputedMotion motion(leaders.input(), leaders.options(), leaders.log());
-  MotionSnapshot then = *next->kept;
-  then.full = next->kept_states->get();
-  motion.follow(then);
+  begin.motion.full = begin.states->get();
+  motion.follow(begin.motion);
   keep_motion(motion, kept);
   options_.keep(std::move(kept));
 }

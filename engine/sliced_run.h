@@ -15,6 +15,7 @@
 
 #include "engine/engine.h"
 #include "engine/follower.h"
+#include "engine/kept_run.h"
 #include "engine/leader.h"
 #include "engine/slice.h"
 
@@ -57,7 +58,8 @@ class SlicedRun {
   void end();
 
   bool tell_slices(EventSink& sink);
-  void keep(const Slice& slice);
+  void join(const Slice& slice);
+  void keep();
   bool tell_slice(Slice& slice, EventSink& sink);
   template <class Ready>
   void wait_until(std::unique_lock<std::mutex>& lock, const Ready& ready);
@@ -73,6 +75,12 @@ class SlicedRun {
   std::vector<Quad> last_;      // the diagram at the end of what is told
   int turns_ = 0;               // told
   std::vector<int> divisions_;  // divisions of the told part: see KeptRun
+  // The last place where two slices join, as long as it is not kept; the run without its motion.
+  struct Join {
+    KeptRun run;
+    SliceBegin begin;
+  };
+  std::optional<Join> join_;
 
   std::mutex mutex_;
   std::condition_variable changed_;

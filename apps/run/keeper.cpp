@@ -30,8 +30,13 @@ Keeper::Keeper(const std::string& history, HistoryHeader header, HistoryWriter& 
 
 void Keeper::serve(EngineOptions& options, HistorySink& sink, std::function<void()> before) {
   options.is_to_keep = [this, &sink] {
-    if (!sink.has_begun() || !checkpoints_.due()) return false;
-    return Clock::now() >= not_before_.load();
+    return sink.has_begun() && Clock::now() >= not_before_.load() && checkpoints_.due();
+  };
+  options.mark = [this, &sink] {
+    sink.checkpoint([this] {
+      marked_counts_ = writer_.counts();
+      marked_ = writer_.written();
+    });
   };
   options.keep = [this, &sink, before = std::move(before)](KeptRun&& kept) {
     before();
@@ -42,9 +47,9 @@ void Keeper::serve(EngineOptions& options, HistorySink& sink, std::function<void
 }
 
 void Keeper::keep(KeptFile& kept) {
-  if (kept.counts() != writer_.counts()) return;
+  if (kept.counts() != marked_counts_) return;
   const Clock::time_point begin = Clock::now();
-  kept.history = writer_.written();
+  kept.history = marked_;
   try {
     if (file_.keep(kept_text(kept, header_))) writer_.outlive();
   } catch (const std::bad_alloc&) {

@@ -56,7 +56,10 @@ class Keeper {
   PartialFile file_;
   Checkpoints checkpoints_;
   std::atomic<Clock::time_point> not_before_{Clock::time_point()};  // may it be kept again
-  OutputFile::Written stopped_;                                     // see see_stop()
+  // What was written at the last mark, after so many events; used by the thread that writes.
+  HistoryCounts marked_counts_;
+  OutputFile::Written marked_;
+  OutputFile::Written stopped_;  // see see_stop()
 };
 
 }  // namespace voroproof::internal

@@ -1,6 +1,7 @@
 // Runs that take up another's history, against that other, whole.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -14,16 +15,18 @@ namespace voroproof::internal::testing {
 namespace {
 
 // Takes the run up after so many events, for `cuts` numbers of events between none and all. Whether
-// it could be taken up in some place.
+// it could be taken up in some place, kept in either way.
 bool is_same_from_everywhere(const Scene& scene, std::size_t cuts,
                              const EngineOptions& options = {}) {
   const RecordedRun whole = run_with(scene, options);
   const std::size_t all = whole.events.size();
-  std::size_t taken_up = 0;
-  for (std::size_t cut = 0; cut <= cuts; ++cut) {
+  std::array<std::size_t, 2> taken_up{};
+  for (std::size_t k = 0; k < 2 * cuts; ++k) {
+    const std::size_t cut = k / 2;
+    const Keeping keeping = k % 2 == 0 ? Keeping::asked_for : Keeping::at_end;
     std::size_t kept = 0;
-    const RecordedRun resumed = resume(scene, all * cut / cuts, options, kept);
-    if (kept > 0) ++taken_up;
+    const RecordedRun resumed = resume(scene, all * cut / cuts, options, keeping, kept);
+    if (kept > 0) ++taken_up[k % 2];
     EXPECT_EQ(difference(whole, resumed), "")
         << "after " << kept << " of " << all << ": " << resumed.outcome.reason;
     EXPECT_EQ(whole.outcome.t, resumed.outcome.t);
@@ -35,7 +38,7 @@ bool is_same_from_everywhere(const Scene& scene, std::size_t cuts,
     EXPECT_EQ(whole.stats.maneuvers, resumed.stats.maneuvers);
     EXPECT_EQ(resumed.begins, 1);
   }
-  return taken_up > 0;
+  return taken_up[0] > 0 && taken_up[1] > 0;
 }
 
 TEST(EngineResumption, Reference) {
@@ -81,6 +84,7 @@ TEST(EngineResumption, RefusesWhatDoesNotFit) {
   RecordedRun whole;
   EngineOptions options;
   options.is_to_keep = [] { return true; };
+  options.mark = [] {};
   options.keep = [&](KeptRun&& kept) { left = std::move(kept); };
   whole = run_with(scene, options);
   ASSERT_TRUE(left);

@@ -1,5 +1,7 @@
 #include "tests/support/scene_run.h"
 
+#include <gtest/gtest.h>
+
 #include <bit>
 #include <sstream>
 #include <utility>
@@ -164,13 +166,20 @@ RecordedRun run_with(const Scene& scene, const EngineOptions& options) {
 }
 
 RecordedRun resume(const Scene& scene, std::size_t events, const EngineOptions& options,
-                   std::size_t& kept) {
+                   Keeping keeping, std::size_t& kept) {
   std::optional<KeptRun> left;
+  std::size_t marked = 0;
   EngineOptions first = options;
   RecordedRun begun;
-  first.is_to_keep = [&] { return !left && begun.events.size() >= events; };
-  first.keep = [&](KeptRun&& run) { left = std::move(run); };
-  first.monitor = [&](double, std::uint64_t) { return !left; };
+  const bool asks = keeping == Keeping::asked_for;
+  const auto is_far = [&] { return begun.events.size() >= events; };
+  first.is_to_keep = [&] { return asks && !left && is_far(); };
+  first.mark = [&] { marked = begun.events.size(); };
+  first.keep = [&](KeptRun&& run) {
+    EXPECT_EQ(run.events, marked);
+    left = std::move(run);
+  };
+  first.monitor = [&](double, std::uint64_t) { return asks ? !left : !is_far(); };
   {
     Recorder recorder(begun);
     Engine engine(motion_input(scene), maneuver_input(scene), first);
@@ -178,7 +187,7 @@ RecordedRun resume(const Scene& scene, std::size_t events, const EngineOptions& 
     note_end(engine, begun);
   }
   kept = left ? left->events : 0;
-  if (!left) return begun;
+  if (!left) return begun.complete() ? begun : run_with(scene, options);
   begun.events.resize(kept);
   const std::vector<Event> told = begun.events;
   Recorder recorder(begun);

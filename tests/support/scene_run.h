@@ -57,11 +57,14 @@ RecordedRun run(const Scene& scene, const MotionOptions& options = {},
 // The run with all options that an engine has.
 RecordedRun run_with(const Scene& scene, const EngineOptions& options);
 
+// When a run is kept: where it is asked for, or only when the monitor ends it.
+enum class Keeping { asked_for, at_end };
+
 // A run that is kept, and ended, once so many events are told, or some more, and another one that
 // goes on from there: what both tell. `kept` gets how many are of the first; 0 where it came to its
-// end before.
+// end before, or could not be kept.
 RecordedRun resume(const Scene& scene, std::size_t events, const EngineOptions& options,
-                   std::size_t& kept);
+                   Keeping keeping, std::size_t& kept);
 
 // "flip [..]" or "collide i j" in order, without times: what two runs must share.
 std::vector<std::string> names(const RecordedRun& run);
