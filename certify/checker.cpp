@@ -264,7 +264,7 @@ void Checker::finish() {
   const HistorySource& history = claims_.history();
   const auto* stop = std::get_if<HistoryStop>(&history.ending());
   // The end is the earliest that the file allows: its roundings are not held against the history.
-  Rational end = s_.header.horizon - s_.header.horizon_error;
+  Rational end = s_.header.certain_horizon();
   if (stop != nullptr) end = stop->exact_t ? *stop->exact_t : to_rational(stop->t);
   claims_.end_at(round_down(end));
   if (stop == nullptr || end > to_rational(front_.moment.lo)) {

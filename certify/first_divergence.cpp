@@ -249,7 +249,7 @@ std::optional<Divergence> FirstDivergence::due_before() {
 
 std::optional<Divergence> FirstDivergence::maneuver_missing_by(double t) {
   const HistoryHeader& header = s_.header;
-  const Rational last = std::min(to_rational(t), Rational(header.horizon - header.horizon_error));
+  const Rational last = std::min(to_rational(t), header.certain_horizon());
   for (std::size_t k = s_.replay.next_maneuver(); k < s_.scene.maneuvers.size(); ++k) {
     if (s_.scene.maneuvers[k].t > last) break;
     const Maneuver& due = s_.scene.maneuvers[k];

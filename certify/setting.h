@@ -26,7 +26,7 @@ struct Setting {
         last_instant(header.horizon + header.horizon_error),
         search_end(round_up(last_instant)),
         horizon_down(round_down(last_instant)),
-        horizon_window(header.horizon - header.horizon_error - options.tolerance),
+        horizon_window(header.certain_horizon() - options.tolerance),
         horizon_window_down(round_down(horizon_window)),
         tolerance_up(round_up(options.tolerance)),
         near_tolerance(ball(options.tolerance)),

@@ -1,6 +1,7 @@
 // History files: every event of the diagram of a scene, one JSON object a line (docs/formats.md).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -25,6 +26,9 @@ struct HistoryHeader {
   Rational horizon_error{};  // bound of the horizon's error by the format's rounding
   Extensions extensions{};
   bool oriented = true;  // false where the format cannot tell [l,r,s,e] from [l,r,e,s]
+
+  // What the horizon is for certain at least: no time is before 0.
+  Rational certain_horizon() const { return std::max<Rational>(0, horizon - horizon_error); }
 };
 
 struct HistoryCounts {

@@ -265,7 +265,7 @@ std::string HistoryWriter::close_beside_complete() {
 std::string HistoryWriter::close_as_partial() {
   require(State::ended);
   state_ = State::closed;
-  return file_.commit_beside(".partial");
+  return file_.commit_beside(partial_ending);
 }
 
 std::optional<std::string> HistoryWriter::close_short(const std::string& reason, bool replace) {

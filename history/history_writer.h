@@ -13,6 +13,9 @@
 
 namespace voroproof::internal {
 
+// What the name of a history that stopped gets, beside a complete one.
+inline constexpr const char* partial_ending = ".partial";
+
 // Writes a history in the one form that this project writes. Call header(), then the events in the
 // order of the history, then end() or stopped(), then close(); the file appears at close() only,
 // and never without a last line. Nothing is kept in memory but a buffer.
@@ -59,9 +62,9 @@ class HistoryWriter {
 
   void close();
   // Closes, too, but a history that stopped does not replace one that is complete: it gets the name
-  // with ".partial" at its end. Returns the path of what was written.
+  // with partial_ending. Returns the path of what was written.
   std::string close_beside_complete();
-  // Closes it as a file whose name has ".partial" at its end, and returns that.
+  // Closes it as a file whose name has that ending, and returns the name.
   std::string close_as_partial();
 
   // After an OutputError for which no room was left: closes the history as one that stopped, for

@@ -66,7 +66,7 @@ CertificationRun certification_run(const std::string& producer, const std::strin
           .history_sha256 = {},
           .history_producer = header.producer,
           .disks = static_cast<int>(claim.scene.disks.size()),
-          .horizon = header.horizon - header.horizon_error,
+          .horizon = header.certain_horizon(),
           .evidence = evidence};
 }
 

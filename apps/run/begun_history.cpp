@@ -94,7 +94,7 @@ bool begins_with(const std::string& path, const OutputFile::Written& part) {
   }
 }
 
-std::string partial_of(const std::string& history) { return history + ".partial"; }
+std::string partial_of(const std::string& history) { return history + partial_ending; }
 
 // Gives a lasting name to the file of a killed process that goes farther than the others. A file
 // that can be taken up gets one, too, if no other can.

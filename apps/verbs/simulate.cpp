@@ -210,7 +210,8 @@ void close_short(HistoryWriter& writer, const Request& request, const OutputErro
 ExitCode simulate(const Request& request) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
-  require_distinct({request.scene}, {request.history, request.stats});
+  require_distinct({request.scene},
+                   {request.history, request.history + partial_ending, request.stats});
   CooperativeInterruption interruption;
   Scene scene = read_scene(request.scene);
   if (!request.horizon.empty()) scene.horizon = time_argument("--horizon", request.horizon);

@@ -149,6 +149,14 @@ TEST_F(EvtsqTest, TheHorizonIsThatOfTheSceneWhereItRoundsToTheHeaders) {
   EXPECT_EQ(open(text)->header().horizon_error, 0);
   horizon_ = 20;
   EXPECT_EQ(open(text)->header().horizon, 10);
+  EXPECT_EQ(open(text)->header().certain_horizon(), Rational(10) - evtsq_rounding());
+}
+
+// Of a horizon that is told as 0.00 only the instant 0 is certain.
+TEST_F(EvtsqTest, NoCertainHorizonIsBeforeZero) {
+  HistoryHeader header;
+  header.horizon_error = evtsq_rounding();
+  EXPECT_EQ(header.certain_horizon(), 0);
 }
 
 TEST_F(EvtsqTest, FaultsAreNamed) {

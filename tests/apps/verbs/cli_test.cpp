@@ -92,6 +92,8 @@ TEST_F(Cli, UsageErrors) {
       {{"simulate", scene, "-o", out, "-o", out}, "--output"},
       {{"simulate", scene, "-o", out, "--fast"}, "--fast"},
       {{"simulate", scene, "-o", scene}, "is an input as well as an output"},
+      {{"simulate", out + ".partial", "-o", out}, "is an input as well as an output"},
+      {{"simulate", scene, "-o", out, "--stats", out + ".partial"}, "is named for two outputs"},
       {{"simulate", scene, "-o", out, "--stats", out}, "is named for two outputs"},
       {{"simulate", scene, "-o", out, "--stats", file("./out")}, "is named for two outputs"},
       {{"simulate", scene, "-o", file("no/out")}, "no/out: cannot write"},
