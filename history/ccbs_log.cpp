@@ -7,10 +7,12 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "history/error.h"
+#include "history/json_text.h"
 
 namespace voroproof::internal {
 
@@ -79,15 +81,18 @@ class LogReader {
     } else if (place_ == "root>log>agent>") {
       read_.paths.push_back({attribute(attributes, "number"), radius_, {}});
       if (!numbers_.insert(read_.paths.back().name).second) fail("number", "another agent has it");
+    } else if (place_ == "root>log>agent>path>") {
+      path_ = {};
+      if (attribute_if_any(attributes, "duration")) path_.duration = number(attributes, "duration");
     } else if (place_ == "root>log>agent>path>section>") {
       take_section(attributes);
-    } else if (place_ != "root>" && place_ != "root>log>summary>" &&
-               place_ != "root>log>agent>path>") {
+    } else if (place_ != "root>" && place_ != "root>log>summary>") {
       fail(printable(name), "a plan has no such element here");
     }
   }
 
   void leave() {
+    if (place_ == "root>log>agent>path>") require_all_sections();
     if (place_ == "root>log>agent>" && read_.paths.back().waypoints.empty()) {
       fail("agent", "no section tells where it is");
     }
@@ -104,6 +109,15 @@ class LogReader {
     const Point2 goal{number(attributes, "goal_i"), number(attributes, "goal_j")};
     const Rational duration = number(attributes, "duration");
     if (sgn(duration) < 0) fail("duration", "negative");
+    if (attribute_if_any(attributes, "number") &&
+        number(attributes, "number") != static_cast<int>(path_.sections)) {
+      fail("number", "section " + std::to_string(path_.sections) + " is missing before");
+    }
+    ++path_.sections;
+    path_.told += duration;
+    if (sgn(duration) > 0 && (sgn(path_.shortest) == 0 || duration < path_.shortest)) {
+      path_.shortest = duration;
+    }
     if (way.empty()) way.push_back({0, start});
     if (start.x != way.back().at.x || start.y != way.back().at.y) {
       fail("start_i", "the section starts elsewhere than the one before ends");
@@ -115,10 +129,23 @@ class LogReader {
     way.push_back({Rational(way.back().t + duration), goal});
   }
 
-  std::string attribute(const XML_Char** attributes, const char* name) const {
+  // A plan that lost a section is not the one that was made. Durations are rounded, by less than
+  // any of them.
+  void require_all_sections() const {
+    if (!path_.duration || abs(Rational(path_.told - *path_.duration)) <= path_.shortest / 2)
+      return;
+    fail("duration", "the path takes " + number_text(*path_.duration) + ", and its sections " +
+                         number_text(path_.told));
+  }
+
+  static const char* attribute_if_any(const XML_Char** attributes, const char* name) {
     for (; *attributes != nullptr; attributes += 2) {
       if (std::string(attributes[0]) == name) return attributes[1];
     }
+    return nullptr;
+  }
+  std::string attribute(const XML_Char** attributes, const char* name) const {
+    if (const char* value = attribute_if_any(attributes, name)) return value;
     fail(name, "missing");
   }
 
@@ -144,6 +171,13 @@ class LogReader {
   bool has_log_ = false;
   std::set<std::string> numbers_;
   std::size_t sections_ = 0, tasks_ = 0;
+  // The path that is being read: how long it says that it takes, and what its sections say.
+  struct Path {
+    std::optional<Rational> duration;
+    Rational told, shortest;
+    std::size_t sections = 0;
+  };
+  Path path_;
   GivenPaths read_;
 };
 

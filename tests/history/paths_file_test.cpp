@@ -140,6 +140,13 @@ TEST_F(PathsFile, BrokenPlans) {
   refused(log(agent(section("0", "1", "-1"))), 1, "duration");
   refused(log(agent(section("0", "1", "0"))), 1, "duration");
   refused(log(agent(section("0", "one", "1"))), 1, "goal_i");
+  const auto path = [](const std::string& sections) {
+    return log("<agent number='7'>\n<path duration='3'>\n" + sections + "</path></agent>");
+  };
+  EXPECT_EQ(read(path(section("0", "1", "1") + section("1", "2", "1.9"))).paths.size(), 1u);
+  refused(path(section("0", "1", "1") + section("1", "2", "1")), 3, "duration");
+  refused(path("<section number='1' start_i='0' start_j='0' goal_i='1' goal_j='0' duration='3'/>"),
+          3, "number");
   const std::string whole = agent(section("0", "1", "1"));
   refused(log(whole + "\n" + agent(section("5", "6", "1"))), 2, "number");
   refused("<root><agent/><agent/>" + log(whole).substr(6), 1, "agent");
