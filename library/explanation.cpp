@@ -197,7 +197,7 @@ class Explainer {
 
 }  // namespace
 
-Explanation explain_report(const std::string& path) {
+Explanation explain_report(const std::string& path, const std::string& producer) {
   const nlohmann::json report = read_report(path, "voroproof-report", max_report);
   const JsonField field(report, path);
   const CertificationRun run = read_run(field);
@@ -207,6 +207,12 @@ Explanation explain_report(const std::string& path) {
     if (has_other_bytes(file, sha256)) {
       notes.push_back(shown(file) + " has other bytes now than those that were judged");
     }
+  }
+  if (run.producer != producer) {
+    notes.push_back("the report is by " + shown(run.producer) + ", and this is " + producer);
+  }
+  if (run.history_sha256.empty()) {
+    notes.push_back("the report does not say which history it is about");
   }
   return Explainer(field).explain(notes);
 }

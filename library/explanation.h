@@ -42,8 +42,9 @@ struct Explanation {
 };
 
 // Reads a report file. Throws InputError where it is none. The words say so where the files that
-// the report names are there and have other bytes than those that were judged.
-Explanation explain_report(const std::string& path);
+// the report names are there and have other bytes than those that were judged, where it does not
+// tell of which bytes it is, and where it is by another program than this `producer`.
+Explanation explain_report(const std::string& path, const std::string& producer);
 // Explains the text of a report; `name` is for messages.
 Explanation explain_report_text(const std::string& text, const std::string& name);
 

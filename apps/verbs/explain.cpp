@@ -21,7 +21,7 @@ constexpr std::size_t longest_name = 4096;
 ExitCode explain(const Request& request) {
   require_distinct({request.report}, {request.picture});
   if (!request.picture.empty()) require_picture("--output", request.picture);
-  const Explanation explanation = explain_report(request.report);
+  const Explanation explanation = explain_report(request.report, producer());
   const bool drawn = !request.picture.empty() && !explanation.generators.empty();
   const CooperativeInterruption interruption;
   if (drawn) draw_witness(explanation.generators, request.picture);

@@ -43,7 +43,7 @@ ExitCode write_movie(const Verb& verb, const Request& request) {
   }
   std::optional<Explanation> report;
   if (!request.report.empty()) {
-    report = explain_report(request.report);
+    report = explain_report(request.report, producer());
     require_report_of(*report, request.report, producer(), claim.scene.sha256,
                       sha256_of_file(request.history));
     span.flips = report->judges_flips;

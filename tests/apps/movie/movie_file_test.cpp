@@ -85,11 +85,14 @@ TEST_F(MovieFile, AReportOfOtherBytesIsRefused) {
   report["producer"] = "voroproof 9";
   directory_.write("a.report.json", report.dump());
   refused(words, "producer: the report is by voroproof 9");
+  const auto explained = [&] { return must({"explain", file("a.report.json")}).out; };
+  EXPECT_NE(explained().find("Note: the report is by voroproof 9"), std::string::npos);
   must({"certify", scene, history, "--report", file("a.report.json")});
   report = json("a.report.json");
   report.erase("history_sha256");
   directory_.write("a.report.json", report.dump());
   refused(words, "does not say which history");
+  EXPECT_NE(explained().find("Note: the report does not say which history"), std::string::npos);
 }
 
 TEST_F(MovieFile, OfAReportOnCollisionsAloneHasNoFlips) {
