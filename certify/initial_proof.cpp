@@ -44,7 +44,7 @@ class InitialProof {
                TierCounts& counts, int threads)
       : diagram_(diagram),
         frame_(frame),
-        framed_(frame),
+        framed_(frame, motion.size()),
         motion_(motion),
         counts_(counts),
         threads_(threads),
@@ -135,6 +135,7 @@ class InitialProof {
 
   std::optional<int> prove_tangency(HalfEdge h) const {
     const GenId a = diagram_.org(h), b = diagram_.dest(h);
+    if (is_fixed(a, b)) return 0;
     const Sign s = sign(framed_.tangency(rough_, a, b));
     return s == tangency_sign(a, b) ? std::optional(1) : std::nullopt;
   }
@@ -142,7 +143,7 @@ class InitialProof {
     if (!is_named_by(h)) return 0;
     const GenId a = diagram_.org(h), b = diagram_.dest(h), c = diagram_.apex(h);
     if (is_line(a, b, c)) return 0;
-    const Sign s = circle_exists(framed_.triple(rough_, a, b, c));
+    const Sign s = exists(rough_, {a, b, c});
     return s == Sign::positive ? std::optional(1) : std::nullopt;
   }
   // Legal: both in-circle functions at once.
@@ -158,6 +159,7 @@ class InitialProof {
     const OwnRoot root;
     const HalfEdge first = diagram_.anchor(g);
     if (first < 0) return 0;  // hidden
+    if (framed_.has_walls() && !framed_.is_disk(g)) return std::nullopt;
     const auto vertex = [&](HalfEdge h) {
       return direction(rough_, root, g, diagram_.dest(h), diagram_.apex(h));
     };
@@ -187,11 +189,24 @@ class InitialProof {
   }
   // The circle of such a vertex is a line, which exists where the tangency is right.
   bool is_line(GenId a, GenId b, GenId c) const {
-    return framed_.is_infinity(a) || framed_.is_infinity(b) || framed_.is_infinity(c);
+    return frame_ == Frame::plane && framed_.is_at_infinity({a, b, c});
+  }
+  template <class Sites>
+  Sign exists(Sites& at, const std::array<GenId, 3>& v) const {
+    if (!framed_.has_disk(v)) {
+      return framed_.exists_of_walls(v) ? Sign::positive : Sign::negative;
+    }
+    if (framed_.has_walls() && framed_.is_at_infinity(v)) return Sign::negative;
+    return circle_exists(framed_.triple(at, v[0], v[1], v[2]));
+  }
+  // Walls and infinity are always beside each other as they are.
+  bool is_fixed(GenId a, GenId b) const {
+    return framed_.has_walls() && !framed_.is_disk(a) && !framed_.is_disk(b);
   }
 
   // Two generators, neither of which lies in the other nor is a point of its boundary.
   void require_tangency(GenId a, GenId b) {
+    if (is_fixed(a, b)) return;
     const Sign s = decide([&](auto at, auto) { return sign(framed_.tangency(at, a, b)); });
     if (s == tangency_sign(a, b)) return;
     throw Undecided(s == Sign::zero ? "a point touches another generator: its cell has no area"
@@ -203,8 +218,7 @@ class InitialProof {
     if (!is_named_by(h)) return std::nullopt;
     const GenId a = diagram_.org(h), b = diagram_.dest(h), c = diagram_.apex(h);
     if (is_line(a, b, c)) return std::nullopt;
-    const Sign s =
-        decide([&](auto at, auto) { return circle_exists(framed_.triple(at, a, b, c)); });
+    const Sign s = decide([&](auto at, auto) { return exists(at, {a, b, c}); });
     // In the plane a circle may be a line.
     if (s == Sign::positive || (frame_ == Frame::plane && s == Sign::zero)) return std::nullopt;
     const Triple v = canonical(Triple{a, b, c});
@@ -247,20 +261,43 @@ class InitialProof {
                         {}};
   }
 
+  // The step from the vertex (g, a, b) to (g, b, c) around a wall g: along it, or from far out on
+  // one side to far out on the other.
+  Sign step_along_wall(GenId g, GenId a, GenId b, GenId c) {
+    if (framed_.is_infinity(b)) return Sign::negative;
+    if (framed_.is_infinity(a) || framed_.is_infinity(c)) return Sign::positive;
+    return decide([&](auto at, auto root) {
+      const auto from = framed_.center(at, root, g, a, b), to = framed_.center(at, root, g, b, c);
+      using T = std::decay_t<decltype(from[0])>;
+      return sign(framed_.template from_wall<T>(g, to[0] - from[0], to[1] - from[1])[0]);
+    });
+  }
+  Sign step_around(GenId g, GenId a, GenId b, GenId c) {
+    if (framed_.is_wall(g)) return step_along_wall(g, a, b, c);
+    return decide([&](auto at, auto root) {
+      const auto d = direction(at, root, g, a, b), e = direction(at, root, g, b, c);
+      // Around the container the vertices run clockwise.
+      return g == container_id ? angle_order(e, d) : angle_order(d, e);
+    });
+  }
+
   // The vertices around g must turn exactly once: among the steps from each to the next exactly
-  // one falls back in angle.
+  // one falls back in angle. Around the walls each step is a quarter turn.
   std::optional<InitialFault> cell_fault(GenId g) {
     if (diagram_.anchor(g) < 0) return std::nullopt;  // hidden
     int falls = 0;
     bool turns = false;
+    const bool around_walls = framed_.has_walls() && g == container_id;
+    int steps = 0;
     for (const HalfEdge h : diagram_.ring(g)) {
       const HalfEdge next = diagram_.rotate(h);
       const GenId a = diagram_.dest(h), b = diagram_.apex(h), c = diagram_.apex(next);
-      const Sign step = decide([&](auto at, auto root) {
-        const auto d = direction(at, root, g, a, b), e = direction(at, root, g, b, c);
-        // Around the container the vertices run clockwise.
-        return g == container_id ? angle_order(e, d) : angle_order(d, e);
-      });
+      if (around_walls) {
+        turns = true;
+        if (steps++ % wall_count == 0) ++falls;
+        continue;
+      }
+      const Sign step = step_around(g, a, b, c);
       // Two coincident vertices do not move the angle; a full turn between them would need
       // another fall elsewhere.
       if (step == Sign::negative) ++falls;

@@ -5,7 +5,8 @@
 //   1. the incidences are those of a triangulation of the sphere by all generators;
 //   2. the tangent circle of every vertex exists;
 //   3. around every generator the vertices of its cell turn once, counterclockwise seen from a
-//      disk's centre, clockwise seen from the container's;
+//      disk's centre, clockwise seen from the container's; beside a wall they follow each other
+//      along it from its one vertex at infinity to the other;
 //   4. every edge is locally legal; where its four generators are cotangent, legal just after.
 #pragma once
 

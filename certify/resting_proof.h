@@ -11,7 +11,8 @@
 
 namespace voroproof::internal {
 
-// A claim: the disks as they are at t = 0, in the plane or in the container.
+// A claim: the disks as they are at t = 0, in the plane, in the container or, with the four walls
+// after the disks (framed.h), in a box.
 struct RestingClaim {
   MotionInput input;
   Frame frame = Frame::circle;

@@ -19,7 +19,7 @@ RestingDiagram resting_diagram(MotionInput input, Frame frame, const MotionOptio
     names.push_back(g);
   }
   input.disks.resize(names.size());
-  if (names.size() < 2) return out;
+  if (frame != Frame::box && names.size() < 2) return out;
   const GivenMotion motion(std::move(input), options);
   Diagram diagram = overlapping_diagram(motion, frame, counts);
   const RestingTies ties(motion, frame);

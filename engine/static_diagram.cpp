@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "engine/cell_rays.h"
 #include "engine/touching_point.h"
 #include "exact/directions.h"
 #include "filtered/search/instant_predicates.h"
@@ -27,14 +28,26 @@ constexpr int kLongestWalk = 100;
 class Construction {
  public:
   Construction(const Motion& motion, const Rational& t, Frame frame, TierCounts& counts)
-      : framed_(frame), predicates_(motion, t, counts), diagram_(motion.size()) {}
+      : framed_(frame, motion.size()),
+        predicates_(motion, t, counts),
+        rays_(framed_, predicates_),
+        diagram_(motion.size()) {}
 
   InstantPredicates& predicates() { return predicates_; }
 
   Diagram build(const std::vector<GenId>& order) {
-    if (order.size() < 2) return std::move(diagram_);
-    diagram_.start(order[0], order[1]);
-    for (std::size_t k = 2; k < order.size(); ++k) insert(order[k], order[k - 1]);
+    std::size_t begun = 0;
+    if (framed_.has_walls()) {
+      diagram_ = diagram_between_walls(framed_, predicates_);
+    } else if (order.size() >= 2) {
+      diagram_.start(order[0], order[1]);
+      begun = 2;
+    } else {
+      return std::move(diagram_);
+    }
+    for (std::size_t k = begun; k < order.size(); ++k) {
+      insert(order[k], k == 0 ? framed_.wall(0) : order[k - 1]);
+    }
     return std::move(diagram_);
   }
 
@@ -79,7 +92,7 @@ class Construction {
   // Starts on an edge that i's cell certainly meets. Looks for it from the origin of `from`.
   void start_on_ray(GenId i, HalfEdge from) {
     HalfEdge exit = exit_edge(from, i);
-    while (!meets(i, diagram_.org(exit), diagram_.dest(exit))) {
+    while (!rays_.meets(i, diagram_.org(exit), diagram_.dest(exit))) {
       exit = exit_edge(Diagram::twin(exit), i);
     }
     const GenId j = diagram_.org(exit);
@@ -94,7 +107,7 @@ class Construction {
     const Site<DoubleBall>& p = predicates_.rough(i);
     const auto is_beyond = [&](HalfEdge side) {
       const GenId g = diagram_.org(side), k = diagram_.dest(side);
-      if (g == container_id || k == container_id) return false;
+      if (!framed_.is_disk(g) || !framed_.is_disk(k)) return false;
       const Site<DoubleBall>&a = predicates_.rough(g), &b = predicates_.rough(k);
       return (b.x.mid - a.x.mid) * (p.y.mid - a.y.mid) < (b.y.mid - a.y.mid) * (p.x.mid - a.x.mid);
     };
@@ -113,16 +126,19 @@ class Construction {
     return h;
   }
 
-  // The half-edge of the triangle of h that starts at the disk nearest to the centre of i, in
-  // doubles.
+  // The half-edge of the triangle of h that starts at the disk or wall nearest to the centre of i,
+  // in doubles.
   HalfEdge of_nearest(GenId i, HalfEdge h) const {
     const Site<DoubleBall>& p = predicates_.rough(i);
     HalfEdge nearest = -1;
     double least = 0;
     for (const HalfEdge side : {h, diagram_.next(h), diagram_.previous(h)}) {
       if (diagram_.org(side) == container_id) continue;
-      const Site<DoubleBall>& s = predicates_.rough(diagram_.org(side));
-      const double far = std::hypot(s.x.mid - p.x.mid, s.y.mid - p.y.mid) - s.r.mid;
+      const GenId g = diagram_.org(side);
+      const Site<DoubleBall>& s = predicates_.rough(g);
+      const double far = framed_.is_wall(g)
+                             ? framed_.seen_from_wall(g, s, p.x, p.y)[1].mid
+                             : std::hypot(s.x.mid - p.x.mid, s.y.mid - p.y.mid) - s.r.mid;
       if (nearest >= 0 && !(far < least)) continue;
       nearest = side;
       least = far;
@@ -131,8 +147,8 @@ class Construction {
   }
 
   // The edge through which the ray of j, the origin of `from`, and i leaves the cell of j: from j's
-  // centre through i's, or for the container from the boundary through i's centre inwards. Looks on
-  // both sides of `from`, the nearest edges first: a cell may have many.
+  // centre through i's, or for the container and walls from the boundary through i's centre
+  // inwards. Looks on both sides of `from`, the nearest edges first: a cell may have many.
   HalfEdge exit_edge(HalfEdge from, GenId i) {
     HalfEdge up = from, down = from;
     do {
@@ -148,6 +164,10 @@ class Construction {
   bool is_exit(HalfEdge h, GenId i) {
     const GenId j = diagram_.org(h), k = diagram_.dest(h);
     const GenId s = diagram_.apex(Diagram::twin(h)), e = diagram_.apex(h);
+    if (framed_.is_wall(j)) {
+      return !framed_.is_infinity(k) && rays_.is_after(i, {j, s, k}) &&
+             !rays_.is_after(i, {j, k, e});
+    }
     return predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
       const auto base = at(j), target = at(i);
       using T = std::decay_t<decltype(base.x)>;
@@ -163,48 +183,6 @@ class Construction {
       };
       return on_arc<T>(direction(k, e), direction(s, k), ray, true);
     });
-  }
-
-  // Whether the point y where that ray meets the edge j|k is nearer to i than to j. If
-  // it is not, the gap between i and k is smaller than that between i and j.
-  bool meets(GenId i, GenId j, GenId k) {
-    if (framed_.is_infinity(k)) return true;
-    return predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
-      const auto cj = at(j), ci = at(i), ck = at(k);
-      using T = std::decay_t<decltype(cj.x)>;
-      const T ux = ci.x - cj.x, uy = ci.y - cj.y, si = ci.r - cj.r;
-      const T dx = ck.x - cj.x, dy = ck.y - cj.y, sk = ck.r - cj.r;
-      const T l2 = ux * ux + uy * uy;
-      const T l = root(l2);
-      const T along = dx * ux + dy * uy;
-      const T pk = dx * dx + dy * dy - sk * sk;
-      T q = l;
-      if (j == container_id) {
-        // y = O + u tau / l with tau = -p_k / (2 (s_k - d_k.u/l)); it is nearer to i iff tau
-        // < (l + s_i) / 2, where s_k and s_i are R + r_k and R + r_i.
-        q = -(pk * l) - (sk * l - along) * (l + si);
-      } else {
-        // The circle tangent to j and k with its centre on the ray has kappa = (d_k.u/l +
-        // s_k)/p_k; i conflicts iff p_i kappa < l + s_i. Times l |p_k|:
-        q = (l2 - si * si) * (along + sk * l) - pk * (l2 + si * l);
-        if (k == container_id) q = -q;
-      }
-      const Sign s = sign(q);
-      if (s == Sign::unknown) return std::nullopt;
-      return s == Sign::negative;
-    });
-  }
-
-  // The direction from the disk k to the point y of a ray that starts at the container.
-  template <class T>
-  static Direction<T> to_ray_end(const Site<T>& container, const Site<T>& ci, const Site<T>& ck,
-                                 const T& l) {
-    const T ux = ci.x - container.x, uy = ci.y - container.y;
-    const T dx = ck.x - container.x, dy = ck.y - container.y, sk = ck.r - container.r;
-    const T pk = dx * dx + dy * dy - sk * sk;
-    const T below = sk * l - (dx * ux + dy * uy);  // positive
-    const T scale = -pk / (below + below);         // tau / l
-    return {ux * scale - dx, uy * scale - dy};
   }
 
   // Where symmetry proves that every circle that touches three of them touches the fourth, too: no
@@ -224,6 +202,11 @@ class Construction {
     const GenId l = diagram_.org(h), r = diagram_.dest(h), x = diagram_.apex(h);
     const auto in_circle = [&](auto at, auto) -> std::optional<bool> {
       const auto& site = at(i);
+      if (!framed_.has_disk({l, r, x})) {
+        const Sign s = framed_.incircle(at, {l, r, x}, i, Sign::unknown);
+        if (s == Sign::unknown) return std::nullopt;
+        return s == Sign::negative;
+      }
       const auto v = framed_.triple(at, l, r, x);
       if constexpr (std::is_same_v<std::decay_t<decltype(site)>, Site<DoubleBall>>) {
         // Cheaper than the cotangency, and nearly always enough.
@@ -242,8 +225,10 @@ class Construction {
     const HalfEdge t = Diagram::twin(edge.h);
     const GenId l = diagram_.org(edge.h), r = diagram_.dest(edge.h), x = diagram_.apex(t);
     if (x == i || !in_conflict(i, t)) return false;
-    // Both ends of the edge are in conflict. All of it is, unless both circles of (l,
-    // r, i) exist and lie on it.
+    // Both ends of the edge are in conflict. All of it is, if it is straight, between walls: the
+    // distance to a disk is convex on it, and that to a wall linear. Else it is, unless both
+    // circles of (l, r, i) exist and lie on it.
+    if (framed_.is_wall(l) && framed_.is_wall(r)) return true;
     const bool line = framed_.is_infinity(l) || framed_.is_infinity(r);
     const bool both = line || predicates_.decide([&](auto at, auto) -> std::optional<bool> {
       const Sign a = circle_exists(framed_.triple(at, l, r, i));
@@ -257,19 +242,15 @@ class Construction {
     // Seen from a disk of the pair, the edge runs counterclockwise from its start to
     // its end; the circle (l, r, i) in the orientation of i's triangle is where the
     // conflict would stop.
-    const bool from_l = l != container_id && (edge.ray_from < 0 || edge.ray_from == l);
+    const bool from_l =
+        framed_.is_disk(l) && (!framed_.is_disk(edge.ray_from) || edge.ray_from == l);
     const GenId base = from_l ? l : r, other = from_l ? r : l;
     const bool stops = predicates_.decide([&](auto at, auto root) -> std::optional<bool> {
       const auto origin = at(base);
       using T = std::decay_t<decltype(origin.x)>;
       Direction<T> inside;
-      if (edge.ray_from == container_id) {
-        const auto o = at(container_id), target = at(i);
-        const T lx = target.x - o.x, ly = target.y - o.y;
-        inside = to_ray_end<T>(o, target, origin, root(T(lx * lx + ly * ly)));
-      } else if (edge.ray_from != no_ray) {
-        const auto target = at(i);
-        inside = {target.x - origin.x, target.y - origin.y};
+      if (edge.ray_from != no_ray) {
+        inside = rays_.to_end<T>(at, root, edge.ray_from, i, base);
       } else {
         inside = from_l ? framed_.direction(at, root, base, other, edge.before)
                         : framed_.direction(at, root, base, edge.before, other);
@@ -286,19 +267,21 @@ class Construction {
 
   Framed framed_;
   InstantPredicates predicates_;
+  const CellRays rays_;
   Diagram diagram_;
   std::vector<LinkEdge> link_;  // link edges of the growing cell that are not examined
 };
 
-std::vector<GenId> insertion_order(const Motion& motion, double t) {
+// Of the first n disks.
+std::vector<GenId> insertion_order(const Motion& motion, GenId n, double t) {
   using Kernel = CGAL::Simple_cartesian<double>;
   std::vector<Kernel::Point_2> centers;
-  centers.reserve(motion.size());
-  for (GenId g = 0; g < motion.size(); ++g) {
+  centers.reserve(n);
+  for (GenId g = 0; g < n; ++g) {
     const auto site = motion.site(g, DoubleBall(t));
     centers.emplace_back(site.x.mid, site.y.mid);
   }
-  std::vector<std::size_t> order(motion.size());
+  std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), std::size_t{0});
   using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
   const CGAL::Spatial_sort_traits_adapter_2<Kernel, Map> traits(
@@ -317,11 +300,12 @@ Diagram static_diagram(const Motion& motion, const Rational& t, TierCounts& coun
                       touch->second);
     }
   }
-  return construction.build(insertion_order(motion, round_nearest(t)));
+  return construction.build(insertion_order(motion, motion.size(), round_nearest(t)));
 }
 
 Diagram overlapping_diagram(const Motion& motion, Frame frame, TierCounts& counts) {
-  return Construction(motion, 0, frame, counts).build(insertion_order(motion, 0));
+  const GenId disks = motion.size() - (frame == Frame::box ? wall_count : 0);
+  return Construction(motion, 0, frame, counts).build(insertion_order(motion, disks, 0));
 }
 
 }  // namespace voroproof::internal

@@ -147,7 +147,9 @@ T cocircularity(const Site<T>& s0, const Site<T>& s1, const Site<T>& s2, const S
 }
 
 // A generator seen from a base disk. Infinity, the frame of a diagram of the plane, has the row
-// (0, 0, 0, 1): the circles that touch it are lines.
+// (0, 0, 0, 1): the circles that touch it are lines. A wall n.x >= h, |n| = 1, has the row
+// (-n, 1, 2 (n.c - h + r)), c and r the base's: that of a disk without end, divided by its
+// diameter.
 template <class T>
 struct GeneratorRow {
   T x, y, s, p;
@@ -233,7 +235,7 @@ struct InCircleParts {
 // The quantity is q = G - epsilon sqrt(Gamma) C, and q times its conjugate is
 // (D_xp^2 + D_yp^2) f: so no root is taken.
 template <class T>
-Sign incircle(const TangentTriple<T>& t, const Site<T>& e, bool e_is_container, Sign f) {
+Sign incircle(const TangentTriple<T>& t, const GeneratorRow<T>& e, bool e_is_container, Sign f) {
   const InCircleParts<T> parts(t, e);
   Sign g = Sign::unknown;
   Sign c = Sign::unknown;
@@ -244,6 +246,10 @@ Sign incircle(const TangentTriple<T>& t, const Site<T>& e, bool e_is_container, 
   }
   const Sign q = sign_with_root(g, c, f);
   return e_is_container ? -q : q;
+}
+template <class T>
+Sign incircle(const TangentTriple<T>& t, const Site<T>& e, bool e_is_container, Sign f) {
+  return incircle(t, row(t.base, e), e_is_container, f);
 }
 
 // The quantity whose sign incircle() gives, up to a positive factor; takes one root.

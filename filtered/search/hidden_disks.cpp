@@ -38,13 +38,23 @@ bool is_outside(const MotionInput& input, const DiskInput& d) {
   return dx * dx + dy * dy >= most * most;
 }
 
+bool is_behind(const MotionInput& input, GenId wall, GenId g) {
+  const Framed framed(Frame::box, static_cast<GenId>(input.disks.size()));
+  const auto at = [&](GenId k) {
+    const DiskInput& d = input.disks[k];
+    return Site<Rational>{d.x.value(), d.y.value(), d.radius.value()};
+  };
+  return sgn(framed.tangency(at, g, wall)) <= 0;
+}
+
 std::vector<GenId> hosts_of(const MotionInput& input, Frame frame) {
-  const auto n = static_cast<GenId>(input.disks.size());
+  const auto generators = static_cast<GenId>(input.disks.size());
+  const GenId n = generators - (frame == Frame::box ? wall_count : 0);
   std::vector<std::pair<Box, GenId>> boxes;
   boxes.reserve(n);
   for (GenId g = 0; g < n; ++g) boxes.emplace_back(box_of(input.disks[g], true), g);
   const bg::index::rtree<std::pair<Box, GenId>, bg::index::quadratic<16>> tree(boxes);
-  std::vector<GenId> host(n, visible_disk);
+  std::vector<GenId> host(generators, visible_disk);
   // In the order of the tree: neighbours in the plane are neighbours in memory.
   for (const auto& entry : tree) {
     const GenId g = entry.second;
@@ -53,6 +63,10 @@ std::vector<GenId> hosts_of(const MotionInput& input, Frame frame) {
       host[g] = container_id;
       continue;
     }
+    for (GenId wall = n; wall < generators; ++wall) {
+      if (is_behind(input, wall, g)) host[g] = wall;
+    }
+    if (host[g] != visible_disk) continue;
     const auto hides = [&](const std::pair<Box, GenId>& other) {
       const GenId h = other.second;
       if (h == g || !contains(input.disks[h], d)) return false;

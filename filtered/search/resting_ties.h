@@ -11,7 +11,7 @@ namespace voroproof::internal {
 class RestingTies {
  public:
   // The disks of `motion`, which must outlive this object, as they are at t = 0.
-  RestingTies(const Motion& motion, Frame frame) : motion_(motion), framed_(frame) {}
+  RestingTies(const Motion& motion, Frame frame) : motion_(motion), framed_(frame, motion.size()) {}
 
   // Whether both circles of the edge, which touch three of its generators each, are one.
   bool is_point(const Quad& q) const;

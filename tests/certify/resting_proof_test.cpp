@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include "engine/resting_diagram.h"
@@ -17,7 +18,9 @@ namespace voroproof::internal::testing {
 namespace {
 
 RestingClaim claim_of(const Disks& disks, Frame frame) {
-  RestingClaim claim{input_of(disks, 9), frame, {}, {}};
+  const bool has_walls = frame == Frame::box;
+  RestingClaim claim{
+      has_walls ? input_between(disks, {-5, -4, 5, 6}) : input_of(disks, 9), frame, {}, {}};
   TierCounts counts;
   const RestingDiagram d = resting_diagram(claim.input, frame, {}, counts);
   claim.hosts = d.host;
@@ -50,10 +53,10 @@ TEST(RestingProof, RightDiagramsAreProved) {
   const int sets = given == nullptr ? 400 : std::atoi(given);
   for (int round = 0; round < sets; ++round) {
     const Disks disks = some_disks(dice, dice(0, 9) == 0 ? 200 : 14);
-    for (const Frame frame : {Frame::plane, Frame::circle}) {
+    for (const Frame frame : {Frame::plane, Frame::circle, Frame::box}) {
       const RestingClaim claim = claim_of(disks, frame);
       for (const bool filters : {true, false}) {
-        SCOPED_TRACE((frame == Frame::plane ? "plane" : "circle") + text(disks));
+        SCOPED_TRACE(std::to_string(static_cast<int>(frame)) + text(disks));
         RestingProof proof;
         ASSERT_NO_THROW(proof = proof_of(claim, filters));
         EXPECT_EQ(proof.fault ? proof.fault->truth : "none", "none");
@@ -70,11 +73,11 @@ TEST(RestingProof, AFlippedEdgeIsWrongIfItHasALength) {
   int wrong = 0, other = 0;
   for (int round = 0; round < 3000; ++round) {
     const Disks disks = some_disks(dice);
-    const Frame frame = dice(0, 1) == 0 ? Frame::plane : Frame::circle;
+    const Frame frame = std::array{Frame::plane, Frame::circle, Frame::box}[dice(0, 2)];
     RestingClaim claim = claim_of(disks, frame);
     std::vector<bool> hidden;
     for (const GenId host : claim.hosts) hidden.push_back(host != visible_disk);
-    Diagram diagram = diagram_of(static_cast<int>(disks.size()), claim.edges, hidden);
+    Diagram diagram = diagram_of(static_cast<int>(hidden.size()), claim.edges, hidden);
     if (diagram.edges() == 0) continue;
     const Diagram::HalfEdge h = 2 * dice(0, diagram.edges() - 1);
     const Quad q = diagram.quad(h);
@@ -210,6 +213,40 @@ TEST(RestingProof, HiddenDisksAreJudged) {
     for (GenId* g : {&q.l, &q.r, &q.s, &q.e}) *g = *g == 0 ? 3 : *g;
   }
   EXPECT_EQ(fault_of(claim).substr(0, 33), "disk 3 is hidden by disk 0, and e");
+}
+
+TEST(RestingProof, DisksBehindWallsAreHidden) {
+  // The second touches the left wall from outside, the third is beyond a corner.
+  const Disks disks{{0, 0, 4}, {-6, 0, 1}, {-6, -5, Rational(5, 4)}};
+  RestingClaim claim = claim_of(disks, Frame::box);
+  EXPECT_EQ(claim.hosts, (std::vector<GenId>{-2, 3, -2, -2, -2, -2, -2}));
+  EXPECT_EQ(fault_of(claim), "none");
+  claim.hosts[1] = 4;
+  EXPECT_EQ(fault_of(claim), "disk 1 does not lie behind wall 4");
+  claim.hosts[1] = -1;
+  EXPECT_EQ(fault_of(claim), "disk 1 does not lie outside of a frame");
+  claim.hosts = {-2, -2, -2};
+  EXPECT_EQ(fault_of(claim), "disk 1 lies behind wall 3");
+}
+
+// Without disks, too, there are edges, and no other ones.
+TEST(RestingProof, WallsAreJudged) {
+  for (const Disks& disks : {Disks{}, Disks{{0, 0, 1}}, Disks{{0, 0, 1}, {1, 3, 2}}}) {
+    const RestingClaim right = claim_of(disks, Frame::box);
+    EXPECT_EQ(fault_of(right), "none");
+    RestingClaim claim = right;
+    for (Quad& q : claim.edges) q = canonical(Quad{q.r, q.l, q.s, q.e});
+    EXPECT_NE(fault_of(claim), "none");
+    // The walls in another order.
+    claim = right;
+    const auto n = static_cast<GenId>(disks.size());
+    for (Quad& q : claim.edges) {
+      for (GenId* g : {&q.l, &q.r, &q.s, &q.e}) *g = *g == n ? n + 1 : *g == n + 1 ? n : *g;
+    }
+    EXPECT_NE(fault_of(claim), "none");
+    claim.edges.clear();
+    EXPECT_NE(fault_of(claim), "none");
+  }
 }
 
 TEST(RestingProof, DisksOutsideOfTheFrameAreHidden) {

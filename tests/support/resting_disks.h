@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exact/motion_input.h"
@@ -19,6 +20,20 @@ inline MotionInput input_of(const Disks& disks, const Rational& radius = 10) {
   MotionInput input;
   input.container_radius = radius;
   for (const Disk& d : disks) input.disks.push_back({d.x, d.y, d.r, 0, 0, 1});
+  return input;
+}
+
+// The lines x = x0, y = y0, x = x1 and y = y1.
+struct Walls {
+  Rational x0, y0, x1, y1;
+};
+
+// For Frame::box.
+inline MotionInput input_between(const Disks& disks, const Walls& w) {
+  MotionInput input = input_of(disks);
+  for (const auto& [x, y] : {std::pair(w.x0, w.y0), {w.x0, w.y0}, {w.x1, w.y1}, {w.x1, w.y1}}) {
+    input.disks.push_back({x, y, 0, 0, 0, 1});
+  }
   return input;
 }
 
