@@ -67,6 +67,15 @@ class FocalConic {
     p_ = ball((x - s) * (x + s) + y * y);
   }
 
+  // A wall n.x >= h is the case d = -n, s = 1 and p = 2 (n.c - h + r), c and r of the base.
+  FocalConic(const Circle& base, const WallLine& wall)
+      : center_(base.center), d_{-wall.inwards[0], -wall.inwards[1]}, s_(1) {
+    const auto height = [&](int axis) {
+      return DdBall(wall.inwards[axis]) * (DdBall(base.center[axis]) - DdBall(wall.at[axis]));
+    };
+    p_ = ball(DdBall(2) * (height(0) + height(1) + DdBall(base.radius)));
+  }
+
   const Vec2& center() const { return center_; }
   BallPoint offset(const Vec2& at) const { return between(center_, at); }
 
@@ -196,8 +205,9 @@ ArcChain plane_arcs(const Circle& left, const Circle& right, const ArcEnd& start
   return chain;
 }
 
-ArcChain frame_arcs(const Circle& disk, const Circle& frame, const Vec2& start, const Vec2& end) {
-  const FocalConic conic(disk, {frame.center, -frame.radius});
+namespace {
+
+ArcChain arcs_around(const FocalConic& conic, const Vec2& start, const Vec2& end) {
   ArcChain chain{conic.center()};
   Ray at = conic.through(start);
   const Ray to = conic.through(end);
@@ -212,8 +222,25 @@ ArcChain frame_arcs(const Circle& disk, const Circle& frame, const Vec2& start, 
   return chain;
 }
 
+}  // namespace
+
+ArcChain frame_arcs(const Circle& disk, const Circle& frame, const Vec2& start, const Vec2& end) {
+  return arcs_around(FocalConic(disk, Circle{frame.center, -frame.radius}), start, end);
+}
+
+// No edge leads all around its disk.
+ArcChain wall_arcs(const Circle& disk, const WallLine& wall, const Vec2& start, const Vec2& end) {
+  ArcChain chain = arcs_around(FocalConic(disk, wall), start, end);
+  chain.is_certain = true;
+  return chain;
+}
+
+ArcChain straight_arc(const Vec2& start, const Vec2& end) {
+  return {start, {ConicArc::segment(vertex_from(start, start), vertex_from(start, end))}};
+}
+
 ArcChain frame_ellipse(const Circle& disk, const Circle& frame) {
-  const FocalConic conic(disk, {frame.center, -frame.radius});
+  const FocalConic conic(disk, Circle{frame.center, -frame.radius});
   ArcChain chain{conic.center()};
   BallPoint n{1, 0};
   for (int quarter = 0; quarter < 4; ++quarter) {

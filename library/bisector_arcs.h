@@ -35,6 +35,17 @@ ArcChain plane_arcs(const Circle& left, const Circle& right, const ArcEnd& start
 // more than a quarter turn.
 ArcChain frame_arcs(const Circle& disk, const Circle& frame, const Vec2& start, const Vec2& end);
 
+// The line of a wall: a place on it, and its normal of length 1, inwards.
+struct WallLine {
+  Vec2 at{}, inwards{};
+};
+
+// The edge between a disk and a wall, counterclockwise around the disk, likewise.
+ArcChain wall_arcs(const Circle& disk, const WallLine& wall, const Vec2& start, const Vec2& end);
+
+// The straight edge between walls. Both ends are on it, rounded to nearest.
+ArcChain straight_arc(const Vec2& start, const Vec2& end);
+
 // The boundary of the cell of the only disk in a frame.
 ArcChain frame_ellipse(const Circle& disk, const Circle& frame);
 

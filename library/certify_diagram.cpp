@@ -1,6 +1,7 @@
 #include "voroproof/certify_diagram.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <functional>
@@ -106,9 +107,13 @@ class VertexPlaces {
 class DiagramJudge {
  public:
   DiagramJudge(const DiagramClaim& claim, double tolerance, int threads)
-      : claim_(claim), tolerance_(tolerance), threads_(threads) {
-    resting_.input = resting_input(claim.disks, claim.frame);
-    resting_.frame = claim.frame ? Frame::circle : Frame::plane;
+      : claim_(claim),
+        frame_{claim.frame, claim.walls},
+        framed_(frame_.framed(claim.disks.size())),
+        tolerance_(tolerance),
+        threads_(threads) {
+    resting_.input = resting_input(claim.disks, frame_);
+    resting_.frame = frame_.kind();
     if (claim.hosts) resting_.hosts = *claim.hosts;
   }
 
@@ -135,7 +140,10 @@ class DiagramJudge {
         "vertices within " + number_text(tolerance_) + " of their numbers");
     const std::size_t n = claim_.disks.size();
     return "about the diagram of " + std::to_string(n) + (n == 1 ? " disk" : " disks") +
-           (claim_.frame ? " in a circle: " : " in the plane: ") + what;
+           (claim_.frame   ? " in a circle: "
+            : claim_.walls ? " in a rectangle: "
+                           : " in the plane: ") +
+           what;
   }
 
   std::vector<std::string> reservations() const {
@@ -182,10 +190,15 @@ class DiagramJudge {
         if (!proof_.hidden[g]) true_pairs.insert({container_id, g});
       }
     }
-    const bool framed = !claimed.empty() && claimed.begin()->first == container_id;
+    // Of each kind all may be left out that are not those of two disks.
+    const auto kind = [&](const Pair& p) {
+      return p.first == container_id ? 0 : framed_.is_wall(p.second) ? 1 : 2;
+    };
+    std::array<bool, 3> is_claimed{false, false, true};
+    for (const Pair& p : claimed) is_claimed[kind(p)] = true;
     for (const Pair& p : true_pairs) {
       if (claimed.contains(p)) continue;
-      if (p.first == container_id && !framed) {
+      if (!is_claimed[kind(p)]) {
         ++left_out_;
       } else {
         return "the cells of " + text_of(p.first, p.second) + " have an edge in common";
@@ -202,7 +215,7 @@ class DiagramJudge {
   }
 
   std::string vertices_fault(const VertexPlaces& places) {
-    VertexCircles circles(claim_.disks, claim_.frame);
+    const VertexCircles circles(claim_.disks, frame_);
     std::set<Triple> named;
     for (const Vertex& v : *claim_.vertices) {
       const Triple name = canonical(v.generators);
@@ -235,6 +248,10 @@ class DiagramJudge {
     };
     add(truth.center);
     for (const GenId g : truth.generators) {
+      if (framed_.is_wall(g)) {
+        add(frame_.place(framed_.quarter(g)));
+        continue;
+      }
       const Circle& c = g == container_id ? *claim_.frame : claim_.disks[g];
       add(c.center);
       size = std::max(size, std::fabs(c.radius));
@@ -247,6 +264,8 @@ class DiagramJudge {
   }
 
   const DiagramClaim& claim_;
+  RestingFrame frame_;
+  Framed framed_;
   double tolerance_;
   int threads_;
   RestingClaim resting_;
@@ -255,8 +274,8 @@ class DiagramJudge {
 };
 
 void require_claim(const DiagramClaim& claim, double tolerance, int threads) {
-  require_disks(claim.disks, claim.frame);
-  const int n = static_cast<int>(claim.disks.size());
+  require_disks(claim.disks, {claim.frame, claim.walls});
+  const int n = static_cast<int>(claim.disks.size()) + (claim.walls ? wall_count : 0);
   const auto fail = [](const std::string& why) { throw std::invalid_argument(why); };
   const auto require = [&](const char* field, int g, int least) {
     if (g < least || g >= n) fail(std::string(field) + ": there is no " + std::to_string(g));

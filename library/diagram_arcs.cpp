@@ -14,6 +14,8 @@ double unit_of(const StaticDiagram& diagram, const Box& box) {
     look(box.high[axis]);
     for (const Circle& d : diagram.disks()) look(d.center[axis]);
     if (diagram.frame()) look(diagram.frame()->center[axis]);
+    if (diagram.walls())
+      look(std::max(std::fabs(diagram.walls()->low[axis]), std::fabs(diagram.walls()->high[axis])));
   }
   for (const Circle& d : diagram.disks()) look(d.radius);
   if (diagram.frame()) look(diagram.frame()->radius);
@@ -59,6 +61,10 @@ std::vector<Quad> DiagramArcs::edges() const {
 }
 
 ArcChain DiagramArcs::chain(const Quad& q) const {
+  if (courses_.is_wall(q.l)) {
+    if (q.r == container_id) return {};
+    return straight_arc(courses_.place(start_vertex(q)), courses_.place(end_vertex(q)));
+  }
   EdgeCourse course = courses_.course(q);
   const Circle left = disk(q.l);
   ArcChain chain{left.center};
@@ -70,6 +76,7 @@ ArcChain DiagramArcs::chain(const Quad& q) const {
   if (q.r == container_id) {
     return frame_arcs(left, frame(), start, end);
   }
+  if (courses_.is_wall(q.r)) return wall_arcs(left, courses_.wall(q.r), start, end);
   const double far = courses_.far() + std::fabs(left.center[0]) + std::fabs(left.center[1]);
   chain = plane_arcs(left, disk(q.r), {start, start_is_cut}, {end, end_is_cut}, far);
   std::vector<ConicArc> before;

@@ -19,9 +19,10 @@ class DiagramArcs {
   // Precondition: there is one.
   Circle frame() const;
 
-  // The edges in the diagram's order, turned so that l is a disk.
+  // The edges in the diagram's order, turned so that l is a disk, or else a wall.
   std::vector<Quad> edges() const;
-  // From the start of the edge to its end. Precondition: l is a disk.
+  // From the start of the edge to its end; none between a wall and infinity. Precondition: l is a
+  // disk or a wall.
   ArcChain chain(const Quad& q) const;
 
  private:

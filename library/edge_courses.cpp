@@ -5,6 +5,7 @@
 
 #include "filtered/search/collapse.h"
 #include "library/diagram_geometry.h"
+#include "library/resting_disks.h"
 #include "library/values.h"
 
 namespace voroproof::internal {
@@ -24,7 +25,9 @@ double rounded_length(const Vec2& a) { return std::sqrt(dot(a, a)); }
 }  // namespace
 
 EdgeCourses::EdgeCourses(const StaticDiagram& diagram, const Box& box, double unit)
-    : plane_(!diagram.frame()), far_(0) {
+    : plane_(!diagram.frame() && !diagram.walls()),
+      framed_(RestingFrame{diagram.frame(), diagram.walls()}.framed(diagram.disks().size())),
+      far_(0) {
   if (const auto& frame = diagram.frame()) {
     file_.container_center = scaled(frame->center, unit);
     file_.container_radius = frame->radius / unit;
@@ -38,12 +41,20 @@ EdgeCourses::EdgeCourses(const StaticDiagram& diagram, const Box& box, double un
     file_.disks.push_back({scaled(d.center, unit), d.radius / unit, {}});
     reach(file_.disks.back().center, file_.disks.back().radius);
   }
+  if (const auto& walls = diagram.walls()) {
+    for (int quarter = 0; quarter < wall_count; ++quarter) {
+      const Vec2 at = scaled(RestingFrame{{}, walls}.place(quarter), unit);
+      file_.disks.push_back({at, 0, {}});
+      reach(at, 0);
+    }
+  }
   for (const Edge& e : diagram.edges()) file_.edges.push_back(quad(e));
   for (const Vertex& v : diagram.vertices()) {
     const Vec2 center = scaled(v.center, unit);
     finite_.emplace_hint(finite_.end(), v.generators, center);
     far_ = std::max(far_, 4 * at_least_length(center));
   }
+  if (framed_.has_walls()) add_corners();
   for (const Quad& q : file_.edges) {
     if (!plane_ || q.l == container_id) continue;
     for (const bool at_end : {false, true}) {
@@ -55,8 +66,38 @@ EdgeCourses::EdgeCourses(const StaticDiagram& diagram, const Box& box, double un
   }
 }
 
+// Beyond the corners: on their bisectors, as far out in both coordinates.
+void EdgeCourses::add_corners() {
+  for (int quarter = 0; quarter < wall_count; ++quarter) {
+    const GenId a = framed_.wall(quarter), b = framed_.wall((quarter + 1) & 3);
+    const bool turned = (quarter & 1) == 1;  // a is the bottom or the top
+    const Vec2 corner{center(file_, turned ? b : a)[0], center(file_, turned ? a : b)[1]};
+    infinite_.emplace(
+        canonical(Triple{b, a, container_id}),
+        corner + framed_.to_plane<double>(a, 0, -far_) + framed_.to_plane<double>(b, 0, -far_));
+  }
+}
+
+WallLine EdgeCourses::wall(GenId g) const {
+  return {center(file_, g), framed_.to_plane<double>(g, 0, 1)};
+}
+
+GeneratorRow<double> EdgeCourses::wall_row(const Quad& q) const {
+  const auto at = [this](GenId g) {
+    const Vec2& c = center(file_, g);
+    return Site<double>{c[0], c[1], signed_radius(file_, g)};
+  };
+  return framed_.row_of(at, q.l, q.r);
+}
+
+Vec2 EdgeCourses::place(const Triple& name) const {
+  const auto found = finite_.find(name);
+  return found != finite_.end() ? found->second : infinite_.at(name);
+}
+
 EdgeCourse EdgeCourses::course(const Quad& q) const {
   const Triple start = start_vertex(q), end = end_vertex(q);
+  if (is_wall(q.l)) return {{place(start), place(end)}};
   if (plane_ && q.r == container_id) return {rim(q)};
   const auto from = finite_.find(start), to = finite_.find(end);
   const bool begins = from != finite_.end(), ends = to != finite_.end();

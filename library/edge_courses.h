@@ -5,8 +5,9 @@
 #include <map>
 #include <optional>
 
-#include "exact/predicates.h"
+#include "filtered/search/framed.h"
 #include "history/diagram_file.h"
+#include "library/bisector_arcs.h"
 #include "library/edge_points.h"
 #include "voroproof/static_diagram.h"
 
@@ -35,8 +36,17 @@ class EdgeCourses {
   // disks.
   double far() const { return far_; }
 
-  // Precondition: l is a disk. The edge between it and infinity leads around the disk.
+  // Precondition: l is a disk or, with another wall or infinity, a wall. The edge between a disk
+  // and infinity leads around the disk.
   EdgeCourse course(const Quad& q) const;
+
+  // The walls follow the disks in the file, each as a place on it.
+  bool is_wall(GenId g) const { return framed_.is_wall(g); }
+  WallLine wall(GenId g) const;
+  // That of r as seen from the disk l.
+  GeneratorRow<double> wall_row(const Quad& q) const;
+  // Where a vertex is, which is not at infinity or is one of the walls' there.
+  Vec2 place(const Triple& name) const;
 
  private:
   Vec2 far_end(const Quad& q, bool at_end) const;
@@ -46,7 +56,10 @@ class EdgeCourses {
   Vec2 joint(const Triple& name) const;
   Points rim(const Quad& q) const;
 
+  void add_corners();
+
   bool plane_;
+  Framed framed_;
   double far_;
   DiagramFile file_;
   std::map<Triple, Vec2> finite_, infinite_;

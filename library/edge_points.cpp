@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "library/diagram_geometry.h"
@@ -17,10 +18,14 @@ class Bisector {
   Bisector(const DiagramFile& diagram, GenId base, GenId other, double tolerance)
       : c_(center(diagram, base)),
         other_(center(diagram, other)),
-        d_(other_ - c_),
+        d_(*other_ - c_),
         s_(signed_radius(diagram, other) - signed_radius(diagram, base)),
         p_(dot(d_, d_) - s_ * s_),
         tolerance_(tolerance) {}
+
+  // Of a disk and a wall. The points follow each other along the wall, too.
+  Bisector(const Vec2& center, const GeneratorRow<double>& wall, double tolerance)
+      : c_(center), d_{wall.x, wall.y}, s_(wall.s), p_(wall.p), tolerance_(tolerance) {}
 
   Vec2 point(double angle) const { return c_ + distance(angle) * direction(angle); }
 
@@ -64,11 +69,14 @@ class Bisector {
   }
   // The angle between the two, seen from the other side.
   double turned(const Vec2& a, const Vec2& b) const {
-    const Vec2 u = a - other_, v = b - other_;
+    if (!other_) return 0;
+    const Vec2 u = a - *other_, v = b - *other_;
     return std::fabs(std::atan2(u[0] * v[1] - u[1] * v[0], dot(u, v)));
   }
 
-  Vec2 c_, other_, d_;
+  Vec2 c_;
+  std::optional<Vec2> other_{};
+  Vec2 d_;
   double s_, p_, tolerance_;
 };
 
@@ -110,6 +118,11 @@ Points edge_points(const DiagramFile& diagram, const Quad& q, const Vec2& start,
   Points points = Bisector(diagram, q.r, q.l, tolerance).arc(end, start, bent);
   std::reverse(points.begin(), points.end());
   return points;
+}
+
+Points wall_points(const Quad& q, const Vec2& center, const GeneratorRow<double>& row,
+                   const Vec2& start, const Vec2& end, double tolerance) {
+  return Bisector(center, row, tolerance).arc(start, end, q.s == q.e);
 }
 
 Points only_cell(const DiagramFile& diagram, double tolerance) {

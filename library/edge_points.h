@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "exact/predicates.h"
 #include "history/diagram_file.h"
 
 namespace voroproof::internal {
@@ -15,6 +16,9 @@ using Points = std::vector<Vec2>;
 // however few they are.
 Points edge_points(const DiagramFile& diagram, const Quad& q, const Vec2& start, const Vec2& end,
                    double tolerance);
+// The same for an edge beside a wall, of which `row` is that seen from the disk about `center`.
+Points wall_points(const Quad& q, const Vec2& center, const GeneratorRow<double>& row,
+                   const Vec2& start, const Vec2& end, double tolerance);
 
 // The boundary of the cell of the only disk, an ellipse about its centre and the container's,
 // counterclockwise and closed (the first point is not repeated). Precondition: there is one disk.

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "library/box_parts.h"
+#include "library/diagram_geometry.h"
 #include "library/edge_courses.h"
 #include "library/edge_points.h"
 #include "voroproof/static_diagram.h"
@@ -16,12 +17,15 @@ namespace voroproof {
 namespace internal {
 namespace {
 
-// The edge from its start to its end; l is a disk.
+// The edge from its start to its end; l is a disk or a wall.
 Points points_of(const EdgeCourses& courses, const Quad& q, double tolerance) {
   EdgeCourse course = courses.course(q);
   Points points = std::move(course.before);
   if (const auto& curve = course.curve) {
-    const Points arc = edge_points(courses.file(), q, curve->start, curve->end, tolerance);
+    const Points arc = courses.is_wall(q.r)
+                           ? wall_points(q, center(courses.file(), q.l), courses.wall_row(q),
+                                         curve->start, curve->end, tolerance)
+                           : edge_points(courses.file(), q, curve->start, curve->end, tolerance);
     points.insert(points.end(), arc.begin(), arc.end());
   }
   points.insert(points.end(), course.after.begin(), course.after.end());
@@ -39,7 +43,7 @@ std::vector<Points> whole_cells(const StaticDiagram& diagram, const Box& box, do
     if (turned) std::reverse(sides.back().begin(), sides.back().end());
   }
   std::vector<Points> cells = cells_between(file, sides);
-  cells.pop_back();  // that of the frame
+  cells.resize(diagram.disks().size());  // without those of walls and of the frame
   return cells;
 }
 

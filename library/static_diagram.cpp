@@ -15,19 +15,18 @@ namespace internal {
 namespace {
 
 // All vertices that are not at infinity.
-std::vector<Vertex> vertices_of(const std::vector<Circle>& disks,
-                                const std::optional<Circle>& frame,
+std::vector<Vertex> vertices_of(const std::vector<Circle>& disks, const RestingFrame& frame,
                                 const std::vector<Edge>& edges) {
   std::vector<Triple> names;
   names.reserve(2 * edges.size());
   for (const Edge& e : edges) {
     for (const Triple& name : {start_vertex(quad(e)), end_vertex(quad(e))}) {
-      if (frame || name[0] != container_id) names.push_back(name);
+      if (frame.circle || name[0] != container_id) names.push_back(name);
     }
   }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  VertexCircles circles(disks, frame);
+  const VertexCircles circles(disks, frame);
   std::vector<Vertex> vertices;
   vertices.reserve(names.size());
   for (const Triple& name : names) {
@@ -45,14 +44,26 @@ struct StaticDiagram::Vertices {
 };
 
 StaticDiagram::StaticDiagram(std::vector<Circle> disks, std::optional<Circle> frame)
-    : disks_(std::move(disks)), frame_(frame), vertices_(std::make_shared<Vertices>()) {
+    : StaticDiagram(std::move(disks), frame, std::nullopt) {}
+
+StaticDiagram StaticDiagram::between_walls(std::vector<Circle> disks, const Box& walls) {
+  return {std::move(disks), std::nullopt, walls};
+}
+
+StaticDiagram::StaticDiagram(std::vector<Circle> disks, std::optional<Circle> frame,
+                             std::optional<Box> walls)
+    : disks_(std::move(disks)),
+      frame_(frame),
+      walls_(walls),
+      vertices_(std::make_shared<Vertices>()) {
   internal::with_public_errors([&] {
-    internal::require_disks(disks_, frame_);
+    const internal::RestingFrame around{frame_, walls_};
+    internal::require_disks(disks_, around);
     internal::TierCounts counts;
     internal::RestingDiagram diagram = internal::resting_diagram(
-        internal::resting_input(disks_, frame_),
-        frame_ ? internal::Frame::circle : internal::Frame::plane, {}, counts);
+        internal::resting_input(disks_, around), around.kind(), {}, counts);
     hosts_ = std::move(diagram.host);
+    hosts_.resize(disks_.size());
     edges_.reserve(diagram.edges.size());
     for (const internal::Quad& q : diagram.edges) edges_.push_back(internal::edge_value(q));
   });
@@ -60,8 +71,9 @@ StaticDiagram::StaticDiagram(std::vector<Circle> disks, std::optional<Circle> fr
 
 const std::vector<Vertex>& StaticDiagram::vertices() const {
   std::call_once(vertices_->once, [&] {
-    internal::with_public_errors(
-        [&] { vertices_->all = internal::vertices_of(disks_, frame_, edges_); });
+    internal::with_public_errors([&] {
+      vertices_->all = internal::vertices_of(disks_, {frame_, walls_}, edges_);
+    });
   });
   return vertices_->all;
 }
@@ -75,6 +87,7 @@ Box StaticDiagram::box() const {
     const auto& [c, r] = *frame_;
     return {{c[0] - r, c[1] - r}, {c[0] + r, c[1] + r}};
   }
+  if (walls_) return *walls_;
   Box box;
   bool first = true;
   for (std::size_t k = 0; k < disks_.size(); ++k) {

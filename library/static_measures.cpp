@@ -61,7 +61,10 @@ class Cells {
 
   const CellSums& operator[](std::size_t k) const { return cells_[k]; }
 
-  // The arcs of an edge, with `left` on its left; `right` may be the frame.
+  // Not the frame, nor a wall.
+  bool is_disk(GenId g) const { return g >= 0 && static_cast<std::size_t>(g) < cells_.size(); }
+
+  // The arcs of an edge, with the disk `left` on its left; `right` may be the frame or a wall.
   void add_chain(const ArcChain& chain, GenId left, GenId right) {
     if (!chain.is_certain) cells_[left].is_certain = false;
     const BallBox box(arcs_.box(), chain.origin);
@@ -84,8 +87,8 @@ class Cells {
  private:
   template <class Add>
   void beside(GenId left, GenId right, const ArcMeasure& piece, const Add& add_to) {
-    if (left != container_id) add_to(cells_[left], piece);
-    if (right != container_id) add_to(cells_[right], turned(piece));
+    if (is_disk(left)) add_to(cells_[left], piece);
+    if (is_disk(right)) add_to(cells_[right], turned(piece));
   }
 
   void add_side(int side, const ArcMeasure& way, const BallPoint& origin, GenId left, GenId right) {
@@ -176,7 +179,9 @@ std::vector<Measure> StaticDiagram::measures(const Box& box) const {
   internal::require_area(box);
   const internal::DiagramArcs arcs(*this, box);
   internal::Cells cells(arcs, disks_.size());
-  for (const internal::Quad& q : arcs.edges()) cells.add_chain(arcs.chain(q), q.l, q.r);
+  for (const internal::Quad& q : arcs.edges()) {
+    if (cells.is_disk(q.l)) cells.add_chain(arcs.chain(q), q.l, q.r);
+  }
   const Box& cut = arcs.box();
   const double size = (cut.high[0] - cut.low[0]) + (cut.high[1] - cut.low[1]);
   std::vector<Measure> all(disks_.size(), internal::nothing(0, 0));

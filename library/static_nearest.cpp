@@ -16,6 +16,7 @@
 #include "exact/predicates.h"
 #include "filtered/numbers/dd_ball.h"
 #include "filtered/numbers/double_ball.h"
+#include "library/resting_disks.h"
 #include "library/values.h"
 #include "voroproof/static_diagram.h"
 
@@ -68,11 +69,26 @@ Sign sign_of_roots(Sign e, const T& a, Sign f, const T& b, const T& s) {
   return roots * sign_with_root(sign(u), e * f * product, sign(T(u * u - T(4) * a * b)));
 }
 
+// A generator as distances are computed from it.
+struct DistanceSite : Site<double> {
+  std::array<int, 2> inwards{};  // of a wall, else zeros
+  bool is_wall() const { return inwards[0] != 0 || inwards[1] != 0; }
+};
+
 Sign sign_before_root(GenId g) { return g == container_id ? Sign::negative : Sign::positive; }
 
-// The squared distance of a point from the centre.
+// The distance from a wall.
 template <class T, class Number>
-T squared_distance(const Vector& x, const Site<double>& site, const Number& number) {
+T height(const Vector& x, const DistanceSite& wall, const Number& number) {
+  const T from =
+      wall.inwards[0] != 0 ? T(number(x[0]) - number(wall.x)) : T(number(x[1]) - number(wall.y));
+  return wall.inwards[0] + wall.inwards[1] > 0 ? from : T(number(0) - from);
+}
+
+// The squared distance of a point from the centre; a wall has none.
+template <class T, class Number>
+T squared_distance(const Vector& x, const DistanceSite& site, const Number& number) {
+  if (site.is_wall()) return T(number(0));
   const T dx = number(x[0]) - number(site.x), dy = number(x[1]) - number(site.y);
   return dx * dx + dy * dy;
 }
@@ -80,14 +96,17 @@ T squared_distance(const Vector& x, const Site<double>& site, const Number& numb
 // The distance of a point from a generator: |x - c| - r of a disk, R - |x - O| of the frame, whose
 // signed radius is -R. T has square roots.
 template <class T>
-T distance(const Vector& x, GenId g, const Site<double>& site) {
-  const T far = sqrt(squared_distance<T>(x, site, [](double v) { return T(v); }));
+T distance(const Vector& x, GenId g, const DistanceSite& site) {
+  const auto number = [](double v) { return T(v); };
+  if (site.is_wall()) return height<T>(x, site, number);
+  const T far = sqrt(squared_distance<T>(x, site, number));
   return (g == container_id ? -far : far) - T(site.r);
 }
 
 // That distance rounded to nearest. Where two doubles do not tell, more bits do, unless it is a
 // rational number.
-double rounded_distance(const Vector& x, GenId g, const Site<double>& site) {
+double rounded_distance(const Vector& x, GenId g, const DistanceSite& site) {
+  if (site.is_wall()) return round_nearest(height<Rational>(x, site, to_rational));
   const DdBall close = distance<DdBall>(x, g, site);
   if (rounds_to_leading(close)) return close.hi;
   const Rational square = squared_distance<Rational>(x, site, to_rational);
@@ -114,15 +133,22 @@ double rounded_distance(const Vector& x, GenId g, const Site<double>& site) {
 // on the ray from the frame's centre through x, begins in the cell of g, which is star-shaped, and
 // leaves it at a place y of an edge with some k. Then d_k(x) <= d_k(y) + |y - x| = d_g(y) + |y - x|
 // = d_g(x), and the two are equal only where one of both disks contains the other, or lies outside
-// of the frame: but no visible one does, so that the neighbour k is nearer.
+// of the frame: but no visible one does, so that the neighbour k is nearer. The way from a wall
+// begins far out on its normal through x.
 class NearestWalk {
  public:
   explicit NearestWalk(const StaticDiagram& diagram) {
     const auto& frame = diagram.frame();
     const Circle rim = frame.value_or(Circle{});
-    sites_.push_back({rim.center[0], rim.center[1], -rim.radius});
+    sites_.push_back({{rim.center[0], rim.center[1], -rim.radius}});
     for (const Circle& d : diagram.disks()) {
-      sites_.push_back({d.center[0], d.center[1], d.radius});
+      sites_.push_back({{d.center[0], d.center[1], d.radius}});
+    }
+    const RestingFrame around{frame, diagram.walls()};
+    const Framed framed = around.framed(diagram.disks().size());
+    for (int quarter = 0; framed.has_walls() && quarter < wall_count; ++quarter) {
+      const Vector at = around.place(quarter);
+      sites_.push_back({{at[0], at[1], 0}, framed.to_plane(framed.wall(quarter), 0, 1)});
     }
     std::vector<std::array<GenId, 2>> pairs;
     for (const Edge& e : diagram.edges()) {
@@ -130,7 +156,8 @@ class NearestWalk {
     }
     const std::vector<int>& hosts = diagram.hosts();
     const auto seen = std::find(hosts.begin(), hosts.end(), StaticDiagram::visible);
-    first_ = seen == hosts.end() ? container_id : static_cast<GenId>(seen - hosts.begin());
+    first_ = seen == hosts.end() && !framed.has_walls() ? container_id
+                                                        : static_cast<GenId>(seen - hosts.begin());
     // A lone disk has no edge in the diagram, but a neighbour.
     if (frame && pairs.empty() && first_ != container_id) pairs.push_back({container_id, first_});
     index(pairs);
@@ -186,15 +213,15 @@ class NearestWalk {
   // (most + r)^2. The square on the left errs by less than 5 u of itself, that on the right by less
   // than 4 u, u = 2^-53, and both by what underflows.
   bool is_farther(GenId g, const Vector& x, double most) const {
-    if (g == container_id) return false;
-    const Site<double>& site = sites_[index(g)];
+    const DistanceSite& site = sites_[index(g)];
+    if (g == container_id || site.is_wall()) return false;
     const double reach = most + site.r, dx = x[0] - site.x, dy = x[1] - site.y;
     return (dx * dx + dy * dy) * (1 - 0x1p-48) > reach * reach + 4 * DBL_MIN;
   }
 
   // Whether g comes before h in the order of the walk.
   bool is_nearer(GenId g, GenId h, const Vector& x) const {
-    const Site<double>&a = sites_[index(g)], &b = sites_[index(h)];
+    const DistanceSite &a = sites_[index(g)], &b = sites_[index(h)];
     Sign s = sign(distance<DoubleBall>(x, g, a) - distance<DoubleBall>(x, h, b));
     if (!is_certain(s)) s = exactly<WatchedDouble>(g, h, x, [](double v) { return v; });
     if (s == Sign::unknown) s = sign(distance<DdBall>(x, g, a) - distance<DdBall>(x, h, b));
@@ -203,14 +230,18 @@ class NearestWalk {
   }
   template <class T, class Number>
   Sign exactly(GenId g, GenId h, const Vector& x, const Number& number) const {
-    const Site<double>&a = sites_[index(g)], &b = sites_[index(h)];
+    const DistanceSite &a = sites_[index(g)], &b = sites_[index(h)];
     const auto exact = [&](double v) { return T(number(v)); };
+    // A wall is a point with a radius that is the distance without its sign.
+    const auto radius = [&](const DistanceSite& s) {
+      return s.is_wall() ? T(exact(0) - height<T>(x, s, exact)) : exact(s.r);
+    };
     return sign_of_roots<T>(sign_before_root(g), squared_distance<T>(x, a, exact),
                             -sign_before_root(h), squared_distance<T>(x, b, exact),
-                            T(exact(b.r) - exact(a.r)));
+                            T(radius(b) - radius(a)));
   }
 
-  std::vector<Site<double>> sites_;  // that of the frame first
+  std::vector<DistanceSite> sites_;  // that of the frame first, those of walls last
   GenId first_ = container_id;
   std::vector<std::size_t> begin_;
   std::vector<GenId> neighbours_;
@@ -247,7 +278,8 @@ void require_points(const std::vector<Vector>& points) {
 std::vector<Nearest> StaticDiagram::nearest(const std::vector<Vector>& points) const {
   return internal::with_public_errors([&] {
     internal::require_points(points);
-    if (disks_.empty() && !frame_ && !points.empty()) throw std::invalid_argument("no disk");
+    if (disks_.empty() && !frame_ && !walls_ && !points.empty())
+      throw std::invalid_argument("no disk");
     const internal::NearestWalk walk(*this);
     std::vector<Nearest> all(points.size());
     int last = walk.first();

@@ -109,6 +109,7 @@ void require_box(const Box& box) {
 // place is the one of greatest clearance of all, also where doubles deny it.
 std::vector<EmptyCircle> greatest_places(const StaticDiagram& diagram, const Box& box) {
   require_box(box);
+  if (diagram.walls()) throw std::invalid_argument("voids: not made between walls");
   const std::vector<ClearanceEdge> edges = clearance_edges(diagram);
   const auto is_inside = [&](const Vector& p) {
     return box.low[0] < p[0] && p[0] < box.high[0] && box.low[1] < p[1] && p[1] < box.high[1];

@@ -18,11 +18,12 @@ struct DiagramClaim {
   std::optional<Circle> frame;
   std::optional<std::vector<int>> hosts;
   // All edges; or only the pairs of generators whose cells have an edge in common. Pairs with
-  // `container` may all be left out.
+  // `container` may all be left out, and so may those with walls.
   std::optional<std::vector<Edge>> edges;
   std::optional<std::vector<std::array<int, 2>>> neighbours;
   // Circles of vertices, with edges those of all.
   std::optional<std::vector<Vertex>> vertices;
+  std::optional<Box> walls{};  // without a frame
 };
 
 struct DiagramReport {

@@ -1,5 +1,5 @@
 // The Voronoi diagram of any disks at rest: they may overlap, lie in each other and coincide, in a
-// circle or in the plane.
+// circle, in a rectangle or in the plane.
 #pragma once
 
 #include <memory>
@@ -41,7 +41,7 @@ struct Measure {
 };
 
 // The generator whose cell a point is in, and its distance: from the disk's boundary, negative
-// inside; from the frame inwards, negative outside.
+// inside; from the frame or the wall inwards, negative outside.
 struct Nearest {
   int generator = 0;
   double distance = 0;
@@ -56,7 +56,8 @@ struct EmptyCircle {
 
 // The additively weighted (Apollonius) diagram: the cell of a disk is where its boundary is nearer
 // than any other, with a sign inside of disks. A disk is hidden, and has no cell, where another one
-// contains it (of equal ones the one of larger id), or where it lies outside of the frame.
+// contains it (of equal ones the one of larger id), or where it lies outside of the frame or behind
+// a wall, touching it or not.
 class VOROPROOF_API StaticDiagram {
  public:
   // In the plane only differences of radii count, which may be negative. In a frame, whose cell is
@@ -67,14 +68,24 @@ class VOROPROOF_API StaticDiagram {
   // frame.
   explicit StaticDiagram(std::vector<Circle> disks, std::optional<Circle> frame = std::nullopt);
 
+  // In a rectangle, the four walls of which are generators, too: the left, the bottom, the right
+  // and the top one have the ids n to n+3 for n disks. To a wall the distance is that to its line,
+  // positive inside, everywhere in the plane. So cells are cut off by no wall; `cells`, `arcs` and
+  // `measures` cut them by their box. Beyond each corner two walls have a vertex at infinity,
+  // `container`, of which disks are no neighbours. Edges and vertices there are for any number of
+  // disks. Throws as the constructor does in a frame, and for a rectangle without area.
+  static StaticDiagram between_walls(std::vector<Circle> disks, const Box& walls);
+
   const std::vector<Circle>& disks() const { return disks_; }
   const std::optional<Circle>& frame() const { return frame_; }
+  const std::optional<Box>& walls() const { return walls_; }
 
-  // By disk: `visible`, else one that hides it and is not hidden itself, or the frame.
+  // By disk: `visible`, else one that hides it and is not hidden itself, or the frame, or the wall
+  // of largest id that it is behind.
   static constexpr int visible = -2;
   const std::vector<int>& hosts() const { return hosts_; }
-  // Canonical and sorted. In the plane the id `container` is infinity: the ends of edges that have
-  // none, and the edges of cells without end.
+  // Canonical and sorted. Without a circle the id `container` is infinity: the ends of edges that
+  // have none, and the edges of cells without end.
   const std::vector<Edge>& edges() const { return edges_; }
   // The vertices, without those at infinity; their circles rounded to nearest. Inside of disks that
   // overlap a circle has a negative radius. They are computed when somebody first asks for them.
@@ -86,7 +97,8 @@ class VOROPROOF_API StaticDiagram {
   // std::invalid_argument for a box without area or beyond 1e100, and a tolerance less than 1e-9 of
   // its size.
   std::vector<std::vector<std::vector<Vector>>> cells(const Box& box, double tolerance) const;
-  // That of all visible disks, and a tenth of its size on each side; in a frame, that of the frame.
+  // That of all visible disks, and a tenth of its size on each side; in a frame, that of the frame;
+  // the walls.
   Box box() const;
   // A thousandth of the box's size.
   static double tolerance(const Box& box);
@@ -107,10 +119,10 @@ class VOROPROOF_API StaticDiagram {
   std::vector<Measure> measures(const Box& box) const;
 
   // The nearest generator of each point, decided exactly: the disk of least |x - c| - r that is not
-  // hidden, or `container` where R - |x - O| is less, O and R the frame's centre and radius; of
-  // several at one distance that of the largest id. Distances are rounded to nearest. Neighbouring
-  // points follow each other through neighbouring cells, so that k points on n disks take
-  // O(n + k log k) time and what it takes to look at the neighbours of their cells; ties that
+  // hidden, or `container` where R - |x - O| is less, O and R the frame's centre and radius, or a
+  // wall; of several at one distance that of the largest id. Distances are rounded to nearest.
+  // Neighbouring points follow each other through neighbouring cells, so that k points on n disks
+  // take O(n + k log k) time and what it takes to look at the neighbours of their cells; ties that
   // doubles cannot compute take some microseconds each. Throws std::invalid_argument, naming the
   // point, for numbers that are not finite or beyond 1e100 in magnitude, and for points in the
   // plane where there is no disk.
@@ -127,7 +139,8 @@ class VOROPROOF_API StaticDiagram {
   // On the sides doubles decide, and places within 1e-12 of a side's length are one; the radius is
   // the clearance of the given centre, rounded to nearest. O(n log n) time where few edges meet the
   // sides. Throws std::invalid_argument for a box without area or with numbers beyond 1e100 in
-  // magnitude, for a probe that is negative or no number, and in the plane where there is no disk.
+  // magnitude, for a probe that is negative or no number, in the plane where there is no disk, and
+  // between walls, for which this is not made.
   std::vector<EmptyCircle> voids(const Box& box, double probe) const;
   // The first of voids() for the probe 0, if there is one: none where disks cover the box. Up to
   // roundings of some 1e-12 of the largest coordinate, radius and side its circle is the largest
@@ -143,8 +156,11 @@ class VOROPROOF_API StaticDiagram {
                       const std::vector<Column>& columns = {}) const;
 
  private:
+  StaticDiagram(std::vector<Circle> disks, std::optional<Circle> frame, std::optional<Box> walls);
+
   std::vector<Circle> disks_;
   std::optional<Circle> frame_;
+  std::optional<Box> walls_;
   std::vector<int> hosts_;
   std::vector<Edge> edges_;
   struct Vertices;
