@@ -272,7 +272,7 @@ class Construction {
   std::vector<LinkEdge> link_;  // link edges of the growing cell that are not examined
 };
 
-// Of the first n disks.
+// The first n disks.
 std::vector<GenId> insertion_order(const Motion& motion, GenId n, double t) {
   using Kernel = CGAL::Simple_cartesian<double>;
   std::vector<Kernel::Point_2> centers;

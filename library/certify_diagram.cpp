@@ -190,7 +190,7 @@ class DiagramJudge {
         if (!proof_.hidden[g]) true_pairs.insert({container_id, g});
       }
     }
-    // Of each kind all may be left out that are not those of two disks.
+    // All pairs of a kind may be left out, but those of two disks.
     const auto kind = [&](const Pair& p) {
       return p.first == container_id ? 0 : framed_.is_wall(p.second) ? 1 : 2;
     };

@@ -23,7 +23,7 @@ class Bisector {
         p_(dot(d_, d_) - s_ * s_),
         tolerance_(tolerance) {}
 
-  // Of a disk and a wall. The points follow each other along the wall, too.
+  // The bisector of a disk and a wall. The points follow each other along the wall, too.
   Bisector(const Vec2& center, const GeneratorRow<double>& wall, double tolerance)
       : c_(center), d_{wall.x, wall.y}, s_(wall.s), p_(wall.p), tolerance_(tolerance) {}
 

@@ -19,7 +19,7 @@ struct RestingFrame {
   std::optional<Box> walls{};
 
   Frame kind() const { return circle ? Frame::circle : walls ? Frame::box : Frame::plane; }
-  // Of the disks and the walls.
+  // For so many disks, and the walls.
   Framed framed(std::size_t disks) const;
   // A place on the wall: the left or the right one, and the bottom or the top one, meet in it.
   Vector place(int quarter) const { return quarter < 2 ? walls->low : walls->high; }

@@ -71,7 +71,7 @@ Sign sign_of_roots(Sign e, const T& a, Sign f, const T& b, const T& s) {
 
 // A generator as distances are computed from it.
 struct DistanceSite : Site<double> {
-  std::array<int, 2> inwards{};  // of a wall, else zeros
+  std::array<int, 2> inwards{};  // those of a wall, else zeros
   bool is_wall() const { return inwards[0] != 0 || inwards[1] != 0; }
 };
 

@@ -106,10 +106,31 @@ class ClaimReader {
 
   void read_frame() {
     if (json_.text_is_next()) {
-      if (json_.text() != "none") json_.fail("neither \"none\" nor a circle");
+      if (json_.text() != "none") json_.fail("neither \"none\" nor a circle nor a rectangle");
       return;
     }
-    claim_.frame = read_circle("", false, [&] { json_.fail("unknown"); });
+    enum { center, radius, low, high };
+    static constexpr std::array<std::string_view, 4> names = {"center", "radius", "low", "high"};
+    constexpr auto bit = JsonReader::bit;
+    Circle circle;
+    Box walls;
+    std::uint64_t seen = 0;
+    json_.object(names, 0, [&](std::size_t member) {
+      seen |= bit(member);
+      if (member == radius) {
+        circle.radius = number();
+      } else {
+        Vector& place = member == center ? circle.center : member == low ? walls.low : walls.high;
+        json_.array_of<2>([&](std::size_t k) { place[k] = number(); });
+      }
+    });
+    if (seen == (bit(center) | bit(radius))) {
+      claim_.frame = circle;
+    } else if (seen == (bit(low) | bit(high))) {
+      claim_.walls = walls;
+    } else {
+      json_.fail("neither center and radius nor low and high");
+    }
   }
 
   void read_disk() {
@@ -166,12 +187,14 @@ DiagramFiles read_diagram_claim(const std::string& path) {
 }
 
 DiagramFiles read_diagram_claim(const std::string& table, const std::string& edges,
-                                const std::optional<Circle>& frame) {
+                                const std::optional<Circle>& frame,
+                                const std::optional<Box>& walls) {
   DiagramFiles files;
   DiagramClaim& claim = files.claim;
   const DiskTable disks = read_disk_table(table);
   for (const TableDisk& d : disks.disks) claim.disks.push_back({{d.x, d.y}, d.radius});
   claim.frame = frame;
+  claim.walls = walls;
   LineSource lines(edges);
   lines.keep_digest();
   std::size_t size = 0;

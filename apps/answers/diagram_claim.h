@@ -22,6 +22,7 @@ DiagramFiles read_diagram_claim(const std::string& path);
 // an edge, or the two of a pair of neighbours, between commas, semicolons, tabs or blanks. A first
 // line that has no digit is a heading. Throws InputError.
 DiagramFiles read_diagram_claim(const std::string& table, const std::string& edges,
-                                const std::optional<Circle>& frame);
+                                const std::optional<Circle>& frame,
+                                const std::optional<Box>& walls);
 
 }  // namespace voroproof::internal

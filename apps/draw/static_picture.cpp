@@ -94,6 +94,11 @@ class StaticPainter {
     if (const auto& frame = diagram_.frame()) {
       if (circle(frame->center, scale_ * frame->radius)) stroke(ink, 2 * stroke_);
     }
+    if (const auto& walls = diagram_.walls()) {
+      const auto& [low, high] = *walls;
+      trace({low, {high[0], low[1]}, high, {low[0], high[1]}});
+      stroke(ink, 2 * stroke_);
+    }
   }
 
   // The path of a circle, or of what is near the picture of a large one: cairo's numbers have 24

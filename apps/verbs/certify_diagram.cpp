@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "apps/answers/diagram_claim.h"
-#include "apps/cli/numbers_argument.h"
+#include "apps/verbs/frame_argument.h"
 #include "certify/report.h"
 #include "history/error.h"
 #include "history/json_text.h"
@@ -23,12 +23,8 @@ DiagramFiles read(const DiagramRequest& request) {
   }
   require_distinct(files, {});
   if (!two) return read_diagram_claim(files[0]);
-  std::optional<Circle> frame;
-  if (!request.frame.empty()) {
-    const auto [x, y, radius] = numbers_argument<3>("--frame", request.frame);
-    frame = Circle{{x, y}, radius};
-  }
-  return read_diagram_claim(files[0], files[1], frame);
+  const FrameArgument frame = frame_argument(request.frame);
+  return read_diagram_claim(files[0], files[1], frame.circle, frame.walls);
 }
 
 }  // namespace
@@ -41,7 +37,8 @@ void add_diagram_options(Verb& verb, DiagramRequest& request) {
       .excludes({"--truth", "--events", "--order", "--tolerance", "--law-tolerance", "--strict",
                  "--unoriented", "--kernel", "--proved", "--report", "--part", "--index", "--merge",
                  "--resume", "--checkpoint", "--max-bits", "--max-events"});
-  verb.text("--frame", request.frame, "X,Y,R", "The circle in which the disks of the table are.")
+  verb.text("--frame", request.frame, "X,Y,R|X0,Y0,X1,Y1",
+            "The circle or the rectangle in which the disks of the table are.")
       .needs("--diagram");
   verb.text("--vertex-tolerance", request.tolerance, "RATIO",
             "How far the circles of a diagram's vertices may be off, relative to the largest "

@@ -8,6 +8,7 @@
 #include "apps/cli/numbers_argument.h"
 #include "apps/draw/picture.h"
 #include "apps/draw/static_picture.h"
+#include "apps/verbs/frame_argument.h"
 #include "apps/verbs/verbs.h"
 #include "history/compressor.h"
 #include "history/disk_table.h"
@@ -42,6 +43,8 @@ void write_json(OutputFile& file, const StaticDiagram& diagram) {
   if (const auto& frame = diagram.frame()) {
     file.write("{\"center\":" + pair_text(frame->center) +
                ",\"radius\":" + number_text(frame->radius) + "}");
+  } else if (const auto& walls = diagram.walls()) {
+    file.write("{\"low\":" + pair_text(walls->low) + ",\"high\":" + pair_text(walls->high) + "}");
   } else {
     file.write("\"none\"");
   }
@@ -94,13 +97,6 @@ Kind checked_kind(const Request& request) {
   throw UsageError("--output: none of .geojson, .json, .csv, .svg, .png and .pdf");
 }
 
-std::optional<Circle> frame_of(const Request& request) {
-  if (request.frame.empty()) return {};
-  const auto [x, y, r] = numbers_argument<3>("--frame", request.frame);
-  if (!(r > 0)) throw UsageError("--frame: its radius is not positive");
-  return Circle{{x, y}, r};
-}
-
 std::optional<Box> box_of(const Request& request) {
   if (request.box.empty()) return {};
   const auto [x0, y0, x1, y1] = numbers_argument<4>("--box", request.box);
@@ -119,17 +115,18 @@ double tolerance_of(const Request& request, const Box& box) {
 }
 
 StaticDiagram diagram_of(const Request& request, const DiskTable& table) {
-  const std::optional<Circle> frame = frame_of(request);
+  const FrameArgument frame = frame_argument(request.frame);
   std::vector<Circle> disks;
   for (std::size_t k = 0; k < table.disks.size(); ++k) {
     const TableDisk& d = table.disks[k];
-    if (frame && d.radius < 0) {
+    if ((frame.circle || frame.walls) && d.radius < 0) {
       throw InputError(request.input, 0, "radius",
                        "disk " + std::to_string(k) + ": negative, in a frame");
     }
     disks.push_back({{d.x, d.y}, d.radius});
   }
-  return StaticDiagram(std::move(disks), frame);
+  if (frame.walls) return StaticDiagram::between_walls(std::move(disks), *frame.walls);
+  return StaticDiagram(std::move(disks), frame.circle);
 }
 
 // Bytes that are not UTF-8 become U+FFFD, as in maps.
@@ -191,9 +188,9 @@ void add_diagram(Verb& program) {
              "A line a disk: x, y and radius (weight), with a heading or without one. Disks may "
              "overlap, lie in each other and coincide; radii may be negative.")
       .required();
-  verb.text("--frame", request->frame, "X,Y,R",
-            "The circle in which the disks are: centre and radius. Without one they are in the "
-            "plane.");
+  verb.text("--frame", request->frame, "X,Y,R|X0,Y0,X1,Y1",
+            "The circle in which the disks are: centre and radius; or the rectangle: two corners. "
+            "Without one they are in the plane.");
   verb.text("--box", request->box, "X0,Y0,X1,Y1",
             "The box that cells, or the picture, are cut to. Without one it is that of all disks "
             "and a tenth of its size around, or that of the frame.");

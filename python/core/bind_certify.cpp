@@ -3,6 +3,7 @@
 #include "python/core/attention.h"
 #include "python/core/bind.h"
 #include "python/core/events.h"
+#include "python/core/frame.h"
 #include "python/core/number_caster.h"
 #include "voroproof/certify.h"
 #include "voroproof/certify_diagram.h"
@@ -93,14 +94,14 @@ using Vertices = std::tuple<std::vector<std::array<int, 3>>, std::vector<Vector>
                             std::vector<double>>;  // generators, centres, radii
 
 py::dict judged_diagram(const std::vector<Vector>& centers, const std::vector<double>& radii,
-                        const std::optional<std::array<double, 3>>& frame,
-                        const std::optional<std::vector<int>>& hosts,
+                        const Frame& frame, const std::optional<std::vector<int>>& hosts,
                         const std::optional<std::vector<std::array<int, 4>>>& edges,
                         const std::optional<std::vector<std::array<int, 2>>>& neighbours,
                         const std::optional<Vertices>& vertices, double tolerance, int threads) {
   DiagramClaim claim;
   for (std::size_t k = 0; k < radii.size(); ++k) claim.disks.push_back({centers[k], radii[k]});
-  if (frame) claim.frame = Circle{{(*frame)[0], (*frame)[1]}, (*frame)[2]};
+  claim.frame = circle_of(frame);
+  claim.walls = walls_of(frame);
   claim.hosts = hosts;
   if (edges) {
     claim.edges.emplace();

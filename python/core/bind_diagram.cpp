@@ -4,6 +4,7 @@
 #include "python/core/attention.h"
 #include "python/core/bind.h"
 #include "python/core/events.h"
+#include "python/core/frame.h"
 #include "python/core/number_caster.h"
 #include "voroproof/diagram.h"
 #include "voroproof/static_diagram.h"
@@ -45,8 +46,7 @@ py::list list_of(const std::vector<std::vector<Vector>>& lines) {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-StaticDiagram static_diagram(const Numbers& centers, const Numbers& radii,
-                             const std::optional<std::array<double, 3>>& frame) {
+StaticDiagram static_diagram(const Numbers& centers, const Numbers& radii, const Frame& frame) {
   const auto at = centers.unchecked<2>();
   const auto radius = radii.unchecked<1>();
   std::vector<Circle> disks;
@@ -54,9 +54,12 @@ StaticDiagram static_diagram(const Numbers& centers, const Numbers& radii,
   for (py::ssize_t k = 0; k < radius.shape(0); ++k) {
     disks.push_back({{at(k, 0), at(k, 1)}, radius(k)});
   }
-  std::optional<Circle> circle;
-  if (frame) circle = Circle{{(*frame)[0], (*frame)[1]}, (*frame)[2]};
-  return Attention::without_lock([&] { return StaticDiagram(std::move(disks), circle); });
+  return Attention::without_lock([&] {
+    if (const auto walls = walls_of(frame)) {
+      return StaticDiagram::between_walls(std::move(disks), *walls);
+    }
+    return StaticDiagram(std::move(disks), circle_of(frame));
+  });
 }
 
 using Corners = std::optional<std::array<double, 4>>;

@@ -45,22 +45,24 @@ class StaticDiagram(Incidences):
 
     All decisions are exact; coordinates are rounded to nearest. Disks may overlap, lie in each other
     and coincide. A disk that another one contains is hidden: it has no cell. In `edges`, -1 is the
-    frame; without one it is infinity. `vertices` have none at infinity, and where disks overlap
-    `vertex_radii` are negative.
+    circle around; without one it is infinity, and n to n+3 are the left, the bottom, the right and the
+    top wall of a rectangle. `vertices` have none at infinity, and where disks overlap `vertex_radii`
+    are negative.
     """
 
     def __init__(self, centers: np.ndarray, radii: np.ndarray,
-                 frame: "Optional[tuple[float, float, float]]"):
+                 frame: "Optional[tuple[float, ...]]"):
         self.centers, self.radii, self.frame = centers, radii, frame
         self._core = _core.StaticDiagram(centers, radii, frame)
 
     def __repr__(self) -> str:
-        where = "the plane" if self.frame is None else "a circle"
+        where = "the plane" if self.frame is None else "a circle" if len(self.frame) == 3 else "a rectangle"
         return f"<StaticDiagram of {len(self.radii)} disks in {where}, {int(self.hidden.sum())} hidden>"
 
     @property
     def hosts(self) -> np.ndarray:
-        """By disk: -2, or a disk that hides it, or -1 where it lies outside of the frame, shape (n,)."""
+        """By disk: -2, or a disk that hides it, or -1 where it lies outside of the circle, or a wall that
+        it lies behind, shape (n,)."""
         return self._core.hosts()
 
     @property
@@ -72,7 +74,7 @@ class StaticDiagram(Incidences):
     def neighbours(self) -> np.ndarray:
         """The pairs of disks whose cells share an edge, each once, sorted, shape (k, 2)."""
         pairs = np.sort(self.edges[:, :2], axis=1)
-        return np.unique(pairs[pairs[:, 0] >= 0], axis=0)
+        return np.unique(pairs[(pairs[:, 0] >= 0) & (pairs[:, 1] < len(self.radii))], axis=0)
 
     @property
     def box(self) -> Box:
@@ -190,8 +192,9 @@ class StaticDiagram(Incidences):
 
 
 def voronoi(centers: "np.ndarray | Sequence[Sequence[float]]", radii: "np.ndarray | Sequence[float]",
-            frame: "Optional[tuple[float, float, float]]" = None) -> StaticDiagram:
-    """The weighted Voronoi diagram of disks in the plane, or in a circle `frame` = (x, y, radius).
+            frame: "Optional[tuple[float, ...]]" = None) -> StaticDiagram:
+    """The weighted Voronoi diagram of disks in the plane, in a circle `frame` = (x, y, radius), or in a
+    rectangle `frame` = (x0, y0, x1, y1), of which the walls are generators, too.
 
     A place belongs to the disk whose boundary is nearest, with a sign inside of disks. In the plane
     only differences of radii count, which may be negative. Raises ValueError for wrong shapes, numbers
@@ -217,15 +220,15 @@ class DiagramReport:
 
 
 def certify_diagram(centers: "np.ndarray | Sequence[Sequence[float]]", radii: "np.ndarray | Sequence[float]", *,
-                    frame: "Optional[tuple[float, float, float]]" = None, hosts: "Optional[Sequence[int]]" = None,
+                    frame: "Optional[tuple[float, ...]]" = None, hosts: "Optional[Sequence[int]]" = None,
                     edges: "Optional[Sequence[Sequence[int]]]" = None,
                     neighbours: "Optional[Sequence[Sequence[int]]]" = None,
                     vertices: "Optional[tuple[Any, Any, Any]]" = None, tolerance: float = 1e-9,
                     threads: int = 1) -> DiagramReport:
     """Proves or refutes what any program says of the diagram of these disks.
 
-    `hosts`, `edges`, `neighbours` are as in `StaticDiagram`; of pairs of neighbours those with the frame
-    may all be left out. `vertices` are generators, centres and radii of vertices, with `edges` of all,
+    `frame` is as in `voronoi`; `hosts`, `edges`, `neighbours` are as in `StaticDiagram`; of pairs of
+    neighbours those with the frame, or with walls, may all be left out. `vertices` are generators, centres and radii of vertices, with `edges` of all,
     and may be off by `tolerance` times the largest number of the circle and its generators. Raises
     ValueError as `voronoi` does, and for a claim that says nothing or names disks that do not exist.
     """

@@ -152,8 +152,28 @@ def test_frame_and_few_disks():
     assert vp.voronoi([[1, 1], [1, 1]], [2, 2]).hosts.tolist() == [-2, 0]
 
 
+def test_walls():
+    framed = vp.voronoi([[1, 1], [3, 1]], [0.5, 0.5], frame=(0, 0, 4, 2))
+    assert repr(framed) == "<StaticDiagram of 2 disks in a rectangle, 0 hidden>"
+    assert framed.box == (0, 0, 4, 2) and framed.neighbours.tolist() == [[0, 1]]
+    assert framed.nearest([[0.1, 1], [3, 1]])[0].tolist() == [2, 1]
+    left, right = framed.areas()
+    assert left == pytest.approx(right) and 0 < left < 4
+    assert {len(cell) for cell in framed.cells()} == {1}
+    for edge, arcs in zip(framed.edges, framed.edge_arcs()):
+        assert (len(arcs) == 0) == (edge[0] == -1)
+    report = vp.certify_diagram(framed.centers, framed.radii, frame=framed.frame, edges=framed.edges)
+    assert report.certified and "in a rectangle" in report.about
+    assert not vp.certify_diagram(framed.centers, framed.radii, frame=(0, 0, 4, 9), edges=framed.edges).certified
+    assert vp.voronoi([], [], frame=(0, 0, 4, 2)).edges.shape == (9, 4)
+    with pytest.raises(ValueError, match="walls"):
+        framed.largest_empty_circle()
+
+
 @pytest.mark.parametrize("centers, radii, frame, word", [
     ([[0, 0]], [1, 2], None, "radii"),
+    ([[0, 0]], [1], (0, 0, 0, 1), "area"),
+    ([[0, 0]], [1], (0, 0), "frame"),
     ([0, 0], [1], None, "centers"),
     ([[0, 0, 0]], [1], None, "centers"),
     ([[0, float("nan")]], [1], None, "center"),

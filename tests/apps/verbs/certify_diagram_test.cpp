@@ -34,6 +34,13 @@ TEST_F(CertifyDiagramCli, OursIsCertified) {
   must({"diagram", file("towns.csv"), "--frame", "2,1,5", "-o", file("b.csv")});
   EXPECT_EQ(judged({file("towns.csv"), file("b.csv"), "--frame", "2,1,5"}).code, 0);
   EXPECT_EQ(judged({file("towns.csv"), file("b.csv"), "--frame", "0,0,1.5"}).code, 1);
+  // And in a rectangle.
+  const std::string walls = "--frame=-2,-3,7,5";
+  must({"diagram", file("towns.csv"), walls, "-o", file("c.csv")});
+  EXPECT_EQ(judged({file("towns.csv"), file("c.csv"), walls}).code, 0);
+  EXPECT_EQ(judged({file("towns.csv"), file("c.csv"), "--frame=-2,-3,70,5"}).code, 1);
+  must({"diagram", file("towns.csv"), walls, "-o", file("c.json")});
+  EXPECT_EQ(judged({file("c.json")}).code, 0);
 }
 
 TEST_F(CertifyDiagramCli, NeighboursOfAnybodyAreJudged) {

@@ -38,6 +38,22 @@ TEST_F(Cli, DiagramOfATableHasEdgesAndVertices) {
   EXPECT_EQ(directory_.read("b.csv").substr(0, 21), "left,right,start,end\n");
 }
 
+TEST_F(Cli, DiagramBetweenWallsHasFourGeneratorsMore) {
+  directory_.write("towns.csv", towns);
+  must({"diagram", file("towns.csv"), "--frame=-2,-3,7,5", "-o", file("a.json")});
+  const Json a = json("a.json");
+  EXPECT_EQ(a["frame"], Json::parse(R"({"low":[-2,-3],"high":[7,5]})"));
+  EXPECT_EQ(a["edges"].size(), 21U);  // 3 (4 + 4 + 1) - 6
+  EXPECT_EQ(a["vertices"].size(), 10U);
+  must({"diagram", file("towns.csv"), "--frame=-2,-3,7,5", "-o", file("a.svg")});
+  must({"diagram", file("towns.csv"), "--frame=-2,-3,7,5", "-o", file("a.geojson")});
+  directory_.write("b.csv", "x,y,r\n1,2,1\n1,-1,1\n");
+  must({"diagram", file("b.csv"), "--frame=0,0,7,5", "-o", file("b.json")});
+  EXPECT_EQ(json("b.json")["disks"][1]["hidden_by"], 3);
+  refused({"diagram", file("b.csv"), "--frame", "1,0,0,9", "-o", file("a.json")}, "--frame");
+  refused({"diagram", file("b.csv"), "--frame", "1,0,3,9,9", "-o", file("a.json")}, "--frame");
+}
+
 TEST_F(Cli, DiagramRefusesWhatItCannotRead) {
   directory_.write("a.csv", "x,y,r\n1,2,nan\n");
   refused({"diagram", file("a.csv"), "-o", file("a.json")}, "a.csv:2: radius: ");
