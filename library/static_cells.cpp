@@ -1,11 +1,10 @@
 // The cells of a diagram of disks at rest, as polygons.
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "library/box_parts.h"
 #include "library/diagram_geometry.h"
@@ -47,9 +46,76 @@ std::vector<Points> whole_cells(const StaticDiagram& diagram, const Box& box, do
   return cells;
 }
 
-namespace bg = boost::geometry;
-using Point = bg::model::d2::point_xy<double>;
-using Polygon = bg::model::polygon<Point, false, false>;
+// A side of a box: the line on which a coordinate has a value, and the half-plane inside.
+struct Side {
+  int axis;
+  double at;
+  bool is_least;
+
+  bool has_inside(const Vec2& p) const { return is_least ? p[axis] > at : p[axis] < at; }
+  // How far a point is along the side, counterclockwise around the box.
+  double along(const Vec2& p) const { return is_least == (axis == 0) ? -p[1 - axis] : p[1 - axis]; }
+  // Where the way from p to q, one of which is inside and the other not, meets the line.
+  Vec2 crossing(const Vec2& p, const Vec2& q) const {
+    const int other = 1 - axis;
+    const double part = (at - p[axis]) / (q[axis] - p[axis]);
+    const auto [least, most] = std::minmax(p[other], q[other]);
+    Vec2 c;
+    c[axis] = at;
+    c[other] = std::clamp(p[other] + part * (q[other] - p[other]), least, most);
+    return c;
+  }
+};
+
+// The ways of a polygon through the half-plane, each from the line to the line. Precondition: a
+// corner of it is not inside.
+std::vector<Points> ways_inside(const Points& polygon, const Side& side) {
+  const std::size_t n = polygon.size();
+  std::size_t first = 0;
+  while (side.has_inside(polygon[first])) ++first;
+  std::vector<Points> ways;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec2 &p = polygon[(first + k) % n], &q = polygon[(first + k + 1) % n];
+    const bool leaves = side.has_inside(p), enters = side.has_inside(q);
+    if (!leaves && enters) ways.push_back({side.crossing(p, q)});
+    if (enters) ways.back().push_back(q);
+    if (leaves && !enters) ways.back().push_back(side.crossing(p, q));
+  }
+  return ways;
+}
+
+// The parts of a polygon in the half-plane, all counterclockwise. Along the side its ways end and
+// begin in turn: the first end is followed by the first begin, and so on, also where some of them
+// are in one place.
+std::vector<Points> clipped(const Points& polygon, const Side& side) {
+  const auto has_inside = [&](const Vec2& p) { return side.has_inside(p); };
+  if (std::all_of(polygon.begin(), polygon.end(), has_inside)) return {polygon};
+  const std::vector<Points> ways = ways_inside(polygon, side);
+  std::vector<std::size_t> ends(ways.size());
+  std::iota(ends.begin(), ends.end(), std::size_t{0});
+  std::vector<std::size_t> begins = ends, next(ways.size());
+  std::sort(ends.begin(), ends.end(), [&](std::size_t a, std::size_t b) {
+    return side.along(ways[a].back()) < side.along(ways[b].back());
+  });
+  std::sort(begins.begin(), begins.end(), [&](std::size_t a, std::size_t b) {
+    return side.along(ways[a].front()) < side.along(ways[b].front());
+  });
+  for (std::size_t k = 0; k < ways.size(); ++k) next[ends[k]] = begins[k];
+  std::vector<Points> parts;
+  std::vector<bool> is_taken(ways.size(), false);
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    if (is_taken[k]) continue;
+    Points part;
+    for (std::size_t w = k; !is_taken[w]; w = next[w]) {
+      is_taken[w] = true;
+      part.insert(part.end(), ways[w].begin(), ways[w].end());
+    }
+    part.erase(std::unique(part.begin(), part.end()), part.end());
+    if (part.front() == part.back()) part.pop_back();
+    if (part.size() > 2) parts.push_back(std::move(part));
+  }
+  return parts;
+}
 
 std::vector<Points> clipped(const Points& cell, const Box& box) {
   const auto& [low, high] = box;
@@ -57,25 +123,24 @@ std::vector<Points> clipped(const Points& cell, const Box& box) {
       std::all_of(cell.begin(), cell.end(), [&, low = low, high = high](auto& p) {
         return low[0] <= p[0] && p[0] <= high[0] && low[1] <= p[1] && p[1] <= high[1];
       });
-  if (is_inside) return {cell};
-  // In units of the box: no tolerance of the intersection depends on those of the caller.
-  const double unit = std::max(high[0] - low[0], high[1] - low[1]);
-  Polygon polygon;
-  for (const Vec2& p : cell) {
-    polygon.outer().emplace_back((p[0] - low[0]) / unit, (p[1] - low[1]) / unit);
-  }
-  std::vector<Polygon> pieces;
-  const bg::model::box<Point> whole{{0, 0}, {(high[0] - low[0]) / unit, (high[1] - low[1]) / unit}};
-  bg::intersection(polygon, whole, pieces);
-  std::vector<Points> all;
-  for (const Polygon& piece : pieces) {
-    all.emplace_back();
-    for (const Point& p : piece.outer()) {
-      all.back().push_back({std::clamp(low[0] + unit * p.x(), low[0], high[0]),
-                            std::clamp(low[1] + unit * p.y(), low[1], high[1])});
+  std::vector<Points> parts{cell};
+  if (is_inside) return parts;
+  for (const Side& side :
+       {Side{0, low[0], true}, {0, high[0], false}, {1, low[1], true}, {1, high[1], false}}) {
+    std::vector<Points> all;
+    for (const Points& part : parts) {
+      for (Points& piece : clipped(part, side)) all.push_back(std::move(piece));
     }
+    parts = std::move(all);
   }
-  return all;
+  // What is left of a cell that touches the box is as small as the roundings.
+  const double least = 0x1p-40 * std::max(high[0] - low[0], high[1] - low[1]);
+  std::erase_if(parts, [&](const Points& part) {
+    return std::all_of(part.begin(), part.end(), [&](const Vec2& p) {
+      return std::fabs(p[0] - part[0][0]) < least && std::fabs(p[1] - part[0][1]) < least;
+    });
+  });
+  return parts;
 }
 
 }  // namespace

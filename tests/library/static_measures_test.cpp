@@ -261,6 +261,26 @@ TEST(StaticMeasures, DegenerateSetsAreAsPolygons) {
   }
 }
 
+// On a lattice a box runs through vertices and along edges. Clipping of whole polygons has lost
+// some of these cells.
+TEST(StaticMeasures, CellsOfALatticeAreAsPolygonsInBoxesOnIt) {
+  const std::vector<Circle> first{{{4, -4}, 0},  {{-3, 2}, 2},  {{4, 0}, 1},   {{-2, 1}, 1},
+                                  {{2, -2}, 1},  {{0, 2}, 0},   {{3, 4}, 1},   {{2, 2}, 0.5},
+                                  {{1, -4}, 1},  {{-2, -1}, 1}, {{-4, -2}, 2}, {{3, 2}, 0.5},
+                                  {{3, 4}, 0.5}, {{-2, -4}, 1}, {{4, -1}, 0},  {{3, -1}, 2}};
+  const std::vector<Circle> second{{{0, 2}, 2}, {{4, -3}, 1},  {{4, 2}, 2},   {{0, 1}, 0},
+                                   {{0, 2}, 1}, {{-4, -1}, 2}, {{-2, -4}, 2}, {{-3, 4}, 2},
+                                   {{1, 1}, 0}, {{-2, 3}, 0},  {{2, -1}, 0},  {{-2, 0}, 0},
+                                   {{3, 3}, 1}, {{2, 1}, 2},   {{-2, 3}, 2},  {{-1, -4}, 2}};
+  for (const auto& disks : {first, second}) {
+    for (const Box& box : {Box{{0, -4}, {3, -3}}, Box{{-2, -2}, {1, 1}}}) {
+      expect_as_polygons(StaticDiagram(disks), box, "plane");
+      expect_as_polygons(StaticDiagram(disks, Circle{{0, 0}, 6}), box, "circle");
+      expect_as_polygons(StaticDiagram::between_walls(disks, {{-5, -5}, {6, 5}}), box, "walls");
+    }
+  }
+}
+
 TEST(StaticMeasures, ABoxAlongEdgesHasNoOtherCells) {
   std::vector<Circle> grid;
   for (int x = 0; x < 3; ++x) {
