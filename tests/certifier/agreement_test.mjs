@@ -1,6 +1,7 @@
 // The page's module says what voroproof-kernel says.
 //
 // usage: MODULE=... KERNEL=... CORPUS=... node agreement_test.mjs                  all histories of the corpus
+//        MODULE=... KERNEL=... CORPUS=... node agreement_test.mjs --every K       each K-th of them
 //        MODULE=... KERNEL=... WORLDS=... node agreement_test.mjs --worlds COUNT  wrong worlds (tests/adversary)
 //        MODULE=... KERNEL=... node agreement_test.mjs --folders FOLDER...        all histories in the folders, beside their scenes
 import { spawnSync } from "node:child_process";
@@ -19,7 +20,7 @@ function historiesOf(folder) {
 
 function histories() {
   if (mode === "--folders") return rest.flatMap(historiesOf);
-  if (mode !== "--worlds") return corpusHistories(corpus);
+  if (mode !== "--worlds") return corpusHistories(corpus).filter((_, k) => k % Number(rest[0] ?? 1) === 0);
   if (spawnSync(writeWorlds, [folder, rest[0], "20260101"]).status !== 0) throw new Error("no worlds");
   return historiesOf(folder);
 }
