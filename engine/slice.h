@@ -122,14 +122,14 @@ std::uint64_t work_of_slice(int slice, double ahead, int disks, int threads);
 struct SliceBegin {
   MotionSnapshot motion;
   std::shared_ptr<MotionStates::LastingSnapshot> states;  // as accurate as the leader's are by now
-  std::vector<InelasticCollapse::Past> collapses;         // what the leader knew of them
+  std::vector<InelasticCollapse::Past> collapses;         // known to the leader then
 };
 
 struct Slice {
   int number = 0;
   double begin = 0;
-  MotionSnapshot start;  // the leader's motion at the begin, for the follower
-  std::optional<SliceBegin> kept;  // of a run that is to be kept
+  MotionSnapshot start;            // the leader's motion at the begin, for the follower
+  std::optional<SliceBegin> kept;  // only if the run is to be kept
 
   // Written by the leader before `led`, read by the follower.
   Rational end;

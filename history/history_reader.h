@@ -27,7 +27,7 @@ struct HistoryHeader {
   Extensions extensions{};
   bool oriented = true;  // false where the format cannot tell [l,r,s,e] from [l,r,e,s]
 
-  // What the horizon is for certain at least: no time is before 0.
+  // The certain part of the horizon; no time is before 0.
   Rational certain_horizon() const { return std::max<Rational>(0, horizon - horizon_error); }
 };
 

@@ -13,7 +13,7 @@
 
 namespace voroproof::internal {
 
-// What the name of a history that stopped gets, beside a complete one.
+// The ending of the name that a history that stopped gets beside a complete one.
 inline constexpr const char* partial_ending = ".partial";
 
 // Writes a history in the one form that this project writes. Call header(), then the events in the

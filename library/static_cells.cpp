@@ -133,7 +133,7 @@ std::vector<Points> clipped(const Points& cell, const Box& box) {
     }
     parts = std::move(all);
   }
-  // What is left of a cell that touches the box is as small as the roundings.
+  // A cell that only touches the box leaves a part as small as the roundings.
   const double least = 0x1p-40 * std::max(high[0] - low[0], high[1] - low[1]);
   std::erase_if(parts, [&](const Points& part) {
     return std::all_of(part.begin(), part.end(), [&](const Vec2& p) {

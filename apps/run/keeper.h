@@ -56,7 +56,7 @@ class Keeper {
   PartialFile file_;
   Checkpoints checkpoints_;
   std::atomic<Clock::time_point> not_before_{Clock::time_point()};  // may it be kept again
-  // What was written at the last mark, after so many events; used by the thread that writes.
+  // Written up to the last mark, after so many events; used by the thread that writes.
   HistoryCounts marked_counts_;
   OutputFile::Written marked_;
   OutputFile::Written stopped_;  // see see_stop()
