@@ -155,7 +155,9 @@ Comparison compare_ways(const World& world) {
     EngineOptions bounded;
     bounded.motion.max_bits = budget().bits;
     bounded.motion.max_radicals = budget().radicals;
-    difference = testing::difference(run, testing::resume(ours.scene, begun, bounded, kept));
+    const auto keeping = begun % 2 == 0 ? testing::Keeping::asked_for : testing::Keeping::at_end;
+    difference =
+        testing::difference(run, testing::resume(ours.scene, begun, bounded, keeping, kept));
     if (!difference.empty()) {
       return {true, told("resumed: " + difference, ours, "", "after " + std::to_string(kept))};
     }
