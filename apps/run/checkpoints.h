@@ -23,7 +23,7 @@ class Checkpoints {
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::chrono::milliseconds kFirst{100};
+  static constexpr std::chrono::milliseconds kFirst{1000};
   std::chrono::seconds interval_;
   Clock::time_point begin_ = Clock::now(), last_ = begin_;
 };
