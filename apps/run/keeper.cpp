@@ -13,7 +13,7 @@ namespace voroproof::internal {
 namespace {
 
 // Keeping a run takes no more than one part in kPart of its time.
-constexpr int kPart = 50;
+constexpr int kPart = 20;
 
 }  // namespace
 
