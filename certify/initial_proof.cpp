@@ -269,7 +269,7 @@ class InitialProof {
     return decide([&](auto at, auto root) {
       const auto from = framed_.center(at, root, g, a, b), to = framed_.center(at, root, g, b, c);
       using T = std::decay_t<decltype(from[0])>;
-      return sign(framed_.template from_wall<T>(g, to[0] - from[0], to[1] - from[1])[0]);
+      return sign(framed_.template reflected<T>(g, to[0] - from[0], to[1] - from[1])[0]);
     });
   }
   Sign step_around(GenId g, GenId a, GenId b, GenId c) {

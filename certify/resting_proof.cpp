@@ -24,8 +24,7 @@ std::string hidden_by(GenId host, GenId walls) {
 }
 
 GenId disks_of(const RestingClaim& claim) {
-  return static_cast<GenId>(claim.input.disks.size()) -
-         (claim.frame == Frame::box ? wall_count : 0);
+  return disk_count(claim.frame, static_cast<GenId>(claim.input.disks.size()));
 }
 
 // The fault of the host that is claimed for g, if there is one.

@@ -53,7 +53,7 @@ class CellRays {
     const T a = framed_.seen_from_wall<T>(j, ck, ci.x, ci.y)[0];
     const T b = framed_.seen_from_wall<T>(j, line, ck.x, ck.y)[1] + ck.r;
     const T both = a * b;
-    return framed_.to_plane<T>(j, both + both, a * a - b * b);
+    return framed_.reflected<T>(j, both + both, a * a - b * b);
   }
   bool meets_from_wall(GenId i, GenId j, GenId k) const;
 

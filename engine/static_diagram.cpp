@@ -304,7 +304,7 @@ Diagram static_diagram(const Motion& motion, const Rational& t, TierCounts& coun
 }
 
 Diagram overlapping_diagram(const Motion& motion, Frame frame, TierCounts& counts) {
-  const GenId disks = motion.size() - (frame == Frame::box ? wall_count : 0);
+  const GenId disks = disk_count(frame, motion.size());
   return Construction(motion, 0, frame, counts).build(insertion_order(motion, disks, 0));
 }
 

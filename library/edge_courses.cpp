@@ -74,12 +74,12 @@ void EdgeCourses::add_corners() {
     const Vec2 corner{center(file_, turned ? b : a)[0], center(file_, turned ? a : b)[1]};
     infinite_.emplace(
         canonical(Triple{b, a, container_id}),
-        corner + framed_.to_plane<double>(a, 0, -far_) + framed_.to_plane<double>(b, 0, -far_));
+        corner + framed_.reflected<double>(a, 0, -far_) + framed_.reflected<double>(b, 0, -far_));
   }
 }
 
 WallLine EdgeCourses::wall(GenId g) const {
-  return {center(file_, g), framed_.to_plane<double>(g, 0, 1)};
+  return {center(file_, g), framed_.reflected<double>(g, 0, 1)};
 }
 
 GeneratorRow<double> EdgeCourses::wall_row(const Quad& q) const {

@@ -148,7 +148,7 @@ class NearestWalk {
     const Framed framed = around.framed(diagram.disks().size());
     for (int quarter = 0; framed.has_walls() && quarter < wall_count; ++quarter) {
       const Vector at = around.place(quarter);
-      sites_.push_back({{at[0], at[1], 0}, framed.to_plane(framed.wall(quarter), 0, 1)});
+      sites_.push_back({{at[0], at[1], 0}, framed.reflected(framed.wall(quarter), 0, 1)});
     }
     std::vector<std::array<GenId, 2>> pairs;
     for (const Edge& e : diagram.edges()) {

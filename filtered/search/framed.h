@@ -20,6 +20,10 @@ namespace voroproof::internal {
 // corner with infinity, and no disk has infinity as its neighbour.
 enum class Frame { circle, plane, box };
 inline constexpr GenId wall_count = 4;
+// Among so many disks and walls.
+inline GenId disk_count(Frame frame, GenId generators) {
+  return frame == Frame::box ? generators - wall_count : generators;
+}
 
 // The whole number n, of the kind of x.
 template <class T>
@@ -33,10 +37,8 @@ inline Ball whole_like(const Ball& x, int n) { return {static_cast<double>(n), x
 class Framed {
  public:
   // `generators` is the number of disks and walls; only in a box it matters.
-  explicit Framed(Frame frame, GenId generators = 0)
-      : frame_(frame),
-        first_wall_(frame == Frame::box ? generators - wall_count
-                                        : std::numeric_limits<GenId>::max()) {}
+  explicit Framed(Frame frame, GenId generators = std::numeric_limits<GenId>::max())
+      : frame_(frame), first_wall_(disk_count(frame, generators)) {}
 
   bool has_walls() const { return frame_ == Frame::box; }
   bool is_infinity(GenId g) const { return frame_ != Frame::circle && g == container_id; }
@@ -47,9 +49,10 @@ class Framed {
   GenId wall(int quarter) const { return first_wall_ + quarter; }
   int quarter(GenId wall) const { return wall - first_wall_; }
 
-  // The vector in the frame of a wall: along it, with the inside on the right, and inwards.
+  // The vector (x, y) in the frame of a wall: along it, with the inside on the right, and inwards.
+  // That frame is a reflection of the plane: of a vector in it this gives the one in the plane.
   template <class T>
-  std::array<T, 2> from_wall(GenId wall, const T& x, const T& y) const {
+  std::array<T, 2> reflected(GenId wall, const T& x, const T& y) const {
     switch (quarter(wall)) {
       case 0:
         return {y, x};
@@ -61,24 +64,10 @@ class Framed {
         return {x, -y};
     }
   }
-  // The vector that has these coordinates in the frame of a wall.
-  template <class T>
-  std::array<T, 2> to_plane(GenId wall, const T& along, const T& inwards) const {
-    switch (quarter(wall)) {
-      case 0:
-        return {inwards, along};
-      case 1:
-        return {-along, inwards};
-      case 2:
-        return {-inwards, -along};
-      default:
-        return {along, -inwards};
-    }
-  }
   // How far the place is along a wall and from it.
   template <class T>
   std::array<T, 2> seen_from_wall(GenId wall, const Site<T>& line, const T& x, const T& y) const {
-    return from_wall<T>(wall, x - line.x, y - line.y);
+    return reflected<T>(wall, x - line.x, y - line.y);
   }
 
   template <class Sites>
@@ -127,7 +116,7 @@ class Framed {
                b = seen_from_wall<T>(m, line, high.x, high.y);
     const T across = a[0] - b[0];
     const T rho = across * half, along = (a[0] + b[0]) * half;
-    const auto z = to_plane<T>(m, along, rho);
+    const auto z = reflected<T>(m, along, rho);
     return Site<T>{line.x + z[0], line.y + z[1], -rho};
   }
   // The tangency of that circle and g: its sign is that of their distance.
@@ -190,7 +179,7 @@ class Framed {
     const auto whole = [&](int n) { return T(whole_like(from.x, n)); };
     if (is_infinity(g)) return {whole(0), whole(0), whole(0), whole(1)};
     if (!is_wall(g)) return row<T>(from, at(g));
-    const auto inwards = to_plane<int>(g, 0, 1);
+    const auto inwards = reflected<int>(g, 0, 1);
     const T half = seen_from_wall<T>(g, at(g), from.x, from.y)[1] + from.r;
     return {whole(-inwards[0]), whole(-inwards[1]), whole(1), half + half};
   }

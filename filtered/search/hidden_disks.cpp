@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "filtered/motion/enclosures.h"
+
 namespace voroproof::internal {
 
 namespace {
@@ -40,6 +42,12 @@ bool is_outside(const MotionInput& input, const DiskInput& d) {
 
 bool is_behind(const MotionInput& input, GenId wall, GenId g) {
   const Framed framed(Frame::box, static_cast<GenId>(input.disks.size()));
+  const auto near = [&](GenId k) {
+    const DiskInput& d = input.disks[k];
+    return Site<DdBall>{dd_of(d.x), dd_of(d.y), dd_of(d.radius)};
+  };
+  const Sign s = sign(framed.tangency(near, g, wall));
+  if (is_certain(s)) return s != Sign::positive;
   const auto at = [&](GenId k) {
     const DiskInput& d = input.disks[k];
     return Site<Rational>{d.x.value(), d.y.value(), d.radius.value()};
@@ -49,7 +57,7 @@ bool is_behind(const MotionInput& input, GenId wall, GenId g) {
 
 std::vector<GenId> hosts_of(const MotionInput& input, Frame frame) {
   const auto generators = static_cast<GenId>(input.disks.size());
-  const GenId n = generators - (frame == Frame::box ? wall_count : 0);
+  const GenId n = disk_count(frame, generators);
   std::vector<std::pair<Box, GenId>> boxes;
   boxes.reserve(n);
   for (GenId g = 0; g < n; ++g) boxes.emplace_back(box_of(input.disks[g], true), g);

@@ -228,8 +228,9 @@ def certify_diagram(centers: "np.ndarray | Sequence[Sequence[float]]", radii: "n
     """Proves or refutes what any program says of the diagram of these disks.
 
     `frame` is as in `voronoi`; `hosts`, `edges`, `neighbours` are as in `StaticDiagram`; of pairs of
-    neighbours those with the frame, or with walls, may all be left out. `vertices` are generators, centres and radii of vertices, with `edges` of all,
-    and may be off by `tolerance` times the largest number of the circle and its generators. Raises
+    neighbours those with the frame, or with walls, may all be left out. `vertices` are generators, centres
+    and radii of vertices, with `edges` of all, and may be off by `tolerance` times the largest number of
+    the circle and its generators. Raises
     ValueError as `voronoi` does, and for a claim that says nothing or names disks that do not exist.
     """
     def lists(values: Any) -> Any:
