@@ -163,13 +163,9 @@ std::vector<bool> hidden(const Disks& disks, const Walls& w) {
   std::vector<bool> all;
   for (std::size_t g = 0; g < disks.size(); ++g) {
     const Disk& d = disks[g];
-    bool is = d.x + d.r <= w.x0 || d.y + d.r <= w.y0 || d.x - d.r >= w.x1 || d.y - d.r >= w.y1;
-    for (std::size_t h = 0; h < disks.size(); ++h) {
-      const Rational dx = disks[h].x - d.x, dy = disks[h].y - d.y, dr = disks[h].r - d.r;
-      const bool equal = dx == 0 && dy == 0 && dr == 0;
-      is = is || (h != g && dr >= 0 && dx * dx + dy * dy <= dr * dr && (!equal || h < g));
-    }
-    all.push_back(is);
+    const bool is_behind =
+        d.x + d.r <= w.x0 || d.y + d.r <= w.y0 || d.x - d.r >= w.x1 || d.y - d.r >= w.y1;
+    all.push_back(is_behind || another_contains(disks, g));
   }
   return all;
 }

@@ -156,13 +156,9 @@ std::vector<bool> hidden(const Disks& disks, Frame frame, const Rational& radius
   std::vector<bool> all;
   for (std::size_t g = 0; g < disks.size(); ++g) {
     const Disk& d = disks[g];
-    bool is = frame == Frame::circle && d.x * d.x + d.y * d.y >= (radius + d.r) * (radius + d.r);
-    for (std::size_t h = 0; h < disks.size(); ++h) {
-      const Rational dx = disks[h].x - d.x, dy = disks[h].y - d.y, dr = disks[h].r - d.r;
-      const bool equal = dx == 0 && dy == 0 && dr == 0;
-      is = is || (h != g && dr >= 0 && dx * dx + dy * dy <= dr * dr && (!equal || h < g));
-    }
-    all.push_back(is);
+    const bool is_outside =
+        frame == Frame::circle && d.x * d.x + d.y * d.y >= (radius + d.r) * (radius + d.r);
+    all.push_back(is_outside || another_contains(disks, g));
   }
   return all;
 }

@@ -37,6 +37,17 @@ inline MotionInput input_between(const Disks& disks, const Walls& w) {
   return input;
 }
 
+// Whether another disk contains disk g; of equal ones the first is contained by none of them.
+inline bool another_contains(const Disks& disks, std::size_t g) {
+  for (std::size_t h = 0; h < disks.size(); ++h) {
+    const Rational dx = disks[h].x - disks[g].x, dy = disks[h].y - disks[g].y,
+                   dr = disks[h].r - disks[g].r;
+    const bool equal = dx == 0 && dy == 0 && dr == 0;
+    if (h != g && dr >= 0 && dx * dx + dy * dy <= dr * dr && (!equal || h < g)) return true;
+  }
+  return false;
+}
+
 inline std::string text(const Disks& disks) {
   std::string all;
   for (const Disk& d : disks) {
