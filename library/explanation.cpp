@@ -195,6 +195,12 @@ class Explainer {
   Explanation found_;
 };
 
+// Said of a report by another program, and of one that does not tell its subject.
+std::string by_another(const std::string& its, const std::string& producer) {
+  return "the report is by " + shown(its) + ", and this is " + producer;
+}
+constexpr const char* of_no_history = "the report does not say which history it is about";
+
 }  // namespace
 
 Explanation explain_report(const std::string& path, const std::string& producer) {
@@ -209,10 +215,10 @@ Explanation explain_report(const std::string& path, const std::string& producer)
     }
   }
   if (run.producer != producer) {
-    notes.push_back("the report is by " + shown(run.producer) + ", and this is " + producer);
+    notes.push_back(by_another(run.producer, producer));
   }
   if (run.history_sha256.empty()) {
-    notes.push_back("the report does not say which history it is about");
+    notes.push_back(of_no_history);
   }
   return Explainer(field).explain(notes);
 }
@@ -226,15 +232,13 @@ void require_report_of(const Explanation& report, const std::string& name,
                        const std::string& producer, const std::string& scene_sha256,
                        const std::string& history_sha256) {
   if (report.producer != producer) {
-    throw InputError(name, 0, "producer",
-                     "the report is by " + shown(report.producer) + ", and this is " + producer);
+    throw InputError(name, 0, "producer", by_another(report.producer, producer));
   }
   if (report.scene_sha256 != scene_sha256) {
     throw InputError(name, 0, "scene_sha256", "the report is about another scene");
   }
   if (report.history_sha256.empty()) {
-    throw InputError(name, 0, "history_sha256",
-                     "the report does not say which history it is about");
+    throw InputError(name, 0, "history_sha256", of_no_history);
   }
   if (report.history_sha256 != history_sha256) {
     throw InputError(name, 0, "history_sha256", "the report is about another history");
