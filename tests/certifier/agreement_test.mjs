@@ -1,7 +1,7 @@
 // The page's module says what voroproof-kernel says.
 //
-// usage: MODULE=... KERNEL=... CORPUS=... node agreement_test.mjs                  all histories of the corpus
-//        MODULE=... KERNEL=... CORPUS=... node agreement_test.mjs --every K       each K-th of them
+// usage: MODULE=... KERNEL=... CORPUS=... node agreement_test.mjs                  each fourth history of the corpus; all of
+//                                                                                 them with VOROPROOF_EVERY=1
 //        MODULE=... KERNEL=... WORLDS=... node agreement_test.mjs --worlds COUNT  wrong worlds (tests/adversary)
 //        MODULE=... KERNEL=... node agreement_test.mjs --folders FOLDER...        all histories in the folders, beside their scenes
 import { spawnSync } from "node:child_process";
@@ -11,6 +11,7 @@ import { join } from "node:path";
 import { answer, corpusHistories } from "./kernel.mjs";
 
 const { KERNEL: kernel, CORPUS: corpus, WORLDS: writeWorlds } = process.env, [mode, ...rest] = process.argv.slice(2);
+const every = Number(process.env.VOROPROOF_EVERY ?? 4);
 const folder = mkdtempSync(join(tmpdir(), "worlds-"));
 
 function historiesOf(folder) {
@@ -20,7 +21,7 @@ function historiesOf(folder) {
 
 function histories() {
   if (mode === "--folders") return rest.flatMap(historiesOf);
-  if (mode !== "--worlds") return corpusHistories(corpus).filter((_, k) => k % Number(rest[0] ?? 1) === 0);
+  if (mode !== "--worlds") return corpusHistories(corpus).filter((_, k) => k % every === 0);
   if (spawnSync(writeWorlds, [folder, rest[0], "20260101"]).status !== 0) throw new Error("no worlds");
   return historiesOf(folder);
 }
