@@ -63,8 +63,8 @@ void AlgebraicNumber<T>::halve() {
 
 template <class T>
 void AlgebraicNumber<T>::refine(const Rational& width) {
-  if (width <= 0) throw std::invalid_argument("refine: the width must be positive");
-  while (interval_.hi - interval_.lo > width) halve();
+  if (is_point()) return;
+  voroproof::internal::refine(equation_->sign_at, at_lo_, interval_, width);
 }
 
 template <class T>

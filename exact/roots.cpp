@@ -12,37 +12,6 @@ namespace {
 
 Rational midpoint(const Rational& a, const Rational& b) { return (a + b) / 2; }
 
-// ---- Approximation of coefficients -----------------------------------------------
-
-// A polynomial up to a positive factor: each coefficient lies between
-// coefficients[i] and coefficients[i] + widths[i]. Widths vanish for rationals.
-struct Approximation {
-  std::vector<Integer> coefficients, widths;
-};
-
-Approximation approximate(const Polynomial<Rational>& f, long /*precision*/) {
-  std::vector<Integer> coefficients = primitive_integers(f);
-  const std::size_t size = coefficients.size();
-  return {std::move(coefficients), std::vector<Integer>(size)};
-}
-
-Approximation approximate(const Polynomial<Tower>& f, long precision) {
-  if (const auto rational = as_rational(f)) return approximate(*rational, precision);
-  std::vector<std::pair<Rational, Rational>> bounds;
-  Integer scale = 1;
-  for (const Tower& c : f.coefficients()) {
-    bounds.push_back(ball(c, precision).rational_interval());
-    scale = lcm(scale, lcm(bounds.back().first.get_den(), bounds.back().second.get_den()));
-  }
-  Approximation result;
-  for (const auto& [lo, hi] : bounds) {
-    const Rational width = (hi - lo) * scale;
-    result.coefficients.push_back(lo.get_num() * (scale / lo.get_den()));
-    result.widths.push_back(width.get_num());
-  }
-  return result;
-}
-
 // ---- Descartes' rule in the Bernstein basis ----------------------------------------
 
 // Coefficients b_0 ... b_n of a positive multiple of a polynomial of degree n in the Bernstein
@@ -258,40 +227,6 @@ void require_not_zero(const Polynomial<T>& f) {
 
 }  // namespace
 
-// ---- Signs -----------------------------------------------------------------------
-
-template <class T>
-SignEvaluator<T>::SignEvaluator(const Polynomial<T>& f) : f_(f) {
-  constexpr long precision = 320;
-  Approximation approximation = approximate(f, precision);
-  coefficients_ = std::move(approximation.coefficients);
-  widths_ = std::move(approximation.widths);
-}
-
-template <class T>
-Sign SignEvaluator<T>::operator()(const Rational& x) const {
-  Patience::ask();
-  // Horner's rule for q^n f(p / q), q > 0, and for a bound of its error.
-  const Integer magnitude = abs(x.get_num());
-  Integer value = 0;
-  Integer error = 0;
-  Integer power = 1;
-  for (std::size_t i = coefficients_.size(); i-- > 0;) {
-    value = value * x.get_num() + coefficients_[i] * power;
-    error = error * magnitude + widths_[i] * power;
-    power *= x.get_den();
-  }
-  if (error == 0 || mpz_cmpabs(value.get_mpz_t(), error.get_mpz_t()) > 0) {
-    return sign_of(sgn(value));
-  }
-  return sign(f_.evaluate(T(x)));
-}
-
-template <class T>
-Sign sign_at(const Polynomial<T>& f, const Rational& x) {
-  return SignEvaluator<T>(f)(x);
-}
-
 template <class T>
 SignsAround signs_around(const Polynomial<T>& f, const RootInterval& root) {
   require_not_zero(f);
@@ -344,24 +279,73 @@ void halve(const SignEvaluator<T>& f, Sign at_lo, RootInterval& root) {
   }
 }
 
+namespace {
+
+// How many bisections an interval takes to be no wider than `width`.
+unsigned long halvings_to(const Rational& width, const RootInterval& interval) {
+  if (width <= 0) throw std::invalid_argument("refine: the width must be positive");
+  const Rational ratio = (interval.hi - interval.lo) / width;
+  if (ratio <= 1) return 0;
+  const Integer whole = (ratio.get_num() + ratio.get_den() - 1) / ratio.get_den();
+  return mpz_sizeinbase(Integer(whole - 1).get_mpz_t(), 2);
+}
+
+// Does that number of bisections at once, if the root is where the secant foretells it.
+template <class T>
+bool leap(const SignEvaluator<T>& f, Sign at_lo, RootInterval& root, unsigned long halvings) {
+  const Rational width = root.hi - root.lo, part = width >> halvings;
+  const Rational near = root.lo + width * f.secant(root.lo, root.hi, halvings);
+  const Sign at_near = near == root.lo ? at_lo : near == root.hi ? -at_lo : f(near);
+  if (at_near == Sign::zero) {
+    root = {near, near};
+    return true;
+  }
+  const bool beyond = at_near == at_lo;
+  const Rational other = near + (beyond ? part : Rational(-part));
+  const Sign at_other = other == root.lo ? at_lo : other == root.hi ? -at_lo : f(other);
+  if (at_other == Sign::zero) {
+    root = {other, other};
+    return true;
+  }
+  if (at_other == at_near) return false;
+  root = beyond ? RootInterval{near, other} : RootInterval{other, near};
+  return true;
+}
+
+}  // namespace
+
+template <class T>
+void refine(const SignEvaluator<T>& f, Sign at_lo, RootInterval& root, const Rational& width) {
+  constexpr unsigned long first_leap = 4;
+  unsigned long left = halvings_to(width, root), next = first_leap;
+  while (left > 0 && !root.is_point()) {
+    const unsigned long halvings = std::min(next, left);
+    if (halvings >= first_leap && leap(f, at_lo, root, halvings)) {
+      left -= halvings;
+      next *= 2;
+    } else {
+      halve(f, at_lo, root);
+      --left;
+      next = std::max(first_leap, next / 2);
+    }
+  }
+}
+
 template <class T>
 void refine(const Polynomial<T>& f, RootInterval& root, const Rational& width) {
-  if (width <= 0) throw std::invalid_argument("refine: the width must be positive");
-  if (root.hi - root.lo <= width) return;
+  if (halvings_to(width, root) == 0) return;
   const SignsAround ends = signs_around(f, root);
   const SignEvaluator<T> evaluator(ends.before == ends.after ? square_free_part(f) : f);
-  const Sign at_lo = evaluator(root.lo);
-  while (root.hi - root.lo > width) halve(evaluator, at_lo, root);
+  refine(evaluator, evaluator(root.lo), root, width);
 }
 
 #define VOROPROOF_INSTANTIATE(T)                                                             \
-  template class SignEvaluator<T>;                                                           \
-  template Sign sign_at(const Polynomial<T>&, const Rational&);                              \
   template SignsAround signs_around(const Polynomial<T>&, const RootInterval&);              \
   template std::vector<RootInterval> isolate_roots(const Polynomial<T>&, const Rational&,    \
                                                    const Rational&);                         \
   template bool is_plainly_rootless(const Polynomial<T>&, const Rational&, const Rational&); \
   template void halve(const SignEvaluator<T>&, Sign, RootInterval&);                         \
+  template void refine(const SignEvaluator<T>&, Sign, RootInterval&, const Rational&);       \
   template void refine(const Polynomial<T>&, RootInterval&, const Rational&);
 VOROPROOF_INSTANTIATE(Rational)
 VOROPROOF_INSTANTIATE(Tower)

@@ -18,6 +18,11 @@
 // Fundamental Problems of Algorithmic Algebra (Oxford 2000), chapter 7. Its
 // coefficients grow fast over a tower.
 //
+// A root is narrowed by quadratic interval refinement (J. Abbott, "Quadratic interval refinement
+// for real roots", ACM Communications in Computer Algebra 48, 2014): the secant foretells in which
+// of 2^k parts of the interval the root lies, two signs prove it, and the next step takes 2^2k. The
+// parts are those of bisection, so that the interval is, too.
+//
 // All templates are instantiated for Rational and Tower.
 #pragma once
 
@@ -25,6 +30,7 @@
 
 #include "exact/polynomial.h"
 #include "exact/rational.h"
+#include "exact/sign_evaluator.h"
 
 namespace voroproof::internal {
 
@@ -35,24 +41,6 @@ struct RootInterval {
   Rational lo, hi;
   bool is_point() const { return lo == hi; }
 };
-
-// The signs of one polynomial at many rational points: with integers, and over a tower
-// with the polynomial itself where the errors of these leave the sign open.
-template <class T>
-class SignEvaluator {
- public:
-  explicit SignEvaluator(const Polynomial<T>& f);
-  Sign operator()(const Rational& x) const;
-
- private:
-  Polynomial<T> f_;
-  // A positive multiple of f: each coefficient lies between coefficients_[i] and
-  // coefficients_[i] + widths_[i]; rational polynomials have zero widths.
-  std::vector<Integer> coefficients_, widths_;
-};
-
-template <class T>
-Sign sign_at(const Polynomial<T>& f, const Rational& x);
 
 // The distinct roots of f in the closed interval [lo, hi], in increasing order.
 // The intervals returned lie inside it, except that neighbours may share an end.
@@ -66,13 +54,16 @@ std::vector<RootInterval> isolate_roots(const Polynomial<T>& f, const Rational& 
 template <class T>
 bool is_plainly_rootless(const Polynomial<T>& f, const Rational& lo, const Rational& hi);
 
-// Bisects until the width is at most `width` (> 0, or std::invalid_argument) or the
-// root is met. Roots of even multiplicity cost a square-free part a call.
+// Narrows to the interval that bisection gives, until the width is at most `width` (> 0, or
+// std::invalid_argument) or the root is met. Roots of even multiplicity cost a square-free part a
+// call.
 template <class T>
 void refine(const Polynomial<T>& f, RootInterval& root, const Rational& width);
+// The same of a root where f changes its sign; at_lo is f's sign at root.lo (and stays so).
+template <class T>
+void refine(const SignEvaluator<T>& f, Sign at_lo, RootInterval& root, const Rational& width);
 
-// One bisection of an interval that is no point, of a root where f changes its sign;
-// at_lo is f's sign at root.lo (and stays so).
+// One bisection of such an interval, which is no point.
 template <class T>
 void halve(const SignEvaluator<T>& f, Sign at_lo, RootInterval& root);
 

@@ -291,6 +291,42 @@ TEST(Refine, KeepsTheRootAndReachesTheWidth) {
   EXPECT_EQ(met.lo, 1);
 }
 
+// Bisection alone gives the same interval, also where it meets the root on its way.
+template <class T>
+void expect_bisected(const Polynomial<T>& f, RandomNumbers& random) {
+  const SignEvaluator<T> sign_at(f);
+  for (const RootInterval& isolating : isolate_roots(f, -10, 10)) {
+    if (isolating.is_point()) continue;
+    const Sign at_lo = sign_at(isolating.lo);
+    if (sign_at(isolating.hi) == at_lo) continue;  // a root of even multiplicity
+    RootInterval bisected = isolating, refined = isolating;
+    for (const int bits : {1, 5, 40, 41, 700}) {
+      const Rational width = abs(random.number() + 1) * power_of_two(-bits) + power_of_two(-800);
+      while (bisected.hi - bisected.lo > width) halve(sign_at, at_lo, bisected);
+      refine(sign_at, at_lo, refined, width);
+      EXPECT_EQ(refined.lo, bisected.lo);
+      EXPECT_EQ(refined.hi, bisected.hi);
+    }
+  }
+}
+
+TEST(Refine, GivesTheIntervalOfBisection) {
+  RandomNumbers random(16);
+  RadicalField field;
+  const Tower s = field.sqrt(3);
+  for (int i = 0; i < 30; ++i) {
+    const RationalPolynomial f = random.polynomial(5) * linear(random.number());
+    expect_bisected(f, random);
+    expect_bisected(over_tower(f) * s + over_tower(random.polynomial(2)), random);
+  }
+  expect_bisected(linear(fraction(5, 1 << 12)), random);
+  expect_bisected(linear<Rational>(0), random);
+  // Two roots 2^-200 apart, and one of the third order.
+  expect_bisected(linear<Rational>(1) * linear(Rational(1 + power_of_two(-200))), random);
+  const RationalPolynomial third = linear(fraction(1, 3));
+  expect_bisected(third * third * third, random);
+}
+
 TEST(SignsAround, ParityOfTheMultiplicity) {
   const RationalPolynomial quadratic{-2, 0, 1};
   for (int multiplicity = 1; multiplicity <= 5; ++multiplicity) {
