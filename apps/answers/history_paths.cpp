@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "exact/names.h"
 #include "history/json_text.h"
 #include "library/queries/history_cursor.h"
 #include "library/queries/paths.h"
@@ -73,6 +74,10 @@ GivenPaths history_paths(const Scene& scene, const std::string& history_path,
                             number_text(scene.horizon));
   }
   note_missing_maneuvers(scene, history, end, given.missing);
+  if (const auto& apart = paths.collision_apart()) {
+    given.missing.push_back("the contact of a collision of two that do not touch on these paths: " +
+                            text_of(apart->i, apart->j) + " at t = " + number_text(apart->t));
+  }
   given.container = {{scene.cx, scene.cy}, scene.container_radius};
   for (GenId g = 0; g < static_cast<GenId>(scene.disks.size()); ++g) {
     given.paths.push_back({std::to_string(g), paths.signed_radius(g), paths.waypoints(g, 0, end)});

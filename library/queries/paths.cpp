@@ -65,9 +65,12 @@ Paths::Paths(const Scene& scene, const HistoryCursor& history, const std::string
         if (!velocity) throw InputError(history_path, line, "collide", "its v is needed");
         turn(g, exact_time(event), *std::move(velocity));
       }
-      if (touch(collision->i, collision->j)) {
-        contacts_.insert(
-            {collision->i, collision->j, std::min(exact_time(event), history.header().horizon)});
+      GivenContact contact{collision->i, collision->j,
+                           std::min(exact_time(event), history.header().horizon)};
+      if (touch(contact.i, contact.j)) {
+        contacts_.insert(std::move(contact));
+      } else if (!collision_apart_) {
+        collision_apart_ = std::move(contact);
       }
     } else if (const auto* maneuver = std::get_if<ManeuverEvent>(&event)) {
       std::size_t& m = next_maneuver[maneuver->disk];

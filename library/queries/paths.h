@@ -5,6 +5,7 @@
 // history are not used. Every question about the paths has an exact answer.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -37,6 +38,8 @@ class Paths {
   // The collisions of the history at which the two touch on their paths, but for what roundings of
   // its numbers explain. One after the horizon, which rounding puts there, is at the horizon.
   const std::set<GivenContact>& contacts() const { return contacts_; }
+  // The first collision of the history at which they do not.
+  const std::optional<GivenContact>& collision_apart() const { return collision_apart_; }
 
  private:
   // Whether the two, which both have a piece that starts at a collision, touch there.
@@ -46,6 +49,7 @@ class Paths {
   std::vector<Rational> radii_;
   std::vector<Rational> roundings_;  // 2^51 times how far they may have moved each by now
   std::set<GivenContact> contacts_;
+  std::optional<GivenContact> collision_apart_;
 };
 
 // Where a piece leads at time t.
