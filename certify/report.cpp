@@ -101,13 +101,22 @@ std::string scope_line(const CertifyOptions& options, const Certificate& c) {
 
 // Where times are so late that rounding them to binary64 may take them out of the tolerance: which
 // tolerance lets all times of a history be that are rounded correctly. Else empty.
-std::string coarse_times_line(const CertifyOptions& options, const Rational& horizon) {
+std::string coarse_times_line(const Rational& tolerance, const Rational& horizon) {
   const double last = round_up(horizon);
   const double ulp = std::nextafter(last, std::numeric_limits<double>::infinity()) - last;
-  if (!std::isfinite(ulp) || options.tolerance >= to_rational(ulp / 2)) return {};
+  if (!std::isfinite(ulp) || tolerance >= to_rational(ulp / 2)) return {};
   return "binary64 numbers near t = " + number_text(last) + " are " + number_text(ulp) +
          " apart, so that rounding alone takes a time out of the tolerance: --tolerance " +
          number_text(ulp) + " allows for it";
+}
+
+std::string horizon_line(const Rational& horizon, const Rational& of_scene) {
+  return "horizon " + exact_text(horizon) + " of the scene's " + exact_text(of_scene);
+}
+
+// The end of what a verdict is about.
+std::string up_to_line(const Rational& horizon, const Rational& tolerance) {
+  return "up to t = " + exact_text(horizon) + ", times within " + exact_text(tolerance);
 }
 
 }  // namespace
@@ -151,8 +160,7 @@ std::vector<Leniency> leniencies(const Certificate& c) {
 
 std::string horizon_line(const Certificate& c) {
   if (!c.other_horizon) return {};
-  return "horizon " + exact_text((*c.other_horizon)[0]) + " of the scene's " +
-         exact_text((*c.other_horizon)[1]);
+  return horizon_line((*c.other_horizon)[0], (*c.other_horizon)[1]);
 }
 
 VerdictWords words_of(const CertifyOptions& options, const Rational& horizon,
@@ -162,9 +170,8 @@ VerdictWords words_of(const CertifyOptions& options, const Rational& horizon,
   words.verdict =
       std::string(verdict_line(c.verdict).substr(2)) + (all ? "" : " (collisions alone)");
   words.about = std::string(all ? "all events" : "collisions and maneuvers") + ", " +
-                (options.truth == Truth::exact ? "exact" : "recorded") +
-                " truth, up to t = " + exact_text(horizon) + ", times within " +
-                exact_text(options.tolerance) + ", velocities within " +
+                (options.truth == Truth::exact ? "exact" : "recorded") + " truth, " +
+                up_to_line(horizon, options.tolerance) + ", velocities within " +
                 exact_text(options.law_tolerance) +
                 (options.any_order ? ", touching collisions in any order" : "") +
                 (options.strict ? ", strict" : "");
@@ -174,9 +181,20 @@ VerdictWords words_of(const CertifyOptions& options, const Rational& horizon,
                                  std::string(l.words));
   }
   for (const std::string& line :
-       {horizon_line(c), coarse_times_line(options, horizon), scope_line(options, c)}) {
+       {horizon_line(c), coarse_times_line(options.tolerance, horizon), scope_line(options, c)}) {
     if (!line.empty()) words.reservations.push_back(line);
   }
+  return words;
+}
+
+VerdictWords words_of_world(Verdict verdict, const Rational& horizon, const Rational& of_scene,
+                            const Rational& tolerance) {
+  VerdictWords words;
+  words.verdict = verdict_line(verdict).substr(2);
+  words.about = "all events of a world, " + up_to_line(horizon, tolerance);
+  if (horizon != of_scene) words.reservations.push_back(horizon_line(horizon, of_scene));
+  const std::string coarse = coarse_times_line(tolerance, horizon);
+  if (!coarse.empty()) words.reservations.push_back(coarse);
   return words;
 }
 

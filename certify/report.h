@@ -55,6 +55,10 @@ struct VerdictWords {
 VerdictWords words_of(const CertifyOptions& options, const Rational& horizon,
                       const Certificate& certificate);
 
+// The words for the verdict about the history of a world, whose scene has the horizon `of_scene`.
+VerdictWords words_of_world(Verdict verdict, const Rational& horizon, const Rational& of_scene,
+                            const Rational& tolerance);
+
 // The text of the report file.
 std::string report_text(const CertificationRun& run, const CertifyOptions& options,
                         const Certificate& certificate);

@@ -16,9 +16,8 @@ EventLimit::EventLimit(std::uint64_t events) { most_events = events; }
 
 EventLimit::~EventLimit() { most_events = 0; }
 
-void EventLimit::check(const HistoryCounts& counts) {
+void EventLimit::check(std::int64_t events) {
   if (most_events == 0) return;
-  const std::int64_t events = counts.flips + counts.collisions + counts.maneuvers;
   if (static_cast<std::uint64_t>(events) > most_events) throw EventLimitReached(most_events);
 }
 

@@ -25,7 +25,8 @@ class EventLimit {
   ~EventLimit();
 
   // For readers: the events so far, with the one that is to be handed out.
-  static void check(const HistoryCounts& counts);
+  static void check(std::int64_t events);
+  static void check(const HistoryCounts& counts) { check(counts.all()); }
 };
 
 }  // namespace voroproof::internal

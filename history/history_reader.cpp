@@ -1,6 +1,5 @@
 #include "history/history_reader.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "history/error.h"
 #include "history/event_limit.h"
 #include "history/format_version.h"
+#include "history/history_fields.h"
 #include "history/json_reader.h"
 #include "history/plain_line.h"
 
@@ -16,18 +16,6 @@ namespace {
 
 constexpr auto bit = JsonReader::bit;
 constexpr std::int64_t max_count = std::numeric_limits<std::int64_t>::max();
-
-int read_id(JsonReader& json, int lowest, int last_id) {
-  return static_cast<int>(json.integer(lowest, last_id));
-}
-
-Quad read_edge(JsonReader& json, int last_id) {
-  std::array<int, 4> ids{};
-  json.array_of<4>([&](std::size_t i) { ids[i] = read_id(json, container_id, last_id); });
-  const Quad edge{ids[0], ids[1], ids[2], ids[3]};
-  if (!names_an_edge(edge)) json.fail("names no edge: its generators are not distinct");
-  return canonical(edge);
-}
 
 // A member "v" or "p": of a maneuver a vector, of a collision two, of which null is the
 // container's. Which of both can be told only once all keys are read.
@@ -88,12 +76,6 @@ std::shared_ptr<const ExactValues> exact_values(const Number& t, const Vectors& 
   return values;
 }
 
-Number read_time(JsonReader& json) {
-  Number t = json.number();
-  if (t.exact ? *t.exact < 0 : t.nearest < 0) json.fail("negative");
-  return t;
-}
-
 HistoryEnd read_end(JsonReader& json, const Rational& horizon) {
   enum { t, flips, collisions, maneuvers };
   static constexpr std::array<std::string_view, 4> names = {"t", "flips", "collisions",
@@ -103,10 +85,7 @@ HistoryEnd read_end(JsonReader& json, const Rational& horizon) {
   json.object(names, all, [&](std::size_t member) {
     switch (member) {
       case t:
-        // A producer may have rounded an exact horizon to write it here.
-        if (const Number number = read_time(json);
-            number.value() != horizon && number.nearest != round_nearest(horizon))
-          json.fail("not the horizon");
+        read_end_time(json, horizon);
         break;
       case flips:
         end.counts.flips = json.integer(0, max_count);
@@ -208,7 +187,7 @@ Line read_line(std::string_view text, const std::string& path, std::int64_t numb
             line.time = read_time(json);
             break;
           case flip:
-            line.quad = read_edge(json, last_id);
+            line.quad = canonical(read_edge(json, last_id));
             break;
           case collide:
             json.array_of<2>(
@@ -288,32 +267,17 @@ void HistoryReader::read_header(std::string_view text, const std::string& wanted
           case version:
             read_version(json);
             break;
-          case scene_sha256: {
-            std::string& hash = header_.scene_sha256;
-            hash = json.text();
-            for (char& c : hash)
-              if (c >= 'A' && c <= 'F') c = static_cast<char>(c - 'A' + 'a');
-            if (hash.size() != 64 ||
-                hash.find_first_not_of("0123456789abcdef") != std::string::npos)
-              json.fail("not 64 hexadecimal digits");
-            // The hash is checked before the ids, which would be those of another scene.
-            if (!wanted_sha256.empty() && hash != wanted_sha256)
-              json.fail("the history is one of another scene");
+          case scene_sha256:
+            header_.scene_sha256 = read_scene_sha256(json, wanted_sha256);
             break;
-          }
           case horizon:
             header_.horizon = read_time(json).value();
             break;
           case producer:
             header_.producer = json.text();
             break;
-          case initial: {
-            std::vector<Quad>& edges = header_.initial.emplace();
-            json.array([&](std::size_t) { edges.push_back(read_edge(json, last_id_)); });
-            std::sort(edges.begin(), edges.end());
-            if (std::adjacent_find(edges.begin(), edges.end()) != edges.end())
-              json.fail("names an edge twice");
-          }
+          case initial:
+            header_.initial = read_initial(json, last_id_);
         }
       },
       &header_.extensions);

@@ -10,13 +10,10 @@
 #include <vector>
 
 #include "exact/motion_input.h"
+#include "exact/point2.h"
 #include "history/extensions.h"
 
 namespace voroproof::internal {
-
-struct Point2 {
-  Rational x, y;
-};
 
 // At time t the velocity of the disk becomes (vx, vy).
 struct Maneuver {

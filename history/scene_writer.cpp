@@ -4,24 +4,10 @@
 
 #include "history/json_text.h"
 #include "history/scene.h"
+#include "history/scene_text.h"
 
 namespace voroproof::internal {
 namespace {
-
-std::string pair_text(const Rational& x, const Rational& y) {
-  return '[' + number_text(x) + ", " + number_text(y) + ']';
-}
-
-std::string seed_text(const std::variant<std::string, Integer>& seed) {
-  if (const auto* text = std::get_if<std::string>(&seed)) return string_text(*text);
-  return std::get<Integer>(seed).get_str();
-}
-
-// Those of the disk or maneuver of that index, as members of its object.
-std::string members_of(const std::map<std::size_t, Extensions>& extensions, std::size_t index) {
-  const auto found = extensions.find(index);
-  return found == extensions.end() ? std::string() : members_text(found->second, true);
-}
 
 // A disk of radius 0 has no default mass; a lone one may have none at all.
 bool has_default_mass(const DiskInput& disk) { return disk.mass == square(disk.radius); }
@@ -30,10 +16,7 @@ bool has_default_mass(const DiskInput& disk) { return disk.mass == square(disk.r
 
 void write_scene(std::ostream& out, const Scene& scene) {
   out << "{\"format\": \"voroproof-scene\", \"version\": 1,\n";
-  if (!scene.name.empty()) out << " \"name\": " << string_text(scene.name) << ",\n";
-  if (!scene.comment.empty()) out << " \"comment\": " << string_text(scene.comment) << ",\n";
-  if (scene.seed) out << " \"seed\": " << seed_text(*scene.seed) << ",\n";
-  out << " \"container\": {\"center\": " << pair_text(scene.cx, scene.cy)
+  out << lines_for_people(scene) << " \"container\": {\"center\": " << pair_text(scene.cx, scene.cy)
       << ", \"radius\": " << number_text(scene.container_radius);
   if (scene.container_restitution != 1)
     out << ", \"restitution\": " << number_text(scene.container_restitution);

@@ -9,8 +9,8 @@
 #include "exact/rational.h"
 #include "history/error.h"
 #include "history/file_bytes.h"
+#include "history/file_format.h"
 #include "history/format_version.h"
-#include "history/validate.h"
 
 namespace voroproof::internal {
 

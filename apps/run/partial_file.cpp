@@ -7,7 +7,7 @@
 #include "apps/cli/command_line.h"
 #include "history/atomic_file.h"
 #include "history/error.h"
-#include "history/validate.h"
+#include "history/file_format.h"
 
 namespace voroproof::internal {
 

@@ -29,6 +29,11 @@ void tell_counts(std::ostream& out, const ShardFile& file, const SecondWords& se
 
 }  // namespace
 
+ExitCode exit_code(Verdict verdict) {
+  if (verdict == Verdict::certified) return ExitCode::ok;
+  return verdict == Verdict::refuted ? ExitCode::refuted : ExitCode::undecided;
+}
+
 void tell(std::ostream& out, const ShardFile& file, const SecondWords& second,
           const std::string& shard, bool quiet) {
   const Certificate& c = file.shard.certificate;

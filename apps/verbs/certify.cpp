@@ -15,6 +15,7 @@
 #include "apps/run/second_checker.h"
 #include "apps/run/told_certificate.h"
 #include "apps/verbs/certify_diagram.h"
+#include "apps/verbs/certify_world.h"
 #include "apps/verbs/verbs.h"
 #include "certify/certifier.h"
 #include "history/claim.h"
@@ -22,6 +23,7 @@
 #include "history/error.h"
 #include "history/json_text.h"
 #include "history/output_file.h"
+#include "history/world.h"
 #include "library/certification.h"
 #include "library/history_index.h"
 #include "library/maneuver_input.h"
@@ -39,17 +41,10 @@ struct Request {
   bool quiet = false, kernel = false, proved = false, resume = false;
 };
 
-ExitCode exit_code(Verdict verdict) {
-  if (verdict == Verdict::certified) return ExitCode::ok;
-  return verdict == Verdict::refuted ? ExitCode::refuted : ExitCode::undecided;
-}
-
-// Makes it the certificate of a history that a limit of the user's does not let be judged to its
-// end. What it says of horizons and file stays.
+// Makes it that of a history that is not judged to its end. What it says of the files stays.
 void undecide(Certificate& certificate, const std::string& reason, std::int64_t prefix_events,
               double prefix_t) {
-  Certificate at_limit;
-  at_limit.verdict = Verdict::undecided;
+  Certificate at_limit;  // undecided
   at_limit.reason = reason;
   at_limit.prefix_events = prefix_events;
   at_limit.prefix_t = prefix_t;
@@ -58,14 +53,12 @@ void undecide(Certificate& certificate, const std::string& reason, std::int64_t 
   certificate = std::move(at_limit);
 }
 
-// Which shard a certificate is of, as its verdict says it: "SHARD 2/8 "; empty where it is of the
-// whole. The verdict of a shard is none of the history.
+// The shard as its verdict names it: "SHARD 2/8 "; empty for the whole.
 std::string name_of_shard(const Request& request, const ShardFile& file) {
   if (request.part.empty()) return {};
   return "SHARD " + std::to_string(file.number) + "/" + std::to_string(file.of) + " ";
 }
 
-// The shard that --part names, or the one of all parts.
 void read_part(const Request& request, ShardFile& file) {
   if (request.part.empty()) return;
   const auto part = part_of(request.part);
@@ -148,13 +141,11 @@ void certify_shard_of(const Request& request, Claim& claim, const CertifyOptions
   }
 }
 
-// Certifies the claim, or its shard; undecided where a limit is reached: then false. Throws
-// Interrupted.
+// Certifies the claim, or its shard; undecided at a limit: then false. Throws Interrupted.
 bool certify_claim(const Request& request, Claim& claim, const CertifyOptions& options,
                    const CooperativeInterruption& interruption,
                    std::optional<BegunCertificate>& begun, ShardFile& file) {
   Certificate& certificate = file.shard.certificate;
-  // These facts are known whatever ends the run.
   certificate.other_horizon = other_horizon(claim.scene, claim.history->header());
   certificate.remarks = claim.remarks;
   try {
@@ -178,7 +169,6 @@ bool certify_claim(const Request& request, Claim& claim, const CertifyOptions& o
   return false;
 }
 
-// Writes the report, or the certificate of the shard.
 void write_result(const Request& request, OutputFile& output, const ShardFile& file) {
   output.write(request.part.empty() ? report_text(file.run, file.options, file.shard.certificate)
                                     : shard_text(file));
@@ -214,6 +204,18 @@ void read_tolerances(const Request& request, const HistoryHeader& header, Certif
   } catch (const std::invalid_argument& fault) {
     throw UsageError(std::string("--") + fault.what());
   }
+}
+
+// The exact truth and the recorded one are one in a world.
+ExitCode certify_files_of_world(const Request& request) {
+  if (request.events != "all" || request.order != "format" || request.kernel || request.proved ||
+      request.resume || !request.report.empty() || request.options.unoriented) {
+    throw UsageError("a world is certified with --tolerance, --max-events and --quiet only");
+  }
+  require_order(request.scene, request.history);
+  return certify_world({request.scene, request.history,
+                        time_argument("--tolerance", request.tolerance), request.max_events,
+                        request.quiet});
 }
 
 ExitCode certify_files(Request& request) {
@@ -370,10 +372,9 @@ void add_certify(Verb& program) {
   verb.flag("--quiet", request->quiet,
             "Show no progress on the terminal, and write nothing but the verdict, what it is about "
             "and what it leaves open.");
-  verb.note("What s CERTIFIED says is stated in docs/claim.md.")
-      .note(
-          "The last line of the output is s CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) "
-          "or s UNDECIDED (3).");
+  verb.note(
+      "What s CERTIFIED says is stated in docs/claim.md. The last line of the output is s "
+      "CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) or s UNDECIDED (3).");
   verb.example("voroproof certify a.scene.json a.history.jsonl --truth recorded --report r.json");
   verb.does([request] {
     try {
@@ -382,7 +383,9 @@ void add_certify(Verb& program) {
         request->diagram.quiet = request->quiet;
         return certify_diagram_files(request->diagram);
       }
-      return request->shards.empty() ? certify_files(*request) : merge_files(*request);
+      if (!request->shards.empty()) return merge_files(*request);
+      return is_world_file(request->scene) ? certify_files_of_world(*request)
+                                           : certify_files(*request);
     } catch (const InputError& error) {
       std::cerr << "voroproof: " << printable(error.what(), 4096) << '\n';
     } catch (const UsageError& error) {

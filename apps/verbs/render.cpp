@@ -8,7 +8,7 @@
 #include "apps/draw/render.h"
 #include "apps/verbs/verbs.h"
 #include "history/error.h"
-#include "history/validate.h"
+#include "history/file_format.h"
 
 namespace voroproof::internal {
 namespace {

@@ -16,12 +16,14 @@
 #include "apps/run/history_sink.h"
 #include "apps/run/keeper.h"
 #include "apps/run/stats_file.h"
+#include "apps/verbs/simulate_world.h"
 #include "apps/verbs/verbs.h"
 #include "history/descriptor.h"
 #include "history/error.h"
 #include "history/history_writer.h"
 #include "history/json_text.h"
 #include "history/output_file.h"
+#include "history/world.h"
 #include "library/maneuver_input.h"
 
 namespace voroproof::internal {
@@ -207,11 +209,9 @@ void close_short(HistoryWriter& writer, const Request& request, const OutputErro
   }
 }
 
-ExitCode simulate(const Request& request) {
+ExitCode simulate_scene(const Request& request) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
-  require_distinct({request.scene},
-                   {request.history, request.history + partial_ending, request.stats});
   CooperativeInterruption interruption;
   Scene scene = read_scene(request.scene);
   if (!request.horizon.empty()) scene.horizon = time_argument("--horizon", request.horizon);
@@ -282,6 +282,23 @@ ExitCode simulate(const Request& request) {
     print_summary(words_beside({request.history, request.stats}), outcome, engine.stats());
   }
   return report(outcome);
+}
+
+ExitCode simulate(const Request& request) {
+  require_distinct({request.scene},
+                   {request.history, request.history + partial_ending, request.stats});
+  if (!is_world_file(request.scene)) return simulate_scene(request);
+  if (request.resume || !request.stats.empty()) {
+    throw UsageError("--resume, --stats: not for worlds (scenes of version 2)");
+  }
+  std::optional<Rational> horizon;
+  if (!request.horizon.empty()) horizon = time_argument("--horizon", request.horizon);
+  return simulate_world({.scene = request.scene,
+                         .history = request.history,
+                         .horizon = horizon,
+                         .max_events = request.max_events,
+                         .replace = request.replace,
+                         .quiet = request.quiet});
 }
 
 }  // namespace

@@ -91,6 +91,53 @@ void Diagram::insert_in_vertex(HalfEdge h, GenId g) {
   link(el, lg, twin(eg));
 }
 
+void Diagram::move_half(HalfEdge from, HalfEdge to) {
+  halves_[next(from)].previous = to;
+  halves_[to] = halves_[from];
+  HalfEdge& anchor = anchor_[org(to) + 1];
+  if (anchor == from) anchor = to;
+}
+
+std::vector<int> Diagram::remove(GenId g) {
+  if (edges() == 3) {
+    halves_.clear();
+    std::fill(anchor_.begin(), anchor_.end(), -1);
+    return {};
+  }
+  const HalfEdge gl = anchor(g), gr = rotate(gl);
+  const HalfEdge kept = next(gl), gone = next(gr);  // l r and r l, with g as apex
+  const HalfEdge outer = twin(gone), b = next(outer), a = previous(outer);
+  link(kept, b, a);
+  anchor_[g + 1] = -1;
+  anchor_[org(kept) + 1] = kept;
+  anchor_[dest(kept) + 1] = twin(kept);
+  std::array<int, 3> places{gl / 2, gr / 2, gone / 2};
+  std::sort(places.rbegin(), places.rend());
+  std::vector<int> changed{kept / 2};
+  for (const int place : places) {
+    const int last = edges() - 1;
+    if (place != last) {
+      for (const int side : {0, 1}) move_half(2 * last + side, 2 * place + side);
+      std::replace(changed.begin(), changed.end(), last, place);
+      changed.push_back(place);
+    }
+    halves_.resize(halves_.size() - 2);
+  }
+  return changed;
+}
+
+void Diagram::exchange(GenId a, GenId b) {
+  const auto from = [this](GenId g) {
+    std::vector<HalfEdge> all;
+    for (const HalfEdge h : ring(g)) all.push_back(h);
+    return all;
+  };
+  const std::vector<HalfEdge> of_a = from(a), of_b = from(b);
+  for (const HalfEdge h : of_a) halves_[h].org = b;
+  for (const HalfEdge h : of_b) halves_[h].org = a;
+  std::swap(anchor_[a + 1], anchor_[b + 1]);
+}
+
 void Diagram::flip(HalfEdge h) {
   const HalfEdge t = twin(h);
   const HalfEdge el = previous(h), re = previous(el);  // triangle l r e

@@ -37,6 +37,13 @@ class Diagram {
   // Puts a new generator g in the place of the V-vertex on the left of h: its cell gets three
   // edges. The half-edges of the triangle stay, with g as their apex.
   void insert_in_vertex(HalfEdge h, GenId g);
+  // The inverse of insert_in_edge(): takes out g, whose cell has two edges; nothing is left where
+  // these are two of three. Edges of the largest numbers take the places of those that are gone:
+  // returned are the numbers of all edges that are another one now, first that of the edge which g
+  // divided.
+  std::vector<int> remove(GenId g);
+  // Exchanges the names of two generators; one of them may have no edges.
+  void exchange(GenId a, GenId b);
   // Replaces the edge of h, with quadruplet [l,r,s,e], by [s,e,r,l]; h then runs
   // from s to e. Precondition: s != e.
   void flip(HalfEdge h);
@@ -90,6 +97,7 @@ class Diagram {
                                   const std::vector<HalfEdge>& previous,
                                   const std::vector<HalfEdge>& anchors);
   HalfEdge new_edge(GenId a, GenId b);
+  void move_half(HalfEdge from, HalfEdge to);
   void link(HalfEdge a, HalfEdge b, HalfEdge c);
 
   int disks_;

@@ -3,7 +3,7 @@
 
 Each block of code of README.md, docs/ and corpus/ that is marked `json` or `jsonl` is a whole file of one
 of the formats: its schema accepts it, and `voroproof validate` does, where it knows the format. An
-excerpt is marked `json excerpt`. The examples of docs/formats.md are those that the program makes of
+excerpt is marked `json excerpt`. The first examples of docs/formats.md are those that the program makes of
 the scene there.
 
 usage: documents.py PROGRAM
@@ -83,7 +83,7 @@ def main():
                     if fault is not None:
                         faults.append(f"{where}: {block[:40]!r}: {fault}")
                     if where.name == "formats.md":
-                        examples[kind] = block
+                        examples.setdefault(kind, block)  # a later one of a kind is one of a world
             # An example without a mark would not be looked at. What commands write is (docs/commands_test.py).
             unmarked = BLOCK.sub(lambda m: "" if m[1].startswith(("json", "sh")) else m[2], text)
             for line in unmarked.splitlines():

@@ -52,6 +52,32 @@ FILES = {
         "vertices": [{"generators": [-1, 0, 1], "center": [3, 9], "radius": 9.5},
                      {"generators": [-1, 1, 0], "center": [3, -9], "radius": 9.5}],
         "edges": [[-1, 0, 1, 1], [-1, 1, 0, 0], [0, 1, -1, -1]]}],
+    "world.json": [{
+        "format": "voroproof-scene", "version": 2, "name": "n", "horizon": 20, "contacts": "pass",
+        "frame": {"center": [0, 0], "radius": 100, "growth": "-1/2"},
+        "disks": [{"center": [1, "1/3"], "radius": 2, "velocity": [1, 0], "growth": "1/4"},
+                  {"center": [1, 0], "radius": 1, "velocity": [0, 0], "enter": 1, "leave": 9}],
+        "maneuvers": [{"t": 0, "disk": 0, "velocity": [0, 1]},
+                      {"t": 3, "disk": 1, "center": [5, 5], "radius": 3},
+                      {"t": 8, "disk": 0, "growth": 0}]}],
+    "plane.json": [{
+        "format": "voroproof-scene", "version": 2, "horizon": 5, "contacts": "pass", "frame": "none", "disks": []}],
+    "held.json": [{
+        "format": "voroproof-scene", "version": 2, "horizon": 5, "contacts": "pass",
+        "container": {"center": [0, 0], "radius": 9}, "disks": []}],
+    "world.jsonl": [
+        {"format": "voroproof-history", "version": 2, "scene_sha256": "0a" * 32, "horizon": 20,
+         "producer": "p 1", "initial": [[-1, 0, 1, 1], [-1, 1, 0, 0], [0, 1, -1, -1]]},
+        {"t": 1, "flip": [-1, 0, 1, 2]},
+        {"t": 1, "hide": [1, 0]},
+        {"t": 2, "appear": [1, 0], "at": [0, 4, -1, 2]},
+        {"t": 2, "swap": [0, 3]},
+        {"t": 3, "maneuver": 1, "v": [1, 0], "p": [7, 8], "growth": 2},
+        {"t": 4, "jump": 3, "out": [[1, 2, 3, 4], [5, 6], [5, 6, 6, 1, 2, 4], [5, 6, None]],
+         "at": [4, 8, 1, -1], "in": [[3, 4, 5, 6]], "p": [1, 2], "v": [3, 4], "r": 5},
+        {"t": 5, "jump": 4, "in": []},
+        {"end": {"t": 20, "flips": 1, "hides": 1, "appears": 1, "swaps": 1, "jumps": 2,
+                 "collisions": 0, "maneuvers": 1}}],
     "plan.json": [{
         "format": "voroproof-plan", "version": 1, "name": "n",
         "container": {"center": [0, 0], "radius": 50}, "arrive": 10, "clearance": "1/3",
@@ -61,13 +87,15 @@ FILES = {
 
 # The messages of `validate` of each kind, which no schema can say.
 UNSAYABLE = {
-    "an order of values": ["earlier than", "the smaller first", "listed by id"],
+    "an order of values": ["earlier than", "later than", "the smaller first", "listed by id", "after the disk enters",
+                           "has left"],
     "a bound that is another value": ["beyond the horizon", "not the horizon", "no such disk"],
-    "generators that differ": ["names no edge"],
+    "generators that differ": ["names no edge", "its own host", "the first generator", "of the disk itself"],
     "an edge twice, under either name": ["names an edge twice"],
     "counts and the way in which parts belong together": [
-        "wrong counts", " disks", "which is no vertex", "like another before it",
+        "wrong counts", " disks", "which is no vertex", "neither out nor in", "like another before it",
         "a vertex of the same name", "second maneuver"],
+    "a radius that shrinks": ["becomes negative", "is not positive"],
     "geometry": ["overlap", "container", "contains", "no default"],
     "the size of an exact string": ["not in [0, 1", "not in (0, 1]", "beyond the limits of a scene"],
     "the size of a number where any value may stand": ["beyond the range of binary64"],
@@ -84,6 +112,13 @@ OTHERS = [
     ("scene.json", 0, ("disks",), [{"center": [0, 0], "radius": 0, "velocity": [0, 0]},
                                    {"center": [5, 0], "radius": 1, "velocity": [0, 0]}]),
     ("scene.json", 0, ("maneuvers",), [{"t": 1, "disk": 0, "velocity": [0, 1]}] * 2),
+    ("world.json", 0, ("frame", "growth"), -10),
+    ("world.json", 0, ("disks", 0, "growth"), -1),
+    ("world.json", 0, ("disks", 1, "leave"), 3),
+    ("world.json", 0, ("container",), {"center": [0, 0], "radius": 1}),
+    ("world.jsonl", 3, ("at",), [4, 0, 2, -1]),
+    ("world.jsonl", 3, ("at",), [0, 1, -1, 2]),
+    ("world.jsonl", 6, ("out", 1), [5, 5]),
 ]
 
 # The part of a message before the reason: file, line and field.

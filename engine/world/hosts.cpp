@@ -1,0 +1,81 @@
+#include "engine/world/hosts.h"
+
+#include "engine/world/next_root.h"
+#include "exact/patience.h"
+#include "filtered/numbers/subdivision.h"
+
+namespace voroproof::internal {
+namespace {
+
+constexpr int kBitsOfBalls = 192;
+
+}  // namespace
+
+bool hides_after(const MovingRows& rows, GenId j, GenId g, const WorldTime& t) {
+  if (j == container_id && !rows.has_circle()) return false;
+  const Sign p = sign_after(rows.tangency_of(g, j), t), excess = sign_after(rows.excess(g, j), t);
+  if (j == container_id) return p != Sign::positive || excess != Sign::negative;
+  if (p == Sign::positive || excess == Sign::negative) return false;
+  return excess == Sign::positive || j < g;
+}
+
+GenId host_after(const MovingRows& rows, GenId g, const WorldTime& t) {
+  const auto one_of = [&](GenId inner) {
+    for (GenId j = container_id; j < rows.disks(); ++j) {
+      if (j == inner || (j >= 0 && !rows.is_there(j))) continue;
+      Patience::ask();
+      if (hides_after(rows, j, inner, t)) return j;
+    }
+    return LiveDiagram::visible;
+  };
+  GenId host = one_of(g);
+  while (host >= 0) {
+    const GenId outer = one_of(host);
+    if (outer == LiveDiagram::visible) break;
+    host = outer;
+  }
+  return host;
+}
+
+GenId left_at(const MovingRows& rows, const LiveDiagram& live, GenId host, GenId g,
+              const WorldTime& t) {
+  const Ball about = MakeBall{kBitsOfBalls}.hull(t.interval().lo, t.interval().hi);
+  GenId best = host;
+  for (GenId j = 0; j < rows.disks(); ++j) {
+    if (j == host || j == g || !rows.is_there(j) || !live.is_visible(j)) continue;
+    const TimePolynomial p = rows.tangency_of(g, j);
+    if (is_certain(value(p, about).sign()) || sign_at(p, t) != Sign::zero) continue;
+    if (sign_at(rows.excess(g, j), t) != Sign::positive) continue;
+    // How far g is outside is p over the sum of the distance of centres and the difference of
+    // radii, which become one at the instant.
+    const auto far = [&](GenId k) {
+      return k == container_id ? -rows.excess(g, k) : rows.excess(g, k);
+    };
+    const TimePolynomial of_best = rows.tangency_of(g, best) * far(j), of_j = p * far(best);
+    if (sign_after(of_best - of_j, t) == Sign::positive) best = j;
+  }
+  return best;
+}
+
+bool coincide_at(const MovingRows& rows, GenId i, GenId j, const WorldTime& t) {
+  const Site<TimePolynomial>&a = rows.site(i), &b = rows.site(j);
+  return sign_at(a.r - b.r, t) == Sign::zero && sign_at(a.x - b.x, t) == Sign::zero &&
+         sign_at(a.y - b.y, t) == Sign::zero;
+}
+
+std::optional<WorldTime> exit_after(const MovingRows& rows, GenId j, GenId g, const WorldTime& now,
+                                    const Rational& end) {
+  const TimePolynomial p = rows.tangency_of(g, j), excess = rows.excess(g, j);
+  const auto leaves = [&](const WorldTime& t, Sign) { return !hides_after(rows, j, g, t); };
+  std::optional<WorldTime> out = first_root(p, now, end, leaves);
+  // Where both are the same for an instant the other one may be inside afterwards.
+  std::optional<WorldTime> passed = first_root(excess, now, end, leaves);
+  return !out || (passed && compare(*passed, *out) < 0) ? passed : out;
+}
+
+std::optional<WorldTime> meeting_after(const MovingRows& rows, GenId i, GenId j,
+                                       const WorldTime& now, const Rational& end) {
+  return first_root(rows.tangency_of(i, j), now, end, [](const WorldTime&, Sign) { return true; });
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,110 @@
+#include "engine/world/moving_edge.h"
+
+#include <array>
+
+#include "filtered/numbers/subdivision.h"
+#include "filtered/search/collapse.h"
+
+namespace voroproof::internal {
+namespace {
+
+constexpr int kBitsOfBalls = 192;
+
+Quad from_disk(const Quad& q) { return q.l == container_id ? reversed(q) : q; }
+
+}  // namespace
+
+template <class T>
+MovingEdge::Ends<T>::Ends(const Site<T>& l, const GeneratorRow<T>& s, const GeneratorRow<T>& r,
+                          const GeneratorRow<T>& e)
+    : start(l, s, r, false),
+      end(l, r, e, false),
+      a(e.x * start.sp - e.s * start.xp + e.p * start.xs),
+      b(e.y * start.sp - e.s * start.yp + e.p * start.ys),
+      c(e.x * start.yp - e.y * start.xp + e.p * start.xy) {}
+
+// Whether both circles are one: then, seen from l, they are in one direction.
+template <class T>
+MovingEdge::Expression<T> MovingEdge::expression(const Ends<T>& ends, Which which) {
+  const TangentTriple<T>&m = ends.start, &n = ends.end;
+  if (which == Which::same_circle) {
+    return {-(m.sp * (n.xp * m.yp - n.yp * m.xp)), gamma(m), n.xp * m.xp + n.yp * m.yp};
+  }
+  const TangentTriple<T>& circle = which == Which::conflict_at_start ? m : n;
+  return {circle.xp * ends.a + circle.yp * ends.b, gamma(circle), ends.c};
+}
+
+MovingEdge::MovingEdge(const MovingRows& rows, const Quad& q)
+    : rows_(rows),
+      quad_(from_disk(q)),
+      ends_(rows.site(quad_.l), rows.row_of(quad_.l, quad_.s), rows.row_of(quad_.l, quad_.r),
+            rows.row_of(quad_.l, quad_.e)),
+      f_(ends_.a * ends_.a + ends_.b * ends_.b - ends_.c * ends_.c),
+      is_square_((ends_.a.is_zero() && ends_.b.is_zero()) || f_.is_zero()) {}
+
+Sign MovingEdge::sign_of(Which which, Sign f, const WorldTime& t,
+                         const std::optional<Ends<Ball>>& near) const {
+  const bool by_f = which != Which::same_circle && f != Sign::unknown && f != Sign::zero;
+  if (near) {
+    const Expression<Ball> x = expression(*near, which);
+    const Sign s =
+        by_f ? (f == Sign::positive ? x.u : x.v).sign() : (x.u + sqrt(x.gamma) * x.v).sign();
+    if (is_certain(s)) return s;
+  }
+  const Expression<TimePolynomial> x = expression(ends_, which);
+  if (by_f) return sign_after(f == Sign::positive ? x.u : x.v, t);
+  const Sign u = sign_after(x.u, t), v = sign_after(x.v, t);
+  if (which != Which::same_circle) return sign_with_root(u, v, f);
+  return u == v ? u : sign_with_root(u, v, sign_after(x.u * x.u - x.gamma * x.v * x.v, t));
+}
+
+bool MovingEdge::has_inner_touch(const WorldTime& t, const Ball& about) const {
+  const std::array<GenId, 4> all{quad_.l, quad_.r, quad_.s, quad_.e};
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < i; ++j) {
+      if (all[i] == all[j]) continue;
+      const TimePolynomial p = rows_.tangency_of(all[i], all[j]);
+      if (is_certain(value(p, about).sign())) continue;
+      if (sign_at(p, t) == Sign::zero) return true;
+    }
+  }
+  return false;
+}
+
+// At the instant itself: the roots that tell may vanish there.
+bool MovingEdge::may_be_point_at(const WorldTime& t) const {
+  const Expression<TimePolynomial> x = expression(ends_, Which::same_circle);
+  const Sign u = sign_at(x.u, t), v = sign_at(x.v, t);
+  if (u == v) return u != Sign::negative;
+  const Sign d = sign_at(x.u * x.u - x.gamma * x.v * x.v, t);
+  return d == Sign::zero || sign_with_root(u, v, d) != Sign::negative;
+}
+
+bool MovingEdge::collapses_at(const WorldTime& t, Sign after) const {
+  const Ball at = MakeBall{kBitsOfBalls}.hull(t.interval().lo, t.interval().hi);
+  const auto row = [&](GenId g) { return rows_.row_of(quad_.l, g, at); };
+  const std::optional<Ends<Ball>> near(std::in_place, rows_.site(quad_.l, at), row(quad_.s),
+                                       row(quad_.r), row(quad_.e));
+  const auto certainly_outside = [&](Which which) {
+    const Expression<Ball> x = expression(*near, which);
+    return (x.u + sqrt(x.gamma) * x.v).sign() == Sign::positive;
+  };
+  if (certainly_outside(Which::conflict_at_start) || certainly_outside(Which::conflict_at_end)) {
+    return false;
+  }
+  const bool known = after != Sign::unknown;
+  const Sign f = is_square_ ? (f_.is_zero() ? Sign::zero : Sign::negative)
+                 : known    ? after
+                            : sign_after(f_, t);
+  const auto conflict = [&](Which which) {
+    return is_square_ && known && f == Sign::negative ? after : sign_of(which, f, t, near);
+  };
+  const Sign start = conflict(Which::conflict_at_start), end = conflict(Which::conflict_at_end);
+  if (start == Sign::positive || end == Sign::positive) return false;
+  const bool tie = start == Sign::zero && end == Sign::zero;
+  if (tie ? legal_while_cotangent(quad_) : start == Sign::zero || end == Sign::zero) return false;
+  if (!tie && has_inner_touch(t, at)) return may_be_point_at(t);
+  return sign_of(Which::same_circle, f, t, near) == Sign::positive;
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,60 @@
+// The V-edges of a world: when they collapse.
+//
+// Seen from a disk l, the edge [l,r,s,e] leads from the circle that touches l, s, r to the one that
+// touches l, r, e. With A, B, C the determinants of the rows x s p, y s p and x y p of s, r, e, up
+// to signs, the cotangency is 4 f, f = A^2 + B^2 - C^2, and whether e is outside of the first
+// circle, and s outside of the second, is told by G + sqrt(Gamma) C, with G and Gamma of either
+// circle (exact/predicates.h).
+#pragma once
+
+#include <optional>
+
+#include "engine/world/moving_rows.h"
+
+namespace voroproof::internal {
+
+class MovingEdge {
+ public:
+  // All four generators are there or the frame. `rows` outlives it.
+  MovingEdge(const MovingRows& rows, const Quad& q);
+
+  // A polynomial that has a root wherever the edge may collapse: f, but C where f is - C^2, as of
+  // equal radii that grow alike, or zero. It is zero where there is nothing to look for.
+  const TimePolynomial& polynomial() const { return is_square_ ? ends_.c : f_; }
+  // Whether the edge is one that must not be there just after the instant, and a point at it: then
+  // it collapses at the instant, or has been wrong before. Where its four generators touch one
+  // circle from then on the rule of the largest id tells. Where one of the four touches another
+  // from inside at the instant, it is taken for a point unless it certainly has a length. `after`:
+  // the sign of the polynomial just after the instant, if it is known.
+  bool collapses_at(const WorldTime& t, Sign after = Sign::unknown) const;
+
+ private:
+  // The circle at one end.
+  template <class T>
+  struct Ends {
+    TangentTriple<T> start, end;
+    T a, b, c;
+    Ends(const Site<T>& l, const GeneratorRow<T>& s, const GeneratorRow<T>& r,
+         const GeneratorRow<T>& e);
+  };
+  // The sign of u + sqrt(gamma) v.
+  template <class T>
+  struct Expression {
+    T u, gamma, v;
+  };
+  enum class Which { conflict_at_start, conflict_at_end, same_circle };
+  template <class T>
+  static Expression<T> expression(const Ends<T>& ends, Which which);
+  bool may_be_point_at(const WorldTime& t) const;
+  bool has_inner_touch(const WorldTime& t, const Ball& about) const;
+  Sign sign_of(Which which, Sign f, const WorldTime& t,
+               const std::optional<Ends<Ball>>& near) const;
+
+  const MovingRows& rows_;
+  Quad quad_;  // a disk on its left
+  Ends<TimePolynomial> ends_;
+  TimePolynomial f_;
+  bool is_square_;
+};
+
+}  // namespace voroproof::internal

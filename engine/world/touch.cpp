@@ -1,0 +1,118 @@
+#include "engine/world/touch.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "engine/world/cell_exit.h"
+#include "engine/world/moving_edge.h"
+#include "filtered/motion/options.h"
+
+namespace voroproof::internal {
+namespace {
+
+using HalfEdge = Diagram::HalfEdge;
+
+// The changes of a diagram, made on a copy.
+class Trial {
+ public:
+  Trial(const MovingRows& rows, const Diagram& diagram, GenId g, GenId j, const WorldTime& t)
+      : rows_(rows), before_(diagram), now_(diagram), g_(g), j_(j), t_(t) {}
+
+  std::vector<HalfEdge> flips() {
+    for (;;) {
+      const HalfEdge h = edge_without_length(now_, g_, j_);
+      if (h < 0) break;
+      flip(h);
+    }
+    move();
+    legalize();
+    return is_same() ? std::vector<HalfEdge>() : std::move(flips_);
+  }
+
+ private:
+  void flip(HalfEdge h) {
+    now_.flip(h);
+    flips_.push_back(h);
+    const HalfEdge t = Diagram::twin(h);
+    for (const HalfEdge k : {h, now_.next(h), now_.previous(h), now_.next(t), now_.previous(t)}) {
+      touched_.insert(k / 2);
+    }
+  }
+
+  // The cell, of two edges, passes vertices of that of j up to where it belongs.
+  void move() {
+    Diagram without = now_;
+    HalfEdge here = 2 * without.remove(g_).front();
+    if (without.org(here) != j_) here = Diagram::twin(here);
+    const HalfEdge there = cell_exit(rows_, without, j_, g_, t_);
+    int left = 0, right = 0;
+    for (HalfEdge h = here; h != there; h = without.rotate(h)) ++left;
+    for (HalfEdge h = there; h != here; h = without.rotate(h)) ++right;
+    for (int step = 0; step < std::min(left, right); ++step) {
+      HalfEdge to_g = now_.anchor(j_);
+      while (now_.dest(to_g) != g_) to_g = now_.rotate(to_g);
+      const HalfEdge to_other = now_.rotate(Diagram::twin(to_g));
+      flip(left <= right ? now_.rotate(to_g) : now_.next(Diagram::twin(to_g)));
+      flip(to_other);
+    }
+  }
+
+  void legalize() {
+    for (;;) {
+      std::optional<std::pair<Quad, HalfEdge>> smallest;
+      for (const int edge : touched_) {
+        const HalfEdge h = 2 * edge;
+        const Quad q = now_.quad(h);
+        const std::pair named{canonical(q), h};
+        if (q.s == q.e || (smallest && *smallest < named)) continue;
+        if (MovingEdge(rows_, q).collapses_at(t_)) smallest = named;
+      }
+      if (!smallest) return;
+      flip(smallest->second);
+    }
+  }
+
+  // Whether the edges are those of before, perhaps by other numbers.
+  bool is_same() const {
+    std::set<Quad> before, now;
+    for (const int edge : touched_) {
+      before.insert(canonical(before_.quad(2 * edge)));
+      now.insert(canonical(now_.quad(2 * edge)));
+    }
+    return before == now;
+  }
+
+  const MovingRows& rows_;
+  const Diagram& before_;
+  Diagram now_;
+  GenId g_, j_;
+  const WorldTime& t_;
+  std::vector<HalfEdge> flips_;
+  std::set<int> touched_;
+};
+
+}  // namespace
+
+HalfEdge edge_without_length(const Diagram& diagram, GenId g, GenId j) {
+  std::optional<std::pair<Quad, HalfEdge>> smallest;
+  int edges = 0;
+  for (const HalfEdge h : diagram.ring(g)) {
+    ++edges;
+    const Quad q = diagram.quad(h);
+    if (q.r == j || q.s == q.e) continue;
+    const std::pair named{canonical(q), h};
+    if (!smallest || named < *smallest) smallest = named;
+  }
+  if (edges <= 2) return -1;
+  if (!smallest) throw Undecided("a disk is hidden while its cell has an area", g, j);
+  return smallest->second;
+}
+
+std::vector<HalfEdge> flips_after_touch(const MovingRows& rows, const Diagram& diagram, GenId g,
+                                        GenId j, const WorldTime& t) {
+  return Trial(rows, diagram, g, j, t).flips();
+}
+
+}  // namespace voroproof::internal

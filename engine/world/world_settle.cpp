@@ -1,0 +1,244 @@
+// All that is done at an instant of a sweep.
+#include <algorithm>
+
+#include "engine/world/cell_exit.h"
+#include "engine/world/hosts.h"
+#include "engine/world/moving_edge.h"
+#include "engine/world/touch.h"
+#include "engine/world/world_sweep.h"
+#include "exact/patience.h"
+#include "filtered/motion/options.h"
+
+namespace voroproof::internal {
+
+void WorldSweep::turn(GenId g) {
+  live_.touch_around(g);
+  if (live_.is_visible(g)) {
+    for (const GenId guest : live_.guests(g)) {
+      exits_.insert(guest);
+      stale_disks_.insert(guest);
+    }
+  } else {
+    exits_.insert(g);
+    stale_disks_.insert(g);
+  }
+  absorb();
+}
+
+void WorldSweep::suspect(const std::vector<int>& edges, const std::vector<GenId>& disks) {
+  for (const int edge : edges) {
+    stale_edges_.insert(edge);
+    if (edge < live_.diagram().edges()) suspect(edge);
+  }
+  for (const GenId g : disks) {
+    exits_.insert(g);
+    stale_disks_.insert(g);
+  }
+}
+
+void WorldSweep::suspect(int edge) {
+  new_pairs_.insert(edge);
+  new_edges_.insert(edge);
+  stale_edges_.insert(edge);
+}
+
+// Takes note of what has changed.
+void WorldSweep::absorb() {
+  for (const int edge : live_.take_touched()) {
+    std::erase_if(illegal_, [&](const auto& known) { return known.second == edge; });
+    due_edges_.erase(edge);
+    fresh_edges_.erase(edge);
+    if (edge < live_.diagram().edges()) {
+      suspect(edge);
+    } else {
+      new_pairs_.erase(edge);
+      new_edges_.erase(edge);
+      stale_edges_.insert(edge);
+    }
+  }
+  for (const GenId g : live_.take_moved()) stale_disks_.insert(g);
+}
+
+// Swaps, hides, appears, then flips; within each the smallest first (docs/formats.md, section 20).
+void WorldSweep::settle() {
+  do {
+    Patience::ask_now();
+    absorb();
+    examine_pairs();
+  } while (swap_one() || hide_one() || appear_one() || touch_one() || flip_one());
+  sink_.instant_is_over();
+}
+
+void WorldSweep::examine_pairs() {
+  for (const int edge : new_pairs_) {
+    const Quad q = live_.diagram().quad(2 * edge);
+    for (const auto& [g, j] : {Pair(q.l, q.r), Pair(q.r, q.l)}) {
+      if (g != container_id && hides_after(rows_, j, g, now_)) hides_.insert({g, j});
+    }
+  }
+  new_pairs_.clear();
+  if (rows_.has_circle() && live_.visible_disks() == 1) {
+    const GenId g = live_.first_visible();
+    if (hides_after(rows_, container_id, g, now_)) hides_.insert({g, container_id});
+  }
+}
+
+bool WorldSweep::swap_one() {
+  if (swaps_.empty()) return false;
+  const auto [i, j] = *swaps_.begin();
+  swaps_.erase(swaps_.begin());
+  if (!live_.is_visible(i) || !live_.is_visible(j)) return true;
+  if (sign_after(rows_.tangency_of(i, j), now_) != Sign::positive) {
+    throw Undecided("two disks that become the same at one instant do not part", i, j);
+  }
+  exchange(i, j);
+  return true;
+}
+
+void WorldSweep::exchange(GenId i, GenId j) {
+  for (GenId g = 0; g < rows_.disks(); ++g) {
+    if (g == i || g == j || !rows_.is_there(g)) continue;
+    if (coincide_at(rows_, g, i, now_)) {
+      throw Undecided("three disks are the same at one instant", i, j);
+    }
+  }
+  if (!sink_.takes_swaps()) {
+    if (live_.is_visible(i) && live_.is_visible(j)) {
+      throw Undecided("two disks are the same while another jumps", i, j);
+    }
+    const GenId seen = live_.is_visible(i) ? i : j;
+    take_place(i + j - seen, seen);
+    return;
+  }
+  live_.exchange(i, j);
+  swapped_.insert({i, j});
+  sink_.change(now_, Swap{std::min(i, j), std::max(i, j)});
+}
+
+// g comes into some edge of the cell of j, which has it as its host, and takes one edge of that
+// cell after the other.
+void WorldSweep::take_place(GenId g, GenId j) {
+  const Diagram& diagram = live_.diagram();
+  if (diagram.edges() == 0) {
+    live_.appear(g);
+    sink_.change(now_, Appear{g, j, std::nullopt});
+  } else {
+    const HalfEdge at = diagram.anchor(j);
+    sink_.change(now_, Appear{g, j, diagram.quad(at)});
+    live_.appear(g, at);
+  }
+  if (diagram.edges() > 0) {
+    HalfEdge to_g = diagram.anchor(j);
+    while (diagram.dest(to_g) != g) to_g = diagram.rotate(to_g);
+    while (diagram.rotate(diagram.rotate(to_g)) != to_g) flip(diagram.rotate(to_g));
+  }
+  live_.hide(j, g);
+  sink_.change(now_, Hide{j, g});
+}
+
+bool WorldSweep::hide_one() {
+  if (hides_.empty()) return false;
+  const auto [g, j] = *hides_.begin();
+  if (!live_.is_visible(g) || !live_.is_visible(j)) {
+    hides_.erase(hides_.begin());
+    return true;
+  }
+  const HalfEdge spoke =
+      live_.diagram().edges() > 0 ? edge_without_length(live_.diagram(), g, j) : -1;
+  if (spoke >= 0) {
+    flip(spoke);
+    return true;
+  }
+  hides_.erase(hides_.begin());
+  live_.hide(g, j);
+  sink_.change(now_, Hide{g, j});
+  return true;
+}
+
+bool WorldSweep::appear_one() {
+  while (!exits_.empty()) {
+    const GenId g = *exits_.begin();
+    exits_.erase(exits_.begin());
+    const GenId j = live_.host(g);
+    if (j < container_id || hides_after(rows_, j, g, now_)) continue;
+    if (j >= 0 && hides_after(rows_, g, j, now_)) {
+      exchange(g, j);
+      exits_.insert(g);
+      return true;
+    }
+    const GenId host = host_after(rows_, g, now_);
+    if (host != LiveDiagram::visible) {
+      live_.set_host(g, visible_host(host));
+      continue;
+    }
+    if (swapped_.contains(j)) {
+      throw Undecided("a disk leaves one of two that change places", g, j);
+    }
+    const GenId from = left_at(rows_, live_, visible_host(j), g, now_);
+    if (live_.diagram().edges() == 0) {
+      live_.appear(g);
+      sink_.change(now_, Appear{g, from, std::nullopt});
+    } else {
+      const HalfEdge h = cell_exit(rows_, live_.diagram(), from, g, now_);
+      const Quad at = live_.diagram().quad(h);
+      live_.appear(g, h);
+      sink_.change(now_, Appear{g, from, at});
+    }
+    return true;
+  }
+  return false;
+}
+
+bool WorldSweep::touch_one() {
+  if (touches_.empty()) return false;
+  const auto [g, j] = *touches_.begin();
+  touches_.erase(touches_.begin());
+  if (!live_.is_visible(g) || !live_.is_visible(j) || live_.diagram().edges() <= 3) return true;
+  for (const HalfEdge h : flips_after_touch(rows_, live_.diagram(), g, j, now_)) flip(h);
+  return true;
+}
+
+// Itself or who hides it.
+GenId WorldSweep::visible_host(GenId j) const {
+  while (!live_.is_visible(j)) {
+    if (live_.host(j) == LiveDiagram::absent) {
+      throw Undecided("the host of a hidden disk is not there");
+    }
+    j = live_.host(j);
+  }
+  return j;
+}
+
+// Edges of the same four generators have the same cotangency.
+bool WorldSweep::has_flipped(const Quad& q) const {
+  return std::any_of(flips_.begin(), flips_.end(),
+                     [&](const Quad& other) { return same_generators(q, other); });
+}
+
+bool WorldSweep::flip_one() {
+  for (const int edge : new_edges_) {
+    const Quad q = live_.diagram().quad(2 * edge);
+    // One that a flip has just made is legal.
+    if (q.s == q.e || fresh_edges_.contains(edge)) continue;
+    if (due_edges_.contains(edge) || MovingEdge(rows_, q).collapses_at(now_)) {
+      illegal_.insert({canonical(q), edge});
+    }
+  }
+  new_edges_.clear();
+  if (illegal_.empty()) return false;
+  const HalfEdge h = 2 * illegal_.begin()->second;
+  illegal_.erase(illegal_.begin());
+  flips_.push_back(live_.diagram().quad(h));
+  flip(h);
+  absorb();
+  fresh_edges_.insert(h / 2);
+  return true;
+}
+
+void WorldSweep::flip(HalfEdge h) {
+  const Quad q = canonical(live_.diagram().quad(h));
+  live_.flip(h);
+  sink_.change(now_, q);
+}
+
+}  // namespace voroproof::internal

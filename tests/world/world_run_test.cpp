@@ -1,0 +1,226 @@
+// The engine of worlds, against brute force, known histories, and itself in other units.
+#include "engine/world/world_run.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tests/world/degenerate_worlds.h"
+#include "tests/world/edge_set.h"
+#include "tests/world/random_worlds.h"
+#include "tests/world/world_oracle.h"
+#include "tests/world/world_tools.h"
+
+namespace voroproof::internal::testing {
+namespace {
+
+int number_from(const char* variable, int usual) {
+  const char* given = std::getenv(variable);
+  return given == nullptr ? usual : std::atoi(given);
+}
+
+class WorldRecorder : public WorldSink {
+ public:
+  void begin(const std::vector<Quad>& edges) override { initial = edges; }
+  void event(const WorldEvent& event) override { events.push_back(event); }
+
+  std::vector<Quad> initial;
+  std::vector<WorldEvent> events;
+};
+
+struct RecordedWorld {
+  WorldRecorder history;
+  WorldOutcome outcome;
+};
+RecordedWorld record(const World& world) {
+  RecordedWorld run;
+  run.outcome = run_world(world.motion(), {}, run.history);
+  return run;
+}
+
+// Why the run is wrong; empty if it is right. It may stop only where three disks come together.
+std::string fault(const World& world, const RecordedWorld& run, unsigned seed) {
+  JudgeOptions options;
+  options.seed = seed;
+  if (run.outcome.kind != WorldOutcome::Kind::complete) {
+    options.until = to_rational(run.outcome.t);
+    const auto triple = first_triple(world);
+    const std::string reason = run.outcome.reason + " at " + std::to_string(run.outcome.t);
+    const bool stopped = run.outcome.kind == WorldOutcome::Kind::stopped;
+    if (stopped && !triple) return "it stopped: " + reason;
+    if (triple && run.outcome.t > round_nearest(*triple)) return "it stopped late: " + reason;
+  } else if (run.outcome.t != round_nearest(world.horizon)) {
+    return "it ended at another time";
+  }
+  return first_disagreement(world, run.history.initial, run.history.events, options).value_or("");
+}
+
+using Counts = std::map<std::string, int>;
+void count(const RecordedWorld& run, Counts& counts) {
+  constexpr std::array names{"flip", "hide", "appear", "swap", "turn", "jump"};
+  for (const WorldEvent& event : run.history.events) ++counts[names[event.what.index()]];
+  ++counts[run.outcome.kind == WorldOutcome::Kind::complete ? "complete" : "stopped"];
+}
+
+// VOROPROOF_WORLDS: so many worlds of the family; VOROPROOF_WORLD_SEED: the first seed.
+class RandomWorlds : public ::testing::TestWithParam<WorldFamily> {};
+
+TEST_P(RandomWorlds, AreThoseOfBruteForce) {
+  const int worlds = number_from("VOROPROOF_WORLDS", 25);
+  const int first = number_from("VOROPROOF_WORLD_SEED", 1);
+  Counts counts;
+  for (int seed = first; seed < first + worlds; ++seed) {
+    std::mt19937_64 random(static_cast<unsigned>(seed));
+    const World world = random_world(GetParam(), random);
+    const RecordedWorld run = record(world);
+    count(run, counts);
+    EXPECT_EQ(fault(world, run, static_cast<unsigned>(seed)), "") << "seed " << seed << "\n"
+                                                                  << text(world);
+  }
+  for (const auto& [kind, n] : counts) RecordProperty(kind, n);
+  EXPECT_GT(counts["complete"], worlds / 3);
+  EXPECT_GT(counts["flip"], worlds / 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, RandomWorlds, ::testing::ValuesIn(world_families),
+                         [](const auto& tested) {
+                           std::string name = name_of(tested.param);
+                           std::erase(name, ' ');
+                           return name;
+                         });
+
+TEST(DegenerateWorlds, HaveTheirHistories) {
+  for (const DegenerateWorld& scene : degenerate_worlds()) {
+    SCOPED_TRACE(scene.name);
+    const RecordedWorld run = record(scene.world);
+    EXPECT_EQ(fault(scene.world, run, 1), "");
+    if (scene.undecided) {
+      EXPECT_EQ(run.outcome.kind, WorldOutcome::Kind::stopped);
+      EXPECT_LE(run.outcome.t, round_nearest(*scene.undecided));
+      EXPECT_GE(run.outcome.t, 0.75 * round_nearest(*scene.undecided));
+      continue;
+    }
+    ASSERT_EQ(run.outcome.kind, WorldOutcome::Kind::complete) << run.outcome.reason;
+    int flips = 0;
+    std::string found, expected;
+    const auto line = [](const ExpectedLine& l) {
+      return std::to_string(round_nearest(l.t)) + " " + l.what + "\n";
+    };
+    for (const WorldEvent& event : run.history.events) {
+      const auto seen = line_of(event);
+      if (seen) found += line(*seen);
+      flips += !seen;
+    }
+    if (scene.lines) {
+      for (const ExpectedLine& l : *scene.lines) expected += line(l);
+      EXPECT_EQ(found, expected);
+    }
+    if (scene.flips) {
+      EXPECT_EQ(flips, *scene.flips);
+    }
+  }
+}
+
+// ---- One world in two ways. ----
+
+// The times, and what happens.
+std::vector<std::string> lines(const RecordedWorld& run) {
+  std::vector<std::string> all{std::to_string(run.history.initial.size())};
+  for (const Quad& q : run.history.initial) all.push_back(text(q));
+  for (const WorldEvent& event : run.history.events) all.push_back(text(event));
+  return all;
+}
+
+std::vector<World> worlds_of(WorldFamily family, int count) {
+  std::vector<World> worlds;
+  for (int seed = 1; seed <= count; ++seed) {
+    std::mt19937_64 random(static_cast<unsigned>(1000 + seed));
+    worlds.push_back(random_world(family, random));
+  }
+  return worlds;
+}
+
+TEST(WorldSymmetry, UnitsOfLengthDoNotMatter) {
+  for (const WorldFamily family : world_families) {
+    for (const World& world : worlds_of(family, 4)) {
+      const RecordedWorld run = record(world);
+      EXPECT_EQ(lines(run), lines(record(in_units(world, Rational(1, 3), 1)))) << text(world);
+      EXPECT_EQ(lines(run), lines(record(in_units(world, 1024, 1)))) << text(world);
+    }
+  }
+}
+
+TEST(WorldSymmetry, OneRateOfAllDisksAndTheOppositeOfTheCircleDoNotMatter) {
+  for (World world : worlds_of(WorldFamily::crossing_circle, 12)) {
+    world.maneuvers.clear();
+    World growing = world;
+    const Rational rate = world.circle->radius / world.horizon / 8;
+    growing.circle->growth -= rate;
+    for (WorldDisk& disk : growing.disks) {
+      disk.state.growth += rate;
+      // As if it had been there from the start.
+      disk.state.radius += rate * disk.enter;
+    }
+    EXPECT_EQ(lines(record(world)), lines(record(growing))) << text(world);
+  }
+}
+
+TEST(WorldSymmetry, EqualRadiiAndRatesAreAsGoodAsPointsInThePlane) {
+  for (World world : worlds_of(WorldFamily::equal_radii, 16)) {
+    world.circle.reset();
+    World points = world;
+    for (WorldDisk& disk : points.disks) disk.state.radius = disk.state.growth = 0;
+    EXPECT_EQ(lines(record(world)), lines(record(points))) << text(world);
+  }
+}
+
+// Whether the run ended early, in the given way; what it told must be right up to its time.
+bool expect_right_until(const World& world, const WorldOptions& options, WorldOutcome::Kind kind) {
+  RecordedWorld run;
+  run.outcome = run_world(world.motion(), options, run.history);
+  if (run.outcome.kind == WorldOutcome::Kind::complete) return false;
+  EXPECT_EQ(run.outcome.kind, kind) << run.outcome.reason;
+  if (run.outcome.t == 0) return true;
+  JudgeOptions judge;
+  judge.until = to_rational(run.outcome.t);
+  const auto wrong = first_disagreement(world, run.history.initial, run.history.events, judge);
+  EXPECT_EQ(wrong.value_or(""), "") << text(world);
+  return true;
+}
+
+TEST(WorldRun, IsRightUpToWhereItIsInterrupted) {
+  int ended = 0;
+  for (const World& world : worlds_of(WorldFamily::growing, 12)) {
+    for (const int questions : {0, 1, 3, 10}) {
+      int asked = 0;
+      WorldOptions options;
+      options.monitor = [&](double, std::uint64_t) { return asked++ < questions; };
+      ended += expect_right_until(world, options, WorldOutcome::Kind::interrupted);
+    }
+  }
+  RecordProperty("ended", ended);
+}
+
+TEST(WorldRun, IsRightUpToItsLimitOfEvents) {
+  int ended = 0;
+  for (const WorldFamily family : {WorldFamily::growing, WorldFamily::simultaneous}) {
+    for (const World& world : worlds_of(family, 12)) {
+      for (const int most : {1, 2, 5}) {
+        WorldOptions options;
+        options.max_events = static_cast<std::uint64_t>(most);
+        ended += expect_right_until(world, options, WorldOutcome::Kind::stopped);
+      }
+    }
+  }
+  EXPECT_GT(ended, 20);
+}
+
+}  // namespace
+}  // namespace voroproof::internal::testing
