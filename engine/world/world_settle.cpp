@@ -174,6 +174,11 @@ bool WorldSweep::appear_one() {
     if (swapped_.contains(j)) {
       throw Undecided("a disk leaves one of two that change places", g, j);
     }
+    for (const GenId other : appeared_) {
+      if (sign_at(rows_.tangency_of(g, other), now_) != Sign::zero) continue;
+      throw Undecided("two disks leave another at one place", g, other);
+    }
+    appeared_.insert(g);
     const GenId from = left_at(rows_, live_, visible_host(j), g, now_);
     if (live_.diagram().edges() == 0) {
       live_.appear(g);

@@ -127,6 +127,7 @@ void WorldSweep::look_ahead() {
   due_edges_.clear();
   fresh_edges_.clear();
   swapped_.clear();
+  appeared_.clear();
   edges_seen_.merge(stale_edges_);
   disks_seen_.merge(stale_disks_);
   stale_edges_.clear();

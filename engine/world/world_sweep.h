@@ -102,10 +102,10 @@ class WorldSweep {
   std::set<Pair> swaps_, hides_, touches_;
   std::set<GenId> exits_;
   std::set<std::pair<Quad, int>> illegal_;
-  std::set<int> due_edges_;    // their collapse was found for this instant
-  std::set<int> fresh_edges_;  // that flips have made
-  std::set<GenId> swapped_;    // that have changed places
-  std::vector<Quad> flips_;    // that were done
+  std::set<int> due_edges_;             // their collapse was found for this instant
+  std::set<int> fresh_edges_;           // that flips have made
+  std::set<GenId> swapped_, appeared_;  // that have changed places, or come out of another
+  std::vector<Quad> flips_;             // that were done
   // Edges and disks for which what comes next is not known.
   std::set<int> stale_edges_;
   std::set<GenId> stale_disks_;
