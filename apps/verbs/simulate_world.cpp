@@ -1,12 +1,16 @@
 #include "apps/verbs/simulate_world.h"
 
 #include <iostream>
+#include <optional>
 #include <ostream>
+#include <utility>
+#include <vector>
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
 #include "apps/cli/progress.h"
+#include "certify/world/world_certifier.h"
 #include "engine/world/world_run.h"
 #include "history/error.h"
 #include "history/history_writer.h"
@@ -17,25 +21,73 @@
 namespace voroproof::internal {
 namespace {
 
-class HistoryOfWorld final : public WorldSink {
+// Thrown where the certifier does not prove what the engine tells.
+struct Unproved {
+  double t;  // everything before is proved
+  std::string reason;
+};
+
+// Writes what the certifier has proved: an instant once the next one begins.
+class ProvedHistory final : public WorldSink {
  public:
   // `header` without the initial diagram.
-  HistoryOfWorld(WorldHistoryWriter& writer, WorldHistoryHeader header)
-      : writer_(writer), header_(std::move(header)) {}
+  ProvedHistory(const World& world, WorldHistoryWriter& writer, WorldHistoryHeader header)
+      : world_(world), writer_(writer), header_(std::move(header)) {}
+
   void begin(const std::vector<Quad>& initial) override {
     header_.initial = initial;
     writer_.header(header_);
+    certifier_.emplace(world_, initial, tolerance_);
   }
-  void event(const WorldEvent& event) override { writer_.write(event); }
+  void event(const WorldEvent& event) override {
+    certifier_->event(event, 0);
+    if (certifier_->is_decided()) throw_unproved(certifier_->finish(WorldStop{event.t, ""}));
+    if (!pending_.empty() && pending_.back().t < event.t) flush();
+    counts_.add(event);
+    pending_.push_back(event);
+  }
+  // The run has ended at t: gives the time up to which the history is written.
+  double stop(double t) {
+    if (!certifier_) return 0;
+    const Rational end = to_rational(t);
+    const WorldVerdict verdict = certifier_->finish(WorldStop{end, ""});
+    if (verdict.kind == Verdict::refuted) throw_unproved(verdict);
+    if (!pending_.empty() && pending_.back().t + tolerance_ < end) flush();
+    return pending_.empty() ? t : last_;
+  }
+  // The run has come to its horizon.
+  void finish() {
+    const WorldVerdict verdict = certifier_->finish(WorldEnd{counts_});
+    if (verdict.kind != Verdict::certified) throw_unproved(verdict);
+    flush();
+  }
 
  private:
+  // Times are rounded to nearest: by less than this part of the horizon.
+  static constexpr int kBitsOfRounding = 50;
+
+  void flush() {
+    for (const WorldEvent& event : pending_) writer_.write(event);
+    last_ = pending_.empty() ? last_ : round_nearest(pending_.back().t);
+    pending_.clear();
+  }
+  [[noreturn]] void throw_unproved(const WorldVerdict& verdict) {
+    throw Unproved{last_, "the certifier does not prove what follows: " + verdict.reason};
+  }
+
+  const World& world_;
   WorldHistoryWriter& writer_;
   WorldHistoryHeader header_;
+  Rational tolerance_ = world_.horizon >> kBitsOfRounding;
+  std::optional<WorldCertifier> certifier_;
+  WorldCounts counts_;
+  std::vector<WorldEvent> pending_;
+  double last_ = 0;
 };
 
 WorldOutcome run(const WorldRequest& request, const World& world, WorldHistoryWriter& writer,
                  CooperativeInterruption& interruption) {
-  HistoryOfWorld sink(writer, {world.sha256, world.horizon, producer(), {}});
+  ProvedHistory sink(world, writer, {world.sha256, world.horizon, producer(), {}});
   Progress progress(round_nearest(world.horizon), request.quiet);
   WorldOptions options;
   options.max_events = request.max_events;
@@ -43,7 +95,17 @@ WorldOutcome run(const WorldRequest& request, const World& world, WorldHistoryWr
     progress.report(t, events);
     return !interruption.requested();
   };
-  WorldOutcome outcome = run_world(world.motion(), options, sink);
+  WorldOutcome outcome;
+  try {
+    outcome = run_world(world.motion(), options, sink);
+    if (outcome.kind == WorldOutcome::Kind::complete) {
+      sink.finish();
+    } else {
+      outcome.t = sink.stop(outcome.t);
+    }
+  } catch (const Unproved& unproved) {
+    outcome = {WorldOutcome::Kind::stopped, unproved.t, unproved.reason};
+  }
   if (outcome.kind == WorldOutcome::Kind::interrupted && interruption.late()) {
     outcome.kind = WorldOutcome::Kind::stopped;
     outcome.reason = time_limit_reason();

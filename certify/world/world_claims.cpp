@@ -1,5 +1,6 @@
 // The claims of an instant.
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <variant>
 
@@ -54,7 +55,8 @@ bool WorldReplay::is_about_to_hide(GenId g) const {
 }
 
 // An edge that has no length at the instant flips where it is not legal just after it, or where it
-// is one of a disk that is about to hide.
+// is one of a disk that is about to hide, or has to do with one that touches another or jumps: the
+// cells around that are proved, however flips have led to them.
 bool WorldReplay::claim(const Quad& q) {
   if (!names_an_edge(q) || map_.find(q) < 0) return refuse("there is no edge " + text_of(q));
   if (q.s == q.e) return refuse("the edge " + text_of(q) + " cannot flip");
@@ -67,11 +69,13 @@ bool WorldReplay::claim(const Quad& q) {
     }
   }
   const WorldEdge edge(motion_, q);
-  const bool hides = is_about_to_hide(q.l) || is_about_to_hide(q.r);
+  const bool stirred = std::any_of(std::begin(all), std::end(all),
+                                   [&](GenId g) { return now_->centres.count(g) != 0; });
+  const bool free = stirred || is_about_to_hide(q.l) || is_about_to_hide(q.r);
   if (!edge.is_point_at(now_->t, now_->proves_cells)) {
     return refuse("the edge " + text_of(q) + " has a length");
   }
-  if (!hides && !(separated && edge.is_illegal_after(now_->t))) {
+  if (!free && !(separated && edge.is_illegal_after(now_->t))) {
     return refuse("the edge " + text_of(q) + " does not collapse");
   }
   return map_.flip(q);
