@@ -241,6 +241,42 @@ ManeuverEvent maneuver_of(const Line& line) {
 
 }  // namespace
 
+HistoryHeader read_history_header(JsonReader& json, std::int64_t wanted_version, int last_id,
+                                  const std::string& wanted_sha256) {
+  enum { format, version, scene_sha256, horizon, producer, initial };
+  static constexpr std::array<std::string_view, 6> names = {"format",  "version",  "scene_sha256",
+                                                            "horizon", "producer", "initial"};
+  constexpr std::uint32_t required =
+      bit(format) | bit(version) | bit(scene_sha256) | bit(horizon) | bit(producer);
+  HistoryHeader header;
+  json.object(
+      names, required,
+      [&](std::size_t member) {
+        switch (member) {
+          case format:
+            if (json.text() != "voroproof-history") json.fail("not \"voroproof-history\"");
+            break;
+          case version:
+            read_version(json, wanted_version);
+            break;
+          case scene_sha256:
+            header.scene_sha256 = read_scene_sha256(json, wanted_sha256);
+            break;
+          case horizon:
+            header.horizon = read_time(json).value();
+            break;
+          case producer:
+            header.producer = json.text();
+            break;
+          case initial:
+            header.initial = read_initial(json, last_id);
+        }
+      },
+      &header.extensions);
+  json.finish();
+  return header;
+}
+
 HistoryReader::HistoryReader(const std::string& path, int disk_count,
                              const std::string& scene_sha256)
     : path_(path), lines_(path_), last_id_(disk_count - 1) {
@@ -252,36 +288,7 @@ HistoryReader::HistoryReader(const std::string& path, int disk_count,
 
 void HistoryReader::read_header(std::string_view text, const std::string& wanted_sha256) {
   JsonReader json(text, path_, lines_.number());
-  enum { format, version, scene_sha256, horizon, producer, initial };
-  static constexpr std::array<std::string_view, 6> names = {"format",  "version",  "scene_sha256",
-                                                            "horizon", "producer", "initial"};
-  constexpr std::uint32_t required =
-      bit(format) | bit(version) | bit(scene_sha256) | bit(horizon) | bit(producer);
-  json.object(
-      names, required,
-      [&](std::size_t member) {
-        switch (member) {
-          case format:
-            if (json.text() != "voroproof-history") json.fail("not \"voroproof-history\"");
-            break;
-          case version:
-            read_version(json);
-            break;
-          case scene_sha256:
-            header_.scene_sha256 = read_scene_sha256(json, wanted_sha256);
-            break;
-          case horizon:
-            header_.horizon = read_time(json).value();
-            break;
-          case producer:
-            header_.producer = json.text();
-            break;
-          case initial:
-            header_.initial = read_initial(json, last_id_);
-        }
-      },
-      &header_.extensions);
-  json.finish();
+  header_ = read_history_header(json, format_version, last_id_, wanted_sha256);
   horizon_ = round_nearest(header_.horizon);
 }
 

@@ -31,6 +31,10 @@ struct HistoryHeader {
   Rational certain_horizon() const { return std::max<Rational>(0, horizon - horizon_error); }
 };
 
+// Reads it, of that version. `wanted_sha256`: that of the scene, if it is known. Throws InputError.
+HistoryHeader read_history_header(JsonReader& json, std::int64_t version, int last_id,
+                                  const std::string& wanted_sha256);
+
 struct HistoryCounts {
   std::int64_t flips = 0, collisions = 0, maneuvers = 0;
   void add(const Event& event) {

@@ -34,16 +34,6 @@ void finish(WorldPath& path, const World& world, const WorldDisk& disk) {
 
 }  // namespace
 
-WorldPath World::path(int disk) const {
-  const WorldDisk& whole = disks[static_cast<std::size_t>(disk)];
-  WorldPath path;
-  begin(path, *this, whole);
-  for (const WorldManeuver& maneuver : maneuvers)
-    if (maneuver.disk == disk) extend(path, *this, maneuver);
-  finish(path, *this, whole);
-  return path;
-}
-
 WorldMotion World::motion() const {
   WorldMotion motion{circle, horizon, std::vector<WorldPath>(disks.size())};
   for (std::size_t i = 0; i < disks.size(); ++i) begin(motion.paths[i], *this, disks[i]);

@@ -46,9 +46,7 @@ struct World {
   std::map<std::size_t, Extensions> disk_extensions, maneuver_extensions;  // those that have any
   std::string sha256;  // hash of the bytes that were read; empty for a world that was not read
 
-  // The pieces of the disk's path that begin up to the horizon, the horizon included, in order.
-  WorldPath path(int disk) const;
-  // All of it that moves, its paths for the price of one.
+  // How its disks move up to the horizon.
   WorldMotion motion() const;
 };
 

@@ -8,6 +8,7 @@
 #include "history/event_limit.h"
 #include "history/format_version.h"
 #include "history/history_fields.h"
+#include "history/history_reader.h"
 #include "history/json_reader.h"
 
 namespace voroproof::internal {
@@ -277,35 +278,10 @@ WorldHistoryReader::WorldHistoryReader(const std::string& path, int disk_count,
 
 void WorldHistoryReader::read_header(std::string_view text, const std::string& wanted_sha256) {
   JsonReader json(text, path_, lines_.number());
-  enum { format, version, scene_sha256, horizon, producer, initial };
-  static constexpr std::array<std::string_view, 6> names = {"format",  "version",  "scene_sha256",
-                                                            "horizon", "producer", "initial"};
-  Extensions extensions;  // read and dropped
-  json.object(
-      names, (std::uint32_t{1} << names.size()) - 1,
-      [&](std::size_t member) {
-        switch (member) {
-          case format:
-            if (json.text() != "voroproof-history") json.fail("not \"voroproof-history\"");
-            break;
-          case version:
-            read_version(json, world_version);
-            break;
-          case scene_sha256:
-            header_.scene_sha256 = read_scene_sha256(json, wanted_sha256);
-            break;
-          case horizon:
-            header_.horizon = read_time(json).value();
-            break;
-          case producer:
-            header_.producer = json.text();
-            break;
-          case initial:
-            header_.initial = read_initial(json, last_id_);
-        }
-      },
-      &extensions);
-  json.finish();
+  HistoryHeader header = read_history_header(json, world_version, last_id_, wanted_sha256);
+  if (!header.initial) json.fail_in("initial", "missing");
+  header_ = {std::move(header.scene_sha256), std::move(header.horizon), std::move(header.producer),
+             *std::move(header.initial)};
   horizon_ = round_nearest(header_.horizon);
 }
 

@@ -12,11 +12,11 @@
 
 namespace voroproof::internal {
 
-void require_meaningful(const CertifyOptions& options, const HistoryHeader& header) {
+void require_meaningful(const CertifyOptions& options, const Rational& horizon) {
   static const Rational always_meaningful(1, 1'000'000);
-  if (options.tolerance > std::max(header.horizon, always_meaningful)) {
+  if (options.tolerance > std::max(horizon, always_meaningful)) {
     throw std::invalid_argument("tolerance: more than the horizon of the history, " +
-                                number_text(round_nearest(header.horizon)) + ": any time would do");
+                                number_text(round_nearest(horizon)) + ": any time would do");
   }
   if (options.any_order && options.truth == Truth::recorded) {
     throw std::invalid_argument(

@@ -61,7 +61,7 @@ voroproof::Divergence divergence_value(const Divergence& d) {
 voroproof::Report judged(Claim&& claim, const std::string& scene_name,
                          const std::string& history_name, const voroproof::CertifyOptions& asked) {
   const CertifyOptions options = options_of(asked);
-  require_meaningful(options, claim.history->header());
+  require_meaningful(options, claim.history->header().horizon);
   claim.history->keep_digest();
   Certificate c = certify(claim.scene, *claim.history, options);
   claim.history->require_unchanged();

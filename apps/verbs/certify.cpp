@@ -200,16 +200,16 @@ void read_tolerances(const Request& request, const HistoryHeader& header, Certif
   options.tolerance = time_argument("--tolerance", request.tolerance);
   options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
   try {
-    require_meaningful(options, header);
+    require_meaningful(options, header.horizon);
   } catch (const std::invalid_argument& fault) {
     throw UsageError(std::string("--") + fault.what());
   }
 }
 
-// The exact truth and the recorded one are one in a world.
 ExitCode certify_files_of_world(const Request& request) {
   if (request.events != "all" || request.order != "format" || request.kernel || request.proved ||
-      request.resume || !request.report.empty() || request.options.unoriented) {
+      request.resume || !request.report.empty() || request.options.unoriented ||
+      request.options.strict) {
     throw UsageError("a world is certified with --tolerance, --max-events and --quiet only");
   }
   require_order(request.scene, request.history);

@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <ostream>
+#include <stdexcept>
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
@@ -14,6 +15,7 @@
 #include "history/json_text.h"
 #include "history/world.h"
 #include "history/world_history_reader.h"
+#include "library/certification.h"
 
 namespace voroproof::internal {
 namespace {
@@ -83,6 +85,13 @@ ExitCode certify_world(const WorldClaim& claim) {
   CooperativeInterruption interruption;
   World world = read_world(claim.scene);
   WorldHistoryReader history(claim.history, static_cast<int>(world.disks.size()), world.sha256);
+  CertifyOptions options;
+  options.tolerance = claim.tolerance;
+  try {
+    require_meaningful(options, history.header().horizon);
+  } catch (const std::invalid_argument& fault) {
+    throw UsageError(std::string("--") + fault.what());
+  }
   const Rational whole = world.horizon;
   if (history.header().horizon < whole) world.horizon = history.header().horizon;
   const WorldVerdict verdict = judge(claim, world, history, interruption);

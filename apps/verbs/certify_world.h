@@ -16,7 +16,7 @@ struct WorldClaim {
   bool quiet = false;
 };
 
-// Judges the history of a scene of version 2.
+// Judges the history of a scene of version 2, whose exact truth is also the recorded one.
 ExitCode certify_world(const WorldClaim& claim);
 
 }  // namespace voroproof::internal

@@ -33,7 +33,7 @@ ExitCode index_history(Request& request) {
   CertifyOptions& options = request.options;
   options.tolerance = time_argument("--tolerance", request.tolerance);
   try {
-    require_meaningful(options, header);
+    require_meaningful(options, header.horizon);
   } catch (const std::invalid_argument& fault) {
     throw UsageError(std::string("--") + fault.what());
   }

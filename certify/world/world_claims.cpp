@@ -64,8 +64,8 @@ bool WorldReplay::claim(const Quad& q) {
   bool separated = true;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < i; ++j) {
-      separated = separated &&
-                  sign_after(world_tangency(motion_, all[i], all[j]), now_->t) == Sign::positive;
+      separated = separated && signs_then(world_tangency(motion_, all[i], all[j]), now_->t).after ==
+                                   Sign::positive;
     }
   }
   const WorldEdge edge(motion_, q);

@@ -1,6 +1,7 @@
 #include "certify/world/world_courses.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace voroproof::internal {
 
@@ -14,68 +15,50 @@ Course course_of(const GrowingDisk& s, const Rational& from) {
   return {line(s.x, s.vx, from), line(s.y, s.vy, from), line(s.radius, s.growth, from)};
 }
 
-void advance(GrowingDisk& s, const Rational& time) {
-  s.x += s.vx * time;
-  s.y += s.vy * time;
-  s.radius += s.growth * time;
-}
-
-void apply(const WorldManeuver& m, GrowingDisk& s) {
-  if (m.center) {
-    s.x = m.center->x;
-    s.y = m.center->y;
+Scheduled::Kind kind_of(PieceStart start) {
+  switch (start) {
+    case PieceStart::enters:
+      return Scheduled::Kind::enters;
+    case PieceStart::turns:
+      return Scheduled::Kind::turns;
+    default:
+      return Scheduled::Kind::jumps;
   }
-  if (m.velocity) {
-    s.vx = m.velocity->x;
-    s.vy = m.velocity->y;
-  }
-  if (m.radius) s.radius = *m.radius;
-  if (m.growth) s.growth = *m.growth;
 }
 
 }  // namespace
 
-WorldCourses::WorldCourses(const World& world)
+WorldCourses::WorldCourses(const WorldMotion& world)
     : horizon_(world.horizon),
-      limit_(world.horizon + 1),
+      limit_(world.horizon > 0 ? Rational(2 * world.horizon) : Rational(1)),
       has_circle_(world.circle.has_value()),
-      courses_(world.disks.size() + 1),
-      there_(world.disks.size(), false),
-      ends_(world.disks.size()) {
+      courses_(world.paths.size() + 1),
+      there_(world.paths.size(), false),
+      ends_(world.paths.size()) {
   if (has_circle_) {
     const WorldCircle& c = *world.circle;
     courses_[0] = {WorldPolynomial{c.center.x}, WorldPolynomial{c.center.y},
                    WorldPolynomial{c.radius, c.growth}};
   }
-  for (GenId g = 0; g < disks(); ++g) schedule_disk(world, g);
+  for (GenId g = 0; g < disks(); ++g) schedule_disk(g, world.paths[g]);
   std::stable_sort(schedule_.begin(), schedule_.end(), [](const Scheduled& a, const Scheduled& b) {
     return a.t != b.t ? a.t < b.t : a.g < b.g;
   });
   for (auto s = schedule_.rbegin(); s != schedule_.rend(); ++s) ends_[s->g].push_back(s->t);
 }
 
-void WorldCourses::schedule_disk(const World& world, GenId g) {
-  const WorldDisk& disk = world.disks[g];
-  GrowingDisk state = disk.state;
-  Rational at = disk.enter;
-  courses_[g + 1] = course_of(state, at);
-  if (at > horizon_) return;
-  if (at == 0) {
-    there_[g] = true;
-  } else {
-    schedule_.push_back({at, g, Scheduled::Kind::enters, state});
+void WorldCourses::schedule_disk(GenId g, const WorldPath& path) {
+  if (path.empty()) return;
+  courses_[g + 1] = course_of(path.front().state, path.front().from);
+  for (const WorldPiece& piece : path) {
+    if (piece.start == PieceStart::enters && piece.from == 0) {
+      there_[g] = true;
+    } else {
+      schedule_.push_back({piece.from, g, kind_of(piece.start), piece.state});
+    }
   }
-  for (const WorldManeuver& m : world.maneuvers) {
-    if (m.disk != g || m.t > horizon_) continue;
-    advance(state, m.t - at);
-    at = m.t;
-    apply(m, state);
-    schedule_.push_back(
-        {at, g, m.is_jump() ? Scheduled::Kind::jumps : Scheduled::Kind::turns, state});
-  }
-  if (disk.leave && *disk.leave <= horizon_) {
-    schedule_.push_back({*disk.leave, g, Scheduled::Kind::leaves, {}});
-  }
+  const std::optional<Rational>& leave = path.back().to;
+  if (leave) schedule_.push_back({*leave, g, Scheduled::Kind::leaves, {}});
 }
 
 const Rational& WorldCourses::until(GenId g) const {

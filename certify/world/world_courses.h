@@ -5,7 +5,7 @@
 
 #include "exact/generators.h"
 #include "exact/polynomial.h"
-#include "history/world.h"
+#include "exact/world_motion.h"
 
 namespace voroproof::internal {
 
@@ -28,12 +28,13 @@ struct Scheduled {
 // Every generator as it moves now. A disk that is not there keeps the course it had.
 class WorldCourses {
  public:
-  explicit WorldCourses(const World& world);
+  explicit WorldCourses(const WorldMotion& world);
 
   int disks() const { return static_cast<int>(there_.size()); }
   bool has_circle() const { return has_circle_; }
   const Rational& horizon() const { return horizon_; }
-  // A time after the horizon up to which lives are followed: to tell what happens just after it.
+  // Some time after the horizon up to which lives are followed: to tell what happens just after it.
+  // No verdict depends on it.
   const Rational& limit() const { return limit_; }
   // Sorted by time, then by disk. Those that enter at 0 are there from the beginning.
   const std::vector<Scheduled>& schedule() const { return schedule_; }
@@ -46,7 +47,7 @@ class WorldCourses {
   void take(const Scheduled& change);
 
  private:
-  void schedule_disk(const World& world, GenId g);
+  void schedule_disk(GenId g, const WorldPath& path);
 
   Rational horizon_, limit_;
   bool has_circle_;

@@ -112,11 +112,11 @@ Sign RootedForm::at(const WorldTime& t) const {
   return sign_at_once(signs_then(u, t).at, signs_then(v, t).at, signs_then(d, t).at);
 }
 Sign RootedForm::after(const WorldTime& t) const {
-  if (u.is_zero()) return sign_after(v, t);
-  const Sign of_d = sign_after(d, t);
-  if (of_d == Sign::positive) return sign_after(u, t);
-  if (of_d == Sign::negative) return sign_after(v, t);
-  return sign_with_root(sign_after(u, t), sign_after(v, t), of_d);
+  if (u.is_zero()) return signs_then(v, t).after;
+  const Sign of_d = signs_then(d, t).after;
+  if (of_d == Sign::positive) return signs_then(u, t).after;
+  if (of_d == Sign::negative) return signs_then(v, t).after;
+  return sign_with_root(signs_then(u, t).after, signs_then(v, t).after, of_d);
 }
 Sign RootedForm::at(const Rational& t) const {
   return sign_at_once(sign(u.evaluate(t)), sign(v.evaluate(t)), sign(d.evaluate(t)));
@@ -186,7 +186,7 @@ bool WorldEdge::is_point_at(const WorldTime& t, bool lenient) const {
 
 bool WorldEdge::is_point_after(const WorldTime& t) const {
   if (from_start_.after(t) != Sign::zero || from_end_.after(t) != Sign::zero) return false;
-  return sign_after(from_start_.v, t) != Sign::zero || order().after(t) == Sign::positive;
+  return signs_then(from_start_.v, t).after != Sign::zero || order().after(t) == Sign::positive;
 }
 
 bool WorldEdge::is_point_at(const Rational& t) const {
@@ -197,9 +197,9 @@ bool WorldEdge::is_point_at(const Rational& t) const {
 bool is_inside_after(const WorldCourses& motion, GenId g, GenId h, const WorldTime& t) {
   if (g == h) return false;
   if (h < 0 && !motion.has_circle()) return false;
-  if (sign_after(world_tangency(motion, g, h), t) == Sign::positive) return false;
+  if (signs_then(world_tangency(motion, g, h), t).after == Sign::positive) return false;
   if (h < 0) return true;
-  const Sign larger = sign_after(motion.course(h).r - motion.course(g).r, t);
+  const Sign larger = signs_then(motion.course(h).r - motion.course(g).r, t).after;
   return larger == Sign::positive || (larger == Sign::zero && h < g);
 }
 

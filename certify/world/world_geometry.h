@@ -31,9 +31,6 @@ struct SignsThen {
   Sign at, after;
 };
 SignsThen signs_then(const WorldPolynomial& f, const WorldTime& t);
-inline Sign sign_after(const WorldPolynomial& f, const WorldTime& t) {
-  return signs_then(f, t).after;
-}
 
 // u + sqrt(gamma) v, where gamma is not negative; d has the sign of u^2 - gamma v^2.
 struct RootedForm {

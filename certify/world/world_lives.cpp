@@ -69,7 +69,7 @@ EdgeFate edge_fate(const WorldCourses& motion, const Quad& edge, const WorldTime
   const Quad q = with_disk_on_left(edge);
   EdgeFate fate;
   const WorldPolynomial p = world_tangency(motion, q.l, q.r);
-  if (sign_after(p, now) != Sign::positive) {
+  if (signs_then(p, now).after != Sign::positive) {
     fate.fault = "one of the neighbours " + std::to_string(q.l) + " and " + std::to_string(q.r) +
                  " has no cell: one is hidden by the other";
     return fate;

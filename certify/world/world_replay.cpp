@@ -27,7 +27,9 @@ WorldMap map_of(int disks, const std::vector<Quad>& initial) {
 }  // namespace
 
 WorldReplay::WorldReplay(const World& world, const std::vector<Quad>& initial)
-    : motion_(world), map_(map_of(motion_.disks(), initial)), hosts_(world.disks.size(), kNoHost) {
+    : motion_(world.motion()),
+      map_(map_of(motion_.disks(), initial)),
+      hosts_(world.disks.size(), kNoHost) {
   next_ = WorldTime(Rational(0));
   open();
   now_->at_start = true;

@@ -1,6 +1,7 @@
 # Headers that most files include, compiled once for the libraries, once for the tests and once for
-# the program: a third of the time of a build was reading them. Every file still includes what it
-# uses; the builds with clang++ (.ci/run) are made without this and see to it.
+# the program: a third of the time of a build was reading them, half of one without optimization.
+# Every file still includes what it uses; the builds that are made without this see to it
+# (CONTRIBUTING.md).
 #
 # FLINT's headers are not among them: they define macros (MAX) that are names elsewhere.
 #

@@ -69,7 +69,7 @@ bool certifies(const Pair& pair, CertifyOptions options) {
   Claim claim = open_claim(file_with<0>(pair.scene), file_with<1>(pair.history));
   if (claim.scene.disks.size() > most_disks) return false;
   const HistoryHeader header = claim.history->header();
-  require_meaningful(options, header);
+  require_meaningful(options, header.horizon);
   options.propose_initial = construct_initial;
   int questions = 0;
   options.monitor = [&](double, std::int64_t) { return ++questions < most_questions; };

@@ -188,51 +188,36 @@ void expect_piece(const WorldPiece& piece, PieceStart start, const Rational& fro
 TEST(WorldPath, HasAPieceForEachManeuver) {
   const World world = parse(joined(good_world));
   const Rational quarter(1, 4);
-  const std::vector<WorldPiece> first = world.path(0);
+  const std::vector<WorldPiece> first = world.motion().paths[0];
   ASSERT_EQ(first.size(), 3u);
   // The maneuver at 0 leaves nothing of the piece before it.
   expect_piece(first[0], PieceStart::enters, 0, 0, {0, 0, 50, 7, 0, quarter});
   expect_piece(first[1], PieceStart::turns, 0, 60, {0, 0, 50, 6, 0, quarter});
   expect_piece(first[2], PieceStart::jumps, 60, std::nullopt,
                {423, -2, 50, Rational(15, 2), quarter, quarter});
-  const std::vector<WorldPiece> second = world.path(1);
+  const std::vector<WorldPiece> second = world.motion().paths[1];
   ASSERT_EQ(second.size(), 2u);
   expect_piece(second[0], PieceStart::enters, Rational(25, 2), 90, {9, -4, 30, -5, 1, 0});
   expect_piece(second[1], PieceStart::turns, 90, 480,
                {9 - 5 * Rational(155, 2), -4 + Rational(155, 2), 30, -5, 1, Rational(-1, 13)});
-  EXPECT_TRUE(world.path(2).empty());  // it comes after the horizon
+  EXPECT_TRUE(world.motion().paths[2].empty());  // it comes after the horizon
 }
 
 TEST(WorldPath, EndsWithTheHorizon) {
   World world = parse(joined(good_world));
   world.horizon = 480;
-  EXPECT_EQ(world.path(1).back().to, 480);
+  EXPECT_EQ(world.motion().paths[1].back().to, 480);
   world.horizon = 479;
-  EXPECT_EQ(world.path(1).back().to, std::nullopt);
+  EXPECT_EQ(world.motion().paths[1].back().to, std::nullopt);
   world.horizon = 60;
-  EXPECT_EQ(world.path(0).size(), 3u);
-  EXPECT_EQ(world.path(0)[1].to, 60);
-  EXPECT_EQ(world.path(1).size(), 1u);
+  EXPECT_EQ(world.motion().paths[0].size(), 3u);
+  EXPECT_EQ(world.motion().paths[0][1].to, 60);
+  EXPECT_EQ(world.motion().paths[1].size(), 1u);
   world.horizon = Rational(25, 2);
-  EXPECT_EQ(world.path(1).size(), 1u);
+  EXPECT_EQ(world.motion().paths[1].size(), 1u);
   world.horizon = 12;
-  EXPECT_TRUE(world.path(1).empty());
-  EXPECT_EQ(world.path(0)[1].to, std::nullopt);
-}
-
-TEST(WorldPath, PathsAreThoseOfAllDisks) {
-  const World world = parse(joined(good_world));
-  const auto paths = world.motion().paths;
-  ASSERT_EQ(paths.size(), 3u);
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    const auto path = world.path(static_cast<int>(i));
-    ASSERT_EQ(paths[i].size(), path.size());
-    for (std::size_t k = 0; k < path.size(); ++k) {
-      const GrowingDisk& s = path[k].state;
-      expect_piece(paths[i][k], path[k].start, path[k].from, path[k].to,
-                   {s.x, s.y, s.radius, s.vx, s.vy, s.growth});
-    }
-  }
+  EXPECT_TRUE(world.motion().paths[1].empty());
+  EXPECT_EQ(world.motion().paths[0][1].to, std::nullopt);
 }
 
 // A radius of 0 at a change or at the end is one.

@@ -2,10 +2,13 @@
 // those only that brute force finds right, too.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <map>
 #include <random>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "certify/world/world_certifier.h"
 #include "engine/world/world_run.h"
@@ -56,6 +59,47 @@ TEST(WorldMutants, DegenerateHistoriesAreCertified) {
     const WorldVerdict v = verdict(scene.world, *history, tolerance_of(scene.world));
     EXPECT_EQ(v.kind, Verdict::certified) << scene.name << ", line " << v.line << ": " << v.reason;
   }
+}
+
+// A point passes along the boundary of a disk, and its cell leads to a vertex at that instant.
+TEST(WorldMutants, FlipsOfATouchAreMissed) {
+  const World world = parse_world(R"({"format":"voroproof-scene","version":2,"horizon":4,
+"contacts":"pass","frame":"none","disks":[{"center":[1,-1],"radius":1,"velocity":[-1,0]},
+{"center":[3,-3],"radius":1,"velocity":[0,1]},{"center":[-2,-2],"radius":0,"velocity":[1,1]},
+{"center":[1,1],"radius":0,"velocity":[0,-1]},{"center":[1,-3],"radius":1,"velocity":[0,1]},
+{"center":[2,0],"radius":1,"velocity":[1,0]},{"center":[3,-2],"radius":0,"velocity":[0,1]}]})",
+                                  "touch");
+  const auto right = written(world);
+  ASSERT_TRUE(right);
+  EXPECT_EQ(verdict(world, *right, tolerance_of(world)).kind, Verdict::certified);
+  WrittenWorld wrong = *right;
+  const auto touches = [](const WorldEvent& event) { return event.t == 3; };
+  ASSERT_GT(std::erase_if(wrong.events, touches), 0U);
+  EXPECT_EQ(verdict(world, wrong, tolerance_of(world)).kind, Verdict::refuted);
+}
+
+// An edge of a disk that has just jumped flips and flips back.
+TEST(WorldMutants, IdleFlipsOfAJumpAreRefused) {
+  int told = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    std::mt19937_64 random(seed);
+    const World world = random_world(WorldFamily::jumping, random);
+    const auto right = written(world);
+    if (!right) continue;
+    for (std::size_t k = 0; k < right->events.size(); ++k) {
+      const auto* jump = std::get_if<Jump>(&right->events[k].what);
+      if (jump == nullptr || !jump->in || jump->in->empty()) continue;
+      const auto* last = std::get_if<Quad>(&jump->in->back());
+      if (last == nullptr) continue;
+      WrittenWorld idle = *right;
+      const Rational t = right->events[k].t;
+      const WorldEvent back{t, canonical(flipped(*last))}, again{t, *last};
+      idle.events.insert(idle.events.begin() + static_cast<std::ptrdiff_t>(k) + 1, {back, again});
+      EXPECT_EQ(verdict(world, idle, tolerance_of(world)).kind, Verdict::refuted) << text(world);
+      ++told;
+    }
+  }
+  EXPECT_GT(told, 5);
 }
 
 class RandomMutants : public ::testing::TestWithParam<WorldFamily> {};
