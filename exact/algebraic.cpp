@@ -137,7 +137,7 @@ template <class T>
 Sign sign_at(const Polynomial<T>& g, const AlgebraicNumber<T>& x) {
   constexpr unsigned long halvings_at_once = 8;
   if (x.is_point()) return sign_at(g, x.interval().lo);
-  if (g.is_zero()) return Sign::zero;
+  if (g.is_zero() || x.is_root_of(g)) return Sign::zero;
   AlgebraicNumber<T> a = x;
   for (unsigned long halvings = 0;; halvings += halvings_at_once) {
     const RootInterval& interval = a.interval();
@@ -154,6 +154,9 @@ Sign sign_at(const Polynomial<T>& g, const AlgebraicNumber<T>& x) {
 template <class T>
 SignsAround signs_around(const Polynomial<T>& g, const AlgebraicNumber<T>& x) {
   if (g.is_zero()) throw std::invalid_argument("signs_around: the zero polynomial");
+  if (!x.is_point() && x.is_root_of(g)) {
+    return {sign_at(g, x.interval().lo), sign_at(g, x.interval().hi)};
+  }
   const Sign at_x = sign_at(g, x);
   if (at_x != Sign::zero) return {at_x, at_x};
   AlgebraicNumber<T> a = x;

@@ -34,6 +34,8 @@ class AlgebraicNumber {
   const RootInterval& interval() const { return interval_; }
   // Whether the number is known to be the rational interval().lo.
   bool is_point() const { return interval_.is_point(); }
+  // Whether g is polynomial() itself. False says nothing.
+  bool is_root_of(const Polynomial<T>& g) const { return equation_ && g == equation_->polynomial; }
 
   // Narrows interval() to at most `width` > 0.
   void refine(const Rational& width);

@@ -297,6 +297,7 @@ ExitCode simulate(const Request& request) {
                          .history = request.history,
                          .horizon = horizon,
                          .max_events = request.max_events,
+                         .filters = motion_options(request).filters,
                          .replace = request.replace,
                          .quiet = request.quiet});
 }

@@ -90,6 +90,7 @@ WorldOutcome run(const WorldRequest& request, const World& world, WorldHistoryWr
   ProvedHistory sink(world, writer, {world.sha256, world.horizon, producer(), {}});
   Progress progress(round_nearest(world.horizon), request.quiet);
   WorldOptions options;
+  options.filters = request.filters;
   options.max_events = request.max_events;
   options.monitor = [&](double t, std::uint64_t events) {
     progress.report(t, events);

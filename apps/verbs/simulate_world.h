@@ -14,7 +14,7 @@ struct WorldRequest {
   std::string scene, history;
   std::optional<Rational> horizon;  // in place of the scene's
   std::uint64_t max_events = 0;
-  bool replace = false, quiet = false;
+  bool filters = true, replace = false, quiet = false;
 };
 
 // Writes the history of a scene of version 2.

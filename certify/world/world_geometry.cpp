@@ -92,8 +92,6 @@ SignsThen signs_then(const Poly& f, const WorldTime& t) {
     }
     return {now, after};
   }
-  // Its own equation has no other root in the interval, and none at its ends.
-  if (f == t.polynomial()) return {Sign::zero, sign_at(f, t.interval().hi)};
   const Sign now = sign_at(f, t);
   return {now, now != Sign::zero ? now : signs_around(f, t).after};
 }

@@ -8,7 +8,6 @@
 #include "engine/world/moving_edge.h"
 #include "exact/directions.h"
 #include "filtered/motion/options.h"
-#include "filtered/numbers/subdivision.h"
 
 namespace voroproof::internal {
 namespace {
@@ -21,8 +20,6 @@ struct VertexDirection {
 
 // Where a vertex lies to the ray: on it, to its left, opposite to it, to its right.
 enum class Side { on = 0, left = 1, opposite = 2, right = 3 };
-
-constexpr int kBitsOfBalls = 256;
 
 using Vector = std::array<TimePolynomial, 2>;
 TimePolynomial cross(const Vector& a, const Vector& b) { return a[0] * b[1] - a[1] * b[0]; }
@@ -104,8 +101,7 @@ class Exit {
 
   // Whether the shorter way from a to b is the one back.
   bool turns_back(const VertexDirection& a, const VertexDirection& b) const {
-    const RootInterval& about = t_.interval();
-    const Ball at = MakeBall{kBitsOfBalls}.hull(about.lo, about.hi);
+    const Ball at = ball_about(t_);
     const auto direction = [&](const VertexDirection& d) -> Direction<Ball> {
       const Ball root = sqrt(value(d.gamma, at));
       return {value(d.u[0], at) + root * value(d.v[0], at),

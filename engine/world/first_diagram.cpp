@@ -6,6 +6,7 @@
 #include "engine/world/hosts.h"
 #include "engine/world/moving_edge.h"
 #include "engine/world/next_root.h"
+#include "engine/world/rough_edge.h"
 #include "filtered/motion/options.h"
 
 namespace voroproof::internal {
@@ -81,6 +82,11 @@ bool is_right_after_zero(const MovingRows& rows, const LiveDiagram& live, const 
   }
   for (int edge = 0; edge < live.diagram().edges(); ++edge) {
     const Quad q = live.diagram().quad(2 * edge);
+    const double until = round_up(soon);
+    if (are_apart(rows.rough(), q.l, q.r, 0, until) &&
+        (q.s == q.e || is_legal_edge(rows.rough(), q, 0, until))) {
+      continue;
+    }
     const TimePolynomial p = rows.tangency_of(q.l, q.r);
     const auto any = [](const WorldTime&, Sign) { return true; };
     if (sign_after(p, zero) != Sign::positive || first_root(p, zero, soon, any)) return false;

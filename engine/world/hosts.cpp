@@ -1,25 +1,23 @@
 #include "engine/world/hosts.h"
 
 #include "engine/world/next_root.h"
+#include "engine/world/rough_edge.h"
 #include "exact/patience.h"
-#include "filtered/numbers/subdivision.h"
 
 namespace voroproof::internal {
-namespace {
 
-constexpr int kBitsOfBalls = 192;
-
-}  // namespace
-
-bool hides_after(const MovingRows& rows, GenId j, GenId g, const WorldTime& t) {
+bool hides_after(const MovingRows& rows, GenId j, GenId g, const SweepTime& t) {
   if (j == container_id && !rows.has_circle()) return false;
-  const Sign p = sign_after(rows.tangency_of(g, j), t), excess = sign_after(rows.excess(g, j), t);
+  const bool apart = are_apart(rows.rough(), g, j, t.lo(), t.hi());
+  if (apart && j != container_id) return false;
+  const Sign p = apart ? Sign::positive : sign_after(rows.tangency_of(g, j), t.exact());
+  const Sign excess = sign_after(rows.excess(g, j), t.exact());
   if (j == container_id) return p != Sign::positive || excess != Sign::negative;
   if (p == Sign::positive || excess == Sign::negative) return false;
   return excess == Sign::positive || j < g;
 }
 
-GenId host_after(const MovingRows& rows, GenId g, const WorldTime& t) {
+GenId host_after(const MovingRows& rows, GenId g, const SweepTime& t) {
   const auto one_of = [&](GenId inner) {
     for (GenId j = container_id; j < rows.disks(); ++j) {
       if (j == inner || (j >= 0 && !rows.is_there(j))) continue;
@@ -38,44 +36,47 @@ GenId host_after(const MovingRows& rows, GenId g, const WorldTime& t) {
 }
 
 GenId left_at(const MovingRows& rows, const LiveDiagram& live, GenId host, GenId g,
-              const WorldTime& t) {
-  const Ball about = MakeBall{kBitsOfBalls}.hull(t.interval().lo, t.interval().hi);
+              const SweepTime& t) {
+  const DoubleBall about = DoubleBall::hull(t.lo(), t.hi());
   GenId best = host;
   for (GenId j = 0; j < rows.disks(); ++j) {
     if (j == host || j == g || !rows.is_there(j) || !live.is_visible(j)) continue;
+    if (is_certain(sign(rows.rough().tangency_of(g, j, about)))) continue;
     const TimePolynomial p = rows.tangency_of(g, j);
-    if (is_certain(value(p, about).sign()) || sign_at(p, t) != Sign::zero) continue;
-    if (sign_at(rows.excess(g, j), t) != Sign::positive) continue;
+    if (sign_at(p, t.exact()) != Sign::zero) continue;
+    if (sign_at(rows.excess(g, j), t.exact()) != Sign::positive) continue;
     // How far g is outside is p over the sum of the distance of centres and the difference of
     // radii, which become one at the instant.
     const auto far = [&](GenId k) {
       return k == container_id ? -rows.excess(g, k) : rows.excess(g, k);
     };
     const TimePolynomial of_best = rows.tangency_of(g, best) * far(j), of_j = p * far(best);
-    if (sign_after(of_best - of_j, t) == Sign::positive) best = j;
+    if (sign_after(of_best - of_j, t.exact()) == Sign::positive) best = j;
   }
   return best;
 }
 
-bool coincide_at(const MovingRows& rows, GenId i, GenId j, const WorldTime& t) {
+bool coincide_at(const MovingRows& rows, GenId i, GenId j, const SweepTime& t) {
   const Site<TimePolynomial>&a = rows.site(i), &b = rows.site(j);
-  return sign_at(a.r - b.r, t) == Sign::zero && sign_at(a.x - b.x, t) == Sign::zero &&
-         sign_at(a.y - b.y, t) == Sign::zero;
+  return sign_at(a.r - b.r, t.exact()) == Sign::zero &&
+         sign_at(a.x - b.x, t.exact()) == Sign::zero && sign_at(a.y - b.y, t.exact()) == Sign::zero;
 }
 
-std::optional<WorldTime> exit_after(const MovingRows& rows, GenId j, GenId g, const WorldTime& now,
+std::optional<WorldTime> exit_after(const MovingRows& rows, GenId j, GenId g, const SweepTime& now,
                                     const Rational& end) {
   const TimePolynomial p = rows.tangency_of(g, j), excess = rows.excess(g, j);
   const auto leaves = [&](const WorldTime& t, Sign) { return !hides_after(rows, j, g, t); };
-  std::optional<WorldTime> out = first_root(p, now, end, leaves);
+  std::optional<WorldTime> out = first_root(p, now.exact(), end, leaves);
   // Where both are the same for an instant the other one may be inside afterwards.
-  std::optional<WorldTime> passed = first_root(excess, now, end, leaves);
+  std::optional<WorldTime> passed = first_root(excess, now.exact(), end, leaves);
   return !out || (passed && compare(*passed, *out) < 0) ? passed : out;
 }
 
 std::optional<WorldTime> meeting_after(const MovingRows& rows, GenId i, GenId j,
-                                       const WorldTime& now, const Rational& end) {
-  return first_root(rows.tangency_of(i, j), now, end, [](const WorldTime&, Sign) { return true; });
+                                       const SweepTime& now, const Rational& end) {
+  if (stay_apart(rows.rough(), i, j, now.lo(), round_up(end))) return std::nullopt;
+  const auto any = [](const WorldTime&, Sign) { return true; };
+  return first_root(rows.tangency_of(i, j), now.exact(), end, any);
 }
 
 }  // namespace voroproof::internal

@@ -49,7 +49,7 @@ Hiding hiding_of(const MovingRows& rest, GenId g) {
 struct StepList final : ChangeSink {
   std::vector<Step> steps;
   bool takes_swaps() const override { return false; }
-  void change(const WorldTime&, const WorldChange& change) override {
+  void change(const SweepTime&, const WorldChange& change) override {
     steps.push_back(step_of(change));
   }
 };
@@ -62,7 +62,7 @@ JumpSteps run(LiveDiagram& live, MovingRows rest, GenId g, const Rational& radiu
   state.growth = rate;
   rest.set(g, 0, state);
   StepList list;
-  WorldSweep sweep(live, rest, WorldTime(Rational(0)), length, list);
+  WorldSweep sweep(live, rest, 0, length, list);
   sweep.turn(g);
   sweep.settle();
   sweep.look_ahead();

@@ -2,36 +2,25 @@
 
 #include <array>
 
-#include "filtered/numbers/subdivision.h"
 #include "filtered/search/collapse.h"
 
 namespace voroproof::internal {
 namespace {
-
-constexpr int kBitsOfBalls = 192;
 
 Quad from_disk(const Quad& q) { return q.l == container_id ? reversed(q) : q; }
 
 }  // namespace
 
 template <class T>
-MovingEdge::Ends<T>::Ends(const Site<T>& l, const GeneratorRow<T>& s, const GeneratorRow<T>& r,
-                          const GeneratorRow<T>& e)
-    : start(l, s, r, false),
-      end(l, r, e, false),
-      a(e.x * start.sp - e.s * start.xp + e.p * start.xs),
-      b(e.y * start.sp - e.s * start.yp + e.p * start.ys),
-      c(e.x * start.yp - e.y * start.xp + e.p * start.xy) {}
-
-// Whether both circles are one: then, seen from l, they are in one direction.
-template <class T>
-MovingEdge::Expression<T> MovingEdge::expression(const Ends<T>& ends, Which which) {
-  const TangentTriple<T>&m = ends.start, &n = ends.end;
-  if (which == Which::same_circle) {
-    return {-(m.sp * (n.xp * m.yp - n.yp * m.xp)), gamma(m), n.xp * m.xp + n.yp * m.yp};
+RootExpression<T> MovingEdge::expression(const EdgeEnds<T>& ends, Which which) {
+  switch (which) {
+    case Which::conflict_at_start:
+      return ends.conflict_at_start();
+    case Which::conflict_at_end:
+      return ends.conflict_at_end();
+    default:
+      return ends.same_circle();
   }
-  const TangentTriple<T>& circle = which == Which::conflict_at_start ? m : n;
-  return {circle.xp * ends.a + circle.yp * ends.b, gamma(circle), ends.c};
 }
 
 MovingEdge::MovingEdge(const MovingRows& rows, const Quad& q)
@@ -43,15 +32,15 @@ MovingEdge::MovingEdge(const MovingRows& rows, const Quad& q)
       is_square_((ends_.a.is_zero() && ends_.b.is_zero()) || f_.is_zero()) {}
 
 Sign MovingEdge::sign_of(Which which, Sign f, const WorldTime& t,
-                         const std::optional<Ends<Ball>>& near) const {
+                         const std::optional<EdgeEnds<Ball>>& near) const {
   const bool by_f = which != Which::same_circle && f != Sign::unknown && f != Sign::zero;
   if (near) {
-    const Expression<Ball> x = expression(*near, which);
+    const RootExpression<Ball> x = expression(*near, which);
     const Sign s =
         by_f ? (f == Sign::positive ? x.u : x.v).sign() : (x.u + sqrt(x.gamma) * x.v).sign();
     if (is_certain(s)) return s;
   }
-  const Expression<TimePolynomial> x = expression(ends_, which);
+  const RootExpression<TimePolynomial> x = expression(ends_, which);
   if (by_f) return sign_after(f == Sign::positive ? x.u : x.v, t);
   const Sign u = sign_after(x.u, t), v = sign_after(x.v, t);
   if (which != Which::same_circle) return sign_with_root(u, v, f);
@@ -73,7 +62,7 @@ bool MovingEdge::has_inner_touch(const WorldTime& t, const Ball& about) const {
 
 // At the instant itself: the roots that tell may vanish there.
 bool MovingEdge::may_be_point_at(const WorldTime& t) const {
-  const Expression<TimePolynomial> x = expression(ends_, Which::same_circle);
+  const RootExpression<TimePolynomial> x = expression(ends_, Which::same_circle);
   const Sign u = sign_at(x.u, t), v = sign_at(x.v, t);
   if (u == v) return u != Sign::negative;
   const Sign d = sign_at(x.u * x.u - x.gamma * x.v * x.v, t);
@@ -81,12 +70,12 @@ bool MovingEdge::may_be_point_at(const WorldTime& t) const {
 }
 
 bool MovingEdge::collapses_at(const WorldTime& t, Sign after) const {
-  const Ball at = MakeBall{kBitsOfBalls}.hull(t.interval().lo, t.interval().hi);
+  const Ball at = ball_about(t);
   const auto row = [&](GenId g) { return rows_.row_of(quad_.l, g, at); };
-  const std::optional<Ends<Ball>> near(std::in_place, rows_.site(quad_.l, at), row(quad_.s),
-                                       row(quad_.r), row(quad_.e));
+  const std::optional<EdgeEnds<Ball>> near(std::in_place, rows_.site(quad_.l, at), row(quad_.s),
+                                           row(quad_.r), row(quad_.e));
   const auto certainly_outside = [&](Which which) {
-    const Expression<Ball> x = expression(*near, which);
+    const RootExpression<Ball> x = expression(*near, which);
     return (x.u + sqrt(x.gamma) * x.v).sign() == Sign::positive;
   };
   if (certainly_outside(Which::conflict_at_start) || certainly_outside(Which::conflict_at_end)) {

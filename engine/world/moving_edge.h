@@ -1,14 +1,9 @@
 // The V-edges of a world: when they collapse.
-//
-// Seen from a disk l, the edge [l,r,s,e] leads from the circle that touches l, s, r to the one that
-// touches l, r, e. With A, B, C the determinants of the rows x s p, y s p and x y p of s, r, e, up
-// to signs, the cotangency is 4 f, f = A^2 + B^2 - C^2, and whether e is outside of the first
-// circle, and s outside of the second, is told by G + sqrt(Gamma) C, with G and Gamma of either
-// circle (exact/predicates.h).
 #pragma once
 
 #include <optional>
 
+#include "engine/world/edge_ends.h"
 #include "engine/world/moving_rows.h"
 
 namespace voroproof::internal {
@@ -29,30 +24,17 @@ class MovingEdge {
   bool collapses_at(const WorldTime& t, Sign after = Sign::unknown) const;
 
  private:
-  // The circle at one end.
-  template <class T>
-  struct Ends {
-    TangentTriple<T> start, end;
-    T a, b, c;
-    Ends(const Site<T>& l, const GeneratorRow<T>& s, const GeneratorRow<T>& r,
-         const GeneratorRow<T>& e);
-  };
-  // The sign of u + sqrt(gamma) v.
-  template <class T>
-  struct Expression {
-    T u, gamma, v;
-  };
   enum class Which { conflict_at_start, conflict_at_end, same_circle };
   template <class T>
-  static Expression<T> expression(const Ends<T>& ends, Which which);
+  static RootExpression<T> expression(const EdgeEnds<T>& ends, Which which);
   bool may_be_point_at(const WorldTime& t) const;
   bool has_inner_touch(const WorldTime& t, const Ball& about) const;
   Sign sign_of(Which which, Sign f, const WorldTime& t,
-               const std::optional<Ends<Ball>>& near) const;
+               const std::optional<EdgeEnds<Ball>>& near) const;
 
   const MovingRows& rows_;
   Quad quad_;  // a disk on its left
-  Ends<TimePolynomial> ends_;
+  EdgeEnds<TimePolynomial> ends_;
   TimePolynomial f_;
   bool is_square_;
 };

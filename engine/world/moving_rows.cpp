@@ -16,37 +16,33 @@ Site<Ball> values(const Site<TimePolynomial>& s, const Ball& t) {
   return {value(s.x, t), value(s.y, t), value(s.r, t)};
 }
 
-// Seen from a disk.
-template <class T>
-GeneratorRow<T> row_of_circle(const Site<T>& base, const Site<T>& circle) {
-  const T x = base.x - circle.x, y = base.y - circle.y, s = circle.r + base.r;
-  return {x, y, s, s * s - x * x - y * y};
-}
-
 }  // namespace
 
-MovingRows::MovingRows(const std::optional<WorldCircle>& circle, int disks)
-    : sites_(static_cast<std::size_t>(disks)) {
+MovingRows::MovingRows(const std::optional<WorldCircle>& circle, int disks, bool filters)
+    : sites_(static_cast<std::size_t>(disks)), rough_(disks, filters) {
   if (!circle) return;
   circle_ = Site<TimePolynomial>{TimePolynomial{circle->center.x}, TimePolynomial{circle->center.y},
                                  line(0, circle->radius, circle->growth)};
+  rough_.set(container_id, *circle_);
 }
 
 void MovingRows::set(GenId g, const Rational& since, const GrowingDisk& s) {
   sites_[g] = Site<TimePolynomial>{line(since, s.x, s.vx), line(since, s.y, s.vy),
                                    line(since, s.radius, s.growth)};
+  rough_.set(g, *sites_[g]);
 }
 
 MovingRows MovingRows::resting_at(const Rational& t) const {
   MovingRows rest = *this;
-  const auto rests = [&](std::optional<Site<TimePolynomial>>& site) {
+  const auto rests = [&](GenId g, std::optional<Site<TimePolynomial>>& site) {
     if (!site) return;
     site = Site<TimePolynomial>{TimePolynomial{site->x.evaluate(t)},
                                 TimePolynomial{site->y.evaluate(t)},
                                 TimePolynomial{site->r.evaluate(t)}};
+    rest.rough_.set(g, *site);
   };
-  for (auto& site : rest.sites_) rests(site);
-  rests(rest.circle_);
+  for (GenId g = 0; g < disks(); ++g) rests(g, rest.sites_[g]);
+  rests(container_id, rest.circle_);
   return rest;
 }
 
@@ -80,6 +76,10 @@ TimePolynomial MovingRows::tangency_of(GenId a, GenId b) const {
   return a == container_id ? row_of(b, a).p : row_of(a, b).p;
 }
 
+Ball ball_about(const WorldTime& t) {
+  return MakeBall{kBitsOfBalls}.hull(t.interval().lo, t.interval().hi);
+}
+
 Ball value(const TimePolynomial& f, const Ball& t) {
   Ball value(t.precision());
   for (int i = f.degree(); i >= 0; --i) value = value * t + Ball(f[i], t.precision());
@@ -88,8 +88,7 @@ Ball value(const TimePolynomial& f, const Ball& t) {
 
 Sign sign_after(const TimePolynomial& f, const WorldTime& t) {
   if (f.is_zero()) return Sign::zero;
-  const RootInterval& about = t.interval();
-  const Sign s = value(f, MakeBall{kBitsOfBalls}.hull(about.lo, about.hi)).sign();
+  const Sign s = value(f, ball_about(t)).sign();
   return is_certain(s) ? s : signs_around(f, t).after;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/world/rough_rows.h"
 #include "exact/algebraic.h"
 #include "exact/generators.h"
 #include "exact/polynomial.h"
@@ -21,13 +22,17 @@ using WorldTime = AlgebraicNumber<Rational>;
 // infinity, and always the generator -1.
 class MovingRows {
  public:
-  MovingRows(const std::optional<WorldCircle>& circle, int disks);
+  // `filters`: doubles decide where they can.
+  MovingRows(const std::optional<WorldCircle>& circle, int disks, bool filters);
 
   int disks() const { return static_cast<int>(sites_.size()); }
   bool has_circle() const { return circle_.has_value(); }
   bool is_there(GenId g) const { return sites_[g].has_value(); }
   const Site<TimePolynomial>& site(GenId g) const { return *sites_[g]; }
   const Site<TimePolynomial>& circle() const { return *circle_; }  // its radius is positive
+
+  // The same in doubles.
+  const RoughRows& rough() const { return rough_; }
 
   // From now on the disk moves as one that is in that state at `since`.
   void set(GenId g, const Rational& since, const GrowingDisk& state);
@@ -52,8 +57,11 @@ class MovingRows {
  private:
   std::vector<std::optional<Site<TimePolynomial>>> sites_;
   std::optional<Site<TimePolynomial>> circle_;
+  RoughRows rough_;
 };
 
+// A ball that contains the time.
+Ball ball_about(const WorldTime& t);
 // The value at a time that a ball contains.
 Ball value(const TimePolynomial& f, const Ball& t);
 // The sign of a polynomial just after an instant: zero only where it vanishes for ever.

@@ -29,11 +29,11 @@ struct Scheduled {
 
 class WorldRun final : public ChangeSink {
  public:
-  WorldRun(const WorldMotion& world, std::uint64_t max_events, WorldSink& sink)
+  WorldRun(const WorldMotion& world, const WorldOptions& options, WorldSink& sink)
       : world_(world),
-        max_events_(max_events),
+        max_events_(options.max_events),
         sink_(sink),
-        rows_(world.circle, static_cast<int>(world.paths.size())),
+        rows_(world.circle, static_cast<int>(world.paths.size()), options.filters),
         live_(static_cast<int>(world.paths.size())) {
     for (GenId g = 0; g < rows_.disks(); ++g) {
       const WorldPath& path = world.paths[static_cast<std::size_t>(g)];
@@ -51,16 +51,14 @@ class WorldRun final : public ChangeSink {
 
   bool has_begun() const { return sweep_.has_value(); }
   // No event that was told is later, and no other earlier.
-  double time() const {
-    return sweep_ ? std::max(last_, round_down(sweep_->now().interval().lo)) : 0;
-  }
+  double time() const { return sweep_ ? std::max(last_, sweep_->now().lo()) : 0; }
 
   std::uint64_t told() const { return told_; }
 
   void run() {
     live_ = first_diagram(rows_, first_scale());
     sink_.begin(live_.diagram().quads());
-    sweep_.emplace(live_, rows_, WorldTime(Rational(0)), world_.horizon, *this);
+    sweep_.emplace(live_, rows_, 0, world_.horizon, *this);
     for (const PieceStart start : {PieceStart::jumps, PieceStart::turns}) {
       for (const auto& [g, piece] : at_zero_) {
         if (piece.start == start) tell_begin(g, piece, {}, {});
@@ -104,7 +102,7 @@ class WorldRun final : public ChangeSink {
   // A time between the last instant and t. What is scheduled for t, but is no turn, is done there:
   // the paths lead back to it.
   Rational just_before(const Rational& t) {
-    const Rational earlier = rational_between(sweep_->now(), WorldTime(t));
+    const Rational earlier = rational_between(sweep_->now().exact(), WorldTime(t));
     const Rational before = t - ((t - earlier) >> kBitsBefore);
     sweep_->wait_until(before);
     return before;
@@ -141,12 +139,11 @@ class WorldRun final : public ChangeSink {
   }
 
   bool takes_swaps() const override { return following_ == nullptr; }
-  void change(const WorldTime& t, const WorldChange& change) override {
+  void change(const SweepTime& t, const WorldChange& change) override {
     if (following_ != nullptr) {
       following_->push_back(step_of(change));
     } else {
-      std::visit([&](const auto& what) { tell_event(to_rational(round_nearest(t)), what); },
-                 change);
+      std::visit([&](const auto& what) { tell_event(to_rational(t.nearest()), what); }, change);
     }
   }
 
@@ -211,7 +208,7 @@ WorldOutcome run_world(const WorldMotion& world, const WorldOptions& options, Wo
   }
   WorldOutcome outcome;
   try {
-    run.emplace(world, options.max_events, sink);
+    run.emplace(world, options, sink);
     run->run();
     outcome.t = round_nearest(world.horizon);
     return outcome;

@@ -34,6 +34,7 @@ struct WorldOutcome {
 };
 
 struct WorldOptions {
+  bool filters = true;           // doubles decide where they can: the history is the same without
   std::uint64_t max_events = 0;  // a history of more stops before the instant; 0: no limit
   // Called now and then, also within a long decision, with the time reached and the number of
   // events; false stops the run (WorldOutcome::Kind::interrupted).

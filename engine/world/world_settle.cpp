@@ -88,7 +88,7 @@ bool WorldSweep::swap_one() {
   const auto [i, j] = *swaps_.begin();
   swaps_.erase(swaps_.begin());
   if (!live_.is_visible(i) || !live_.is_visible(j)) return true;
-  if (sign_after(rows_.tangency_of(i, j), now_) != Sign::positive) {
+  if (sign_after(rows_.tangency_of(i, j), now_.exact()) != Sign::positive) {
     throw Undecided("two disks that become the same at one instant do not part", i, j);
   }
   exchange(i, j);
@@ -175,7 +175,7 @@ bool WorldSweep::appear_one() {
       throw Undecided("a disk leaves one of two that change places", g, j);
     }
     for (const GenId other : appeared_) {
-      if (sign_at(rows_.tangency_of(g, other), now_) != Sign::zero) continue;
+      if (sign_at(rows_.tangency_of(g, other), now_.exact()) != Sign::zero) continue;
       throw Undecided("two disks leave another at one place", g, other);
     }
     appeared_.insert(g);
@@ -184,7 +184,7 @@ bool WorldSweep::appear_one() {
       live_.appear(g);
       sink_.change(now_, Appear{g, from, std::nullopt});
     } else {
-      const HalfEdge h = cell_exit(rows_, live_.diagram(), from, g, now_);
+      const HalfEdge h = cell_exit(rows_, live_.diagram(), from, g, now_.exact());
       const Quad at = live_.diagram().quad(h);
       live_.appear(g, h);
       sink_.change(now_, Appear{g, from, at});
@@ -199,7 +199,7 @@ bool WorldSweep::touch_one() {
   const auto [g, j] = *touches_.begin();
   touches_.erase(touches_.begin());
   if (!live_.is_visible(g) || !live_.is_visible(j) || live_.diagram().edges() <= 3) return true;
-  for (const HalfEdge h : flips_after_touch(rows_, live_.diagram(), g, j, now_)) flip(h);
+  for (const HalfEdge h : flips_after_touch(rows_, live_.diagram(), g, j, now_.exact())) flip(h);
   return true;
 }
 
@@ -225,9 +225,10 @@ bool WorldSweep::flip_one() {
     const Quad q = live_.diagram().quad(2 * edge);
     // One that a flip has just made is legal.
     if (q.s == q.e || fresh_edges_.contains(edge)) continue;
-    if (due_edges_.contains(edge) || MovingEdge(rows_, q).collapses_at(now_)) {
-      illegal_.insert({canonical(q), edge});
-    }
+    const bool collapses =
+        due_edges_.contains(edge) || (!is_legal_edge(rows_.rough(), q, now_.lo(), now_.hi()) &&
+                                      MovingEdge(rows_, q).collapses_at(now_.exact()));
+    if (collapses) illegal_.insert({canonical(q), edge});
   }
   new_edges_.clear();
   if (illegal_.empty()) return false;

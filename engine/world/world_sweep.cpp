@@ -8,25 +8,17 @@
 #include "exact/patience.h"
 
 namespace voroproof::internal {
-namespace {
 
-double key_of(const WorldTime& t) { return round_down(t.interval().lo); }
-
-}  // namespace
-
-WorldSweep::WorldSweep(LiveDiagram& live, const MovingRows& rows, WorldTime now, Rational end,
+WorldSweep::WorldSweep(LiveDiagram& live, const MovingRows& rows, const Rational& now, Rational end,
                        ChangeSink& sink)
-    : live_(live), rows_(rows), now_(std::move(now)), end_(std::move(end)), sink_(sink) {}
+    : live_(live), rows_(rows), now_(now), end_(std::move(end)), sink_(sink) {}
 
-std::optional<WorldTime> WorldSweep::next() const {
+std::optional<SweepTime> WorldSweep::next() const {
   if (queue_.empty()) return std::nullopt;
-  WorldTime first = found_.at(queue_.begin()->second);
-  double bound = round_up(first.interval().hi);
-  for (auto k = std::next(queue_.begin()); k != queue_.end() && k->first <= bound; ++k) {
-    const WorldTime& other = found_.at(k->second);
-    if (compare(other, first) >= 0) continue;
-    first = other;
-    bound = round_up(first.interval().hi);
+  SweepTime first = found_.at(queue_.begin()->second);
+  for (auto k = std::next(queue_.begin()); k != queue_.end() && k->first <= first.hi(); ++k) {
+    const SweepTime& other = found_.at(k->second);
+    if (compare(other, first) < 0) first = other;
   }
   return first;
 }
@@ -39,7 +31,7 @@ void WorldSweep::run_up_to(const Rational& until) {
   for (auto t = next(); t && compare(*t, until) <= 0; t = next()) step(*t);
 }
 
-void WorldSweep::step(const WorldTime& t) {
+void WorldSweep::step(const SweepTime& t) {
   now_ = t;
   gather_due();
   settle();
@@ -52,10 +44,9 @@ void WorldSweep::begin_instant(const Rational& t) {
 }
 
 void WorldSweep::gather_due() {
-  const double bound = round_up(now_.interval().hi);
   std::vector<Item> due;
   for (const auto& [key, item] : queue_) {
-    if (key > bound) break;
+    if (key > now_.hi()) break;
     if (compare(found_.at(item), now_) == 0) due.push_back(item);
   }
   for (const Item& item : due) {
@@ -76,37 +67,47 @@ void WorldSweep::gather_due() {
       swaps_.insert({i, j});
     } else {
       const bool is_inner =
-          i != container_id && sign_at(rows_.excess(i, j), now_) == Sign::positive;
+          i != container_id && sign_at(rows_.excess(i, j), now_.exact()) == Sign::positive;
       touches_.insert(is_inner ? Pair(i, j) : Pair(j, i));
     }
   }
 }
 
-void WorldSweep::schedule(const Item& item, std::optional<WorldTime> time) {
+void WorldSweep::schedule(const Item& item, std::optional<SweepTime> time) {
   const auto known = found_.find(item);
   if (known != found_.end()) {
-    queue_.erase({key_of(known->second), item});
+    queue_.erase({known->second.lo(), item});
     found_.erase(known);
   }
   if (!time) return;
-  queue_.insert({key_of(*time), item});
+  queue_.insert({time->lo(), item});
   found_.emplace(item, std::move(*time));
+}
+
+std::optional<SweepTime> WorldSweep::collapse_of(const Quad& q) const {
+  if (q.s == q.e) return std::nullopt;
+  const bool flipped = has_flipped(q);
+  const double beyond = now_.alone_until(q);
+  const RoughCollapse rough = flipped
+                                  ? rough_collapse(rows_, q, beyond, beyond, round_up(end_))
+                                  : rough_collapse(rows_, q, now_.lo(), now_.hi(), round_up(end_));
+  if (rough.kind == RoughCollapse::Kind::none) return std::nullopt;
+  if (rough.kind == RoughCollapse::Kind::found) return SweepTime(rows_, q, rough.root);
+  const MovingEdge moving(rows_, q);
+  const auto collapses = [&](const WorldTime& t, Sign after) {
+    return moving.collapses_at(t, after);
+  };
+  return first_root(moving.polynomial(), now_.exact(), end_, collapses, flipped);
 }
 
 void WorldSweep::look_ahead() {
   const Diagram& diagram = live_.diagram();
   for (const int edge : stale_edges_) {
     Patience::ask_now();
-    std::optional<WorldTime> collapse, meeting;
+    std::optional<SweepTime> collapse, meeting;
     if (edge < diagram.edges()) {
       const Quad q = diagram.quad(2 * edge);
-      if (q.s != q.e) {
-        const MovingEdge moving(rows_, q);
-        const auto collapses = [&](const WorldTime& t, Sign after) {
-          return moving.collapses_at(t, after);
-        };
-        collapse = first_root(moving.polynomial(), now_, end_, collapses, has_flipped(q));
-      }
+      collapse = collapse_of(q);
       meeting = meeting_after(rows_, q.l, q.r, now_, end_);
     }
     schedule({Kind::collapse, edge}, std::move(collapse));
@@ -114,11 +115,11 @@ void WorldSweep::look_ahead() {
   }
   for (const GenId g : stale_disks_) {
     const GenId host = live_.host(g);
-    std::optional<WorldTime> exit;
+    std::optional<SweepTime> exit;
     if (host >= container_id) exit = exit_after(rows_, host, g, now_, end_);
     schedule({Kind::exit, g}, std::move(exit));
   }
-  std::optional<WorldTime> leaves;
+  std::optional<SweepTime> leaves;
   if (rows_.has_circle() && live_.visible_disks() == 1) {
     leaves = meeting_after(rows_, live_.first_visible(), container_id, now_, end_);
   }

@@ -137,6 +137,12 @@ TEST(AlgebraicNumber, SignsOfOtherPolynomials) {
   EXPECT_EQ(signs_around(near * two, root2), (SignsAround{Sign::negative, Sign::positive}));
   EXPECT_EQ(signs_around(near * two * two, root2), (SignsAround{Sign::positive, Sign::positive}));
   EXPECT_EQ(signs_around(near, root2), (SignsAround{Sign::positive, Sign::positive}));
+  EXPECT_TRUE(root2.is_root_of(two));
+  EXPECT_FALSE(root2.is_root_of(near));
+  EXPECT_EQ(sign_at(two, root2), Sign::zero);
+  EXPECT_EQ(signs_around(two, root2), (SignsAround{Sign::negative, Sign::positive}));
+  const auto minus = only_root(two, -3, 0);
+  EXPECT_EQ(signs_around(two, minus), (SignsAround{Sign::positive, Sign::negative}));
   EXPECT_EQ(signs_around(linear<Rational>(1), AlgebraicNumber<Rational>(1)),
             (SignsAround{Sign::negative, Sign::positive}));
   EXPECT_THROW(signs_around(RationalPolynomial(), root2), std::invalid_argument);

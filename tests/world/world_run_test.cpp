@@ -39,9 +39,9 @@ struct RecordedWorld {
   WorldRecorder history;
   WorldOutcome outcome;
 };
-RecordedWorld record(const World& world) {
+RecordedWorld record(const World& world, const WorldOptions& options = {}) {
   RecordedWorld run;
-  run.outcome = run_world(world.motion(), {}, run.history);
+  run.outcome = run_world(world.motion(), options, run.history);
   return run;
 }
 
@@ -145,6 +145,16 @@ std::vector<World> worlds_of(WorldFamily family, int count) {
     worlds.push_back(random_world(family, random));
   }
   return worlds;
+}
+
+TEST(WorldFilters, ChangeNothing) {
+  WorldOptions exact;
+  exact.filters = false;
+  for (const WorldFamily family : world_families) {
+    for (const World& world : worlds_of(family, 6)) {
+      EXPECT_EQ(lines(record(world)), lines(record(world, exact))) << text(world);
+    }
+  }
 }
 
 TEST(WorldSymmetry, UnitsOfLengthDoNotMatter) {
