@@ -84,8 +84,7 @@ std::strong_ordering compare(const AlgebraicNumber<T>& x, const Rational& q) {
 // of two odd numbers. So it has one iff its sign changes.
 template <class T>
 bool AlgebraicNumber<T>::equal(const AlgebraicNumber& x, const AlgebraicNumber& y) {
-  const bool same_equation = x.equation_ == y.equation_;
-  const SignEvaluator<T> common(same_equation
+  const SignEvaluator<T> common(y.is_root_of(x.equation_->polynomial)
                                     ? x.equation_->polynomial
                                     : gcd(x.equation_->polynomial, y.equation_->polynomial));
   const Rational lo = std::max(x.interval_.lo, y.interval_.lo);
@@ -97,7 +96,8 @@ template <class T>
 std::strong_ordering compare(const AlgebraicNumber<T>& x, const AlgebraicNumber<T>& y) {
   AlgebraicNumber<T> a = x;
   AlgebraicNumber<T> b = y;
-  const bool conjugate = a.equation_ && a.equation_ == b.equation_;
+  const bool conjugate =
+      a.equation_ && (a.equation_ == b.equation_ || b.is_root_of(a.equation_->polynomial));
   for (unsigned long bisections = 0;; ++bisections) {
     if (b.is_point()) return compare(a, b.interval_.lo);
     if (a.is_point()) return 0 <=> compare(b, a.interval_.lo);

@@ -37,6 +37,7 @@ check filtered/numbers exact filtered/numbers
 check filtered/motion exact filtered/numbers filtered/motion
 check filtered/search exact filtered/numbers filtered/motion filtered/search
 check filtered/computed exact filtered
+check filtered/worlds exact filtered/numbers filtered/worlds
 check exact/topology exact exact/topology
 check history exact history
 check engine exact exact/topology filtered engine

@@ -31,13 +31,14 @@ struct Unproved {
 class ProvedHistory final : public WorldSink {
  public:
   // `header` without the initial diagram.
-  ProvedHistory(const World& world, WorldHistoryWriter& writer, WorldHistoryHeader header)
-      : world_(world), writer_(writer), header_(std::move(header)) {}
+  ProvedHistory(const World& world, WorldHistoryWriter& writer, WorldHistoryHeader header,
+                bool filters)
+      : world_(world), writer_(writer), header_(std::move(header)), filters_(filters) {}
 
   void begin(const std::vector<Quad>& initial) override {
     header_.initial = initial;
     writer_.header(header_);
-    certifier_.emplace(world_, initial, tolerance_);
+    certifier_.emplace(world_, initial, tolerance_, nullptr, filters_);
   }
   void event(const WorldEvent& event) override {
     certifier_->event(event, 0);
@@ -78,6 +79,7 @@ class ProvedHistory final : public WorldSink {
   const World& world_;
   WorldHistoryWriter& writer_;
   WorldHistoryHeader header_;
+  bool filters_;
   Rational tolerance_ = world_.horizon >> kBitsOfRounding;
   std::optional<WorldCertifier> certifier_;
   WorldCounts counts_;
@@ -87,7 +89,7 @@ class ProvedHistory final : public WorldSink {
 
 WorldOutcome run(const WorldRequest& request, const World& world, WorldHistoryWriter& writer,
                  CooperativeInterruption& interruption) {
-  ProvedHistory sink(world, writer, {world.sha256, world.horizon, producer(), {}});
+  ProvedHistory sink(world, writer, {world.sha256, world.horizon, producer(), {}}, request.filters);
   Progress progress(round_nearest(world.horizon), request.quiet);
   WorldOptions options;
   options.filters = request.filters;

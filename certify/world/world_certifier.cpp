@@ -8,10 +8,10 @@
 namespace voroproof::internal {
 
 WorldCertifier::WorldCertifier(const World& world, const std::vector<Quad>& initial,
-                               Rational tolerance, std::function<bool()> go_on)
+                               Rational tolerance, std::function<bool()> go_on, bool filters)
     : horizon_(world.horizon), tolerance_(std::move(tolerance)), go_on_(std::move(go_on)) {
   if (!go_on_) go_on_ = [] { return true; };
-  judge(1, [&] { replay_ = std::make_unique<WorldReplay>(world, initial); });
+  judge(1, [&] { replay_ = std::make_unique<WorldReplay>(world, initial, filters); });
 }
 
 WorldCertifier::~WorldCertifier() = default;
@@ -30,7 +30,7 @@ template <class Work>
 void WorldCertifier::judge(std::int64_t line, const Work& work) {
   if (verdict_) return;
   const auto see = [&] {
-    if (replay_ && replay_->is_open()) last_ = round_nearest(replay_->at());
+    if (replay_ && replay_->is_open()) last_ = replay_->at().nearest();
   };
   try {
     const Patience patience(go_on_);

@@ -64,6 +64,12 @@
 // 13. End. Nothing happens between the last event and the horizon, the horizon included; motion is
 //     thought to go on beyond it. The counts are those of the lines.
 //
+// 14. Doubles. Where all signs of 3, 4 and 11 that are asked for are certain in doubles with error
+//     bounds, these tell them, over windows of time: a window in which a polynomial has one sign
+//     has no root of it. An edge whose two functions, certainly positive before, certainly fall at
+//     one root, its generators being apart, and its circles one, is a point there (6), unless the
+//     scene changes something at that instant. Times are enclosures, and exact where these overlap.
+//
 // A history that stops is undecided, if nothing is missing before.
 #pragma once
 
@@ -85,9 +91,11 @@ class WorldReplay;
 class WorldCertifier {
  public:
   // `initial`: canonical, each edge once. `go_on` is asked now and then; where it says no, the
-  // verdict is undecided.
+  // verdict is undecided. `filters`: doubles decide where they can; the verdict is the same
+  // without.
   WorldCertifier(const World& world, const std::vector<Quad>& initial,
-                 Rational tolerance = default_tolerance(), std::function<bool()> go_on = {});
+                 Rational tolerance = default_tolerance(), std::function<bool()> go_on = {},
+                 bool filters = true);
   ~WorldCertifier();
   WorldCertifier(const WorldCertifier&) = delete;
   WorldCertifier& operator=(const WorldCertifier&) = delete;

@@ -44,7 +44,7 @@ bool WorldReplay::take(const WorldEvent& event) {
 
 // Whether the tangency of both vanishes at the instant, and g is in h just after it.
 bool WorldReplay::falls_at(GenId g, GenId h) const {
-  return signs_then(world_tangency(motion_, g, h), now_->t).at == Sign::zero &&
+  return signs_then(world_tangency(motion_, g, h), now_->t.exact()).at == Sign::zero &&
          is_inside_after(motion_, g, h, now_->t);
 }
 
@@ -60,22 +60,24 @@ bool WorldReplay::is_about_to_hide(GenId g) const {
 bool WorldReplay::claim(const Quad& q) {
   if (!names_an_edge(q) || map_.find(q) < 0) return refuse("there is no edge " + text_of(q));
   if (q.s == q.e) return refuse("the edge " + text_of(q) + " cannot flip");
+  if (now_->collapsing.contains(canonical(q))) return map_.flip(q);
   const GenId all[] = {q.l, q.r, q.s, q.e};
   bool separated = true;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < i; ++j) {
-      separated = separated && signs_then(world_tangency(motion_, all[i], all[j]), now_->t).after ==
-                                   Sign::positive;
+      separated =
+          separated && signs_then(world_tangency(motion_, all[i], all[j]), now_->t.exact()).after ==
+                           Sign::positive;
     }
   }
   const WorldEdge edge(motion_, q);
   const bool stirred = std::any_of(std::begin(all), std::end(all),
                                    [&](GenId g) { return now_->centres.count(g) != 0; });
   const bool free = stirred || is_about_to_hide(q.l) || is_about_to_hide(q.r);
-  if (!edge.is_point_at(now_->t, now_->proves_cells)) {
+  if (!edge.is_point_at(now_->t.exact(), now_->proves_cells)) {
     return refuse("the edge " + text_of(q) + " has a length");
   }
-  if (!free && !(separated && edge.is_illegal_after(now_->t))) {
+  if (!free && !(separated && edge.is_illegal_after(now_->t.exact()))) {
     return refuse("the edge " + text_of(q) + " does not collapse");
   }
   return map_.flip(q);
@@ -110,9 +112,10 @@ bool WorldReplay::claim(const Appear& appear) {
   if (g == j || (j != container_id && (!is_disk(j) || !map_.is_visible(j)))) {
     return refuse("generator " + number(j) + " is no host");
   }
-  const SignsThen p = signs_then(world_tangency(motion_, g, j), now_->t);
+  const SignsThen p = signs_then(world_tangency(motion_, g, j), now_->t.exact());
   const bool is_larger =
-      j < 0 || signs_then(motion_.course(j).r - motion_.course(g).r, now_->t).at != Sign::negative;
+      j < 0 ||
+      signs_then(motion_.course(j).r - motion_.course(g).r, now_->t.exact()).at != Sign::negative;
   if (p.at != Sign::zero || p.after != Sign::positive || !is_larger) {
     return refuse(who + " does not leave " + number(j));
   }

@@ -28,17 +28,18 @@ Scheduled::Kind kind_of(PieceStart start) {
 
 }  // namespace
 
-WorldCourses::WorldCourses(const WorldMotion& world)
+WorldCourses::WorldCourses(const WorldMotion& world, bool filters)
     : horizon_(world.horizon),
       limit_(world.horizon > 0 ? Rational(2 * world.horizon) : Rational(1)),
       has_circle_(world.circle.has_value()),
+      rough_(static_cast<int>(world.paths.size()), filters),
       courses_(world.paths.size() + 1),
       there_(world.paths.size(), false),
       ends_(world.paths.size()) {
   if (has_circle_) {
     const WorldCircle& c = *world.circle;
-    courses_[0] = {WorldPolynomial{c.center.x}, WorldPolynomial{c.center.y},
-                   WorldPolynomial{c.radius, c.growth}};
+    set(container_id, {WorldPolynomial{c.center.x}, WorldPolynomial{c.center.y},
+                       WorldPolynomial{c.radius, c.growth}});
   }
   for (GenId g = 0; g < disks(); ++g) schedule_disk(g, world.paths[g]);
   std::stable_sort(schedule_.begin(), schedule_.end(), [](const Scheduled& a, const Scheduled& b) {
@@ -49,7 +50,7 @@ WorldCourses::WorldCourses(const WorldMotion& world)
 
 void WorldCourses::schedule_disk(GenId g, const WorldPath& path) {
   if (path.empty()) return;
-  courses_[g + 1] = course_of(path.front().state, path.front().from);
+  set(g, course_of(path.front().state, path.front().from));
   for (const WorldPiece& piece : path) {
     if (piece.start == PieceStart::enters && piece.from == 0) {
       there_[g] = true;
@@ -68,7 +69,12 @@ const Rational& WorldCourses::until(GenId g) const {
 void WorldCourses::take(const Scheduled& change) {
   ends_[change.g].pop_back();
   there_[change.g] = change.kind != Scheduled::Kind::leaves;
-  if (there_[change.g]) courses_[change.g + 1] = course_of(change.after, change.t);
+  if (there_[change.g]) set(change.g, course_of(change.after, change.t));
+}
+
+void WorldCourses::set(GenId g, Course course) {
+  rough_.set(g, {course.x, course.y, course.r});
+  courses_[g + 1] = std::move(course);
 }
 
 }  // namespace voroproof::internal

@@ -6,6 +6,7 @@
 #include "exact/generators.h"
 #include "exact/polynomial.h"
 #include "exact/world_motion.h"
+#include "filtered/worlds/rough_rows.h"
 
 namespace voroproof::internal {
 
@@ -28,10 +29,13 @@ struct Scheduled {
 // Every generator as it moves now. A disk that is not there keeps the course it had.
 class WorldCourses {
  public:
-  explicit WorldCourses(const WorldMotion& world);
+  // `filters`: doubles decide where they can.
+  WorldCourses(const WorldMotion& world, bool filters);
 
   int disks() const { return static_cast<int>(there_.size()); }
   bool has_circle() const { return has_circle_; }
+  // The same courses in doubles.
+  const RoughRows& rough() const { return rough_; }
   const Rational& horizon() const { return horizon_; }
   // Some time after the horizon up to which lives are followed: to tell what happens just after it.
   // No verdict depends on it.
@@ -48,9 +52,11 @@ class WorldCourses {
 
  private:
   void schedule_disk(GenId g, const WorldPath& path);
+  void set(GenId g, Course course);
 
   Rational horizon_, limit_;
   bool has_circle_;
+  RoughRows rough_;
   std::vector<Scheduled> schedule_;
   std::vector<Course> courses_;  // that of the frame first
   std::vector<bool> there_;

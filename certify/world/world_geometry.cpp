@@ -192,36 +192,24 @@ bool WorldEdge::is_point_at(const Rational& t) const {
   return sign(from_start_.v.evaluate(t)) != Sign::zero || order().at(t) == Sign::positive;
 }
 
-bool is_inside_after(const WorldCourses& motion, GenId g, GenId h, const WorldTime& t) {
+bool is_inside_after(const WorldCourses& motion, GenId g, GenId h, const LazyTime& t) {
   if (g == h) return false;
   if (h < 0 && !motion.has_circle()) return false;
-  if (signs_then(world_tangency(motion, g, h), t).after == Sign::positive) return false;
+  if (are_apart(motion.rough(), g, h, t.lo(), t.hi())) return false;
+  if (signs_then(world_tangency(motion, g, h), t.exact()).after == Sign::positive) return false;
   if (h < 0) return true;
-  const Sign larger = signs_then(motion.course(h).r - motion.course(g).r, t).after;
+  const Sign larger = signs_then(motion.course(h).r - motion.course(g).r, t.exact()).after;
   return larger == Sign::positive || (larger == Sign::zero && h < g);
 }
 
-bool coincide_at(const WorldCourses& motion, GenId g, GenId h, const WorldTime& t) {
+bool coincide_at(const WorldCourses& motion, GenId g, GenId h, const LazyTime& t) {
   if (g < 0 || h < 0) return false;
+  if (are_apart(motion.rough(), g, h, t.lo(), t.hi())) return false;
   const Course &a = motion.course(g), &b = motion.course(h);
   for (const Poly& difference : {a.x - b.x, a.y - b.y, a.r - b.r}) {
-    if (!difference.is_zero() && sign_at(difference, t) != Sign::zero) return false;
+    if (!difference.is_zero() && sign_at(difference, t.exact()) != Sign::zero) return false;
   }
   return true;
-}
-
-std::strong_ordering order_of(const WorldTime& a, const WorldTime& b) {
-  if (a.is_point() || b.is_point()) return compare(a, b);
-  const Rational lo = std::max(a.interval().lo, b.interval().lo),
-                 hi = std::min(a.interval().hi, b.interval().hi);
-  if (lo < hi) {
-    // The ends are no roots of an equation of both; the sign changes at one root in between.
-    const Poly f = a.polynomial();
-    if (f == b.polynomial() && sign_at(f, lo) != sign_at(f, hi)) {
-      return std::strong_ordering::equal;
-    }
-  }
-  return compare(a, b);
 }
 
 std::vector<WorldTime> roots_after(const Poly& f, const WorldTime& after, const Rational& until) {
@@ -230,7 +218,7 @@ std::vector<WorldTime> roots_after(const Poly& f, const WorldTime& after, const 
   if (lo > until) return {};
   std::vector<WorldTime> all;
   for (WorldTime& root : real_roots(f, lo, until)) {
-    if (order_of(root, after) <= 0) continue;
+    if (compare(root, after) <= 0) continue;
     tidy(root, f, until);
     all.push_back(std::move(root));
   }

@@ -16,6 +16,7 @@
 #include "certify/world/world_courses.h"
 #include "exact/algebraic.h"
 #include "exact/predicates.h"
+#include "filtered/worlds/lazy_time.h"
 
 namespace voroproof::internal {
 
@@ -88,13 +89,9 @@ Quad with_disk_on_left(const Quad& q);
 
 // Whether g lies in h, or outside of the frame h, for a while from t on: h is larger, or of the
 // same size and g has the larger id.
-bool is_inside_after(const WorldCourses& motion, GenId g, GenId h, const WorldTime& t);
+bool is_inside_after(const WorldCourses& motion, GenId g, GenId h, const LazyTime& t);
 // Whether both have one centre and radius at t.
-bool coincide_at(const WorldCourses& motion, GenId g, GenId h, const WorldTime& t);
-
-// As compare(), which looks at many bits before it takes two for equal: not where both are roots of
-// one polynomial.
-std::strong_ordering order_of(const WorldTime& a, const WorldTime& b);
+bool coincide_at(const WorldCourses& motion, GenId g, GenId h, const LazyTime& t);
 
 // The roots in (after, until], in order.
 std::vector<WorldTime> roots_after(const WorldPolynomial& f, const WorldTime& after,

@@ -1,11 +1,11 @@
 // The next instants of edges, of pairs of neighbours, and of hidden disks.
 #pragma once
 
-#include <cstdint>
+#include <map>
 #include <optional>
-#include <queue>
+#include <set>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "certify/world/world_geometry.h"
 
@@ -17,45 +17,44 @@ struct EdgeFate {
   // The first time afterwards, before the course of one of its generators ends or at that, at which
   // the tangency of its pair vanishes, or after which it cannot be there: an in-circle function is
   // negative, or a circle does not exist.
-  std::optional<WorldTime> due;
+  std::optional<LazyTime> due;
+  // Its in-circle functions, positive before, both vanish and fall then, its four generators are
+  // apart, and its two circles are one: it has no length, and flips.
+  bool collapses = false;
 };
-EdgeFate edge_fate(const WorldCourses& motion, const Quad& q, const WorldTime& now);
+EdgeFate edge_fate(const WorldCourses& motion, const Quad& q, const LazyTime& now);
 
 // A hidden disk g in h: the first time after which it is not, before a course ends or at that.
 std::optional<WorldTime> first_exit(const WorldCourses& motion, GenId g, GenId h,
-                                    const WorldTime& now);
-// The first time at which their tangency vanishes.
-std::optional<WorldTime> first_contact(const WorldCourses& motion, GenId g, GenId h,
-                                       const WorldTime& now);
+                                    const LazyTime& now);
+// The first time at which the tangency, positive just after the instant, vanishes.
+std::optional<LazyTime> first_contact(const WorldCourses& motion, GenId g, GenId h,
+                                      const LazyTime& now);
 
 // Times at which something has to be looked at, the next first.
 class WorldAgenda {
  public:
   enum class Kind { edge, hidden, last_disk };
   struct Item {
-    WorldTime t;
+    LazyTime t;
     Kind kind;
     int id;  // number of an edge, or a disk
-    std::int64_t stamp;
+    bool collapses = false;
   };
 
   // All that was noted of it is void.
-  void forget(Kind kind, int id) { ++stamp(kind, id); }
-  void note(Kind kind, int id, WorldTime t) {
-    items_.push({std::move(t), kind, id, stamp(kind, id)});
-  }
+  void forget(Kind kind, int id);
+  void note(Item item);
   // Null where nothing is left.
-  const Item* next();
-  void drop() { items_.pop(); }
+  const Item* next() const;
+  // The next one is done.
+  void drop();
 
  private:
-  struct Later {
-    bool operator()(const Item& a, const Item& b) const { return order_of(a.t, b.t) > 0; }
-  };
-  std::int64_t& stamp(Kind kind, int id);
+  using Key = std::pair<Kind, int>;
 
-  std::priority_queue<Item, std::vector<Item>, Later> items_;
-  std::vector<std::int64_t> stamps_[3];
+  std::map<Key, Item> items_;
+  std::set<std::pair<double, Key>> queue_;  // by lower bounds
 };
 
 }  // namespace voroproof::internal

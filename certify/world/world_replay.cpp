@@ -26,11 +26,11 @@ WorldMap map_of(int disks, const std::vector<Quad>& initial) {
 
 }  // namespace
 
-WorldReplay::WorldReplay(const World& world, const std::vector<Quad>& initial)
-    : motion_(world.motion()),
+WorldReplay::WorldReplay(const World& world, const std::vector<Quad>& initial, bool filters)
+    : motion_(world.motion(), filters),
       map_(map_of(motion_.disks(), initial)),
       hosts_(world.disks.size(), kNoHost) {
-  next_ = WorldTime(Rational(0));
+  next_ = LazyTime(Rational(0));
   open();
   now_->at_start = true;
   now_->proves_cells = true;
@@ -65,13 +65,13 @@ void WorldReplay::see_alone() {
 
 // ---- Entering --------------------------------------------------------------------------
 
-const WorldTime* WorldReplay::next() {
+const LazyTime* WorldReplay::next() {
   if (!next_) {
     const WorldAgenda::Item* item = agenda_.next();
     if (item != nullptr) next_ = item->t;
     if (next_scheduled_ < motion_.schedule().size()) {
       const Rational& t = motion_.schedule()[next_scheduled_].t;
-      if (!next_ || compare(*next_, t) >= 0) next_ = WorldTime(t);
+      if (!next_ || compare(*next_, t) >= 0) next_ = LazyTime(t);
     }
   }
   return next_ && compare(*next_, motion_.horizon()) <= 0 ? &*next_ : nullptr;
@@ -85,7 +85,7 @@ void WorldReplay::open() {
   map_.begin_instant();
   // All that is due is seen as the instant finds it, before anything of the scene takes effect.
   while (const WorldAgenda::Item* item = agenda_.next()) {
-    if (order_of(item->t, now_->t) != 0) break;
+    if (compare(item->t, now_->t) != 0) break;
     const WorldAgenda::Item due = *item;
     agenda_.drop();
     take_due(due);
@@ -95,6 +95,7 @@ void WorldReplay::open() {
     if (compare(now_->t, change.t) != 0) break;
     take_scheduled(change);
     ++next_scheduled_;
+    now_->collapsing.clear();  // on other paths they need not
   }
 }
 
@@ -102,7 +103,11 @@ void WorldReplay::take_due(const WorldAgenda::Item& item) {
   if (item.kind == WorldAgenda::Kind::edge) {
     now_->edges.insert(item.id);
     const Quad q = with_disk_on_left(map_.quad(2 * item.id));
-    if (sign_at(world_tangency(motion_, q.l, q.r), now_->t) == Sign::zero) touch(q.l, q.r);
+    if (item.collapses) {
+      now_->collapsing.insert(canonical(q));
+    } else if (sign_at(world_tangency(motion_, q.l, q.r), now_->t.exact()) == Sign::zero) {
+      touch(q.l, q.r);
+    }
   } else if (item.kind == WorldAgenda::Kind::hidden) {
     now_->hidden.insert(item.id);
     const GenId h = hosts_[item.id];
@@ -206,7 +211,9 @@ void WorldReplay::renew_edges() {
     if (fate.fault) throw WorldRefuted{std::move(*fate.fault)};
     ++checked_.edge_lives;
     ++checked_.pair_lives;
-    if (fate.due) agenda_.note(WorldAgenda::Kind::edge, k, std::move(*fate.due));
+    if (fate.due) {
+      agenda_.note({*std::move(fate.due), WorldAgenda::Kind::edge, k, fate.collapses});
+    }
   }
 }
 
@@ -249,7 +256,7 @@ void WorldReplay::renew_hidden() {
       }
       ++checked_.hidden_lives;
       auto exit = first_exit(motion_, g, hosts_[g], now_->t);
-      if (exit) agenda_.note(WorldAgenda::Kind::hidden, g, std::move(*exit));
+      if (exit) agenda_.note({*std::move(exit), WorldAgenda::Kind::hidden, g});
     }
   }
 }
@@ -264,21 +271,25 @@ void WorldReplay::renew_last_disk() {
   }
   ++checked_.pair_lives;
   auto contact = first_contact(motion_, g, container_id, now_->t);
-  if (contact) agenda_.note(WorldAgenda::Kind::last_disk, 0, std::move(*contact));
+  if (contact) agenda_.note({*std::move(contact), WorldAgenda::Kind::last_disk, 0});
 }
 
 // A time after the instant and before anything else happens.
 Rational WorldReplay::time_after() {
-  WorldTime end(motion_.limit());
+  LazyTime end(motion_.limit());
   if (const WorldAgenda::Item* item = agenda_.next()) {
-    if (item->t < end) end = item->t;
+    if (compare(item->t, end) < 0) end = item->t;
   }
   if (next_scheduled_ < motion_.schedule().size()) {
     const Rational& t = motion_.schedule()[next_scheduled_].t;
-    if (compare(end, t) > 0) end = WorldTime(t);
+    if (compare(end, t) > 0) end = LazyTime(t);
   }
-  const Rational late = rational_between(now_->t, end);
-  return simplest_between(rational_between(now_->t, WorldTime(late)), late);
+  if (now_->t.hi() < end.lo()) {
+    const Rational early = to_rational(now_->t.hi()), late = to_rational(end.lo());
+    return simplest_between(early + (late - early) / 4, late - (late - early) / 2);
+  }
+  const Rational late = rational_between(now_->t.exact(), end.exact());
+  return simplest_between(rational_between(now_->t.exact(), WorldTime(late)), late);
 }
 
 void WorldReplay::prove_cells() {

@@ -19,15 +19,15 @@ namespace voroproof::internal {
 class WorldReplay {
  public:
   // Enters the instant 0, for which `initial` is the diagram just after it.
-  WorldReplay(const World& world, const std::vector<Quad>& initial);
+  WorldReplay(const World& world, const std::vector<Quad>& initial, bool filters);
 
   // The time of the next instant; null where nothing more happens up to the horizon, the present
   // one apart. Precondition: no instant is open.
-  const WorldTime* next();
+  const LazyTime* next();
   // Enters it: what the scene says takes effect. Precondition: there is one.
   void open();
   bool is_open() const { return now_.has_value(); }
-  const WorldTime& at() const { return now_->t; }
+  const LazyTime& at() const { return now_->t; }
   // Whether the event is one of the open instant, whatever time it claims; then it is done.
   bool take(const WorldEvent& event);
   // Why the last event was not one of an instant.
@@ -39,10 +39,11 @@ class WorldReplay {
 
  private:
   struct Instant {
-    WorldTime t;
+    LazyTime t;
     bool at_start = false;
     std::vector<Scheduled> scheduled{};  // not claimed yet
     std::vector<Swap> swaps{};           // the same
+    std::set<Quad> collapsing{};         // edges that are known to flip
     std::set<int> edges{};               // to be followed anew, as far as they are there
     std::set<GenId> turned{};            // so are all edges in or at these cells,
     std::set<GenId> centres{};           // and these are proved, with their neighbours
@@ -92,7 +93,7 @@ class WorldReplay {
   std::size_t next_scheduled_ = 0;
   std::vector<GenId> hosts_;  // those of hidden disks
   std::optional<Instant> now_;
-  std::optional<WorldTime> next_;
+  std::optional<LazyTime> next_;
   std::string why_not_;
   WorldVerdict::Counts checked_;
 };

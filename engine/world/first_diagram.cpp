@@ -6,8 +6,8 @@
 #include "engine/world/hosts.h"
 #include "engine/world/moving_edge.h"
 #include "engine/world/next_root.h"
-#include "engine/world/rough_edge.h"
 #include "filtered/motion/options.h"
+#include "filtered/worlds/rough_edge.h"
 
 namespace voroproof::internal {
 namespace {

@@ -1,12 +1,12 @@
 #include "engine/world/hosts.h"
 
 #include "engine/world/next_root.h"
-#include "engine/world/rough_edge.h"
 #include "exact/patience.h"
+#include "filtered/worlds/rough_edge.h"
 
 namespace voroproof::internal {
 
-bool hides_after(const MovingRows& rows, GenId j, GenId g, const SweepTime& t) {
+bool hides_after(const MovingRows& rows, GenId j, GenId g, const LazyTime& t) {
   if (j == container_id && !rows.has_circle()) return false;
   const bool apart = are_apart(rows.rough(), g, j, t.lo(), t.hi());
   if (apart && j != container_id) return false;
@@ -17,7 +17,7 @@ bool hides_after(const MovingRows& rows, GenId j, GenId g, const SweepTime& t) {
   return excess == Sign::positive || j < g;
 }
 
-GenId host_after(const MovingRows& rows, GenId g, const SweepTime& t) {
+GenId host_after(const MovingRows& rows, GenId g, const LazyTime& t) {
   const auto one_of = [&](GenId inner) {
     for (GenId j = container_id; j < rows.disks(); ++j) {
       if (j == inner || (j >= 0 && !rows.is_there(j))) continue;
@@ -36,7 +36,7 @@ GenId host_after(const MovingRows& rows, GenId g, const SweepTime& t) {
 }
 
 GenId left_at(const MovingRows& rows, const LiveDiagram& live, GenId host, GenId g,
-              const SweepTime& t) {
+              const LazyTime& t) {
   const DoubleBall about = DoubleBall::hull(t.lo(), t.hi());
   GenId best = host;
   for (GenId j = 0; j < rows.disks(); ++j) {
@@ -56,13 +56,13 @@ GenId left_at(const MovingRows& rows, const LiveDiagram& live, GenId host, GenId
   return best;
 }
 
-bool coincide_at(const MovingRows& rows, GenId i, GenId j, const SweepTime& t) {
+bool coincide_at(const MovingRows& rows, GenId i, GenId j, const LazyTime& t) {
   const Site<TimePolynomial>&a = rows.site(i), &b = rows.site(j);
   return sign_at(a.r - b.r, t.exact()) == Sign::zero &&
          sign_at(a.x - b.x, t.exact()) == Sign::zero && sign_at(a.y - b.y, t.exact()) == Sign::zero;
 }
 
-std::optional<WorldTime> exit_after(const MovingRows& rows, GenId j, GenId g, const SweepTime& now,
+std::optional<WorldTime> exit_after(const MovingRows& rows, GenId j, GenId g, const LazyTime& now,
                                     const Rational& end) {
   const TimePolynomial p = rows.tangency_of(g, j), excess = rows.excess(g, j);
   const auto leaves = [&](const WorldTime& t, Sign) { return !hides_after(rows, j, g, t); };
@@ -72,9 +72,13 @@ std::optional<WorldTime> exit_after(const MovingRows& rows, GenId j, GenId g, co
   return !out || (passed && compare(*passed, *out) < 0) ? passed : out;
 }
 
-std::optional<WorldTime> meeting_after(const MovingRows& rows, GenId i, GenId j,
-                                       const SweepTime& now, const Rational& end) {
-  if (stay_apart(rows.rough(), i, j, now.lo(), round_up(end))) return std::nullopt;
+std::optional<LazyTime> meeting_after(const MovingRows& rows, GenId i, GenId j, const LazyTime& now,
+                                      const Rational& end) {
+  const auto [kind, root] = rough_meeting(rows.rough(), i, j, now.lo(), now.hi(), round_up(end));
+  if (kind == RoughCollapse::Kind::none) return std::nullopt;
+  if (kind == RoughCollapse::Kind::fails) {
+    return LazyTime(root.lo, root.hi, [&rows, i, j] { return rows.tangency_of(i, j); });
+  }
   const auto any = [](const WorldTime&, Sign) { return true; };
   return first_root(rows.tangency_of(i, j), now.exact(), end, any);
 }

@@ -49,7 +49,7 @@ Hiding hiding_of(const MovingRows& rest, GenId g) {
 struct StepList final : ChangeSink {
   std::vector<Step> steps;
   bool takes_swaps() const override { return false; }
-  void change(const SweepTime&, const WorldChange& change) override {
+  void change(const LazyTime&, const WorldChange& change) override {
     steps.push_back(step_of(change));
   }
 };

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "engine/world/edge_ends.h"
 #include "engine/world/moving_rows.h"
+#include "filtered/worlds/edge_ends.h"
 
 namespace voroproof::internal {
 

@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "engine/world/rough_rows.h"
 #include "exact/algebraic.h"
 #include "exact/generators.h"
 #include "exact/polynomial.h"
 #include "exact/predicates.h"
 #include "exact/world_motion.h"
+#include "filtered/worlds/rough_rows.h"
 
 namespace voroproof::internal {
 

@@ -139,7 +139,7 @@ class WorldRun final : public ChangeSink {
   }
 
   bool takes_swaps() const override { return following_ == nullptr; }
-  void change(const SweepTime& t, const WorldChange& change) override {
+  void change(const LazyTime& t, const WorldChange& change) override {
     if (following_ != nullptr) {
       following_->push_back(step_of(change));
     } else {

@@ -13,11 +13,11 @@ WorldSweep::WorldSweep(LiveDiagram& live, const MovingRows& rows, const Rational
                        ChangeSink& sink)
     : live_(live), rows_(rows), now_(now), end_(std::move(end)), sink_(sink) {}
 
-std::optional<SweepTime> WorldSweep::next() const {
+std::optional<LazyTime> WorldSweep::next() const {
   if (queue_.empty()) return std::nullopt;
-  SweepTime first = found_.at(queue_.begin()->second);
+  LazyTime first = found_.at(queue_.begin()->second);
   for (auto k = std::next(queue_.begin()); k != queue_.end() && k->first <= first.hi(); ++k) {
-    const SweepTime& other = found_.at(k->second);
+    const LazyTime& other = found_.at(k->second);
     if (compare(other, first) < 0) first = other;
   }
   return first;
@@ -31,7 +31,7 @@ void WorldSweep::run_up_to(const Rational& until) {
   for (auto t = next(); t && compare(*t, until) <= 0; t = next()) step(*t);
 }
 
-void WorldSweep::step(const SweepTime& t) {
+void WorldSweep::step(const LazyTime& t) {
   now_ = t;
   gather_due();
   settle();
@@ -73,7 +73,7 @@ void WorldSweep::gather_due() {
   }
 }
 
-void WorldSweep::schedule(const Item& item, std::optional<SweepTime> time) {
+void WorldSweep::schedule(const Item& item, std::optional<LazyTime> time) {
   const auto known = found_.find(item);
   if (known != found_.end()) {
     queue_.erase({known->second.lo(), item});
@@ -84,15 +84,21 @@ void WorldSweep::schedule(const Item& item, std::optional<SweepTime> time) {
   found_.emplace(item, std::move(*time));
 }
 
-std::optional<SweepTime> WorldSweep::collapse_of(const Quad& q) const {
+std::optional<LazyTime> WorldSweep::collapse_of(const Quad& q) const {
   if (q.s == q.e) return std::nullopt;
   const bool flipped = has_flipped(q);
-  const double beyond = now_.alone_until(q);
-  const RoughCollapse rough = flipped
-                                  ? rough_collapse(rows_, q, beyond, beyond, round_up(end_))
-                                  : rough_collapse(rows_, q, now_.lo(), now_.hi(), round_up(end_));
+  const std::optional<double> beyond = now_.alone_until(q);
+  RoughCollapse rough;
+  if (!flipped) {
+    rough = rough_collapse(rows_.rough(), q, now_.lo(), now_.hi(), round_up(end_));
+  } else if (beyond) {
+    rough = rough_collapse(rows_.rough(), q, *beyond, *beyond, round_up(end_));
+  }
   if (rough.kind == RoughCollapse::Kind::none) return std::nullopt;
-  if (rough.kind == RoughCollapse::Kind::found) return SweepTime(rows_, q, rough.root);
+  if (rough.kind == RoughCollapse::Kind::collapses) {
+    const auto polynomial = [&rows = rows_, q] { return MovingEdge(rows, q).polynomial(); };
+    return LazyTime(rows_.rough(), q, rough.root, polynomial);
+  }
   const MovingEdge moving(rows_, q);
   const auto collapses = [&](const WorldTime& t, Sign after) {
     return moving.collapses_at(t, after);
@@ -104,7 +110,7 @@ void WorldSweep::look_ahead() {
   const Diagram& diagram = live_.diagram();
   for (const int edge : stale_edges_) {
     Patience::ask_now();
-    std::optional<SweepTime> collapse, meeting;
+    std::optional<LazyTime> collapse, meeting;
     if (edge < diagram.edges()) {
       const Quad q = diagram.quad(2 * edge);
       collapse = collapse_of(q);
@@ -115,11 +121,11 @@ void WorldSweep::look_ahead() {
   }
   for (const GenId g : stale_disks_) {
     const GenId host = live_.host(g);
-    std::optional<SweepTime> exit;
+    std::optional<LazyTime> exit;
     if (host >= container_id) exit = exit_after(rows_, host, g, now_, end_);
     schedule({Kind::exit, g}, std::move(exit));
   }
-  std::optional<SweepTime> leaves;
+  std::optional<LazyTime> leaves;
   if (rows_.has_circle() && live_.visible_disks() == 1) {
     leaves = meeting_after(rows_, live_.first_visible(), container_id, now_, end_);
   }

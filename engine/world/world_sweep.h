@@ -12,7 +12,7 @@
 
 #include "engine/world/live_diagram.h"
 #include "engine/world/moving_rows.h"
-#include "engine/world/sweep_time.h"
+#include "filtered/worlds/lazy_time.h"
 
 namespace voroproof::internal {
 
@@ -23,7 +23,7 @@ using WorldChange = std::variant<Quad, Hide, Appear, Swap>;
 class ChangeSink {
  public:
   virtual ~ChangeSink() = default;
-  virtual void change(const SweepTime& t, const WorldChange& change) = 0;
+  virtual void change(const LazyTime& t, const WorldChange& change) = 0;
   // Whether it takes swaps. If not, where a disk takes the place of the one that hides it, since
   // both are the same for an instant, it receives steps that lead to the same diagram.
   virtual bool takes_swaps() const = 0;
@@ -38,7 +38,7 @@ class WorldSweep {
   WorldSweep(LiveDiagram& live, const MovingRows& rows, const Rational& now, Rational end,
              ChangeSink& sink);
 
-  const SweepTime& now() const { return now_; }
+  const LazyTime& now() const { return now_; }
 
   // Every instant before `until`, or that too. Throws Undecided.
   void run_before(const Rational& until);
@@ -71,11 +71,11 @@ class WorldSweep {
   };
   using Pair = std::pair<GenId, GenId>;
 
-  std::optional<SweepTime> next() const;
-  void step(const SweepTime& t);
+  std::optional<LazyTime> next() const;
+  void step(const LazyTime& t);
   void gather_due();
-  void schedule(const Item& item, std::optional<SweepTime> time);
-  std::optional<SweepTime> collapse_of(const Quad& q) const;
+  void schedule(const Item& item, std::optional<LazyTime> time);
+  std::optional<LazyTime> collapse_of(const Quad& q) const;
   void absorb();
   void suspect(int edge);
   void examine_pairs();
@@ -92,10 +92,10 @@ class WorldSweep {
 
   LiveDiagram& live_;
   const MovingRows& rows_;
-  SweepTime now_;
+  LazyTime now_;
   Rational end_;
   ChangeSink& sink_;
-  std::map<Item, SweepTime> found_;
+  std::map<Item, LazyTime> found_;
   std::set<std::pair<double, Item>> queue_;  // by lower bounds
   // At the present instant: edges whose pair, or whose own state, is not examined yet; pairs that
   // meet, the inner one first where they are not the same; disks that may leave their hosts, edges

@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -29,8 +30,9 @@ class Written final : public WorldSink {
   WrittenWorld history;
 };
 
-WorldVerdict verdict(const World& world, const WrittenWorld& history, const Rational& tolerance) {
-  WorldCertifier certifier(world, history.initial, tolerance);
+WorldVerdict verdict(const World& world, const WrittenWorld& history, const Rational& tolerance,
+                     bool filters = true) {
+  WorldCertifier certifier(world, history.initial, tolerance, {}, filters);
   WorldEnd end;
   std::int64_t line = 1;
   for (const WorldEvent& event : history.events) {
@@ -100,6 +102,30 @@ TEST(WorldMutants, IdleFlipsOfAJumpAreRefused) {
     }
   }
   EXPECT_GT(told, 5);
+}
+
+TEST(WorldMutants, FiltersChangeNoVerdict) {
+  for (const WorldFamily family : world_families) {
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      std::mt19937_64 random(seed);
+      const World world = random_world(family, random);
+      const auto right = written(world);
+      if (!right) continue;
+      const Rational tolerance = tolerance_of(world);
+      std::vector<WrittenWorld> histories{*right};
+      for (int k = 0; k < 4; ++k) {
+        if (auto wrong = mutant(world, *right, tolerance, random)) {
+          histories.push_back(std::move(wrong->history));
+        }
+      }
+      for (const WrittenWorld& history : histories) {
+        const WorldVerdict v = verdict(world, history, tolerance);
+        const WorldVerdict exact = verdict(world, history, tolerance, false);
+        EXPECT_EQ(v.kind, exact.kind) << text(world);
+        EXPECT_EQ(v.line, exact.line) << v.reason << "\n" << exact.reason << "\n" << text(world);
+      }
+    }
+  }
 }
 
 class RandomMutants : public ::testing::TestWithParam<WorldFamily> {};

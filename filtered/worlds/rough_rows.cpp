@@ -1,4 +1,4 @@
-#include "engine/world/rough_rows.h"
+#include "filtered/worlds/rough_rows.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -33,7 +33,7 @@ void RoughRows::set(GenId g, const Site<Polynomial<Rational>>& site) {
     };
     return Line{coefficient(0), coefficient(1)};
   };
-  const Lines all{line(site.x), line(site.y), line(site.r)};
+  const Lines all{line(site.x), line(site.y), line(site.r), site.r};
   if (g == container_id) {
     circle_ = all;
   } else {
@@ -67,6 +67,17 @@ GeneratorRow<DoubleBall> RoughRows::row_of(const Site<DoubleBall>& base, GenId g
 
 DoubleBall RoughRows::tangency_of(GenId a, GenId b, const DoubleBall& t) const {
   return a == container_id ? row_of(site(b, t), a, t).p : row_of(site(a, t), b, t).p;
+}
+
+bool RoughRows::have_one_radius(const Quad& q) const {
+  const Polynomial<Rational>* radius = nullptr;
+  for (const GenId g : {q.l, q.r, q.s, q.e}) {
+    if (g == container_id && circle_) return false;
+    if (g == container_id) continue;
+    if (radius != nullptr && !(sites_[g].radius == *radius)) return false;
+    radius = &sites_[g].radius;
+  }
+  return true;
 }
 
 template <class T>

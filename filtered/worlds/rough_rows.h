@@ -39,9 +39,10 @@ class RoughRows {
   // At all times that the ball contains. Precondition: the generator is there and not infinity.
   Site<DoubleBall> site(GenId g, const DoubleBall& t) const;
   Site<DdBall> site(GenId g, const DdBall& t) const;
-  // A generator seen from a disk that is in `base`, with the signs of MovingRows::row_of().
+  // A generator seen from a disk that is in `base`, with the signs of row_of_circle():
+  // those of another disk are row()'s, infinity is (0, 0, 0, 1).
   GeneratorRow<DoubleBall> row_of(const Site<DoubleBall>& base, GenId g, const DoubleBall& t) const;
-  // The tangency of two generators, with the signs of MovingRows::tangency_of().
+  // The tangency of two generators, with these signs.
   DoubleBall tangency_of(GenId a, GenId b, const DoubleBall& t) const;
 
   // Over [a, b]: of infinity something of no meaning.
@@ -51,6 +52,8 @@ class RoughRows {
   Form<T, 2> tangency_over(GenId g, const SiteForm<T>& of_g, GenId h,
                            const SiteForm<T>& of_h) const;
 
+  // Whether four disks, or three and infinity, have one radius, and grow alike.
+  bool have_one_radius(const Quad& q) const;
   // About the time in which some of the disks goes or grows as far as they are apart and large at
   // t. Costs depend on it, and no decision.
   double time_scale(const Quad& q, double t) const;
@@ -61,6 +64,7 @@ class RoughRows {
   };
   struct Lines {
     Line x, y, r;
+    Polynomial<Rational> radius;  // exactly
   };
   const Lines& lines(GenId g) const { return g == container_id ? *circle_ : sites_[g]; }
   bool is_infinity(GenId g) const { return g == container_id && !circle_; }
