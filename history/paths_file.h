@@ -22,6 +22,12 @@ struct Waypoint {
   Point2 at;
 };
 
+// That with which the one leads to the other.
+inline Point2 velocity(const Waypoint& a, const Waypoint& b) {
+  const Rational dt = b.t - a.t;
+  return {(b.at.x - a.at.x) / dt, (b.at.y - a.at.y) / dt};
+}
+
 // A disk is there from the time of its first waypoint to that of its last.
 struct GivenPath {
   std::string name;  // as in the file

@@ -24,11 +24,6 @@ void require_one_time(const GivenPaths& given, const std::string& file) {
   }
 }
 
-Point2 velocity(const Waypoint& a, const Waypoint& b) {
-  const Rational dt = b.t - a.t;
-  return {(b.at.x - a.at.x) / dt, (b.at.y - a.at.y) / dt};
-}
-
 // Around all waypoints, and so large that no disk comes near it.
 void set_container(Scene& scene, const GivenPaths& given) {
   const Point2& some = given.paths.front().waypoints.front().at;

@@ -22,14 +22,17 @@
 #include "history/json_text.h"
 #include "history/output_file.h"
 #include "history/paths_scene.h"
+#include "history/paths_world.h"
 #include "history/scene_writer.h"
+#include "history/world_writer.h"
 #include "library/planning/given_clearance.h"
 
 namespace voroproof::internal {
 namespace {
 
 struct Request {
-  std::string input, output, scene, horizon, restitution, format, radius;
+  std::string input, output, scene, horizon, restitution, format, radius, growth;
+  std::string contacts = "bounce";
   std::string numbers = "hexadecimal", version = "1.1";
   std::uint64_t max_events = 0;
   bool stay = false;
@@ -61,8 +64,8 @@ void disks_to_scene(const Request& request) {
         printable(request.input) +
         ": neither a disk file nor paths (.csv, .xml): only these are made into scenes");
   }
-  if (!request.radius.empty() || request.stay) {
-    throw UsageError("--radius, --stay: a disk file gives radii, and no paths");
+  if (!request.radius.empty() || request.stay || request.contacts == "pass") {
+    throw UsageError("--radius, --stay, --contacts: a disk file gives radii, and no paths");
   }
   DiskFile disks = read_disk_file(request.input);
   if (request.horizon.empty()) {
@@ -106,6 +109,26 @@ void require_apart(const Request& request, const GivenPaths& given) {
                        ": the disks of a scene would collide");
 }
 
+// They may touch, overlap, come and go.
+void paths_to_world(const Request& request, const GivenPaths& given) {
+  const Rational growth =
+      request.growth.empty() ? Rational(0) : time_argument("--growth", request.growth);
+  const PathsWorld made = world_of_paths(given, growth, request.input);
+  std::ostringstream text;
+  write_world(text, made.world);
+  parse_world(text.str(), request.output);  // within the limits of scenes
+  write_text(request.output, text.str());
+  std::ostream& out = words_beside({request.output});
+  out << "the disks follow the piecewise linear paths between the waypoints exactly, each from its "
+         "first to its last, and pass through each other\n"
+      << "disk k is the k-th of the file that has two waypoints, from 0\n";
+  for (const std::size_t k : made.left_out) {
+    out << "left out, with one waypoint: " << printable(given.paths[k].name) << '\n';
+  }
+  for (const std::string& missing : given.missing) out << "missing: " << missing << '\n';
+  for (const std::string& remark : given.remarks) out << remark << '\n';
+}
+
 void paths_to_scene(const Request& request) {
   if (!request.horizon.empty() || !request.restitution.empty()) {
     throw UsageError("paths have their own horizon, and no collisions");
@@ -114,6 +137,8 @@ void paths_to_scene(const Request& request) {
   if (!request.radius.empty()) radius = time_argument("--radius", request.radius);
   const GivenPaths given =
       read_paths(request.input, radius, request.stay ? Beyond::stays : Beyond::vanishes);
+  if (request.contacts == "pass") return paths_to_world(request, given);
+  if (!request.growth.empty()) throw UsageError("--growth: only with --contacts pass");
   if (!given.missing.empty()) {
     throw InputError(request.input, given.missing_line, "missing",
                      given.missing.front() + ": a scene cannot say that somebody is missing");
@@ -223,6 +248,8 @@ ExitCode convert(const Verb& verb, const Request& request) {
   require_use(verb, "--restitution", to_json, "a scene");
   require_use(verb, "--radius", to_json, "a scene");
   require_use(verb, "--stay", to_json, "a scene");
+  require_use(verb, "--contacts", to_json, "a scene");
+  require_use(verb, "--growth", to_json, "a scene");
   require_use(verb, "--numbers", to_sequence, "an event sequence");
   require_use(verb, "--evtsq-version", to_sequence, "an event sequence");
   const EventLimit limit(request.max_events);
@@ -266,6 +293,12 @@ void add_convert(Verb& program) {
   verb.flag("--stay", request->stay,
             "Before its first waypoint and after its last a disk of a file of paths stays where it "
             "is.");
+  verb.choice("--contacts", {"bounce", "pass"}, request->contacts,
+              "Whether the disks of a file of paths may touch: with pass they pass through each "
+              "other, come and go, and the scene is of version 2.");
+  verb.text("--growth", request->growth, "RATE",
+            "By how much a disk that passes grows in a unit of time from each waypoint to the "
+            "next, where it has its own radius again.");
   verb.choice(
       "--numbers", {"hexadecimal", "decimal"}, request->numbers,
       "How an .evtsq has its numbers: with all 64 bits, or with 15 digits after the point.");
@@ -274,6 +307,7 @@ void add_convert(Verb& program) {
   add_max_events(verb, request->max_events);
   verb.example("voroproof convert a.disks.txt --horizon 1000 -o a.scene.json")
       .example("voroproof convert plan_log.xml --radius 0.25 --stay -o a.scene.json")
+      .example("voroproof convert tracks.csv --contacts pass --growth 1/2 -o a.scene.json")
       .example("voroproof convert a.evtsq --scene a.scene.json -o a.history.jsonl");
   verb.does([request, &verb] { return convert(verb, *request); });
 }

@@ -19,6 +19,7 @@
 #include "history/history_writer.h"
 #include "history/paths_file.h"
 #include "history/paths_scene.h"
+#include "history/paths_world.h"
 #include "history/plan_file.h"
 #include "history/scene.h"
 #include "history/scene_writer.h"
@@ -123,6 +124,7 @@ bool plan(std::string_view bytes) {
 bool table(std::string_view bytes) {
   return accepts([&] {
     const GivenPaths paths = read_waypoint_table(file_with(bytes), Rational(1, 2));
+    world_of_paths(paths, Rational(1, 8), "paths");
     scene_of_paths(paths, "paths");
   });
 }

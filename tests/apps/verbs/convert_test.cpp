@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "history/world.h"
 #include "tests/apps/verbs/certify_cli.h"
 
 namespace voroproof::internal {
@@ -41,6 +42,44 @@ TEST_F(CertifyCli, WhatADiskFileCannotSayIsToldAsLeftOut) {
       R"("horizon": 5, "disks": [{"center": [0, 0], "radius": 1, "velocity": [1, 0], "x-a": 1}]})");
   EXPECT_EQ(must({"convert", scene, "-o", file("x.disks.txt")}).out,
             "the extensions are left out: a disk file has none\n");
+}
+
+// Disks of tracks meet, come and go; what is not known of them grows.
+TEST_F(CertifyCli, TracksThatPassBecomeAWorld) {
+  const std::string table = directory_.write("tracks.csv",
+                                             "disk,t,x,y,radius\n"
+                                             "ferry,5,0,0,1\nferry,9,4,0,1\nferry,15,10,0,1\n"
+                                             "pilot,5,10,4,0.5\npilot,10,6,1,0.5\n"
+                                             "pilot,15,0,1,0.5\nbuoy,8,5,8,0.5\n"
+                                             "tug,7,0,8,1\ntug,13,7,2,1\n");
+  const std::string scene = file("tracks.scene.json"), path = file("tracks.history.jsonl");
+  const Arguments convert{"convert", table, "-o", scene};
+  refused(convert, "buoy");  // is not there all the time
+  refused({"convert", table, "-o", scene, "--growth", "1/8"}, "--growth: only with");
+  EXPECT_NE(must({"convert", table, "-o", scene, "--contacts", "pass", "--growth", "1/8"})
+                .out.find("left out, with one waypoint: buoy\n"),
+            std::string::npos);
+  const World world = read_world(scene);
+  EXPECT_EQ(world.horizon, 10);
+  ASSERT_EQ(world.disks.size(), 3u);
+  EXPECT_EQ(world.disks[0].leave, std::nullopt);
+  EXPECT_EQ(world.disks[2].enter, 2);
+  EXPECT_EQ(world.disks[2].leave, 8);
+  EXPECT_EQ(world.disks[2].state.vx, Rational(7, 6));
+  EXPECT_EQ(world.disks[2].state.growth, Rational(1, 8));
+  ASSERT_EQ(world.maneuvers.size(), 2u);
+  EXPECT_EQ(world.maneuvers[0].t, 4);
+  EXPECT_FALSE(world.maneuvers[0].velocity);  // the ferry goes on as before
+  EXPECT_EQ(world.maneuvers[0].radius, 1);
+  EXPECT_EQ(world.maneuvers[1].disk, 1);
+  EXPECT_EQ(world.maneuvers[1].radius, Rational(1, 2));
+  must({"simulate", scene, "-o", path, "--quiet"});
+  EXPECT_EQ(verdict({scene, path}), "s CERTIFIED");
+  // Without growth nobody jumps but where one comes or goes.
+  must({"convert", table, "-o", scene, "--contacts", "pass"});
+  const World still = read_world(scene);
+  ASSERT_EQ(still.maneuvers.size(), 1u);
+  EXPECT_FALSE(still.maneuvers[0].is_jump());
 }
 
 TEST_F(CertifyCli, OptionsOfConvertThatTheOutputHasNoUseForAreRefused) {

@@ -1,0 +1,61 @@
+#include "history/paths_world.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "history/error.h"
+
+namespace voroproof::internal {
+
+namespace {
+
+// Adds the disk that follows the path.
+void add_disk(World& world, const GivenPath& path, const Rational& growth, const Rational& start) {
+  const std::vector<Waypoint>& w = path.waypoints;
+  const int disk = static_cast<int>(world.disks.size());
+  Point2 v = velocity(w[0], w[1]);
+  WorldDisk first{
+      w[0].t - start, std::nullopt, {w[0].at.x, w[0].at.y, path.radius, v.x, v.y, growth}};
+  const Rational end = w.back().t - start;
+  if (end < world.horizon) first.leave = end;
+  world.disks.push_back(std::move(first));
+  for (std::size_t k = 1; k + 1 < w.size(); ++k) {
+    const Point2 next = velocity(w[k], w[k + 1]);
+    const bool turns = next.x != v.x || next.y != v.y;
+    if (!turns && growth == 0) continue;
+    WorldManeuver maneuver{w[k].t - start, disk, {}, {}, {}, {}};
+    if (turns) maneuver.velocity = next;
+    if (growth != 0) maneuver.radius = path.radius;
+    world.maneuvers.push_back(std::move(maneuver));
+    v = next;
+  }
+}
+
+}  // namespace
+
+PathsWorld world_of_paths(const GivenPaths& given, const Rational& growth,
+                          const std::string& file) {
+  PathsWorld made;
+  if (given.paths.empty()) return made;
+  if (given.paths.size() > static_cast<std::size_t>(max_disks)) {
+    throw InputError(file, 0, "", "more disks than a scene may have");
+  }
+  const auto [start, end] = time_of(given.paths);
+  made.world.horizon = end - start;
+  for (std::size_t k = 0; k < given.paths.size(); ++k) {
+    if (given.paths[k].waypoints.size() == 1) {
+      made.left_out.push_back(k);
+    } else {
+      add_disk(made.world, given.paths[k], growth, start);
+    }
+  }
+  std::vector<WorldManeuver>& maneuvers = made.world.maneuvers;
+  if (maneuvers.size() > static_cast<std::size_t>(max_maneuvers)) {
+    throw InputError(file, 0, "", "more maneuvers than a scene may have");
+  }
+  std::stable_sort(maneuvers.begin(), maneuvers.end(),
+                   [](const WorldManeuver& a, const WorldManeuver& b) { return a.t < b.t; });
+  return made;
+}
+
+}  // namespace voroproof::internal
