@@ -11,7 +11,7 @@ results=$build/bench/results
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DVOROPROOF_BENCH=ON
 cmake --build "$build" --target voroproof_bench_runs voroproof_bench_growth \
   voroproof_bench_rebuild voroproof_bench_slices voroproof_bench_first_diagram voroproof_bench_resting \
-  voroproof_bench_dense
+  voroproof_bench_dense voroproof_bench_worlds
 # Not there without Google Benchmark.
 predicates=$build/voroproof_bench_predicates
 if cmake --build "$build" --target help | grep -q voroproof_bench_predicates; then
@@ -40,6 +40,11 @@ echo
 
 for n in 30 100 300; do
   "$build/voroproof_bench_rebuild" --n $n --horizon 100 --repeats 3 --json "$results/rebuild_$n.json"
+done
+echo
+
+for n in 100 1000 10000; do
+  "$build/voroproof_bench_worlds" --n $n --horizon 5 --json "$results/worlds_$n.json"
 done
 echo
 

@@ -16,29 +16,23 @@ struct Hiding {
 // The one whose boundary is nearest of all generators that are there, as they rest, but for
 // rounding.
 Hiding hiding_of(const MovingRows& rest, GenId g) {
-  const GrowingDisk own = rest.state_at(g, 0);
-  const auto far = [](const Rational& x, const Rational& y) {
-    return std::hypot(round_nearest(x), round_nearest(y));
-  };
+  const auto place = [&](GenId j) { return rest.rough().site(j, DdBall(0)); };
+  const Site<DdBall> own = place(g);
   Hiding best;
   double largest = 0, size = 0;
-  const auto take = [&](GenId j, double distance, double at_touch) {
+  const auto take = [&](GenId j) {
+    const Site<DdBall> site = place(j);
+    const double distance = std::hypot((site.x - own.x).hi, (site.y - own.y).hi);
+    const double at_touch = j == container_id ? distance - site.r.hi : site.r.hi - distance;
     if (best.host == LiveDiagram::visible || at_touch > largest) {
       best.host = j;
       largest = at_touch;
       size = distance + std::fabs(at_touch);
     }
   };
-  if (rest.has_circle()) {
-    const Site<TimePolynomial>& o = rest.circle();
-    const double d = far(Rational(own.x - o.x.evaluate(0)), Rational(own.y - o.y.evaluate(0)));
-    take(container_id, d, d - round_nearest(o.r.evaluate(0)));
-  }
+  if (rest.has_circle()) take(container_id);
   for (GenId j = 0; j < rest.disks(); ++j) {
-    if (j == g || !rest.is_there(j)) continue;
-    const GrowingDisk s = rest.state_at(j, 0);
-    const double d = far(Rational(s.x - own.x), Rational(s.y - own.y));
-    take(j, d, round_nearest(s.radius) - d);
+    if (j != g && rest.is_there(j)) take(j);
   }
   // By more than what rounding can do.
   const double below = size > 0 ? size * 0x1p-20 : 1;

@@ -10,6 +10,11 @@ TimePolynomial line(const Rational& since, const Rational& x, const Rational& v)
   return TimePolynomial{Rational(x - v * since), v};
 }
 
+Site<TimePolynomial> resting(const Site<TimePolynomial>& s, const Rational& t) {
+  return {TimePolynomial{s.x.evaluate(t)}, TimePolynomial{s.y.evaluate(t)},
+          TimePolynomial{s.r.evaluate(t)}};
+}
+
 constexpr int kBitsOfBalls = 192;
 
 Site<Ball> values(const Site<TimePolynomial>& s, const Ball& t) {
@@ -26,25 +31,31 @@ MovingRows::MovingRows(const std::optional<WorldCircle>& circle, int disks, bool
   rough_.set(container_id, *circle_);
 }
 
-void MovingRows::set(GenId g, const Rational& since, const GrowingDisk& s) {
-  sites_[g] = Site<TimePolynomial>{line(since, s.x, s.vx), line(since, s.y, s.vy),
-                                   line(since, s.radius, s.growth)};
-  rough_.set(g, *sites_[g]);
+MovingRows::MovingRows(const MovingRows* moving, const Rational& t)
+    : moving_(moving), rest_(t), rough_(&moving->rough_, t) {
+  if (!moving->circle_) return;
+  circle_ = resting(*moving->circle_, t);
 }
 
-MovingRows MovingRows::resting_at(const Rational& t) const {
-  MovingRows rest = *this;
-  const auto rests = [&](GenId g, std::optional<Site<TimePolynomial>>& site) {
-    if (!site) return;
-    site = Site<TimePolynomial>{TimePolynomial{site->x.evaluate(t)},
-                                TimePolynomial{site->y.evaluate(t)},
-                                TimePolynomial{site->r.evaluate(t)}};
-    rest.rough_.set(g, *site);
-  };
-  for (GenId g = 0; g < disks(); ++g) rests(g, rest.sites_[g]);
-  rests(container_id, rest.circle_);
-  return rest;
+const Site<TimePolynomial>& MovingRows::site(GenId g) const {
+  if (!moving_) return *sites_[g];
+  const auto known = rested_.find(g);
+  if (known != rested_.end()) return known->second;
+  return rested_.emplace(g, resting(moving_->site(g), rest_)).first->second;
 }
+
+void MovingRows::set(GenId g, const Rational& since, const GrowingDisk& s) {
+  const Site<TimePolynomial> site{line(since, s.x, s.vx), line(since, s.y, s.vy),
+                                  line(since, s.radius, s.growth)};
+  rough_.set(g, site);
+  if (moving_) {
+    rested_[g] = site;
+  } else {
+    sites_[g] = site;
+  }
+}
+
+MovingRows MovingRows::resting_at(const Rational& t) const { return {this, t}; }
 
 GrowingDisk MovingRows::state_at(GenId g, const Rational& t) const {
   const Site<TimePolynomial>& s = site(g);

@@ -2,6 +2,7 @@
 // instant.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -25,10 +26,12 @@ class MovingRows {
   // `filters`: doubles decide where they can.
   MovingRows(const std::optional<WorldCircle>& circle, int disks, bool filters);
 
-  int disks() const { return static_cast<int>(sites_.size()); }
+  int disks() const { return moving_ ? moving_->disks() : static_cast<int>(sites_.size()); }
   bool has_circle() const { return circle_.has_value(); }
-  bool is_there(GenId g) const { return sites_[g].has_value(); }
-  const Site<TimePolynomial>& site(GenId g) const { return *sites_[g]; }
+  bool is_there(GenId g) const {
+    return moving_ ? rested_.contains(g) || moving_->is_there(g) : sites_[g].has_value();
+  }
+  const Site<TimePolynomial>& site(GenId g) const;
   const Site<TimePolynomial>& circle() const { return *circle_; }  // its radius is positive
 
   // The same in doubles.
@@ -36,8 +39,10 @@ class MovingRows {
 
   // From now on the disk moves as one that is in that state at `since`.
   void set(GenId g, const Rational& since, const GrowingDisk& state);
+  // Not where others rest.
   void take_out(GenId g) { sites_[g].reset(); }
-  // All as they are at one time, and resting there.
+  // All as they are at one time, and resting there but for those that are set. This outlives it,
+  // and does not change meanwhile.
   MovingRows resting_at(const Rational& t) const;
   // Where a disk that is there is at a time.
   GrowingDisk state_at(GenId g, const Rational& t) const;
@@ -55,6 +60,11 @@ class MovingRows {
   TimePolynomial tangency_of(GenId a, GenId b) const;
 
  private:
+  MovingRows(const MovingRows* moving, const Rational& t);
+
+  const MovingRows* moving_ = nullptr;                    // these rest
+  Rational rest_;                                         // as they are then
+  mutable std::map<GenId, Site<TimePolynomial>> rested_;  // those that were asked for or set
   std::vector<std::optional<Site<TimePolynomial>>> sites_;
   std::optional<Site<TimePolynomial>> circle_;
   RoughRows rough_;

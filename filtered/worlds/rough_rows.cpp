@@ -33,23 +33,43 @@ void RoughRows::set(GenId g, const Site<Polynomial<Rational>>& site) {
     };
     return Line{coefficient(0), coefficient(1)};
   };
-  const Lines all{line(site.x), line(site.y), line(site.r), site.r};
+  const Lines all{line(site.x), line(site.y), line(site.r)};
   if (g == container_id) {
     circle_ = all;
   } else {
-    sites_[g] = all;
+    (moving_ ? set_[g] : sites_[g]) = {all, site.r};
   }
+}
+
+RoughRows::RoughRows(const RoughRows* moving, const Rational& t)
+    : moving_(moving), rest_(MakeDd{}(t)), filters_(moving->filters_) {}
+
+RoughRows::Lines RoughRows::lines(GenId g) const {
+  if (!moving_) return g == container_id ? *circle_ : sites_[g].lines;
+  const auto known = set_.find(g);
+  if (known != set_.end()) return known->second.lines;
+  const Site<DdBall> at = moving_->site(g, rest_);
+  return {{at.x, {}}, {at.y, {}}, {at.r, {}}};
+}
+
+// A radius that does not change is the same where the others rest.
+const Polynomial<Rational>* RoughRows::radius(GenId g) const {
+  if (!moving_) return &sites_[g].radius;
+  const auto known = set_.find(g);
+  if (known != set_.end()) return &known->second.radius;
+  const Polynomial<Rational>* moving = moving_->radius(g);
+  return moving != nullptr && moving->degree() < 1 ? moving : nullptr;
 }
 
 Site<DdBall> RoughRows::site(GenId g, const DdBall& t) const {
   const auto value = [&](const Line& f) { return f.at_zero + f.rate * t; };
-  const Lines& all = lines(g);
+  const Lines all = lines(g);
   return {value(all.x), value(all.y), value(all.r)};
 }
 
 // The middle in double-doubles: only what the time leaves open and one rounding is lost.
 Site<DoubleBall> RoughRows::site(GenId g, const DoubleBall& t) const {
-  const Lines& all = lines(g);
+  const Lines all = lines(g);
   const auto value = [&](const Line& f) {
     DdBall at = f.at_zero + f.rate * DdBall(t.mid);
     at.rad += (std::fabs(f.rate.hi) * (1 + 0x1p-50) + f.rate.rad) * t.rad * (1 + 0x1p-49) + DBL_MIN;
@@ -70,12 +90,13 @@ DoubleBall RoughRows::tangency_of(GenId a, GenId b, const DoubleBall& t) const {
 }
 
 bool RoughRows::have_one_radius(const Quad& q) const {
-  const Polynomial<Rational>* radius = nullptr;
+  const Polynomial<Rational>* one = nullptr;
   for (const GenId g : {q.l, q.r, q.s, q.e}) {
-    if (g == container_id && circle_) return false;
+    if (g == container_id && has_circle()) return false;
     if (g == container_id) continue;
-    if (radius != nullptr && !(sites_[g].radius == *radius)) return false;
-    radius = &sites_[g].radius;
+    const Polynomial<Rational>* other = radius(g);
+    if (other == nullptr || (one != nullptr && !(*one == *other))) return false;
+    one = other;
   }
   return true;
 }
@@ -102,12 +123,12 @@ Form<T, 2> RoughRows::tangency_over(GenId g, const SiteForm<T>& of_g, GenId h,
 
 double RoughRows::time_scale(const Quad& q, double t) const {
   const GenId base = q.l == container_id ? q.r : q.l;
-  const Lines& from = lines(base);
+  const Lines from = lines(base);
   const auto at = [t](const Line& f) { return f.at_zero.hi + f.rate.hi * t; };
   double size = 0, speed = 0;
   for (const GenId g : {q.l, q.r, q.s, q.e}) {
     if (g == base || is_infinity(g)) continue;
-    const Lines& to = lines(g);
+    const Lines to = lines(g);
     size = std::max(size, std::fabs(at(to.x) - at(from.x)) + std::fabs(at(to.y) - at(from.y)) +
                               std::fabs(at(to.r)) + std::fabs(at(from.r)));
     speed = std::max(speed, std::fabs(to.x.rate.hi - from.x.rate.hi) +

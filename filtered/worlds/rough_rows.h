@@ -2,6 +2,7 @@
 // tangencies over a window of time.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -32,9 +33,13 @@ class RoughRows {
   // Without `filters` all bounds are infinite, so that exact numbers tell everything.
   RoughRows(int disks, bool filters) : filters_(filters), sites_(static_cast<std::size_t>(disks)) {}
 
+  // All as they are at one time, and resting there but for those that are set. `moving` outlives
+  // it, and does not change meanwhile.
+  RoughRows(const RoughRows* moving, const Rational& t);
+
   // Polynomials of degree 1 at most.
   void set(GenId g, const Site<Polynomial<Rational>>& site);
-  bool has_circle() const { return circle_.has_value(); }
+  bool has_circle() const { return moving_ ? moving_->has_circle() : circle_.has_value(); }
 
   // At all times that the ball contains. Precondition: the generator is there and not infinity.
   Site<DoubleBall> site(GenId g, const DoubleBall& t) const;
@@ -64,13 +69,21 @@ class RoughRows {
   };
   struct Lines {
     Line x, y, r;
-    Polynomial<Rational> radius;  // exactly
   };
-  const Lines& lines(GenId g) const { return g == container_id ? *circle_ : sites_[g]; }
-  bool is_infinity(GenId g) const { return g == container_id && !circle_; }
+  Lines lines(GenId g) const;
+  // Exactly; null where it is not known.
+  const Polynomial<Rational>* radius(GenId g) const;
+  bool is_infinity(GenId g) const { return g == container_id && !has_circle(); }
 
+  struct Known {
+    Lines lines;
+    Polynomial<Rational> radius;
+  };
+  const RoughRows* moving_ = nullptr;  // these rest
+  DdBall rest_;                        // as they are then
+  std::map<GenId, Known> set_;         // but for these
   bool filters_;
-  std::vector<Lines> sites_;
+  std::vector<Known> sites_;
   std::optional<Lines> circle_;
 };
 

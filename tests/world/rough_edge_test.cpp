@@ -90,7 +90,7 @@ class RoughEdges : public ::testing::TestWithParam<WorldFamily> {};
 TEST_P(RoughEdges, FallWhereExactOnesDo) {
   std::array<int, 4> kinds{};
   std::mt19937_64 random(7);
-  for (int tries = 0; tries < 4000; ++tries) {
+  for (int tries = 0; tries < 1500; ++tries) {
     const auto t = trial(GetParam(), random);
     if (!t) continue;
     const double lo = round_down(t->begin), hi = round_up(t->begin), end = round_down(t->end);
@@ -120,7 +120,7 @@ TEST_P(RoughEdges, FallWhereExactOnesDo) {
 TEST_P(RoughEdges, CirclesEndWhereExactOnesDo) {
   int ends = 0;
   std::mt19937_64 random(8);
-  for (int tries = 0; tries < 4000; ++tries) {
+  for (int tries = 0; tries < 1500; ++tries) {
     const auto t = trial(GetParam(), random);
     if (!t || t->q.r < 0 || t->q.s < 0) continue;
     const double lo = round_down(t->begin), hi = round_up(t->begin), end = round_down(t->end);
