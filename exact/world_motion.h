@@ -45,6 +45,16 @@ struct WorldPiece {
 // is the time at which the disk leaves, if it does so up to the horizon.
 using WorldPath = std::vector<WorldPiece>;
 
+// The state at t, just after what happens then; none where the disk is not there.
+inline std::optional<GrowingDisk> state_at(const WorldPath& path, const Rational& t) {
+  for (auto piece = path.rbegin(); piece != path.rend(); ++piece) {
+    if (t < piece->from) continue;
+    if (piece->to && *piece->to <= t) break;
+    return after(piece->state, t - piece->from);
+  }
+  return std::nullopt;
+}
+
 struct WorldMotion {
   std::optional<WorldCircle> circle;  // none: the frame is the plane
   Rational horizon;                   // >= 0

@@ -16,13 +16,14 @@
 #include "history/json_text.h"
 #include "history/output_file.h"
 #include "history/utf8.h"
+#include "history/world.h"
 #include "voroproof/static_diagram.h"
 
 namespace voroproof::internal {
 namespace {
 
 struct Request {
-  std::string input, output, frame, box, tolerance;
+  std::string input, output, frame, box, tolerance, at;
   int size = 1000;
   bool has_size = false;
 };
@@ -114,8 +115,48 @@ double tolerance_of(const Request& request, const Box& box) {
   return tolerance;
 }
 
-StaticDiagram diagram_of(const Request& request, const DiskTable& table) {
-  const FrameArgument frame = frame_argument(request.frame);
+struct Disks {
+  DiskTable table;
+  FrameArgument frame;
+};
+
+// The disks of a world at one time, rounded to nearest, by their ids.
+Disks disks_of_world(const Request& request) {
+  if (!request.frame.empty()) throw UsageError("--frame: a world has its own");
+  if (request.at.empty()) throw UsageError("a world is drawn at one time: give --at");
+  if (checked_kind(request) != Kind::picture) {
+    throw UsageError("a world has pictures: --output ends in .svg, .png or .pdf");
+  }
+  const Rational t = time_argument("--at", request.at);
+  const World world = read_world(request.input);
+  if (t > world.horizon) throw UsageError("--at: beyond the horizon of the world");
+  const WorldMotion motion = world.motion();
+  Disks disks;
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < motion.paths.size(); ++k) {
+    const auto state = state_at(motion.paths[k], t);
+    if (!state) continue;
+    disks.table.disks.push_back(
+        {round_nearest(state->x), round_nearest(state->y), round_nearest(state->radius)});
+    names.push_back(std::to_string(k));
+  }
+  disks.table.rest.emplace_back("name", std::move(names));
+  if (motion.circle) {
+    const WorldCircle& c = *motion.circle;
+    disks.frame.circle = Circle{{round_nearest(c.center.x), round_nearest(c.center.y)},
+                                round_nearest(Rational(c.radius + c.growth * t))};
+  }
+  return disks;
+}
+
+Disks disks_of(const Request& request) {
+  if (is_world_file(request.input)) return disks_of_world(request);
+  if (!request.at.empty()) throw UsageError("--at: the disks of a table are at rest");
+  return {read_disk_table(request.input), frame_argument(request.frame)};
+}
+
+StaticDiagram diagram_of(const Request& request, const Disks& read) {
+  const auto& [table, frame] = read;
   std::vector<Circle> disks;
   for (std::size_t k = 0; k < table.disks.size(); ++k) {
     const TableDisk& d = table.disks[k];
@@ -161,8 +202,9 @@ ExitCode make_diagram(const Request& request) {
   const Kind kind = checked_kind(request);
   const std::optional<Box> asked = box_of(request);
   const CooperativeInterruption interruption;
-  const DiskTable table = read_disk_table(request.input);
-  const StaticDiagram diagram = diagram_of(request, table);
+  const Disks disks = disks_of(request);
+  const DiskTable& table = disks.table;
+  const StaticDiagram diagram = diagram_of(request, disks);
   const Box box = asked.value_or(diagram.box());
   if (kind == Kind::picture) {
     draw_static_diagram(diagram, box, labels_of(table), request.output, request.size);
@@ -184,13 +226,19 @@ void add_diagram(Verb& program) {
   Verb& verb = program.add_verb(
       "diagram",
       "Write the weighted Voronoi diagram of any disks at rest, a map or a picture of it");
-  verb.input("table", request->input,
-             "A line a disk: x, y and radius (weight), with a heading or without one. Disks may "
-             "overlap, lie in each other and coincide; radii may be negative.")
+  verb.input(
+          "table", request->input,
+          "A line a disk: x, y and radius (weight), with a heading or without one. Disks may "
+          "overlap, lie in each other and coincide; radii may be negative. Or a world, a scene of "
+          "version 2.")
       .required();
   verb.text("--frame", request->frame, "X,Y,R|X0,Y0,X1,Y1",
             "The circle in which the disks are: centre and radius; or the rectangle: two corners. "
             "Without one they are in the plane.");
+  verb.text(
+      "--at", request->at, "TIME",
+      "Of a world: the time at which its disks are drawn, rounded to nearest, just after what "
+      "happens then. Labels are their ids.");
   verb.text("--box", request->box, "X0,Y0,X1,Y1",
             "The box that cells, or the picture, are cut to. Without one it is that of all disks "
             "and a tenth of its size around, or that of the frame.");
@@ -205,6 +253,7 @@ void add_diagram(Verb& program) {
       .required();
   verb.example("voroproof diagram towns.csv -o towns.geojson");
   verb.example("voroproof diagram towns.csv --size 600 -o towns.png");
+  verb.example("voroproof diagram tracks.scene.json --at 7/2 -o tracks.svg");
   verb.does([request, &verb] {
     request->has_size = verb.given("--size");
     return make_diagram(*request);

@@ -51,7 +51,8 @@
 //  9. Swap. Two disks, both visible or one in the other, are one at the instant, neither turns and
 //     no third one is there. Just before and after both are M + (t - c) W and M - (t - c) W near
 //     it: the mirror image exchanges the names. It must be told, once. If one of them turns, or
-//     three are one: undecided.
+//     three are one: undecided. One that
+//     jumps to where another is may be told to change places with it: the cells around are proved.
 // 10. Jump, turn. All of the scene's, up to the horizon and at it, are told once, at their times,
 //     with their values where any are told, and no others are.
 // 11. Plane (Lemma N). The generator -1 is infinity. At one time the signs of all predicates are

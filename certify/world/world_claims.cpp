@@ -129,11 +129,20 @@ bool WorldReplay::claim(const Appear& appear) {
 bool WorldReplay::claim(const Swap& swap) {
   auto& all = now_->swaps;
   const auto found = std::find(all.begin(), all.end(), swap);
-  if (found == all.end() || !map_.exchange(swap.i, swap.j)) {
+  // One that jumps to where the other is may change places with it: the cells around are proved.
+  const bool may = is_disk(swap.i) && is_disk(swap.j) && swap.i != swap.j &&
+                   (now_->jumped.contains(swap.i) || now_->jumped.contains(swap.j)) &&
+                   motion_.is_there(swap.i) && motion_.is_there(swap.j) &&
+                   coincide_at(motion_, swap.i, swap.j, now_->t);
+  if ((found == all.end() && !may) || !map_.exchange(swap.i, swap.j)) {
     return refuse("the disks " + number(swap.i) + " and " + number(swap.j) +
                   " do not change places");
   }
-  all.erase(found);
+  if (found != all.end()) {
+    all.erase(found);
+  } else {
+    for (const GenId g : {swap.i, swap.j}) now_->jumped.erase(g);  // once
+  }
   for (const GenId g : {swap.i, swap.j}) {
     now_->hidden.insert(g);
     hosts_[g] = container_id;  // to be found anew

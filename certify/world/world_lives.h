@@ -1,6 +1,7 @@
 // The next instants of edges, of pairs of neighbours, and of hidden disks.
 #pragma once
 
+#include <compare>
 #include <map>
 #include <optional>
 #include <set>
@@ -51,7 +52,11 @@ class WorldAgenda {
   void drop();
 
  private:
-  using Key = std::pair<Kind, int>;
+  struct Key {
+    Kind kind;
+    int id;
+    auto operator<=>(const Key&) const = default;
+  };
 
   std::map<Key, Item> items_;
   std::set<std::pair<double, Key>> queue_;  // by lower bounds

@@ -165,6 +165,7 @@ void WorldReplay::take_scheduled(const Scheduled& change) {
   if (change.kind == Scheduled::Kind::turns) {
     now_->turned.insert(change.g);
   } else {
+    now_->jumped.insert(change.g);
     stir(change.g);
   }
   motion_.take(change);

@@ -45,6 +45,7 @@ class WorldReplay {
     std::vector<Swap> swaps{};           // the same
     std::set<Quad> collapsing{};         // edges that are known to flip
     std::set<int> edges{};               // to be followed anew, as far as they are there
+    std::set<GenId> jumped{};            // that jump, come or go
     std::set<GenId> turned{};            // so are all edges in or at these cells,
     std::set<GenId> centres{};           // and these are proved, with their neighbours
     std::set<GenId> around{};            // and with these

@@ -38,6 +38,29 @@ TEST_F(Cli, DiagramOfATableHasEdgesAndVertices) {
   EXPECT_EQ(directory_.read("b.csv").substr(0, 21), "left,right,start,end\n");
 }
 
+TEST_F(Cli, DiagramOfAWorldIsDrawnAtATime) {
+  directory_.write(
+      "w.json",
+      R"({"format": "voroproof-scene", "version": 2, "horizon": 9, "contacts": "pass",)"
+      R"( "frame": "none", "disks": [{"center": [0, 0], "radius": 3, "velocity": [0, 0]},)"
+      R"( {"center": [5, 0], "radius": 1, "velocity": [-1, 0], "enter": 2},)"
+      R"( {"center": [0, 7], "radius": 1, "velocity": [0, 0], "growth": 1}]})");
+  must({"diagram", file("w.json"), "--at", "7/2", "-o", file("a.svg")});
+  must({"diagram", file("w.json"), "--at", "4", "-o", file("b.svg")});
+  EXPECT_NE(directory_.read("a.svg"), directory_.read("b.svg"));
+  directory_.write("same.csv", "name,x,y,r\n0,0,0,3\n1,3.5,0,1\n2,0,7,4.5\n");
+  must({"diagram", file("same.csv"), "-o", file("c.svg")});
+  EXPECT_EQ(directory_.read("a.svg"), directory_.read("c.svg"));
+  directory_.write("first.csv", "name,x,y,r\n0,0,0,3\n2,0,7,1\n");
+  must({"diagram", file("first.csv"), "-o", file("c.svg")});
+  must({"diagram", file("w.json"), "--at", "0", "-o", file("a.svg")});
+  EXPECT_EQ(directory_.read("a.svg"), directory_.read("c.svg"));
+  refused({"diagram", file("w.json"), "-o", file("n.svg")}, "--at");
+  refused({"diagram", file("w.json"), "--at", "10", "-o", file("n.svg")}, "horizon");
+  refused({"diagram", file("w.json"), "--at", "1", "-o", file("n.json")}, "pictures");
+  refused({"diagram", file("same.csv"), "--at", "1", "-o", file("n.svg")}, "at rest");
+}
+
 TEST_F(Cli, DiagramBetweenWallsHasFourGeneratorsMore) {
   directory_.write("towns.csv", towns);
   must({"diagram", file("towns.csv"), "--frame=-2,-3,7,5", "-o", file("a.json")});
