@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
+#include <cmath>
 
 #include "exact/rational.h"
 #include "exact/rounding.h"
@@ -22,7 +24,9 @@ struct DoubleRoot {
 struct TimeMap {
   double a, width, slack;
   TimeMap(double from, double to)
-      : a(from), width(to - from), slack(4 * unit_roundoff * (std::fabs(from) + std::fabs(to))) {}
+      : a(from),
+        width(to - from),
+        slack(4 * unit_roundoff * (std::fabs(from) + std::fabs(to)) + DBL_MIN) {}
   double operator()(double x) const { return a + width * x; }
 };
 

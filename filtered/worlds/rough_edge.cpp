@@ -43,7 +43,8 @@ Form<T, 4> cocircularity_over(const RoughRows& rows, const Quad& q, double a, do
 }
 
 // The coefficients with one bound, which pays for their later use: for subdivisions and evaluations
-// as in filtered/search/bernstein.cpp.
+// as in filtered/search/bernstein.cpp. It is infinite where a sum of coefficients may overflow
+// (filtered/numbers/bound.h).
 template <int degree>
 BernsteinForm bounded(const Form<DoubleBall, degree>& f) {
   constexpr std::array<int, degree + 1> scale = binomials<degree>();
@@ -57,7 +58,7 @@ BernsteinForm bounded(const Form<DoubleBall, degree>& f) {
     size = std::max(size, std::fabs(c.mid));
     if (!(c.rad < std::numeric_limits<double>::infinity())) error = c.rad;
   }
-  out.err = (error + 30.0 * degree * unit_roundoff * size) * (1 + 0x1p-40) + 1e-290;
+  out.err = (error + unit_roundoff * (30.0 * degree * size)) * (1 + 0x1p-40) + 1e-290;
   return out;
 }
 

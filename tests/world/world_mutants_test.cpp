@@ -80,6 +80,34 @@ TEST(WorldMutants, FlipsOfATouchAreMissed) {
   EXPECT_EQ(verdict(world, wrong, tolerance_of(world)).kind, Verdict::refuted);
 }
 
+// Lengths of about 1e38: their eighth power is near the largest double, and sums of coefficients
+// are beyond it.
+TEST(WorldMutants, FlipsOfHugeDisksAreMissed) {
+  const World world = parse_world(
+      R"({"format":"voroproof-scene","version":2,"horizon":0.459228515625,
+"contacts":"pass","frame":"none","disks":[
+{"center":["6683807545260413111147687926950789120","127734988642754561679711369270615080960"],
+"radius":"92756395822558399731371802452905951232","growth":"-2896316602946179014830664768345341952",
+"velocity":["-96840944877995318854850945074931433472","-129071750151806644301940906856005238784"]},
+{"center":["-182393681457328606677541350539901534208","196875264472059501751694674381628243968"],
+"radius":"38766083762510396044656589976314576896","growth":"1113967924210068851857947987825131520",
+"velocity":["208014943714160190270274154259879559168","-190637044096483116181290165649807507456"]},
+{"center":["-186775288625888210828182612625347051520","-30968308293039914081650954061538656256"],
+"radius":"75155702620039311872016224245268873216","growth":"-2524993961542822730878015439070298112",
+"velocity":["254430273889579725764355320419260039168","6089691319015043056823449000110718976"]},
+{"center":["-303667656139664769016476621481130852352","-298840461801421137325092180200555282432"],
+"radius":"46860917345103563034824345354510532608","growth":"-3267639244349535298783314097620385792",
+"velocity":["290151511992582600280600185895519256576","184547352777468073124466716649696788480"]}]})",
+      "huge");
+  const auto right = written(world);
+  ASSERT_TRUE(right);
+  ASSERT_EQ(right->events.size(), 2U);
+  EXPECT_EQ(verdict(world, *right, tolerance_of(world)).kind, Verdict::certified);
+  WrittenWorld wrong = *right;
+  wrong.events.pop_back();
+  EXPECT_EQ(verdict(world, wrong, tolerance_of(world)).kind, Verdict::refuted);
+}
+
 // An edge of a disk that has just jumped flips and flips back.
 TEST(WorldMutants, IdleFlipsOfAJumpAreRefused) {
   int told = 0;
