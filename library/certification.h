@@ -10,10 +10,10 @@
 namespace voroproof::internal {
 
 // Requires tolerances that mean something for a history with that horizon (docs/formats.md, section
-// 8). A greater tolerance would
-// accept any time, or any velocity, and would only cost: each claim is looked at beside all others
-// that may be in its place. Throws std::invalid_argument for such a tolerance, and for an order of
-// instants that is asked for where none is judged, naming the option and the reason.
+// 8). A greater tolerance would accept any time, or any velocity, and would only cost: each claim
+// is looked at beside all others that may be in its place. Throws std::invalid_argument for such a
+// tolerance, and for an order of instants that is asked for where none is judged, naming the option
+// and the reason.
 void require_meaningful(const CertifyOptions& options, const Rational& horizon);
 
 // A diagram for histories that give none (CertifyOptions::propose_initial); the certifier proves it

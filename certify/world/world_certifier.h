@@ -51,8 +51,8 @@
 //  9. Swap. Two disks, both visible or one in the other, are one at the instant, neither turns and
 //     no third one is there. Just before and after both are M + (t - c) W and M - (t - c) W near
 //     it: the mirror image exchanges the names. It must be told, once. If one of them turns, or
-//     three are one: undecided. One that
-//     jumps to where another is may be told to change places with it: the cells around are proved.
+//     three are one: undecided. A disk that jumps to where another is may be told, once, to change
+//     places with it: the cells around are proved.
 // 10. Jump, turn. All of the scene's, up to the horizon and at it, are told once, at their times,
 //     with their values where any are told, and no others are.
 // 11. Plane (Lemma N). The generator -1 is infinity. At one time the signs of all predicates are
@@ -64,7 +64,6 @@
 //     replayed. Each claimed time is within the tolerance of the exact one.
 // 13. End. Nothing happens between the last event and the horizon, the horizon included; motion is
 //     thought to go on beyond it. The counts are those of the lines.
-//
 // 14. Doubles. Where all signs of 3, 4 and 11 that are asked for are certain in doubles with error
 //     bounds, these tell them, over windows of time: a window in which a polynomial has one sign
 //     has no root of it. An edge whose two functions, certainly positive before, certainly fall at

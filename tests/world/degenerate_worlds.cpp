@@ -98,12 +98,12 @@ class Scenes {
       add("three coincide", three, std::nullopt);
       all_.back().undecided = 1;
     }
-    for (const int length : {-1, 1}) {
-      add_in_both(length < 0 ? "one jumps to where another is" : "and goes its way",
-                  with(world_of(2, among_others({disk(-2, 0, 1, 1), disk(2, 0, 1, -length)})),
-                       {jump(1, 1, -1, 0)}),
-                  std::nullopt);
-    }
+    const auto jumps_there = [](int vx) {
+      return with(world_of(2, among_others({disk(-2, 0, 1, 1), disk(2, 0, 1, vx)})),
+                  {jump(1, 1, -1, 0)});
+    };
+    add_in_both("one jumps to where another is", jumps_there(-1), std::nullopt);
+    add_in_both("one jumps to where another is, and stays there", jumps_there(1), std::nullopt);
     const World identical = world_of(
         2, among_others({disk(1, 2, 1, 0, Rational(1, 3)), disk(1, 2, 1, 0, Rational(1, 3))}));
     add_in_both("identical for ever", identical, Lines{});

@@ -218,9 +218,9 @@ class WorldMaker {
 }  // namespace
 
 const char* name_of(WorldFamily family) {
-  constexpr std::array names{"overlapping",  "growing",         "equal radii",   "points",
-                             "nested",       "lattice",         "lifetimes",     "jumping",
-                             "simultaneous", "crossing circle", "growing circle"};
+  constexpr std::array names{"overlapping",  "growing",        "equalradii",   "points",
+                             "nested",       "lattice",        "lifetimes",    "jumping",
+                             "simultaneous", "crossingcircle", "growingcircle"};
   return names[static_cast<std::size_t>(family)];
 }
 

@@ -26,7 +26,7 @@ inline constexpr std::array world_families{
     WorldFamily::points,          WorldFamily::nested,        WorldFamily::lattice,
     WorldFamily::lifetimes,       WorldFamily::jumping,       WorldFamily::simultaneous,
     WorldFamily::crossing_circle, WorldFamily::growing_circle};
-const char* name_of(WorldFamily family);
+const char* name_of(WorldFamily family);  // one word
 
 // 0 to 12 disks, in the plane or in a circle. In some worlds units of length and time are powers of
 // two far from 1.

@@ -90,11 +90,7 @@ TEST_P(RandomWorlds, AreThoseOfBruteForce) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, RandomWorlds, ::testing::ValuesIn(world_families),
-                         [](const auto& tested) {
-                           std::string name = name_of(tested.param);
-                           std::erase(name, ' ');
-                           return name;
-                         });
+                         [](const auto& tested) { return name_of(tested.param); });
 
 TEST(DegenerateWorlds, HaveTheirHistories) {
   for (const DegenerateWorld& scene : degenerate_worlds()) {
