@@ -26,6 +26,7 @@ enum class Fault {
   wrong_order,      // it happens after what is claimed later, or before what is claimed earlier
   other_order,  // collisions and maneuvers of one instant come in an order that is not the format's
   wrong_pair,   // other generators touch here
+  wrong_image,  // another image of the disk touches here
   wrong_response,         // the velocities or centres claimed are not those of the event
   wrong_initial_diagram,  // the diagram claimed is not that at the start
   overlap,                // generators overlap and no collision is claimed
@@ -35,11 +36,13 @@ enum class Fault {
   count
 };
 inline constexpr std::array<std::string_view, static_cast<int>(Fault::count)> fault_names{
-    "missing event", "spurious event", "wrong quadruple",
-    "wrong time",    "wrong order",    "another order of touching collisions",
-    "wrong pair",    "wrong response", "wrong initial diagram",
-    "overlap",       "bad count",      "edge not present",
-    "other horizon"};
+    "missing event",    "spurious event",
+    "wrong quadruple",  "wrong time",
+    "wrong order",      "another order of touching collisions",
+    "wrong pair",       "wrong image",
+    "wrong response",   "wrong initial diagram",
+    "overlap",          "bad count",
+    "edge not present", "other horizon"};
 
 // A number as evidence: exact ("3/8") where it is rational and short enough, else an enclosure.
 struct EvidenceNumber {

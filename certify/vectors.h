@@ -45,10 +45,9 @@ inline DoubleBall ball(const DdBall& x) {
   return {x.hi, (std::fabs(x.lo) + x.rad) * (1 + 0x1p-50)};
 }
 
-// An upper bound of the length of a vector, good to a part in 10^15. The square of a length may be
-// beyond all doubles, or below them: it is brought to about 1 by a power of 4.
-inline Rational length_bound(const ExactVec2& v) {
-  Rational n = norm2(v);
+// An upper bound of the square root of n >= 0, good to a part in 10^15. The square of a length may
+// be beyond all doubles, or below them: it is brought to about 1 by a power of 4.
+inline Rational root_bound(Rational n) {
   if (n == 0) return n;
   const auto bits = [](const Integer& x) {
     return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2));
@@ -63,5 +62,8 @@ inline Rational length_bound(const ExactVec2& v) {
       std::nextafter(std::sqrt(round_up(n)), std::numeric_limits<double>::infinity());
   return times_power(to_rational(root), half);
 }
+
+// Such a bound of the length of a vector.
+inline Rational length_bound(const ExactVec2& v) { return root_bound(norm2(v)); }
 
 }  // namespace voroproof::internal

@@ -247,6 +247,15 @@ bool JsonReader::null() {
   return true;
 }
 
+bool JsonReader::boolean() {
+  peek();
+  const std::string_view rest(next_, static_cast<std::size_t>(end_ - next_));
+  const bool value = rest.starts_with("true");
+  if (!value && !rest.starts_with("false")) fail_expected("true or false");
+  next_ += value ? 4 : 5;
+  return value;
+}
+
 std::string_view JsonReader::any() {
   peek();
   const char* const start = next_;
@@ -270,13 +279,9 @@ std::string_view JsonReader::any() {
       null();
       break;
     case 't':
-    case 'f': {
-      const std::string_view rest(next_, static_cast<std::size_t>(end_ - next_));
-      const std::string_view word = *next_ == 't' ? "true" : "false";
-      if (rest.substr(0, word.size()) != word) fail_expected("a value");
-      next_ += word.size();
+    case 'f':
+      boolean();
       break;
-    }
     default:
       if (next_ == end_ || (*next_ != '-' && !is_digit(*next_))) fail_expected("a value");
       number();

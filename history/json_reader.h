@@ -125,9 +125,12 @@ class JsonReader {
   // Reads a null if one is next.
   bool null();
 
+  bool boolean();
+
   // Whether the next value is an array or a string.
   bool array_is_next() { return peek() == '['; }
   bool text_is_next() { return peek() == '"'; }
+  bool null_is_next() { return peek() == 'n'; }
 
   // Reads any value and returns its text. What holds of the formats' own values holds of it, too:
   // no key occurs twice in one object, and numbers are binary64.

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string_view>
 
+#include "history/billiard.h"
+#include "history/billiard_history.h"
 #include "history/diagram_file.h"
 #include "history/disk_file.h"
 #include "history/error.h"
@@ -76,6 +78,28 @@ std::string summary(const Scene& scene) {
          number_text(scene.horizon);
 }
 
+// Whether the history's first line has a diagram: those of worlds have one, those of billiards
+// none.
+bool has_initial(const std::string& path) {
+  LineSource lines(path);
+  const auto text = lines.next(max_header_line);
+  bool found = false;
+  if (!text) return found;
+  JsonReader json(*text, path);
+  json.any_object([&](std::string_view name) {
+    found = found || name == "initial";
+    json.any();
+    return !found;
+  });
+  return found;
+}
+
+std::string validate_second_version(const std::string& path) {
+  return has_initial(path)
+             ? validate_history<WorldStop, WorldHistoryReader>(path, "history of a world")
+             : validate_history<HistoryStop, BilliardHistoryReader>(path, "history of a billiard");
+}
+
 // Without its disks an event sequence cannot say which ids are right; with them, certify reads it.
 std::string validate_event_sequence(const std::string& path) {
   const auto history = open_evtsq(path, std::nullopt, std::nullopt).history;
@@ -108,13 +132,13 @@ std::string validate_file(const std::string& path) {
   }
   const FileFormat format = format_of_file(path);
   if (format.name == "voroproof-scene") {
+    if (is_billiard_file(path)) return "billiard: " + summary(read_billiard(path));
     return is_of_worlds(format) ? "world: " + summary(read_world(path))
                                 : "scene: " + summary(read_scene(path));
   }
   if (format.name == "voroproof-history") {
-    return is_of_worlds(format)
-               ? validate_history<WorldStop, WorldHistoryReader>(path, "history of a world")
-               : validate_history<HistoryStop, HistoryReader>(path, "history");
+    return is_of_worlds(format) ? validate_second_version(path)
+                                : validate_history<HistoryStop, HistoryReader>(path, "history");
   }
   if (format.name == "voroproof-plan") {
     const PlanTask task = read_plan(path);

@@ -17,8 +17,7 @@ namespace {
 constexpr auto bit = JsonReader::bit;
 
 constexpr const char* only_pass =
-    "in version 2 disks pass (\"pass\"); disks that bounce are version 1, and growth is not built "
-    "for them";
+    "\"pass\" is wanted here; only certify and validate read billiards, whose disks bounce";
 
 class WorldReader {
  public:

@@ -51,6 +51,7 @@ std::string meaning_of(const std::string& kind) {
     return "Of pairs that touch at one instant another collides first (--order any accepts it).";
   }
   if (kind == "wrong pair") return "Other generators than the claimed ones touch.";
+  if (kind == "wrong image") return "Another image of the disk than the claimed one touches.";
   if (kind == "wrong response") return "The motion after the event is not the one claimed.";
   if (kind == "wrong initial diagram") return "The history begins with a wrong diagram.";
   if (kind == "overlap") return "Two generators overlap and the history claims no collision.";

@@ -14,10 +14,12 @@
 #include "apps/run/limited_history.h"
 #include "apps/run/second_checker.h"
 #include "apps/run/told_certificate.h"
-#include "apps/verbs/certify_diagram.h"
+#include "apps/verbs/certify_billiard.h"
+#include "apps/verbs/certify_request.h"
 #include "apps/verbs/certify_world.h"
 #include "apps/verbs/verbs.h"
 #include "certify/certifier.h"
+#include "history/billiard.h"
 #include "history/claim.h"
 #include "history/descriptor.h"
 #include "history/error.h"
@@ -30,16 +32,6 @@
 
 namespace voroproof::internal {
 namespace {
-
-struct Request {
-  std::string scene, history, report, truth = "exact", events = "all", order = "format",
-                                      tolerance = "1e-6", law_tolerance = "1e-9", part, index;
-  std::vector<std::string> shards;  // to be merged
-  DiagramRequest diagram;
-  CertifyOptions options;
-  std::uint64_t max_events = 0, checkpoint = 10;
-  bool quiet = false, kernel = false, proved = false, resume = false;
-};
 
 // Makes it that of a history that is not judged to its end. What it says of the files stays.
 void undecide(Certificate& certificate, const std::string& reason, std::int64_t prefix_events,
@@ -54,12 +46,12 @@ void undecide(Certificate& certificate, const std::string& reason, std::int64_t 
 }
 
 // The shard as its verdict names it: "SHARD 2/8 "; empty for the whole.
-std::string name_of_shard(const Request& request, const ShardFile& file) {
+std::string name_of_shard(const CertifyRequest& request, const ShardFile& file) {
   if (request.part.empty()) return {};
   return "SHARD " + std::to_string(file.number) + "/" + std::to_string(file.of) + " ";
 }
 
-void read_part(const Request& request, ShardFile& file) {
+void read_part(const CertifyRequest& request, ShardFile& file) {
   if (request.part.empty()) return;
   const auto part = part_of(request.part);
   if (!part) {
@@ -68,7 +60,7 @@ void read_part(const Request& request, ShardFile& file) {
   std::tie(file.number, file.of) = *part;
 }
 
-void require_shards(const Request& request) {
+void require_shards(const CertifyRequest& request) {
   const bool is_part = !request.part.empty();
   if ((is_part || request.resume) && (request.truth != "recorded" || request.events != "all")) {
     throw UsageError(std::string(is_part ? "--part" : "--resume") +
@@ -83,13 +75,13 @@ void require_shards(const Request& request) {
 }
 
 // Whether what has been proved is kept, for a later run to take it up.
-bool can_be_resumed(const Request& request) {
+bool can_be_resumed(const CertifyRequest& request) {
   return request.truth == "recorded" && request.events == "all" && !request.report.empty() &&
          !is_stream(request.report) && !is_standard_output(request.report);
 }
 
 // The certificate that an earlier run of the same shard has made already.
-std::optional<ShardFile> finished_certificate(const Request& request, const Claim& claim,
+std::optional<ShardFile> finished_certificate(const CertifyRequest& request, const Claim& claim,
                                               const ShardFile& wanted) {
   if (!request.resume || request.part.empty()) return std::nullopt;
   ShardFile whole = wanted;
@@ -98,7 +90,7 @@ std::optional<ShardFile> finished_certificate(const Request& request, const Clai
 }
 
 // Certifies the shard from where an earlier run has left it.
-void certify_shard_of(const Request& request, Claim& claim, const CertifyOptions& options,
+void certify_shard_of(const CertifyRequest& request, Claim& claim, const CertifyOptions& options,
                       std::optional<BegunCertificate>& begun, ShardFile& file) {
   ShardTask task{.number = file.number, .of = file.of};
   if (request.resume) {
@@ -142,7 +134,7 @@ void certify_shard_of(const Request& request, Claim& claim, const CertifyOptions
 }
 
 // Certifies the claim, or its shard; undecided at a limit: then false. Throws Interrupted.
-bool certify_claim(const Request& request, Claim& claim, const CertifyOptions& options,
+bool certify_claim(const CertifyRequest& request, Claim& claim, const CertifyOptions& options,
                    const CooperativeInterruption& interruption,
                    std::optional<BegunCertificate>& begun, ShardFile& file) {
   Certificate& certificate = file.shard.certificate;
@@ -169,14 +161,14 @@ bool certify_claim(const Request& request, Claim& claim, const CertifyOptions& o
   return false;
 }
 
-void write_result(const Request& request, OutputFile& output, const ShardFile& file) {
+void write_result(const CertifyRequest& request, OutputFile& output, const ShardFile& file) {
   output.write(request.part.empty() ? report_text(file.run, file.options, file.shard.certificate)
                                     : shard_text(file));
   output.commit();
 }
 
 // Makes the certificate that of all checkers, undecided at a limit. Throws Interrupted.
-SecondWords ask(const std::vector<SecondChecker>& seconds, const Request& request,
+SecondWords ask(const std::vector<SecondChecker>& seconds, const CertifyRequest& request,
                 const CooperativeInterruption& interruption, ShardFile& file) {
   Certificate& certificate = file.shard.certificate;
   SecondWords words;
@@ -196,7 +188,8 @@ SecondWords ask(const std::vector<SecondChecker>& seconds, const Request& reques
   return words;
 }
 
-void read_tolerances(const Request& request, const HistoryHeader& header, CertifyOptions& options) {
+void read_tolerances(const CertifyRequest& request, const HistoryHeader& header,
+                     CertifyOptions& options) {
   options.tolerance = time_argument("--tolerance", request.tolerance);
   options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
   try {
@@ -206,19 +199,34 @@ void read_tolerances(const Request& request, const HistoryHeader& header, Certif
   }
 }
 
-ExitCode certify_files_of_world(const Request& request) {
-  if (request.events != "all" || request.order != "format" || request.kernel || request.proved ||
-      request.resume || !request.report.empty() || request.options.unoriented ||
-      request.options.strict) {
-    throw UsageError("a world is certified with --tolerance, --max-events and --quiet only");
+// Scenes of version 2 are certified whole, in their own ways.
+void require_plain(const CertifyRequest& request, const std::string& known) {
+  if (request.order != "format" || request.kernel || request.proved || request.resume ||
+      !request.part.empty() || request.options.unoriented || request.options.strict) {
+    throw UsageError(known + " only");
   }
   require_order(request.scene, request.history);
+}
+
+ExitCode certify_files_of_world(const CertifyRequest& request) {
+  const std::string known = "a world is certified with --tolerance, --max-events and --quiet";
+  require_plain(request, known);
+  if (request.events != "all" || !request.report.empty()) throw UsageError(known + " only");
   return certify_world({request.scene, request.history,
                         time_argument("--tolerance", request.tolerance), request.max_events,
                         request.quiet});
 }
 
-ExitCode certify_files(Request& request) {
+ExitCode certify_files_of_billiard(const CertifyRequest& request) {
+  const std::string known =
+      "a billiard is certified with --truth recorded, --events, --tolerance, --law-tolerance, "
+      "--max-events, --report and --quiet";
+  require_plain(request, known);
+  if (request.truth != "recorded") throw UsageError("--truth: " + known + " only");
+  return certify_billiard(request);
+}
+
+ExitCode certify_files(CertifyRequest& request) {
   CertifyOptions& options = request.options;
   options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
   options.events = request.events == "all" ? EventKinds::all : EventKinds::collisions;
@@ -276,7 +284,7 @@ ExitCode certify_files(Request& request) {
 }
 
 // The report and the verdict of the whole from the certificates of its shards.
-ExitCode merge_files(Request& request) {
+ExitCode merge_files(CertifyRequest& request) {
   require_distinct(request.shards, {request.report});
   std::optional<OutputFile> report_file;
   if (!request.report.empty()) report_file.emplace(request.report);
@@ -301,81 +309,8 @@ ExitCode merge_files(Request& request) {
 }  // namespace
 
 void add_certify(Verb& program) {
-  auto request = std::make_shared<Request>();
-  Verb& verb = program.add_verb("certify", "Prove or refute a history of a scene");
-  verb.input("scene", request->scene, "The scene.")
-      .required_unless("--merge")
-      .required_unless("--diagram");
-  verb.input("history", request->history, "The history, whoever wrote it.")
-      .required_unless("--merge")
-      .required_unless("--diagram");
-  verb.choice(
-      "--truth", {"exact", "recorded"}, request->truth,
-      "Which motion the history must describe: the true motion of the scene, or the one that "
-      "the history's own collision times and velocities define (for long floating-point "
-      "runs).");
-  verb.choice("--events", {"all", "collisions"}, request->events,
-              "What to judge: all events, or collisions and maneuvers alone, of a program that "
-              "knows no flips. Flips and the initial diagram are passed over then.");
-  verb.choice("--order", {"format", "any"}, request->order,
-              "Exact truth: the order of what one instant turns, as docs/formats.md has it, or any "
-              "in which every collision is of two that touch and approach (not with --strict).");
-  verb.text("--tolerance", request->tolerance, "TIME",
-            "How far a claimed time may be from the exact one; at most the horizon, or 1e-6 where "
-            "the horizon is less.");
-  verb.text("--law-tolerance", request->law_tolerance, "RATIO",
-            "How far claimed velocities may be off, relative to the speeds that meet; at most 1.");
-  verb.flag("--strict", request->options.strict,
-            "Refute claims that are out of order, however near they are, quadruplets without "
-            "orientation, and a horizon other than the scene's.");
-  verb.flag("--unoriented", request->options.unoriented,
-            "Accept quadruplets whose third generators are exchanged, as in .evtsq files.");
-  verb.flag(
-      "--kernel", request->kernel,
-      "Have the kernel (docs/kernel.md) judge the files, too: both must certify the history.");
-  verb.flag("--proved", request->proved,
-            "Have the proved checker (the program voroproof-proved, docs/proved.md) judge the "
-            "files, too, under the recorded truth: both must certify the history.");
-  verb.whole("--threads", request->options.threads, 1, 1024,
-             "The number of threads for the recorded truth, and for the initial diagram of both "
-             "truths. The certificate is the same.");
-  verb.output("--report", request->report, "Write everything that was found here, as JSON.");
-  verb.text("--part", request->part, "I/N",
-            "Certify the I-th of N shards of a history, under the recorded truth, and write its "
-            "certificate as the report.")
-      .needs("--report");
-  verb.input(
-          "--index", request->index,
-          "An index of the history (voroproof index): a shard, or what --resume takes up, is read "
-          "from the last place before it that the index names. Nothing in it is believed: --merge "
-          "refuses shards that do not fit together.")
-      .excludes({"--max-events"});
-  verb.inputs("--merge", request->shards,
-              "Join the certificates of all shards of a history to the verdict and the report of "
-              "the whole.")
-      .with_all_that_follow()
-      .excludes({"--truth", "--events", "--order", "--tolerance", "--law-tolerance", "--strict",
-                 "--unoriented", "--kernel", "--proved", "--threads", "--part", "--index",
-                 "--resume", "--checkpoint", "--max-bits", "--max-events"});
-  add_diagram_options(verb, request->diagram);
-  verb.flag("--resume", request->resume,
-            "Take up what a run that was interrupted or killed, or that a limit ended, has left "
-            "beside this report; the report is the same as without the break. With --part, nothing "
-            "is done where the report is that of this shard already: of these bytes, these options "
-            "and this version.")
-      .needs("--report");
-  verb.whole("--checkpoint", request->checkpoint, 0, 1'000'000,
-             "Under the recorded truth, keep what is proved every so many seconds in a file of the "
-             "report's name with .partial at its end; 0: as often as can be.");
-  add_max_bits(verb, request->options.motion.max_bits);
-  add_max_events(verb, request->max_events);
-  verb.flag("--quiet", request->quiet,
-            "Show no progress on the terminal, and write nothing but the verdict, what it is about "
-            "and what it leaves open.");
-  verb.note(
-      "What s CERTIFIED says is stated in docs/claim.md. The last line of the output is s "
-      "CERTIFIED (exit code 0), s REFUTED (1), s INVALID (2) or s UNDECIDED (3).");
-  verb.example("voroproof certify a.scene.json a.history.jsonl --truth recorded --report r.json");
+  auto request = std::make_shared<CertifyRequest>();
+  Verb& verb = add_certify_options(program, request);
   verb.does([request] {
     try {
       if (!request->diagram.files.empty()) {
@@ -384,6 +319,7 @@ void add_certify(Verb& program) {
         return certify_diagram_files(request->diagram);
       }
       if (!request->shards.empty()) return merge_files(*request);
+      if (is_billiard_file(request->scene)) return certify_files_of_billiard(*request);
       return is_world_file(request->scene) ? certify_files_of_world(*request)
                                            : certify_files(*request);
     } catch (const InputError& error) {

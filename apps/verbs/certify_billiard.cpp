@@ -1,0 +1,95 @@
+#include "apps/verbs/certify_billiard.h"
+
+#include <optional>
+#include <stdexcept>
+
+#include "apps/cli/command_line.h"
+#include "apps/cli/interruption.h"
+#include "apps/cli/limits.h"
+#include "apps/cli/progress.h"
+#include "apps/run/told_certificate.h"
+#include "certify/billiards/billiard_certifier.h"
+#include "history/event_limit.h"
+#include "history/output_file.h"
+#include "library/certification.h"
+
+namespace voroproof::internal {
+namespace {
+
+void read_tolerances(const CertifyRequest& request, const HistoryHeader& header,
+                     CertifyOptions& options) {
+  options.tolerance = time_argument("--tolerance", request.tolerance);
+  options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
+  try {
+    require_meaningful(options, header.horizon);
+  } catch (const std::invalid_argument& fault) {
+    throw UsageError(std::string("--") + fault.what());
+  }
+}
+
+Certificate undecided(std::string reason, std::int64_t line, std::int64_t events, double t) {
+  Certificate certificate;
+  certificate.reason = std::move(reason);
+  certificate.reason_line = line;
+  certificate.prefix_events = events;
+  certificate.prefix_t = t;
+  return certificate;
+}
+
+Certificate judge(const CertifyRequest& request, const Billiard& billiard,
+                  BilliardHistoryReader& history, CertifyOptions& options,
+                  const CooperativeInterruption& interruption) {
+  Progress progress(round_nearest(history.header().horizon), request.quiet);
+  options.monitor = [&](double t, std::int64_t events) {
+    progress.report(t, static_cast<std::uint64_t>(events));
+    return !interruption.requested();
+  };
+  std::optional<EventLimit> limit;
+  if (request.max_events > 0) limit.emplace(request.max_events);
+  try {
+    return internal::certify_billiard(billiard, request.scene, history, options);
+  } catch (const EventLimitReached&) {
+    return undecided(event_limit_reason(request.max_events), history.line(), 0, 0);
+  } catch (const CertificationInterrupted& at) {
+    if (!interruption.late()) throw Interrupted();
+    return undecided(time_limit_reason(), history.line(), at.prefix_events, at.prefix_t);
+  }
+}
+
+}  // namespace
+
+ExitCode certify_billiard(const CertifyRequest& request) {
+  require_distinct({request.scene, request.history}, {request.report});
+  CooperativeInterruption interruption;
+  std::optional<OutputFile> report;
+  if (!request.report.empty()) report.emplace(request.report);
+  const Billiard billiard = read_billiard(request.scene);
+  BilliardHistoryReader history(request.history, &billiard);
+  ShardFile file;
+  file.options = request.options;
+  file.options.truth = Truth::recorded;
+  file.options.events = EventKinds::collisions;
+  read_tolerances(request, history.header(), file.options);
+  file.run = {.producer = producer(),
+              .scene_file = request.scene,
+              .history_file = request.history,
+              .scene_sha256 = billiard.sha256,
+              .history_sha256 = {},
+              .history_producer = history.header().producer,
+              .disks = static_cast<int>(billiard.disks.size()),
+              .horizon = history.header().horizon};
+  Certificate& certificate = file.shard.certificate;
+  certificate = judge(request, billiard, history, file.options, interruption);
+  if (history.header().horizon != billiard.horizon)
+    certificate.other_horizon = std::array{history.header().horizon, billiard.horizon};
+  if (report) file.run.history_sha256 = history.content_sha256();
+  interruption.wind_up();
+  if (report) {
+    report->write(report_text(file.run, file.options, certificate));
+    report->commit();
+  }
+  tell(words_beside({request.report}), file, {}, {}, request.quiet);
+  return exit_code(certificate.verdict);
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,361 @@
+#include "certify/billiards/billiard_certifier.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "certify/billiards/billiard_window.h"
+#include "certify/billiards/bounce_law.h"
+#include "certify/billiards/pair_watch.h"
+#include "certify/vectors.h"
+#include "history/error.h"
+#include "history/json_text.h"
+
+namespace voroproof::internal {
+namespace {
+
+// The size of the scene at time 0, to which roundings of coordinates are in proportion.
+Rational extent_of(const Billiard& billiard) {
+  Rational extent;
+  for (const BilliardDisk& disk : billiard.disks) {
+    for (const Rational& x : disk.center) {
+      extent = std::max<Rational>(extent, abs(x) + disk.radius);
+    }
+  }
+  Rational frame;
+  if (billiard.round) {
+    for (const Rational& x : billiard.round->center) frame = std::max<Rational>(frame, abs(x));
+    frame += billiard.round->radius;
+  }
+  for (const BilliardWall& wall : billiard.walls)
+    frame = std::max<Rational>(frame, abs(wall.offset));
+  for (const Rational& side : billiard.lattice.sides) extent += side;
+  return extent + frame;
+}
+
+class BilliardCertification {
+ public:
+  BilliardCertification(const Billiard& billiard, const std::string& scene_file,
+                        BilliardHistoryReader& history, const CertifyOptions& options)
+      : billiard_(billiard),
+        scene_file_(scene_file),
+        history_(history),
+        options_(options),
+        horizon_(history.header().horizon),
+        extent_(extent_of(billiard)),
+        watch_(billiard, horizon_, options.tolerance, extent_),
+        law_(billiard, watch_.exact(), watch_.near(), options.tolerance, options.law_tolerance,
+             extent_),
+        meeting_(billiard, watch_.near()),
+        paths_(billiard.disks.size()),
+        next_maneuver_(billiard.disks.size()) {}
+
+  Certificate run() {
+    start();
+    try {
+      require_placement();
+      now_ = BilliardTime(0);
+      bool more = true;
+      while (more && found_.faults.empty()) more = window();
+      if (found_.faults.empty()) finish();
+    } catch (const Undecided& at) {
+      // A refutation stays one.
+      if (found_.faults.empty()) {
+        certificate_.reason = at.what();
+        certificate_.reason_line = line_;
+      }
+    }
+    // The rest is read for its form.
+    while (history_.next()) {
+    }
+    conclude();
+    return std::move(certificate_);
+  }
+
+ private:
+  void start() {
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+      const BilliardDisk& disk = billiard_.disks[i];
+      paths_[i].push_back(line_from(BilliardTime(0), disk.center, disk.velocity));
+    }
+    for (std::size_t m = 0; m < billiard_.maneuvers.size(); ++m) {
+      const BilliardManeuver& maneuver = billiard_.maneuvers[m];
+      if (maneuver.t <= horizon_)
+        next_maneuver_[static_cast<std::size_t>(maneuver.disk)].push_back(m);
+    }
+    undone_line_.assign(billiard_.maneuvers.size(), 0);
+    if (horizon_ > billiard_.horizon)
+      throw InputError(scene_file_, 0, "horizon", "the history goes beyond it");
+  }
+
+  BilliardLine line_from(const BilliardTime& t, const Vec3& x, const Vec3& v) const {
+    return {t, {t.exact, x, v}, {t.near, enclosed(x), enclosed(v)}, -1, {}, 0};
+  }
+
+  // No two overlap at the start, and all are in the frame.
+  void require_placement() {
+    const BilliardTime start(0);
+    for (const BilliardPair& pair : meeting_.in(paths_, start, start)) {
+      const BilliardPath& b = paths_[static_cast<std::size_t>(pair.b)];
+      const BilliardPath& a = pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)];
+      const std::string field = "disks[" + std::to_string(pair.b) + "]";
+      const Rational gap = watch_.exact().form(pair, a[0].exact, b[0].exact, 0, 0)[0];
+      if (gap >= 0) continue;
+      throw InputError(scene_file_, 0, field,
+                       pair.a < 0
+                           ? "is not wholly inside of " +
+                                 watch_.name(pair).substr(watch_.name(pair).find(" and ") + 5)
+                           : "overlaps: " + watch_.name(pair) + " are at a distance below " +
+                                 "the sum of their radii");
+    }
+  }
+
+  std::optional<BilliardEvent> take() {
+    if (ahead_) return std::exchange(ahead_, std::nullopt);
+    return history_.next();
+  }
+
+  // Reads and judges the claims of one window; false after the last.
+  bool window() {
+    const BilliardTime from = now_;
+    claims_.clear();
+    times_.clear();
+    const std::int64_t first_line = line_ + 1;
+    const std::size_t most = std::max<std::size_t>(2 * paths_.size(), 256);
+    const Rational end = end_of_window();
+    bool last = false;
+    BilliardTime to = from;
+    for (;;) {
+      std::optional<BilliardEvent> event = take();
+      if (!event) {
+        last = end >= horizon_;
+        to = BilliardTime(std::max<Rational>(last ? horizon_ : end, from.exact));
+        break;
+      }
+      if (event->t > end && !(end >= horizon_)) {
+        to = BilliardTime(end);
+        ahead_ = std::move(event);
+        break;
+      }
+      if (times_.size() >= most) {
+        to = BilliardTime(event->t);
+        ahead_ = std::move(event);
+        break;
+      }
+      line_ = event->line;
+      claim(*event);
+      if (!found_.faults.empty()) {
+        to = times_.back();
+        break;
+      }
+    }
+    if (!times_.empty() && to.exact < times_.back().exact) to = times_.back();
+    follow({from, to, last, &times_, first_line});
+    if (!found_.faults.empty()) miss_maneuvers(to.exact - options_.tolerance);
+    now_ = to;
+    for (BilliardPath& path : paths_) path.erase(path.begin(), path.end() - 1);
+    if (options_.monitor && !options_.monitor(now_.near.mid, number_))
+      throw CertificationInterrupted{number_, now_.near.mid};
+    return !last;
+  }
+
+  Rational end_of_window() const {
+    const double length = meeting_.good_length();
+    if (!std::isfinite(length)) return horizon_;
+    const Rational end = now_.exact + to_rational(length);
+    return end > now_.exact ? std::min(end, horizon_) : horizon_;
+  }
+
+  void claim(const BilliardEvent& event) {
+    const BilliardTime t(event.t);
+    times_.push_back(t);
+    for (; later_ < billiard_.maneuvers.size() && billiard_.maneuvers[later_].t < event.t; ++later_)
+      undone_line_[later_] = event.line;
+    if (const auto* turn = std::get_if<BilliardTurn>(&event.what))
+      maneuver(*turn, t, event.line);
+    else
+      collide(std::get<BilliardCollision>(event.what), t, event.line);
+    ++number_;
+  }
+
+  void turn(GenId disk, const BilliardTime& t, const Vec3& v,
+            const std::optional<BilliardPair>& by) {
+    if (billiard_.disks[static_cast<std::size_t>(disk)].fixed) return;
+    BilliardPath& path = paths_[static_cast<std::size_t>(disk)];
+    BilliardLine line = line_from(t, watch_.exact().place(disk, path.back().exact, t.exact), v);
+    line.claim = number_;
+    line.turns = path.back().turns + 1;
+    line.by = by;
+    path.push_back(std::move(line));
+  }
+
+  void blame(Fault kind, std::int64_t line, const BilliardTime& t, std::string truth,
+             const BilliardPair& pair = {}) {
+    found_.faults.push_back({kind, line, t.near.mid, std::move(truth), pair});
+  }
+
+  void maneuver(const BilliardTurn& claimed, const BilliardTime& t, std::int64_t line) {
+    ++certificate_.maneuvers;
+    auto& scheduled = next_maneuver_[static_cast<std::size_t>(claimed.disk)];
+    const auto off = [&](std::size_t m) {
+      return Rational(abs(billiard_.maneuvers[m].t - t.exact));
+    };
+    if (scheduled.empty() || off(scheduled.front()) > options_.tolerance) {
+      blame(Fault::spurious_event, line, t,
+            "no maneuver of disk " + std::to_string(claimed.disk) + " is scheduled then");
+      return;
+    }
+    const BilliardManeuver& maneuver = billiard_.maneuvers[scheduled.front()];
+    scheduled.pop_front();
+    const Vec3 v = claimed.v ? *claimed.v : maneuver.velocity;
+    const Vec3 difference = v - maneuver.velocity;
+    const Rational speed2 = dot(maneuver.velocity, maneuver.velocity);
+    if (dot(difference, difference) > options_.law_tolerance * options_.law_tolerance * speed2)
+      blame(Fault::wrong_response, line, t, "the velocity is not the one that is scheduled");
+    if (claimed.p) {
+      const std::string fault = law_.fault_of_place(
+          claimed.disk, paths_[static_cast<std::size_t>(claimed.disk)].back(), t, *claimed.p, v);
+      if (!fault.empty()) blame(Fault::wrong_response, line, t, fault);
+    }
+    turn(claimed.disk, t, v, std::nullopt);
+  }
+
+  void collide(const BilliardCollision& claimed, const BilliardTime& t, std::int64_t line) {
+    ++certificate_.collisions;
+    BilliardPair pair{claimed.a, claimed.b, claimed.image ? *claimed.image : LatticeImage{}};
+    const BilliardLine& b = paths_[static_cast<std::size_t>(pair.b)].back();
+    const BilliardLine& a = pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)].back();
+    if (!claimed.image) pair.image = watch_.nearest_image(pair, a, b, t.exact);
+    claims_[pair].push_back({number_, line, t});
+    const BounceLaw::Meeting meeting{pair, a, b, t};
+    if (const std::string fault = law_.fault(meeting, claimed); !fault.empty())
+      blame(Fault::wrong_response, line, t, fault, pair);
+    std::array<std::optional<Vec3>, 2> v = claimed.v;
+    const auto has_none = [&](int side) {
+      const GenId disk = side == 0 ? pair.a : pair.b;
+      return disk >= 0 && !billiard_.disks[static_cast<std::size_t>(disk)].fixed && !v[side];
+    };
+    if (has_none(0) || has_none(1)) {
+      ++certificate_.computed_velocities;
+      const std::array<Vec3, 2> law = law_.after(meeting);
+      for (const int side : {0, 1}) {
+        if (!has_none(side)) continue;
+        v[side].emplace();
+        for (std::size_t k = 0; k < 3; ++k)
+          (*v[side])[k] = to_rational(round_nearest(law[static_cast<std::size_t>(side)][k]));
+      }
+    }
+    if (t.exact >= horizon_ - options_.tolerance) ++certificate_.at_horizon;
+    if (pair.a >= 0) turn(pair.a, t, v[0] ? *v[0] : Vec3{}, pair);
+    turn(pair.b, t, v[1] ? *v[1] : Vec3{}, pair);
+  }
+
+  void follow(const PairWatch::Window& window) {
+    std::vector<BilliardPair> pairs = meeting_.in(paths_, window.from, window.to);
+    for (const auto& [pair, claims] : claims_) pairs.push_back(pair);
+    for (const auto& [pair, state] : states_) pairs.push_back(pair);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    static const std::vector<BilliardClaim> none;
+    meeting_.adapt(times_.size(), pairs.size());
+    for (const BilliardPair& pair : pairs) {
+      const auto claims = claims_.find(pair);
+      const auto known = states_.find(pair);
+      PairState state = known == states_.end() ? PairState{} : std::move(known->second);
+      const BilliardPath& b = paths_[static_cast<std::size_t>(pair.b)];
+      watch_.follow(pair, pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)], b,
+                    claims == claims_.end() ? none : claims->second, window, state, found_);
+      if (state.is_empty()) {
+        if (known != states_.end()) states_.erase(known);
+      } else {
+        states_[pair] = std::move(state);
+      }
+    }
+  }
+
+  // Maneuvers that were to be claimed before that time, and are not.
+  void miss_maneuvers(const Rational& before) {
+    for (const auto& scheduled : next_maneuver_) {
+      if (scheduled.empty()) continue;
+      const std::size_t m = scheduled.front();
+      const BilliardManeuver& maneuver = billiard_.maneuvers[m];
+      if (maneuver.t >= before) continue;
+      const std::int64_t line = undone_line_[m] != 0 ? undone_line_[m] : line_ + 1;
+      blame(Fault::missing_event, line, BilliardTime(maneuver.t),
+            "the maneuver of disk " + std::to_string(maneuver.disk) +
+                " at t = " + number_text(round_nearest(maneuver.t)) + " is not claimed");
+    }
+  }
+
+  void finish() {
+    const auto* stop = std::get_if<HistoryStop>(&history_.ending());
+    if (stop == nullptr) miss_maneuvers(horizon_ + 1);
+    if (!found_.faults.empty()) return;
+    if (stop != nullptr) {
+      certificate_.reason = "the history stops: " + stop->reason;
+      certificate_.reason_line = history_.line();
+    } else if (!history_.counts_match()) {
+      blame(Fault::bad_count, history_.line(), BilliardTime(horizon_),
+            "the counts of the last line are not those of the events");
+    } else {
+      certificate_.verdict = Verdict::certified;
+    }
+  }
+
+  void conclude() {
+    certificate_.pair_lives = found_.pair_lives;
+    certificate_.grazes = found_.grazes;
+    certificate_.rounding_overlaps = found_.rounding_overlaps;
+    certificate_.left_out = found_.left_out;
+    certificate_.prefix_events = number_;
+    certificate_.prefix_t = now_.near.mid;
+    if (found_.faults.empty()) return;
+    const BilliardFault& first = *std::min_element(
+        found_.faults.begin(), found_.faults.end(), [](const auto& a, const auto& b) {
+          return std::pair(a.line, a.t) < std::pair(b.line, b.t);
+        });
+    certificate_.verdict = Verdict::refuted;
+    certificate_.prefix_events = std::max<std::int64_t>(0, first.line - 2);
+    certificate_.prefix_t = first.t;
+    Divergence& divergence = certificate_.divergence.emplace();
+    divergence.fault = first.kind;
+    divergence.line = first.line;
+    divergence.t = first.t;
+    divergence.truth = first.truth;
+  }
+
+  const Billiard& billiard_;
+  const std::string& scene_file_;
+  BilliardHistoryReader& history_;
+  const CertifyOptions& options_;
+  Rational horizon_, extent_;
+  PairWatch watch_;
+  BounceLaw law_;
+  MeetingPairs meeting_;
+  BilliardTime now_{Rational(0)};
+  std::optional<BilliardEvent> ahead_;
+  std::int64_t line_ = 1, number_ = 0;  // the claim's that was read last; how many were read
+  // The claims of the window by pair, and the times of all of them.
+  std::map<BilliardPair, std::vector<BilliardClaim>> claims_;
+  std::vector<BilliardTime> times_;
+  std::vector<BilliardPath> paths_;
+  std::map<BilliardPair, PairState> states_;
+  // By disk: those that are not claimed yet.
+  std::vector<std::deque<std::size_t>> next_maneuver_;
+  std::vector<std::int64_t> undone_line_;  // by maneuver: the first claim's after it; 0: none yet
+  std::size_t later_ = 0;
+  BilliardFindings found_;
+  Certificate certificate_;
+};
+
+}  // namespace
+
+Certificate certify_billiard(const Billiard& billiard, const std::string& scene_file,
+                             BilliardHistoryReader& history, const CertifyOptions& options) {
+  return BilliardCertification(billiard, scene_file, history, options).run();
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,44 @@
+// Which pairs of a billiard may meet in a window of time, given the lines of all disks.
+#pragma once
+
+#include <vector>
+
+#include "certify/billiards/billiard_lines.h"
+#include "filtered/billiards/near_boxes.h"
+
+namespace voroproof::internal {
+
+class MeetingPairs {
+ public:
+  // Both must outlive it.
+  MeetingPairs(const Billiard& billiard, const BilliardGaps<DoubleBall>& gaps);
+
+  // All pairs of disks that may meet in the window, and all of a wall and a disk, in order. Throws
+  // Undecided where a disk is farther out than images are counted.
+  std::vector<BilliardPair> in(const std::vector<BilliardPath>& paths, const BilliardTime& from,
+                               const BilliardTime& to);
+
+  // How long the next window is to be: as long as disks take for about the way between neighbours;
+  // longer as long as nothing happens, and shorter where too many pairs may meet, or images have to
+  // be looked at. Infinite where nothing moves, or nothing can meet.
+  double good_length() const { return good_length_ * stretch_; }
+
+  // To be told of each window: how many claims it had, and how many pairs were followed in it.
+  void adapt(std::size_t claims, std::size_t pairs);
+
+ private:
+  SweptBox box_of(GenId disk, const BilliardPath& path, const BilliardTime& from,
+                  const BilliardTime& to) const;
+  bool may_meet_wall(GenId wall, const SweptBox& box, double from, double to) const;
+  void measure(const std::vector<BilliardPath>& paths, const BilliardTime& to);
+
+  const Billiard& billiard_;
+  const BilliardGaps<DoubleBall>& gaps_;
+  NearBoxes near_;
+  std::vector<SweptBox> boxes_;
+  // Gravity moves all disks alike, and nothing else is there: they are looked at as they fall.
+  bool fall_alike_;
+  double good_length_ = 0, stretch_ = 1;
+};
+
+}  // namespace voroproof::internal

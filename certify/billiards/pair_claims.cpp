@@ -1,0 +1,168 @@
+// Whether a claimed collision is one of its pair's, and which fault it is where it is not.
+#include <algorithm>
+
+#include "certify/billiards/pair_signs.h"
+#include "certify/billiards/pair_watch.h"
+#include "history/json_text.h"
+
+namespace voroproof::internal {
+
+// Whether the last turn of either of the two was their own collision.
+bool PairWatch::last_turn_was_own(const Life& life) const {
+  const auto& [a, b, image] = life.pair;
+  const auto is_own = [&](const BilliardLine& line) { return line.by == life.pair; };
+  if (a < 0 || billiard_.disks[static_cast<std::size_t>(a)].fixed) return is_own(life.b);
+  if (billiard_.disks[static_cast<std::size_t>(b)].fixed) return is_own(life.a);
+  return is_own(life.a) && life.a.claim == life.b.claim;
+}
+
+// Whether the claim at t answers the overlap that is in progress.
+bool PairWatch::answer_open(const Life& life, const Rational& t, Walk& walk) const {
+  OverlapEpisode& episode = *walk.state.open;
+  const Rational earliest = t - tolerance_;
+  const bool on_these_lines = (episode.entry <=> life.begin()) >= 0;
+  if (on_these_lines && !episode.answer) return (episode.entry <=> earliest) >= 0;
+  if (last_turn_was_own(life)) return false;
+  const Rational length = t - life.from.exact;
+  if (sign(form(life, 0).derivative().evaluate(length)) != Sign::negative) return false;
+  if (!episode.deep) return life.begin() >= earliest;
+  return !episode.answer && (episode.entry <=> earliest) >= 0;
+}
+
+// Whether the two come nearest within the tolerance of t, to no more than their rounding.
+bool PairWatch::comes_near(const Life& life, const Rational& t, Walk& walk) const {
+  const Rational middle = t - life.from.exact;
+  const Rational first = life.begin() - life.from.exact;
+  const Rational lo = std::max<Rational>(first, middle - tolerance_), hi = middle + tolerance_;
+  const Polynomial<Rational> f = form(life, 0), slope = f.derivative();
+  const Rational depth = rounding(life);
+  if ((life.pair.a >= 0 || billiard_.round) && exact_.reach(life.pair, t) < 4 * depth) return false;
+  if (life.pair.a >= 0 && last_turn_was_own(life)) return false;
+  if (is_negative_in(f, lo, hi)) return false;  // that would be an entry, and is not due
+  for (const auto& root : roots_of(slope, lo, hi)) {
+    const SignsAround signs = signs_around(slope, root);
+    if (signs.before != Sign::negative || signs.after != Sign::positive) continue;
+    // Where their lines begin they came no nearer.
+    if (compare(root, first) == 0) continue;
+    if (sign_at(form(life, -depth), root) != Sign::positive) {
+      ++walk.found.grazes;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool PairWatch::answers(const Life& life, const BilliardClaim& claim, Walk& walk) const {
+  PairState& state = walk.state;
+  const Rational& t = claim.t.exact;
+  if (state.open) {
+    if (!answer_open(life, t, walk)) return false;
+    state.open->answer = t;
+    state.open->answer_line = claim.line;
+    return true;
+  }
+  for (auto episode = state.ended.begin(); episode != state.ended.end(); ++episode) {
+    if ((episode->entry <=> life.begin()) < 0 || (episode->entry <=> t - tolerance_) < 0) continue;
+    state.ended.erase(episode);
+    return true;
+  }
+  const Rational length = t - life.from.exact;
+  if (first_fall(form(life, 0), length, length + tolerance_)) return true;
+  return comes_near(life, t, walk);
+}
+
+// The images of b that may be nearest to a at t.
+std::vector<LatticeImage> PairWatch::images_near(const BilliardPair& pair, const BilliardLine& a,
+                                                 const BilliardLine& b, const Rational& t) const {
+  if (pair.a < 0 || !billiard_.lattice.is_periodic()) return {LatticeImage{}};
+  const Vec3 d = exact_.place(pair.b, b.exact, t) - exact_.place(pair.a, a.exact, t);
+  const auto nearest = [&](std::size_t axis, const Rational& x) {
+    const Rational& side = billiard_.lattice.sides[axis];
+    if (side == 0) return 0;
+    const Rational shifted = Rational(1, 2) - x / side;
+    Integer k;
+    mpz_fdiv_q(k.get_mpz_t(), shifted.get_num_mpz_t(), shifted.get_den_mpz_t());
+    return k.fits_sint_p() ? static_cast<int>(k.get_si()) : 0;
+  };
+  const auto reach = [&](std::size_t axis) { return billiard_.lattice.sides[axis] == 0 ? 0 : 1; };
+  std::vector<LatticeImage> images;
+  const int z = nearest(2, d[2]), y = nearest(1, d[1]);
+  for (int dz = -reach(2); dz <= reach(2); ++dz) {
+    for (int dy = -reach(1); dy <= reach(1); ++dy) {
+      const LatticeImage row{0, y + dy, z + dz};
+      const int x = nearest(0, d[0] + exact_.drift(row)[0] * t);
+      for (int dx = -reach(0); dx <= reach(0); ++dx) images.push_back({x + dx, row[1], row[2]});
+    }
+  }
+  return images;
+}
+
+LatticeImage PairWatch::nearest_image(const BilliardPair& pair, const BilliardLine& a,
+                                      const BilliardLine& b, const Rational& t) const {
+  const std::vector<LatticeImage> images = images_near(pair, a, b, t);
+  if (images.size() == 1) return images.front();
+  const Vec3 d = exact_.place(pair.b, b.exact, t) - exact_.place(pair.a, a.exact, t);
+  const auto distance2 = [&](const LatticeImage& image) {
+    const Vec3 moved = d + exact_.offset(image, t);
+    return Rational(dot(moved, moved));
+  };
+  return *std::min_element(images.begin(), images.end(),
+                           [&](const LatticeImage& k, const LatticeImage& other) {
+                             return distance2(k) < distance2(other);
+                           });
+}
+
+// Another image that touches then, where the one that is named does not.
+std::optional<LatticeImage> PairWatch::touching_image(const Life& life, const Rational& t) const {
+  const Rational length = t - life.from.exact, lo = std::max<Rational>(0, length - tolerance_);
+  for (const LatticeImage& other : images_near(life.pair, life.a, life.b, t)) {
+    if (other == life.pair.image) continue;
+    const BilliardPair pair{life.pair.a, life.pair.b, other};
+    const Life there{pair, life.a, life.b, life.from, life.to};
+    if (first_fall(form(there, 0), lo, length + tolerance_)) return other;
+  }
+  return std::nullopt;
+}
+
+BilliardFault PairWatch::fault_of(const Life& life, const BilliardClaim& claim) const {
+  const Rational& t = claim.t.exact;
+  BilliardFault fault{Fault::spurious_event, claim.line, round_nearest(t), name(life.pair),
+                      life.pair};
+  if (const auto image = touching_image(life, t)) {
+    fault.kind = Fault::wrong_image;
+    fault.truth = name({life.pair.a, life.pair.b, *image}) + " touch, and not " + name(life.pair);
+    return fault;
+  }
+  const Polynomial<Rational> f = form(life, 0);
+  const Rational length = t - life.from.exact;
+  if (const auto entry = first_fall(f, 0, horizon_ - life.from.exact)) {
+    const double truth = EntryTime{life.from.exact, *entry}.rounded();
+    fault.kind = Fault::wrong_time;
+    fault.truth += " touch at t = " + number_text(truth) + ", which is " +
+                   number_text(std::fabs(truth - fault.t)) +
+                   " off the claimed time (--tolerance sets what is allowed)";
+    return fault;
+  }
+  const Sign now = sign(f.evaluate(length));
+  const Sign slope = sign(f.derivative().evaluate(length));
+  if (now != Sign::positive && slope != Sign::negative) {
+    fault.truth += " touch then, but do not approach";
+  } else if (now == Sign::negative) {
+    fault.truth += " overlap then, for longer than the tolerance";
+  } else {
+    fault.truth += " do not touch then, nor later on these lines";
+  }
+  return fault;
+}
+
+void PairWatch::judge_claim(const Life& life, const BilliardClaim& claim, Walk& walk) const {
+  if (answers(life, claim, walk)) return;
+  PairState& state = walk.state;
+  const BilliardFault fault = fault_of(life, claim);
+  walk.found.faults.push_back(fault);
+  // A late claim tells of this overlap: it is not missing as well.
+  if (state.open) state.open->told = true;
+  if (fault.kind == Fault::wrong_time) state.ended.clear();
+}
+
+}  // namespace voroproof::internal

@@ -1,0 +1,154 @@
+// Whether the collisions claimed of two are those of their recorded paths: the rules of
+// docs/claim.md, section 9, for one pair.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "certify/billiards/billiard_lines.h"
+#include "certify/certificate.h"
+#include "exact/algebraic.h"
+
+namespace voroproof::internal {
+
+// A fault of the history. The one of the smallest line is told, of one line the earliest.
+struct BilliardFault {
+  Fault kind;
+  std::int64_t line;
+  double t;
+  std::string truth;
+  BilliardPair pair{};
+};
+
+// The faults found so far, and the counts.
+struct BilliardFindings {
+  std::vector<BilliardFault> faults;
+  std::int64_t pair_lives = 0, grazes = 0, rounding_overlaps = 0, left_out = 0, exact_lives = 0;
+};
+
+struct BilliardClaim {
+  std::int64_t number, line;  // counted from 0 in the history
+  BilliardTime t;
+};
+
+// base + u, u an algebraic number.
+struct EntryTime {
+  Rational base;
+  AlgebraicNumber<Rational> u;
+  std::strong_ordering operator<=>(const Rational& t) const { return compare(u, t - base); }
+  double rounded() const { return round_nearest(Rational(base + to_rational(round_nearest(u)))); }
+};
+
+// A maximal interval of time in which the two overlap.
+struct OverlapEpisode {
+  EntryTime entry;
+  bool deep = false;               // whether it is deeper than the rounding so far
+  bool told = false;               // a fault of it has been told
+  std::optional<Rational> answer;  // the time of the claim that answers its entry
+  std::int64_t answer_line = 0;
+  std::int64_t line = 0;  // the first claim's after the entry
+};
+
+// A pair between two windows. Nothing has to be kept of two that are apart.
+struct PairState {
+  std::optional<OverlapEpisode> open;  // in progress
+  std::vector<OverlapEpisode> ended;   // not answered yet
+  // A claim was answered at that time, and the episode may be in progress. Doubles did not tell.
+  std::optional<Rational> answered;
+  std::int64_t answered_line = 0;
+  bool is_empty() const { return !open && ended.empty() && !answered; }
+};
+
+class PairWatch {
+ public:
+  // `billiard` must outlive it. `extent`: rounding is in proportion to it (docs/claim.md).
+  PairWatch(const Billiard& billiard, const Rational& horizon, const Rational& tolerance,
+            const Rational& extent);
+
+  // The window [from, to] of time, at whose end the claims up to `to` have been read; `last`: it
+  // ends at the horizon.
+  struct Window {
+    BilliardTime from, to;
+    bool last;
+    const std::vector<BilliardTime>* times;  // its claims', in order
+    std::int64_t first_line;                 // its first claim's, or that of what follows it
+  };
+
+  // Follows the pair through the window. `a` is ignored for a wall. `claims`: those of this pair.
+  void follow(const BilliardPair& pair, const BilliardPath& a, const BilliardPath& b,
+              const std::vector<BilliardClaim>& claims, const Window& window, PairState& state,
+              BilliardFindings& found) const;
+
+  const BilliardGaps<Rational>& exact() const { return exact_; }
+  const BilliardGaps<DoubleBall>& near() const { return near_; }
+
+  // The image of the pair's second disk that is nearest to the first one at t.
+  LatticeImage nearest_image(const BilliardPair& pair, const BilliardLine& a, const BilliardLine& b,
+                             const Rational& t) const;
+
+  // "disks 0 and 1", "disk 3 and wall -2", with the image where it is another than the disk itself.
+  std::string name(const BilliardPair& pair) const;
+
+ private:
+  // The pair between two turns of either, on lines that both keep, in the time after `from`.
+  struct Life {
+    const BilliardPair& pair;
+    const BilliardLine &a, &b;
+    BilliardTime from, to;
+    GapForm<DoubleBall> near{};  // in the time since `from`
+    double length_up = 0, length_down = 0;
+    // When their lines began: earlier than `from` where a window began since.
+    const Rational& begin() const;
+  };
+
+  // The pair on its way through a window.
+  struct Walk {
+    const BilliardPair& pair;
+    const Window& window;
+    PairState& state;
+    BilliardFindings& found;
+
+    // The line of the first claim after that time.
+    std::int64_t line_after(const EntryTime& x) const {
+      const auto& times = *window.times;
+      std::int64_t line = window.first_line;
+      for (const BilliardTime& t : times) {
+        if ((x <=> t.exact) < 0) break;
+        ++line;
+      }
+      return line;
+    }
+  };
+
+  bool certainly_apart(const Life& life) const;
+  bool certainly_parting(const Life& life) const;
+  bool certainly_answered(const Life& life, const BilliardClaim& claim) const;
+  void judge_life(const Life& life, Walk& walk) const;
+  void judge_claim(const Life& life, const BilliardClaim& claim, Walk& walk) const;
+  bool last_turn_was_own(const Life& life) const;
+  bool answer_open(const Life& life, const Rational& t, Walk& walk) const;
+  bool answers(const Life& life, const BilliardClaim& claim, Walk& walk) const;
+  bool comes_near(const Life& life, const Rational& t, Walk& walk) const;
+  BilliardFault fault_of(const Life& life, const BilliardClaim& claim) const;
+  std::vector<LatticeImage> images_near(const BilliardPair& pair, const BilliardLine& a,
+                                        const BilliardLine& b, const Rational& t) const;
+  std::optional<LatticeImage> touching_image(const Life& life, const Rational& t) const;
+  void settle(Life& life, Walk& walk) const;
+  void open(const EntryTime& entry, Walk& walk) const;
+  void close(const EntryTime& exit, Walk& walk) const;
+  void expire(const Rational& now, Walk& walk) const;
+  void finish(Walk& walk) const;
+  void miss(const OverlapEpisode& episode, Walk& walk) const;
+  Polynomial<Rational> form(const Life& life, const Rational& depth) const;
+  Rational rounding(const Life& life) const;
+
+  const Billiard& billiard_;
+  Rational horizon_, tolerance_, extent_;
+  double tolerance_down_, tolerance_up_;
+  BilliardGaps<Rational> exact_;
+  BilliardGaps<DoubleBall> near_;
+};
+
+}  // namespace voroproof::internal

@@ -1,0 +1,270 @@
+#include "filtered/billiards/billiard_gaps.h"
+
+#include <cfloat>
+#include <type_traits>
+
+namespace voroproof::internal {
+namespace {
+
+template <class T>
+T as(const Rational& q) {
+  if constexpr (std::is_same_v<T, Rational>) {
+    return q;
+  } else {
+    // get_d() rounds towards zero.
+    const double x = q.get_d();
+    return {x, to_rational(x) == q ? 0 : std::fabs(x) * 0x1p-52 + DBL_MIN};
+  }
+}
+
+template <class T>
+Vector3<T> as(const Vec3& v) {
+  return {as<T>(v[0]), as<T>(v[1]), as<T>(v[2])};
+}
+
+bool has_gravity(const Billiard& billiard) {
+  for (const Rational& x : billiard.gravity)
+    if (x != 0) return true;
+  return false;
+}
+
+template <class T>
+T number(int k) {
+  return T(k);
+}
+
+// The product of two polynomials of degree 2, added to `sum`.
+template <class T>
+void add_product(GapForm<T>& sum, const std::array<T, 3>& f, const std::array<T, 3>& g,
+                 bool subtracted) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const T term = f[i] * g[j];
+      sum[i + j] = subtracted ? T(sum[i + j] - term) : T(sum[i + j] + term);
+    }
+  }
+}
+
+}  // namespace
+
+template <class T>
+BilliardGaps<T>::BilliardGaps(const Billiard& billiard)
+    : falls_(has_gravity(billiard)),
+      round_(billiard.round.has_value()),
+      gravity_(as<T>(billiard.gravity)),
+      sides_(as<T>(billiard.lattice.sides)),
+      restitution_(as<T>(billiard.restitution)),
+      shear_(as<T>(billiard.lattice.shear)) {
+  if (round_) {
+    center_ = as<T>(billiard.round->center);
+    radius_ = as<T>(billiard.round->radius);
+    round_restitution_ = as<T>(billiard.round->restitution);
+  }
+  for (const BilliardDisk& d : billiard.disks) {
+    disks_.push_back({as<T>(d.radius), as<T>(d.growth), as<T>(d.mass), d.fixed});
+  }
+  for (const BilliardWall& w : billiard.walls) {
+    walls_.push_back({as<T>(w.normal), as<T>(w.offset), as<T>(w.speed), as<T>(w.restitution)});
+  }
+}
+
+template <class T>
+int BilliardGaps<T>::degree(const BilliardPair& pair) const {
+  if (!falls_) return 2;
+  if (pair.a < 0) return round_ ? 4 : 2;
+  return disk(pair.a).fixed != disk(pair.b).fixed ? 4 : 2;
+}
+
+template <class T>
+Vector3<T> BilliardGaps<T>::place(GenId i, const Flight<T>& flight, const T& t) const {
+  const T passed = t - flight.t0;
+  Vector3<T> x = flight.x + flight.v * passed;
+  if (falls_ && !disk(i).fixed) x = x + gravity_ * T(passed * passed / number<T>(2));
+  return x;
+}
+
+template <class T>
+Vector3<T> BilliardGaps<T>::velocity(GenId i, const Flight<T>& flight, const T& t) const {
+  if (!falls_ || disk(i).fixed) return flight.v;
+  return flight.v + gravity_ * T(t - flight.t0);
+}
+
+template <class T>
+Vector3<T> BilliardGaps<T>::offset(const LatticeImage& k, const T& t) const {
+  Vector3<T> offset{T(0), T(0), T(0)};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (k[axis] != 0) offset[axis] = number<T>(k[axis]) * sides_[axis];
+  }
+  if (k[1] != 0) offset[0] = offset[0] + drift(k)[0] * t;
+  return offset;
+}
+
+template <class T>
+Vector3<T> BilliardGaps<T>::drift(const LatticeImage& k) const {
+  if (k[1] == 0) return {T(0), T(0), T(0)};
+  return {T(number<T>(k[1]) * shear_ * sides_[1]), T(0), T(0)};
+}
+
+template <class T>
+T BilliardGaps<T>::reach(const BilliardPair& pair, const T& t) const {
+  const Disk& b = disk(pair.b);
+  const T radius = b.radius + b.growth * t;
+  if (pair.a < 0) return radius_ - radius;
+  const Disk& a = disk(pair.a);
+  return radius + a.radius + a.growth * t;
+}
+
+template <class T>
+GapForm<T> BilliardGaps<T>::form(const BilliardPair& pair, const Flight<T>& a, const Flight<T>& b,
+                                 const T& since, const T& depth) const {
+  const T zero(0);
+  GapForm<T> form{zero, zero, zero, zero, zero};
+  Vector3<T> d = place(pair.b, b, since), v = velocity(pair.b, b, since);
+  T fall = falls_ && !disk(pair.b).fixed ? T(number<T>(1) / number<T>(2)) : zero;
+  if (pair.a < 0 && !round_) {
+    const Wall& w = wall(pair.a);
+    const Disk& of = disk(pair.b);
+    form[0] = dot(w.normal, d) - w.offset - w.speed * since - of.radius - of.growth * since + depth;
+    form[1] = dot(w.normal, v) - w.speed - of.growth;
+    if (falls_) form[2] = dot(w.normal, gravity_) * fall;
+    return form;
+  }
+  T rate;
+  if (pair.a < 0) {
+    d = d - center_;
+    rate = zero - disk(pair.b).growth;
+  } else {
+    if (pair.image != LatticeImage{}) {
+      d = d + offset(pair.image, since);
+      v = v + drift(pair.image);
+    }
+    d = d - place(pair.a, a, since);
+    v = v - velocity(pair.a, a, since);
+    rate = disk(pair.a).growth + disk(pair.b).growth;
+    if (falls_ && !disk(pair.a).fixed) fall = fall - number<T>(1) / number<T>(2);
+    if (disk(pair.a).fixed == disk(pair.b).fixed) fall = zero;
+  }
+  // The reach is from inside in a round frame: then a gap that is deeper needs a greater one.
+  const bool inside = pair.a < 0;
+  const T reach_now = inside ? T(reach(pair, since) + depth) : T(reach(pair, since) - depth);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::array<T, 3> path{d[axis], v[axis], falls_ ? T(gravity_[axis] * fall) : zero};
+    add_product(form, path, path, inside);
+  }
+  const std::array<T, 3> radii{reach_now, rate, zero};
+  add_product(form, radii, radii, !inside);
+  return form;
+}
+
+template <class T>
+typename BilliardGaps<T>::Response BilliardGaps<T>::response(const BilliardPair& pair,
+                                                             const std::array<Vector3<T>, 2>& p,
+                                                             const std::array<Vector3<T>, 2>& v,
+                                                             const T& t) const {
+  const Disk& b = disk(pair.b);
+  const T one = number<T>(1), zero(0);
+  if (pair.a < 0 && !round_) {
+    const Wall& w = wall(pair.a);
+    const T rate = dot(v[1], w.normal) - w.speed - b.growth;
+    return {zero, T(zero - (one + w.restitution) * rate), w.normal, one};
+  }
+  if (pair.a < 0) {
+    const Vector3<T> n = p[1] - center_;
+    const T n2 = dot(n, n);
+    if (sign(n2) == Sign::zero) return {zero, zero, n, n2};
+    const T rate = dot(v[1], n) + b.growth * reach(pair, t);
+    return {zero, T(zero - (one + round_restitution_) * rate / n2), n, n2};
+  }
+  const Disk& a = disk(pair.a);
+  const Vector3<T> n = p[1] + offset(pair.image, t) - p[0];
+  const T n2 = dot(n, n);
+  if (sign(n2) == Sign::zero) return {zero, zero, n, n2};
+  const Vector3<T> w = v[1] + drift(pair.image) - v[0];
+  const T q = (one + restitution_) * T(dot(w, n) - (a.growth + b.growth) * reach(pair, t)) / n2;
+  // Both are fixed: nothing changes.
+  const T share_a = a.fixed ? zero : b.fixed ? one : T(b.mass / T(a.mass + b.mass));
+  const T share_b = b.fixed ? zero : a.fixed ? one : T(a.mass / T(a.mass + b.mass));
+  return {T(q * share_a), T(zero - q * share_b), n, n2};
+}
+
+template class BilliardGaps<Rational>;
+template class BilliardGaps<DoubleBall>;
+
+DoubleBall value_at(const GapForm<DoubleBall>& form, double u) {
+  DoubleBall value = form.back();
+  for (std::size_t k = form.size() - 1; k-- > 0;) value = value * DoubleBall(u) + form[k];
+  return value;
+}
+
+GapForm<DoubleBall> derivative(const GapForm<DoubleBall>& form) {
+  GapForm<DoubleBall> result;
+  for (std::size_t k = 1; k < form.size(); ++k) {
+    result[k - 1] = form[k] * DoubleBall(static_cast<double>(k));
+  }
+  result.back() = DoubleBall(0);
+  return result;
+}
+
+namespace {
+
+// C(j, k) / C(n, k) for n = 2 and n = 4, as doubles with their errors.
+DoubleBall bernstein_share(int n, int j, int k) {
+  const auto choose = [](int m, int of) {
+    int c = 1;
+    for (int i = 0; i < of; ++i) c = c * (m - i) / (i + 1);
+    return static_cast<double>(c);
+  };
+  return DoubleBall(choose(j, k)) / DoubleBall(choose(n, k));
+}
+
+// The coefficients in the Bernstein basis of [lo, lo + width].
+GapForm<DoubleBall> bernstein(const GapForm<DoubleBall>& form, int degree, double lo,
+                              double width) {
+  static const auto shares = [] {
+    std::array<std::array<std::array<DoubleBall, 5>, 5>, 5> table{};
+    for (const int n : {2, 4}) {
+      for (int j = 0; j <= n; ++j) {
+        for (int k = 0; k <= j; ++k) table[n][j][k] = bernstein_share(n, j, k);
+      }
+    }
+    return table;
+  }();
+  GapForm<DoubleBall> c = form;
+  if (lo != 0) {
+    for (int i = 0; i < degree; ++i) {
+      for (int k = degree - 1; k >= i; --k) c[k] = c[k] + DoubleBall(lo) * c[k + 1];
+    }
+  }
+  DoubleBall power(width);
+  for (int k = 1; k <= degree; ++k) {
+    c[k] = c[k] * power;
+    power = power * DoubleBall(width);
+  }
+  GapForm<DoubleBall> b{};
+  for (int j = 0; j <= degree; ++j) {
+    b[j] = c[0];
+    for (int k = 1; k <= j; ++k) b[j] = b[j] + shares[degree][j][k] * c[k];
+  }
+  return b;
+}
+
+bool positive_on(const GapForm<DoubleBall>& form, int degree, double lo, double hi, int halvings) {
+  const double width = (hi - lo) * (1 + 0x1p-50) + DBL_MIN;
+  const GapForm<DoubleBall> b = bernstein(form, degree, lo, width);
+  bool all = true;
+  for (int j = 0; j <= degree; ++j) all = all && sign(b[j]) == Sign::positive;
+  if (all) return true;
+  if (halvings == 0 || sign(b[0]) != Sign::positive) return false;
+  const double middle = lo + (hi - lo) / 2;
+  return positive_on(form, degree, middle, hi, halvings - 1) &&
+         positive_on(form, degree, lo, middle, halvings - 1);
+}
+
+}  // namespace
+
+bool certainly_positive(const GapForm<DoubleBall>& form, int degree, double lo, double hi) {
+  constexpr int most_halvings = 6;
+  return positive_on(form, degree, lo, hi, most_halvings);
+}
+
+}  // namespace voroproof::internal

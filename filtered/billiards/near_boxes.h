@@ -1,0 +1,64 @@
+// Which disks of a billiard may meet in a window of time: those whose boxes meet, images included.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "filtered/billiards/billiard_gaps.h"
+
+namespace voroproof::internal {
+
+// Contains the disk at all times of the window.
+struct SweptBox {
+  std::array<double, 3> lo, hi;
+};
+
+class NearBoxes {
+ public:
+  explicit NearBoxes(const Billiard& billiard);
+
+  // All pairs of disks, with the image of the second, whose boxes meet in the window [from, to],
+  // each once, in order. Boxes are by disk, where the disks are, not folded.
+  std::vector<BilliardPair> pairs(const std::vector<SweptBox>& boxes, double from, double to);
+
+  // How many boxes the last call has compared.
+  std::size_t compared() const { return compared_; }
+
+ private:
+  // A disk's box, moved by `image` sides of the lattice.
+  struct Copy {
+    SweptBox box;
+    GenId disk;
+    LatticeImage image;
+  };
+
+  using Cell = std::array<std::int64_t, 3>;
+
+  void fold(const std::vector<SweptBox>& boxes, double from, double to);
+  void add_images(double from, double to);
+  void shift(Copy& copy, const LatticeImage& by, double from, double to) const;
+  void choose_cells();
+  std::optional<std::array<Cell, 2>> cells_of(const SweptBox& box) const;
+  std::size_t bucket(const Cell& cell) const;
+  void sort_into_buckets();
+  void compare_in_buckets(std::vector<BilliardPair>& pairs);
+  void compare(std::size_t c, std::size_t d, std::vector<BilliardPair>& pairs);
+  void add(const Copy& a, const Copy& b, std::vector<BilliardPair>& pairs) const;
+
+  std::array<double, 3> sides_;
+  double drift_;  // how fast an image beyond the second side moves
+  std::size_t axes_;
+  std::vector<Copy> copies_;  // first those of the disks that are folded, by disk
+  std::size_t folded_ = 0;
+  SweptBox all_{};   // contains the folded ones
+  double cell_ = 0;  // its length
+  std::size_t buckets_ = 1;
+  std::vector<std::optional<std::array<Cell, 2>>> ranges_;  // by copy
+  std::size_t compared_ = 0;
+  std::vector<std::size_t> begins_, members_;  // by bucket
+};
+
+}  // namespace voroproof::internal

@@ -1,0 +1,374 @@
+#include <array>
+#include <utility>
+
+#include "history/billiard.h"
+#include "history/descriptor.h"
+#include "history/error.h"
+#include "history/file_bytes.h"
+#include "history/file_format.h"
+#include "history/format_version.h"
+#include "history/json_reader.h"
+#include "history/scene_value.h"
+#include "history/sha256.h"
+
+namespace voroproof::internal {
+namespace {
+
+constexpr auto bit = JsonReader::bit;
+
+class BilliardReader {
+ public:
+  BilliardReader(std::string_view bytes, const std::string& file)
+      : file_(file), json_(bytes, file) {}
+
+  Billiard read() {
+    static constexpr std::array<std::string_view, 13> names = {
+        "format",    "version", "name",        "comment", "seed",  "horizon",  "contacts",
+        "dimension", "frame",   "restitution", "gravity", "disks", "maneuvers"};
+    json_.array_is_next();
+    first_line_ = json_.line();
+    const std::uint32_t seen = json_.object(
+        names, bit(format) | bit(version) | bit(horizon) | bit(contacts) | bit(frame) | bit(disks),
+        [&](std::size_t member) { read_member(member); }, &dropped_);
+    json_.finish();
+    if (!(seen & bit(dimension))) billiard_.dimension = 2;
+    check();
+    return std::move(billiard_);
+  }
+
+ private:
+  enum Member {
+    format,
+    version,
+    name,
+    comment,
+    seed,
+    horizon,
+    contacts,
+    dimension,
+    frame,
+    restitution,
+    gravity,
+    disks,
+    plan
+  };
+
+  void read_member(std::size_t member) {
+    switch (member) {
+      case format:
+        if (json_.text() != "voroproof-scene") json_.fail("not \"voroproof-scene\"");
+        break;
+      case version:
+        read_version(json_, world_version);
+        break;
+      case name:
+      case comment:
+        json_.text();
+        break;
+      case seed:
+        if (json_.text_is_next())
+          json_.text();
+        else
+          json_.big_integer();
+        break;
+      case horizon:
+        read_time(billiard_.horizon);
+        break;
+      case contacts:
+        if (json_.text() != "bounce") json_.fail("not \"bounce\"");
+        break;
+      case dimension:
+        billiard_.dimension = static_cast<int>(json_.integer(2, 3));
+        break;
+      case frame:
+        read_frame();
+        break;
+      case restitution:
+        read_restitution(billiard_.restitution);
+        break;
+      case gravity:
+        read_vector(billiard_.gravity);
+        break;
+      case disks:
+        json_.array([&](std::size_t i) { read_disk(i); });
+        break;
+      case plan:
+        json_.array([&](std::size_t i) { read_maneuver(i); });
+    }
+  }
+
+  Rational value() { return scene_value(json_); }
+
+  void read_time(Rational& t) {
+    t = value();
+    if (t < 0) json_.fail("negative");
+  }
+
+  void read_restitution(Rational& e) {
+    e = value();
+    if (e < 0 || e > 1) json_.fail("not in [0, 1]");
+  }
+
+  // The dimension may come later in the file: how many there are is checked at the end.
+  void read_vector(Vec3& vector) {
+    const std::size_t count = json_.array([&](std::size_t i) {
+      if (i >= vector.size()) json_.fail("more than three coordinates");
+      vector[i] = value();
+    });
+    require_coordinates(count);
+  }
+
+  void require_coordinates(std::size_t count) {
+    if (count < 2) json_.fail("fewer than two coordinates");
+    if (coordinates_ == 0) {
+      coordinates_ = count;
+      coordinates_field_ = json_.field();
+    }
+    if (coordinates_ != count)
+      json_.fail("other than " + std::to_string(coordinates_) + " coordinates, as " +
+                 coordinates_field_ + " has");
+  }
+
+  void read_frame() {
+    frame_line_ = json_.line();
+    if (json_.text_is_next()) {
+      if (json_.text() != "none") json_.fail("neither \"none\" nor an object");
+      return;
+    }
+    enum { center, radius, bounce, walls, periodic, shear };
+    static constexpr std::array<std::string_view, 6> names = {"center", "radius",   "restitution",
+                                                              "walls",  "periodic", "shear"};
+    RoundFrame round;
+    const std::uint32_t seen = json_.object(names, 0, [&](std::size_t member) {
+      switch (member) {
+        case center:
+          read_vector(round.center);
+          break;
+        case radius:
+          round.radius = value();
+          if (round.radius <= 0) json_.fail("not positive");
+          break;
+        case bounce:
+          read_restitution(round.restitution);
+          if (round.restitution == 0) json_.fail("not in (0, 1]");
+          break;
+        case walls:
+          json_.array([&](std::size_t) { read_wall(); });
+          break;
+        case periodic:
+          read_sides();
+          break;
+        case shear:
+          billiard_.lattice.shear = value();
+      }
+    });
+    const bool is_round = (seen & (bit(center) | bit(radius) | bit(bounce))) != 0;
+    if (is_round && (seen & (bit(walls) | bit(periodic) | bit(shear))))
+      json_.fail_in("center", "a frame is round, or has walls and periodic axes");
+    if (is_round && (seen & (bit(center) | bit(radius))) != (bit(center) | bit(radius)))
+      json_.fail_in(seen & bit(center) ? "radius" : "center", "missing");
+    if (!is_round && !(seen & (bit(walls) | bit(periodic))))
+      json_.fail("neither round (\"center\", \"radius\"), nor of \"walls\", nor \"periodic\"");
+    if (is_round) billiard_.round = std::move(round);
+    const PeriodicBox& lattice = billiard_.lattice;
+    if (lattice.shear != 0 && (lattice.sides[0] == 0 || lattice.sides[1] == 0))
+      json_.fail_in("shear", "the first two axes are not both periodic");
+  }
+
+  void read_wall() {
+    if (billiard_.walls.size() >= max_disks)
+      json_.fail("more than " + std::to_string(max_disks) + " walls");
+    enum { normal, offset, speed, bounce };
+    static constexpr std::array<std::string_view, 4> names = {"normal", "offset", "speed",
+                                                              "restitution"};
+    BilliardWall wall;
+    json_.object(names, bit(normal) | bit(offset), [&](std::size_t member) {
+      switch (member) {
+        case normal:
+          read_vector(wall.normal);
+          if (dot(wall.normal, wall.normal) != 1) json_.fail("its length is not exactly 1");
+          break;
+        case offset:
+          wall.offset = value();
+          break;
+        case speed:
+          wall.speed = value();
+          break;
+        case bounce:
+          read_restitution(wall.restitution);
+          if (wall.restitution == 0) json_.fail("not in (0, 1]");
+      }
+    });
+    billiard_.walls.push_back(std::move(wall));
+  }
+
+  void read_sides() {
+    Vec3& sides = billiard_.lattice.sides;
+    const std::size_t count = json_.array([&](std::size_t i) {
+      if (i >= sides.size()) json_.fail("more than three sides");
+      if (json_.null()) return;
+      sides[i] = value();
+      if (sides[i] <= 0) json_.fail("not positive; an axis that is not periodic has null");
+    });
+    require_coordinates(count);
+  }
+
+  void read_disk(std::size_t index) {
+    if (index >= max_disks) json_.fail("more than " + std::to_string(max_disks) + " disks");
+    enum { center, radius, velocity, growth, mass, fixed };
+    static constexpr std::array<std::string_view, 6> names = {"center", "radius", "velocity",
+                                                              "growth", "mass",   "fixed"};
+    json_.array_is_next();
+    disk_lines_.push_back(json_.line());
+    BilliardDisk disk;
+    const std::uint32_t seen = json_.object(
+        names, bit(center) | bit(radius),
+        [&](std::size_t member) {
+          switch (member) {
+            case center:
+              read_vector(disk.center);
+              break;
+            case radius:
+              disk.radius = value();
+              if (disk.radius < 0) json_.fail("negative");
+              break;
+            case velocity:
+              read_vector(disk.velocity);
+              break;
+            case growth:
+              disk.growth = value();
+              break;
+            case mass:
+              disk.mass = value();
+              if (disk.mass <= 0) json_.fail("not positive");
+              break;
+            case fixed:
+              disk.fixed = json_.boolean();
+          }
+        },
+        &dropped_);
+    if (disk.fixed && disk.velocity != Vec3{}) json_.fail_in("velocity", "a fixed disk has none");
+    if (!disk.fixed && !(seen & bit(velocity))) json_.fail_in("velocity", "missing");
+    if (!(seen & bit(mass))) disk.mass = disk.radius * disk.radius;
+    billiard_.disks.push_back(std::move(disk));
+  }
+
+  void read_maneuver(std::size_t index) {
+    if (index >= max_maneuvers)
+      json_.fail("more than " + std::to_string(max_maneuvers) + " maneuvers");
+    enum { t, disk, velocity };
+    static constexpr std::array<std::string_view, 3> names = {"t", "disk", "velocity"};
+    json_.array_is_next();
+    maneuver_lines_.push_back(json_.line());
+    BilliardManeuver maneuver{};
+    json_.object(
+        names, bit(t) | bit(disk) | bit(velocity),
+        [&](std::size_t member) {
+          switch (member) {
+            case t:
+              read_time(maneuver.t);
+              if (!billiard_.maneuvers.empty() && maneuver.t < billiard_.maneuvers.back().t)
+                json_.fail("earlier than the maneuver before it");
+              break;
+            case disk:
+              maneuver.disk = static_cast<int>(json_.integer(0, max_disks - 1));
+              break;
+            case velocity:
+              read_vector(maneuver.velocity);
+          }
+        },
+        &dropped_);
+    billiard_.maneuvers.push_back(std::move(maneuver));
+  }
+
+  [[noreturn]] void fail_in_disk(std::size_t i, const char* member, const std::string& why) const {
+    throw InputError(file_, disk_lines_[i], "disks[" + std::to_string(i) + "]." + member, why);
+  }
+  [[noreturn]] void fail_in_maneuver(std::size_t i, const char* member,
+                                     const std::string& why) const {
+    throw InputError(file_, maneuver_lines_[i], "maneuvers[" + std::to_string(i) + "]." + member,
+                     why);
+  }
+
+  void check() const {
+    if (coordinates_ != 0 && coordinates_ != static_cast<std::size_t>(billiard_.dimension))
+      throw InputError(file_, first_line_, coordinates_field_,
+                       "has " + std::to_string(coordinates_) +
+                           " coordinates, and \"dimension\" is " +
+                           std::to_string(billiard_.dimension));
+    const bool alone = billiard_.disks.size() == 1;
+    for (std::size_t i = 0; i < billiard_.disks.size(); ++i) {
+      const BilliardDisk& disk = billiard_.disks[i];
+      const Rational last = disk.radius + disk.growth * billiard_.horizon;
+      if (last < 0) fail_in_disk(i, "growth", "the radius becomes negative before the horizon");
+      if (disk.mass == 0 && !disk.fixed && !alone) fail_in_disk(i, "mass", "missing for a point");
+      if (billiard_.round && std::max(disk.radius, last) > billiard_.round->radius)
+        fail_in_disk(i, "radius", "the disk does not fit into the frame up to the horizon");
+      for (const Rational& side : billiard_.lattice.sides) {
+        if (side != 0 && 2 * std::max(disk.radius, last) >= side)
+          fail_in_disk(i, "radius", "the disk reaches its own image up to the horizon");
+      }
+    }
+    check_maneuvers();
+  }
+
+  void check_maneuvers() const {
+    std::vector<const Rational*> last(billiard_.disks.size());  // when the disk's last one was
+    for (std::size_t i = 0; i < billiard_.maneuvers.size(); ++i) {
+      const auto& [t, id, velocity] = billiard_.maneuvers[i];
+      const auto index = static_cast<std::size_t>(id);
+      if (index >= billiard_.disks.size()) fail_in_maneuver(i, "disk", "no such disk");
+      if (billiard_.disks[index].fixed) fail_in_maneuver(i, "disk", "is fixed");
+      if (last[index] != nullptr && *last[index] == t)
+        fail_in_maneuver(i, "disk", "second maneuver of one disk at one time");
+      last[index] = &t;
+    }
+  }
+
+  const std::string& file_;
+  JsonReader json_;
+  Billiard billiard_;
+  Extensions dropped_;  // nothing is written back
+  std::int64_t first_line_ = 0, frame_line_ = 0;
+  std::size_t coordinates_ = 0;  // as many as the first vector has; 0 before it
+  std::string coordinates_field_;
+  std::vector<std::int64_t> disk_lines_, maneuver_lines_;
+};
+
+}  // namespace
+
+bool is_billiard_file(const std::string& path) {
+  if (is_stream(path)) return false;
+  bool bounce = false;
+  try {
+    const FileFormat format = format_of_file(path);
+    if (format.name != "voroproof-scene" || !is_of_worlds(format)) return false;
+    const std::string bytes = file_bytes(path, max_scene_bytes);
+    JsonReader json(bytes, path);
+    json.any_object([&](std::string_view name) {
+      if (name != "contacts") {
+        json.any();
+        return true;
+      }
+      bounce = json.text() == "bounce";
+      return false;
+    });
+  } catch (const InputError&) {
+    return bounce;  // whoever reads it says what is wrong
+  }
+  return bounce;
+}
+
+Billiard parse_billiard(std::string_view bytes, const std::string& file_name) {
+  Billiard billiard = of_this_version(
+      bytes, file_name, "voroproof-scene", [&] { return BilliardReader(bytes, file_name).read(); },
+      world_version);
+  billiard.sha256 = sha256_hex(bytes);
+  return billiard;
+}
+
+Billiard read_billiard(const std::string& path) {
+  return parse_billiard(file_bytes(path, max_scene_bytes), path);
+}
+
+}  // namespace voroproof::internal

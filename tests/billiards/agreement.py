@@ -1,0 +1,83 @@
+"""The certifier of billiards and the brute-force judge, on the histories of an engine in doubles and on wrong ones.
+
+    agreement.py PROGRAM [FIRST_SEED] [SCENES]
+
+For each seed: a scene and its right history, which both must certify, and one mutant of each kind. Where the judge
+refutes, so must the program, at the same line or an earlier one that the judge agrees with; where the judge certifies,
+the program must not refute. Counts by kind on standard output; exit code 1 after a disagreement.
+"""
+
+import collections
+import os
+import subprocess
+import sys
+import tempfile
+
+from billiard import History, Malformed, Scene
+from engine import history_bytes, make
+from judge import judge
+from mutants import KINDS, mutate
+
+WORDS = {0: "CERTIFIED", 1: "REFUTED", 2: "INVALID", 3: "UNDECIDED"}
+
+
+def write(path, data):
+    with open(path, "wb") as file:
+        file.write(data)
+
+
+def told(program, scene, history):
+    """The program's word, and the line that it names."""
+    run = subprocess.run([program, "certify", scene, history, "--truth", "recorded", "--quiet"],
+                         capture_output=True, text=True, timeout=300, check=False)
+    words = run.stderr.split("line ", 1)
+    line = int(words[1].split(":", 1)[0]) if len(words) > 1 and words[1][:1].isdigit() else None
+    return WORDS.get(run.returncode, f"exit {run.returncode}"), line, run.stderr.strip()
+
+
+def judged(scene, rows):
+    try:
+        return judge(scene, History(history_bytes(rows), scene))
+    except Malformed as fault:
+        return fault.line, fault.reason
+
+
+def compare(program, folder, scene, scene_path, name, rows, counts):
+    """Whether the two agree; a disagreement is told."""
+    history_path = os.path.join(folder, "history.jsonl")
+    write(history_path, history_bytes(rows))
+    word, line, words = told(program, scene_path, history_path)
+    fault = judged(scene, rows)
+    counts[name, word] += 1
+    if word == "REFUTED" and fault and line != fault[0]:
+        counts[name, "at another line"] += 1
+    if word == ("REFUTED" if fault else "CERTIFIED"):
+        return True
+    print(f"{name}: the program says {word} ({words}), the judge {fault or 'CERTIFIED'}")
+    return False
+
+
+def main():
+    program = sys.argv[1]
+    first = int(sys.argv[2]) if len(sys.argv) > 2 else 0
+    scenes = int(sys.argv[3]) if len(sys.argv) > 3 else 100
+    counts, disagreements = collections.Counter(), 0
+    with tempfile.TemporaryDirectory() as folder:
+        scene_path = os.path.join(folder, "scene.json")
+        for seed in range(first, first + scenes):
+            raw, rows = make(seed)
+            write(scene_path, raw)
+            scene = Scene(raw)
+            histories = [("right", rows)] + [(kind, mutate(scene, rows, seed, kind)) for kind in KINDS]
+            for name, altered in histories:
+                if altered and not compare(program, folder, scene, scene_path, f"{name}", altered, counts):
+                    print(f"  seed {seed}")
+                    disagreements += 1
+    for (name, word), count in sorted(counts.items()):
+        print(f"{name:20} {word:16} {count}")
+    if counts["right", "CERTIFIED"] == 0 or disagreements:
+        sys.exit(1)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,42 @@
+// Billiards and their histories as text, for tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "certify/billiards/billiard_certifier.h"
+#include "tests/history/temporary_directory.h"
+
+namespace voroproof::internal::testing {
+
+struct BilliardCase {
+  std::string members;  // of the scene: "frame" and what else it has besides the horizon
+  std::string horizon;  // as in the file
+  std::vector<std::string> events;  // lines
+  int collisions = 0, maneuvers = 0;
+  Rational tolerance{1, 1000000};
+
+  std::string scene() const {
+    return R"({"format":"voroproof-scene","version":2,"contacts":"bounce","horizon":)" + horizon +
+           "," + members + "}";
+  }
+
+  Certificate judge() const {
+    const TemporaryDirectory folder;
+    const std::string scene_file = folder.write("a.scene.json", scene());
+    const Billiard billiard = read_billiard(scene_file);
+    std::string text = R"({"format":"voroproof-history","version":2,"scene_sha256":")" +
+                       billiard.sha256 + R"(","horizon":)" + horizon + R"(,"producer":"test"})" +
+                       "\n";
+    for (const std::string& event : events) text += event + "\n";
+    text += R"({"end":{"t":)" + horizon + R"(,"collisions":)" + std::to_string(collisions) +
+            R"(,"maneuvers":)" + std::to_string(maneuvers) + "}}\n";
+    BilliardHistoryReader history(folder.write("a.history.jsonl", text), &billiard);
+    CertifyOptions options;
+    options.truth = Truth::recorded;
+    options.tolerance = tolerance;
+    return certify_billiard(billiard, scene_file, history, options);
+  }
+};
+
+}  // namespace voroproof::internal::testing

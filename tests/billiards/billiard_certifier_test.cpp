@@ -1,0 +1,400 @@
+// Histories of small billiards, derived by hand, and wrong ones.
+#include "certify/billiards/billiard_certifier.h"
+
+#include <gtest/gtest.h>
+
+#include "history/error.h"
+#include "tests/billiards/billiard_cases.h"
+
+namespace voroproof::internal::testing {
+namespace {
+
+void expect_certified(const BilliardCase& c) {
+  const Certificate certificate = c.judge();
+  EXPECT_EQ(certificate.verdict, Verdict::certified)
+      << (certificate.divergence ? certificate.divergence->truth : certificate.reason);
+}
+
+void expect_refuted(const BilliardCase& c, Fault fault, std::int64_t line) {
+  const Certificate certificate = c.judge();
+  ASSERT_EQ(certificate.verdict, Verdict::refuted) << certificate.reason;
+  EXPECT_EQ(fault_names[static_cast<int>(certificate.divergence->fault)],
+            fault_names[static_cast<int>(fault)])
+      << certificate.divergence->truth;
+  EXPECT_EQ(certificate.divergence->line, line) << certificate.divergence->truth;
+}
+
+// Disk 0 hits disk 1 at rest, at t = 2.
+BilliardCase head_on() {
+  return {R"("frame":"none","disks":[
+    {"center":[0,0],"radius":1,"velocity":[1,0]},
+    {"center":[4,0],"radius":1,"velocity":[0,0]}])",
+          "5",
+          {R"({"t":2,"collide":[0,1],"v":[[0,0],[1,0]],"p":[[2,0],[4,0]]})"},
+          1};
+}
+
+TEST(BilliardCertifier, HeadOn) {
+  BilliardCase c = head_on();
+  expect_certified(c);
+  c.events = {R"({"t":2.0000005,"collide":[0,1],"v":[[0,0],[1,0]]})"};
+  expect_certified(c);
+  c.events = {R"({"t":1.9999995,"collide":[0,1],"v":[[0,0],[1,0]]})"};
+  expect_certified(c);
+  c.events = {R"({"t":2.000002,"collide":[0,1],"v":[[0,0],[1,0]]})"};
+  expect_refuted(c, Fault::wrong_time, 2);
+  c.events = {R"({"t":1.999998,"collide":[0,1],"v":[[0,0],[1,0]]})"};
+  expect_refuted(c, Fault::wrong_time, 2);
+  c.events = {R"({"t":2,"collide":[0,1],"v":[[0,0],[1,0.001]]})"};
+  expect_refuted(c, Fault::wrong_response, 2);
+  c.events = {R"({"t":2,"collide":[0,1],"v":[[0,0],[1,0]],"p":[[2,0.1],[4,0]]})"};
+  expect_refuted(c, Fault::wrong_response, 2);
+  c.events = {R"({"t":2,"collide":[0,1]})"};
+  expect_certified(c);
+  EXPECT_EQ(c.judge().computed_velocities, 1);
+}
+
+TEST(BilliardCertifier, MissingAndRepeated) {
+  BilliardCase c = head_on();
+  c.events.clear();
+  c.collisions = 0;
+  expect_refuted(c, Fault::missing_event, 2);
+  c = head_on();
+  c.events.push_back(c.events.front());
+  c.collisions = 2;
+  EXPECT_EQ(c.judge().verdict, Verdict::refuted);
+  c = head_on();
+  c.collisions = 2;
+  expect_refuted(c, Fault::bad_count, 3);
+}
+
+// Without restitution the two stay in touch; that is no second collision.
+TEST(BilliardCertifier, RepeatedWithoutRestitution) {
+  BilliardCase c{R"("restitution":0,"frame":"none","disks":[
+    {"center":[0,0],"radius":1,"velocity":[1,0]},{"center":[4,0],"radius":1,"velocity":[0,0]}])",
+                 "5",
+                 {R"({"t":2,"collide":[0,1],"v":[[0.5,0],[0.5,0]]})"},
+                 1};
+  expect_certified(c);
+  c.events.push_back(c.events.front());
+  c.collisions = 2;
+  EXPECT_EQ(c.judge().verdict, Verdict::refuted);
+}
+
+// A window of time ends after so many claims, wherever that is: here at a claim of 0 and 1, which
+// have overlapped for long, but by less than the rounding.
+TEST(BilliardCertifier, LateClaimsAtTheEndOfAWindow) {
+  for (int others = 250; others <= 262; ++others) {
+    BilliardCase c{R"("frame":"none","disks":[
+      {"center":[0,0],"radius":1,"velocity":[1e-9,0]},{"center":[2.00000001,0],"radius":1,"velocity":[0,0]},
+      {"center":[134217728,8],"radius":1,"velocity":[0,0]}],"maneuvers":[)",
+                   "64",
+                   {},
+                   1,
+                   others};
+    for (int k = 0; k < others; ++k) {
+      const std::string t = std::to_string(k) + "e-3";
+      c.members += (k ? "," : "") + (R"({"t":)" + t) + R"(,"disk":2,"velocity":[0,0]})";
+      c.events.push_back(R"({"t":)" + t + R"(,"maneuver":2})");
+    }
+    c.members += "]";
+    c.events.push_back(R"({"t":32,"collide":[0,1],"v":[[0,0],[1e-9,0]]})");
+    EXPECT_EQ(c.judge().verdict, Verdict::refuted) << others;
+    c.events.back() = R"({"t":10.0000000,"collide":[0,1],"v":[[0,0],[1e-9,0]]})";
+    EXPECT_EQ(c.judge().verdict, Verdict::certified) << others;
+  }
+}
+
+TEST(BilliardCertifier, ThroughTheSideOfTheBox) {
+  BilliardCase c{R"("dimension":3,"frame":{"periodic":[8,8,8]},"disks":[
+    {"center":[1,4,4],"radius":0.5,"velocity":[-1,0,0]},
+    {"center":[6,4,4],"radius":0.5,"velocity":[1,0,0]}])",
+                 "5",
+                 {R"({"t":1,"collide":[0,1],"image":[-1,0,0],"v":[[1,0,0],[-1,0,0]]})",
+                  R"({"t":4,"collide":[0,1],"image":[0,0,0],"v":[[-1,0,0],[1,0,0]]})"},
+                 2};
+  expect_certified(c);
+  BilliardCase unnamed = c;
+  unnamed.events[0] = R"({"t":1,"collide":[0,1],"v":[[1,0,0],[-1,0,0]]})";
+  unnamed.events[1] = R"({"t":4,"collide":[0,1],"v":[[-1,0,0],[1,0,0]]})";
+  expect_certified(unnamed);
+  BilliardCase wrong = c;
+  wrong.events[0] = R"({"t":1,"collide":[0,1],"image":[1,0,0],"v":[[1,0,0],[-1,0,0]]})";
+  expect_refuted(wrong, Fault::wrong_image, 2);
+  wrong = c;
+  wrong.events[1] = R"({"t":4,"collide":[0,1],"image":[-1,0,0],"v":[[-1,0,0],[1,0,0]]})";
+  expect_refuted(wrong, Fault::wrong_image, 3);
+  // A ball that leaves on the left and is seen on the right is no other ball.
+  wrong = c;
+  wrong.events.erase(wrong.events.begin());
+  wrong.collisions = 1;
+  expect_refuted(wrong, Fault::missing_event, 2);
+}
+
+// Lees-Edwards: the image above moves to the right at 1/2 * 4 = 2 and meets disk 0, which rises.
+TEST(BilliardCertifier, ShearedImages) {
+  BilliardCase c{R"("frame":{"periodic":[16,4],"shear":"1/2"},"disks":[
+    {"center":[4,1],"radius":0.5,"velocity":[0,0]},
+    {"center":[0,1],"radius":0.5,"velocity":[0,-1]}])",
+                 "2.5",
+                 {},
+                 0};
+  // LatticeImage (0, 1) of disk 1 is at (2 t, 5 - t): it passes (4, 3) at 2, and (4.5, 2.75)
+  // at 2.25.
+  expect_certified(c);
+  c.members = R"("frame":{"periodic":[16,4],"shear":"1/2"},"disks":[
+    {"center":[4,1],"radius":0.5,"velocity":[0,0]},
+    {"center":[-1,1],"radius":0.5,"velocity":[0,0]}])";
+  // LatticeImage (0, 0) is at rest: only one that drifts along at a distance of 4 could meet.
+  expect_certified(c);
+  c.members = R"("frame":{"periodic":[16,4],"shear":"1/2"},"disks":[
+    {"center":[4,1],"radius":0.5,"velocity":[0,0]},
+    {"center":[0,-3],"radius":0.5,"velocity":[0,0]}])";
+  // LatticeImage (0, 1) of disk 1 is at (2 t, 1): it touches disk 0 at 3/2, moving at 2.
+  expect_refuted(c, Fault::missing_event, 2);
+  c.collisions = 1;
+  c.events = {R"({"t":1.5,"collide":[0,1],"image":[0,1],"v":[[2,0],[-2,0]]})"};
+  expect_certified(c);
+}
+
+TEST(BilliardCertifier, Walls) {
+  const std::string box = R"("frame":{"walls":[
+    {"normal":[1,0],"offset":0},{"normal":[0,1],"offset":0},
+    {"normal":[-1,0],"offset":-10},{"normal":[0,-1],"offset":-10}]},)";
+  BilliardCase c{box + R"("disks":[{"center":[5,5],"radius":1,"velocity":[1,0]}])",
+                 "6",
+                 {R"({"t":4,"collide":[-3,0],"v":[null,[-1,0]],"p":[null,[9,5]]})"},
+                 1};
+  expect_certified(c);
+  BilliardCase wrong = c;
+  wrong.events = {R"({"t":4,"collide":[-1,0],"v":[null,[-1,0]]})"};
+  EXPECT_EQ(wrong.judge().verdict, Verdict::refuted);
+  wrong.events.clear();
+  wrong.collisions = 0;
+  expect_refuted(wrong, Fault::missing_event, 2);  // it leaves the box
+  // Into a corner: both walls at one instant, in either order, but not one alone.
+  BilliardCase corner{box + R"("disks":[{"center":[5,5],"radius":1,"velocity":[1,1]}])",
+                      "6",
+                      {R"({"t":4,"collide":[-4,0],"v":[null,[1,-1]]})",
+                       R"({"t":4,"collide":[-3,0],"v":[null,[-1,-1]]})"},
+                      2};
+  expect_certified(corner);
+  corner.events = {R"({"t":4,"collide":[-3,0],"v":[null,[-1,1]]})",
+                   R"({"t":4,"collide":[-4,0],"v":[null,[-1,-1]]})"};
+  expect_certified(corner);
+  corner.events = {R"({"t":4,"collide":[-3,0],"v":[null,[-1,1]]})"};
+  corner.collisions = 1;
+  expect_refuted(corner, Fault::missing_event, 3);
+}
+
+TEST(BilliardCertifier, AWallThatMovesAndOneThatIsSlanted) {
+  BilliardCase c{
+      R"("frame":{"walls":[{"normal":["3/5","4/5"],"offset":-5,"speed":1,"restitution":"1/2"}]},
+    "disks":[{"center":[0,0],"radius":1,"velocity":["-3/5","-4/5"]}])",
+      "3",
+      {R"({"t":2,"collide":[-1,0],"v":[null,["6/5","8/5"]]})"},
+      1};
+  // The gap is 5 - 1 - t - t; the velocity of approach 2, of departure 1 from a wall that follows
+  // at 1.
+  expect_certified(c);
+  c.events = {R"({"t":2,"collide":[-1,0],"v":[null,["3/5","4/5"]]})"};
+  expect_refuted(c, Fault::wrong_response, 2);
+}
+
+TEST(BilliardCertifier, ASphere) {
+  BilliardCase c{R"("dimension":3,"frame":{"center":[1,0,0],"radius":10},
+    "disks":[{"center":[1,0,0],"radius":1,"velocity":[1,2,2]}])",
+                 "5",
+                 {R"({"t":3,"collide":[-1,0],"v":[null,[-1,-2,-2]],"p":[null,[4,6,6]]})"},
+                 1};
+  expect_certified(c);
+  c.events.clear();
+  c.collisions = 0;
+  expect_refuted(c, Fault::missing_event, 2);
+}
+
+TEST(BilliardCertifier, UnderGravity) {
+  BilliardCase floor{R"("frame":{"walls":[{"normal":[0,1],"offset":0}]},"gravity":[0,-1],
+    "disks":[{"center":[0,3],"radius":1,"velocity":[1,0]}])",
+                     "7",
+                     {R"({"t":2,"collide":[-1,0],"v":[null,[1,2]],"p":[null,[2,1]]})",
+                      R"({"t":6,"collide":[-1,0],"v":[null,[1,2]],"p":[null,[6,1]]})"},
+                     2};
+  expect_certified(floor);
+  floor.events.pop_back();
+  floor.collisions = 1;
+  expect_refuted(floor, Fault::missing_event, 3);
+  // On top of a fixed disk, which neither falls nor moves.
+  BilliardCase pillar{R"("frame":"none","gravity":[0,-1],"disks":[
+    {"center":[0,4],"radius":1,"velocity":[0,0]},{"center":[0,0],"radius":1,"fixed":true}])",
+                      "7",
+                      {R"({"t":2,"collide":[0,1],"v":[[0,2],null]})",
+                       R"({"t":6,"collide":[0,1],"v":[[0,2],[0,0]]})"},
+                      2};
+  expect_certified(pillar);
+  pillar.events[0] = R"({"t":2,"collide":[0,1],"v":[[0,0],null]})";
+  expect_refuted(pillar, Fault::wrong_response, 2);
+  // Two that fall alike never meet, whatever the gravity.
+  expect_certified({R"("frame":"none","gravity":[0,-3],"disks":[
+    {"center":[0,4],"radius":1,"velocity":[1,0]},{"center":[0,0],"radius":1,"velocity":[1,0]}])",
+                    "9",
+                    {}});
+}
+
+TEST(BilliardCertifier, GrowingDisks) {
+  BilliardCase c{R"("frame":"none","disks":[
+    {"center":[0,0],"radius":1,"velocity":[0,0],"growth":0.5,"mass":1},
+    {"center":[4,0],"radius":1,"velocity":[0,0],"growth":0.5,"mass":1}])",
+                 "4",
+                 {R"({"t":2,"collide":[0,1],"v":[[-1,0],[1,0]]})"},
+                 1};
+  expect_certified(c);
+  c.events = {R"({"t":2,"collide":[0,1],"v":[[0,0],[0,0]]})"};
+  expect_refuted(c, Fault::wrong_response, 2);
+  c.events.clear();
+  c.collisions = 0;
+  expect_refuted(c, Fault::missing_event, 2);
+}
+
+// Three in a row touch at one instant: two collisions, of which the second comes of the first.
+TEST(BilliardCertifier, Cradle) {
+  BilliardCase c{R"("frame":"none","disks":[
+    {"center":[0,0],"radius":1,"velocity":[1,0]},
+    {"center":[4,0],"radius":1,"velocity":[0,0]},
+    {"center":[6,0],"radius":1,"velocity":[0,0]}])",
+                 "5",
+                 {R"({"t":2,"collide":[0,1],"v":[[0,0],[1,0]]})",
+                  R"({"t":2,"collide":[1,2],"v":[[0,0],[1,0]]})"},
+                 2};
+  expect_certified(c);
+  std::swap(c.events[0], c.events[1]);
+  EXPECT_EQ(c.judge().verdict, Verdict::refuted);
+  c.events = {R"({"t":2,"collide":[0,1],"v":[[0,0],[1,0]]})"};
+  c.collisions = 1;
+  expect_refuted(c, Fault::missing_event, 3);
+}
+
+TEST(BilliardCertifier, Grazes) {
+  BilliardCase c{R"("frame":"none","disks":[
+    {"center":[0,0],"radius":1,"velocity":[1,0]},{"center":[4,2],"radius":1,"velocity":[0,0]}])",
+                 "8",
+                 {}};
+  expect_certified(c);
+  c.events = {R"({"t":4,"collide":[0,1],"v":[[1,0],[0,0]]})"};
+  c.collisions = 1;
+  expect_certified(c);
+  EXPECT_EQ(c.judge().grazes, 1);
+  c.events = {R"({"t":4.1,"collide":[0,1],"v":[[1,0],[0,0]]})"};
+  EXPECT_EQ(c.judge().verdict, Verdict::refuted);
+  // A little nearer, and it is a collision that is missing.
+  c.events.clear();
+  c.collisions = 0;
+  c.members = R"("frame":"none","disks":[
+    {"center":[0,0],"radius":1,"velocity":[1,0]},{"center":[4,1.9999999],"radius":1,"velocity":[0,0]}])";
+  EXPECT_EQ(c.judge().verdict, Verdict::refuted);
+}
+
+TEST(BilliardCertifier, TheHorizon) {
+  BilliardCase c = head_on();
+  c.horizon = "2";
+  expect_certified(c);
+  EXPECT_EQ(c.judge().at_horizon, 1);
+  c.events.clear();
+  c.collisions = 0;
+  expect_certified(c);
+  c.horizon = "2.0000005";
+  expect_certified(c);
+  EXPECT_EQ(c.judge().left_out, 1);
+  c.horizon = "2.000002";
+  expect_refuted(c, Fault::missing_event, 2);
+}
+
+TEST(BilliardCertifier, Maneuvers) {
+  BilliardCase c{R"("frame":"none","disks":[
+    {"center":[0,0],"radius":1,"velocity":[1,0]},{"center":[4,0],"radius":1,"velocity":[0,0]}],
+    "maneuvers":[{"t":1,"disk":0,"velocity":[0,1]}])",
+                 "5",
+                 {R"({"t":1,"maneuver":0,"v":[0,1],"p":[1,0]})"},
+                 0,
+                 1};
+  expect_certified(c);
+  c.events = {R"({"t":1,"maneuver":0})"};
+  expect_certified(c);
+  c.events = {R"({"t":1,"maneuver":0,"v":[0,2]})"};
+  expect_refuted(c, Fault::wrong_response, 2);
+  c.events = {R"({"t":1.1,"maneuver":0})"};
+  expect_refuted(c, Fault::missing_event, 2);
+  c.events = {R"({"t":1,"maneuver":1})"};
+  c.maneuvers = 1;
+  EXPECT_EQ(c.judge().verdict, Verdict::refuted);
+  c.events.clear();
+  c.maneuvers = 0;
+  expect_refuted(c, Fault::missing_event, 2);
+}
+
+TEST(BilliardCertifier, FewDisks) {
+  expect_certified({R"("frame":"none","disks":[])", "5", {}});
+  expect_certified(
+      {R"("frame":{"periodic":[3,3]},"disks":[{"center":[0,0],"radius":1,"velocity":[1,2]}])",
+       "1000",
+       {}});
+  expect_certified(
+      {R"("frame":{"periodic":[3,3]},"disks":[{"center":[0,0],"radius":1,"velocity":[1,2]}])",
+       "0",
+       {}});
+  expect_certified(
+      {R"("frame":"none","disks":[{"center":[0,0],"radius":1,"fixed":true}])", "5", {}});
+}
+
+// Bystanders far away, fast or slow, change the windows of time and nothing else.
+TEST(BilliardCertifier, Bystanders) {
+  for (const char* const other : {R"({"center":[1e6,0],"radius":1,"velocity":[1e3,0]})",
+                                  R"({"center":[0,1e3],"radius":100,"velocity":[0,1e-3]})",
+                                  R"({"center":[0,50],"radius":1e-9,"velocity":[0,1e9]})"}) {
+    BilliardCase c = head_on();
+    c.members.insert(c.members.size() - 1, std::string(",") + other);
+    expect_certified(c);
+    c.events.clear();
+    c.collisions = 0;
+    EXPECT_EQ(c.judge().verdict, Verdict::refuted) << other;
+  }
+}
+
+// Nothing happens for long: windows become longer, as many as there would be else.
+TEST(BilliardCertifier, LongWaits) {
+  expect_certified(
+      {R"("frame":"none","disks":[{"center":[0,0],"radius":1e-6,"velocity":[1,0]}])", "1e12", {}});
+  expect_certified({R"("frame":{"periodic":[8,8]},"disks":[
+    {"center":[0,0],"radius":1e-3,"velocity":[1,0]},{"center":[0,4],"radius":1e-3,"velocity":[1,0]}])",
+                    "1e6",
+                    {}});
+  expect_certified({R"("frame":{"periodic":[1,1]},"gravity":[1,1],"disks":[
+    {"center":[0,0],"radius":0.1,"velocity":[0,0]},{"center":[0.5,0.5],"radius":0.1,"velocity":[0,0]}])",
+                    "1000",
+                    {}});
+}
+
+TEST(BilliardCertifier, DisksThatAreNotInTheirPlaces) {
+  const auto fault = [](const std::string& members) {
+    try {
+      BilliardCase{members, "1", {}}.judge();
+    } catch (const InputError& error) {
+      const std::string what = error.what();
+      return what.substr(what.find("disks"));
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(fault(R"("frame":{"periodic":[8,8]},"disks":[
+    {"center":[0.5,1],"radius":1,"velocity":[0,0]},{"center":[7.75,1],"radius":1,"velocity":[0,0]}])"),
+            "disks[1]: overlaps: disk 0 and disk 1 at image [-1,0] are at a distance below the sum "
+            "of their radii");
+  EXPECT_EQ(fault(R"("frame":{"walls":[{"normal":[0,1],"offset":0}]},"disks":[
+    {"center":[0,0.5],"radius":1,"velocity":[0,0]}])"),
+            "disks[0]: is not wholly inside of wall -1");
+  EXPECT_EQ(fault(R"("frame":{"center":[0,0],"radius":1},"disks":[
+    {"center":[0,0],"radius":2,"velocity":[0,0]}])"),
+            "disks[0].radius: the disk does not fit into the frame up to the horizon");
+}
+
+}  // namespace
+}  // namespace voroproof::internal::testing
