@@ -40,6 +40,10 @@ class CompactRational {
     }
     return a.leading_ == b.leading_ && a.second_ == b.second_;
   }
+  friend bool operator<(const CompactRational& a, const CompactRational& b) {
+    if (a.is_double() && b.is_double()) return a.leading_ < b.leading_;
+    return a.value() < b.value();
+  }
   friend int sgn(const CompactRational& a) {
     if (a.is_allocated()) return ::sgn(*a.exact_);
     return (a.leading_ > 0) - (a.leading_ < 0);

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "exact/compact_rational.h"
 #include "exact/rational.h"
 
 namespace voroproof::internal {
@@ -11,6 +12,7 @@ namespace voroproof::internal {
 template <class T>
 using Vector3 = std::array<T, 3>;
 using Vec3 = Vector3<Rational>;
+using CompactVec3 = Vector3<CompactRational>;
 
 template <class T>
 Vector3<T> operator+(const Vector3<T>& a, const Vector3<T>& b) {

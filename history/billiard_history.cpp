@@ -17,6 +17,10 @@ enum Member { t, collide, image, maneuver, v, p, end, stopped };
 constexpr std::array<std::string_view, 8> member_names = {"t", "collide", "image", "maneuver",
                                                           "v", "p",       "end",   "stopped"};
 
+CompactRational compact(const Number& number) {
+  return number.exact ? CompactRational(*number.exact) : CompactRational(number.nearest);
+}
+
 HistoryStop read_stop(JsonReader& json) {
   enum { t, reason };
   static constexpr std::array<std::string_view, 2> names = {"t", "reason"};
@@ -36,11 +40,11 @@ HistoryStop read_stop(JsonReader& json) {
 
 struct BilliardHistoryReader::Line {
   std::uint32_t seen = 0;
-  Rational time;
+  CompactRational time;
   std::array<GenId, 2> pair{};
   GenId disk = 0;
   std::optional<LatticeImage> image;
-  std::array<std::optional<Vec3>, 2> v{}, p{};
+  std::array<std::optional<CompactVec3>, 2> v{}, p{};
   std::size_t v_count = 0, p_count = 0;  // vectors: 0 for one that stands alone
   std::optional<std::variant<HistoryEnd, HistoryStop>> ending;
 };
@@ -72,11 +76,11 @@ void BilliardHistoryReader::require_dimension(const JsonReader& json, std::size_
     json.fail("not " + std::to_string(dimension_) + " coordinates, the dimension of the scene");
 }
 
-Vec3 BilliardHistoryReader::read_vector(JsonReader& json) {
-  Vec3 vector;
+CompactVec3 BilliardHistoryReader::read_vector(JsonReader& json) {
+  CompactVec3 vector;
   const std::size_t count = json.array([&](std::size_t i) {
     if (i >= vector.size()) json.fail("beyond three coordinates");
-    vector[i] = json.number().value();
+    vector[i] = compact(json.number());
   });
   require_dimension(json, count);
   return vector;
@@ -115,16 +119,16 @@ HistoryEnd BilliardHistoryReader::read_end(JsonReader& json) const {
 // One vector, or one of each of two, null for one that has none. `count`: 0 for one that stands
 // alone.
 void BilliardHistoryReader::read_vectors(JsonReader& json,
-                                         std::array<std::optional<Vec3>, 2>& vectors,
+                                         std::array<std::optional<CompactVec3>, 2>& vectors,
                                          std::size_t& count) {
   count = 0;
-  Vec3 alone;
+  CompactVec3 alone;
   const std::size_t elements = json.array([&](std::size_t i) {
     const bool is_one_of_two = json.array_is_next() || json.null_is_next();
     if (i >= (is_one_of_two ? 2U : 3U) || (i > 0 && is_one_of_two != (count > 0)))
       json.fail("neither a vector, nor one of each of two");
     if (!is_one_of_two) {
-      alone[i] = json.number().value();
+      alone[i] = compact(json.number());
       return;
     }
     if (!json.null()) vectors[i] = read_vector(json);
@@ -141,7 +145,7 @@ void BilliardHistoryReader::read_member(JsonReader& json, std::size_t member, Li
   const int lowest = billiard_ ? billiard_->last_wall() : -max_disks;
   switch (member) {
     case t:
-      line.time = read_time(json).value();
+      line.time = compact(read_time(json));
       break;
     case collide:
       json.array_of<2>([&](std::size_t i) { line.pair[i] = read_id(json, lowest, last); });
@@ -236,11 +240,11 @@ bool BilliardHistoryReader::counts_match() const {
   return last == nullptr || last->counts == counts_;
 }
 
-void BilliardHistoryReader::check_time(const Rational& t, const char* field) {
+void BilliardHistoryReader::check_time(const CompactRational& t, const char* field) {
   if (t < last_t_)
     throw InputError(path_, lines_.number(), field, "earlier than the event before it");
   // Rounding an event at the horizon may move it beyond, but not beyond the rounded horizon.
-  if (round_nearest(t) > horizon_)
+  if ((t.exact() ? round_nearest(*t.exact()) : t.leading()) > horizon_)
     throw InputError(path_, lines_.number(), field, "beyond the horizon");
   last_t_ = t;
 }

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "exact/compact_rational.h"
 #include "history/billiard.h"
 #include "history/history_reader.h"
 #include "history/line_source.h"
@@ -18,17 +19,17 @@ namespace voroproof::internal {
 // A collision of a wall (a < 0) or a disk a with a disk b > a, or with an image of it.
 struct BilliardCollision {
   GenId a, b;
-  std::optional<LatticeImage> image;       // none where the file names none
-  std::array<std::optional<Vec3>, 2> v{};  // velocities just after; none of a wall
-  std::array<std::optional<Vec3>, 2> p{};  // centres
+  std::optional<LatticeImage> image;              // none where the file names none
+  std::array<std::optional<CompactVec3>, 2> v{};  // velocities just after; none of a wall
+  std::array<std::optional<CompactVec3>, 2> p{};  // centres
 };
 // A maneuver.
 struct BilliardTurn {
   GenId disk;
-  std::optional<Vec3> v, p;
+  std::optional<CompactVec3> v, p;
 };
 struct BilliardEvent {
-  Rational t;
+  CompactRational t;
   std::int64_t line = 0;
   std::variant<BilliardCollision, BilliardTurn> what;
 };
@@ -64,14 +65,14 @@ class BilliardHistoryReader {
   void read_header(std::string_view text);
   void read_member(JsonReader& json, std::size_t member, Line& line);
   void require_dimension(const JsonReader& json, std::size_t coordinates);
-  Vec3 read_vector(JsonReader& json);
+  CompactVec3 read_vector(JsonReader& json);
   LatticeImage read_image(JsonReader& json);
-  void read_vectors(JsonReader& json, std::array<std::optional<Vec3>, 2>& vectors,
+  void read_vectors(JsonReader& json, std::array<std::optional<CompactVec3>, 2>& vectors,
                     std::size_t& count);
   bool may_be_null(GenId id) const;
   HistoryEnd read_end(JsonReader& json) const;
   BilliardEvent event_of(JsonReader& json, Line& line);
-  void check_time(const Rational& t, const char* field);
+  void check_time(const CompactRational& t, const char* field);
 
   std::string path_;
   const Billiard* billiard_;
@@ -79,7 +80,7 @@ class BilliardHistoryReader {
   LineSource lines_;
   HistoryHeader header_;
   double horizon_ = 0;  // rounded to nearest
-  Rational last_t_;
+  CompactRational last_t_;
   HistoryCounts counts_;
   std::optional<std::variant<HistoryEnd, HistoryStop>> ending_;
 };

@@ -130,7 +130,6 @@ class BilliardReader {
   }
 
   void read_frame() {
-    frame_line_ = json_.line();
     if (json_.text_is_next()) {
       if (json_.text() != "none") json_.fail("neither \"none\" nor an object");
       return;
@@ -171,6 +170,12 @@ class BilliardReader {
       json_.fail("neither round (\"center\", \"radius\"), nor of \"walls\", nor \"periodic\"");
     if (is_round) billiard_.round = std::move(round);
     const PeriodicBox& lattice = billiard_.lattice;
+    for (const BilliardWall& wall : billiard_.walls) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (wall.normal[axis] != 0 && lattice.sides[axis] != 0)
+          json_.fail_in("walls", "a wall lies across an axis that is periodic");
+      }
+    }
     if (lattice.shear != 0 && (lattice.sides[0] == 0 || lattice.sides[1] == 0))
       json_.fail_in("shear", "the first two axes are not both periodic");
   }
@@ -329,7 +334,7 @@ class BilliardReader {
   JsonReader json_;
   Billiard billiard_;
   Extensions dropped_;  // nothing is written back
-  std::int64_t first_line_ = 0, frame_line_ = 0;
+  std::int64_t first_line_ = 0;
   std::size_t coordinates_ = 0;  // as many as the first vector has; 0 before it
   std::string coordinates_field_;
   std::vector<std::int64_t> disk_lines_, maneuver_lines_;

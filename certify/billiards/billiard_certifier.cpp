@@ -17,6 +17,8 @@
 namespace voroproof::internal {
 namespace {
 
+CompactVec3 compact(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
 // The size of the scene at time 0, to which roundings of coordinates are in proportion.
 Rational extent_of(const Billiard& billiard) {
   Rational extent;
@@ -45,12 +47,12 @@ class BilliardCertification {
         history_(history),
         options_(options),
         horizon_(history.header().horizon),
+        near_horizon_(horizon_ - options.tolerance),
         extent_(extent_of(billiard)),
         watch_(billiard, horizon_, options.tolerance, extent_),
         law_(billiard, watch_.exact(), watch_.near(), options.tolerance, options.law_tolerance,
              extent_),
         meeting_(billiard, watch_.near()),
-        paths_(billiard.disks.size()),
         next_maneuver_(billiard.disks.size()) {}
 
   Certificate run() {
@@ -77,10 +79,7 @@ class BilliardCertification {
 
  private:
   void start() {
-    for (std::size_t i = 0; i < paths_.size(); ++i) {
-      const BilliardDisk& disk = billiard_.disks[i];
-      paths_[i].push_back(line_from(BilliardTime(0), disk.center, disk.velocity));
-    }
+    for (const BilliardDisk& disk : billiard_.disks) paths_.emplace_back(disk, billiard_.gravity);
     for (std::size_t m = 0; m < billiard_.maneuvers.size(); ++m) {
       const BilliardManeuver& maneuver = billiard_.maneuvers[m];
       if (maneuver.t <= horizon_)
@@ -91,10 +90,6 @@ class BilliardCertification {
       throw InputError(scene_file_, 0, "horizon", "the history goes beyond it");
   }
 
-  BilliardLine line_from(const BilliardTime& t, const Vec3& x, const Vec3& v) const {
-    return {t, {t.exact, x, v}, {t.near, enclosed(x), enclosed(v)}, -1, {}, 0};
-  }
-
   // No two overlap at the start, and all are in the frame.
   void require_placement() {
     const BilliardTime start(0);
@@ -102,7 +97,7 @@ class BilliardCertification {
       const BilliardPath& b = paths_[static_cast<std::size_t>(pair.b)];
       const BilliardPath& a = pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)];
       const std::string field = "disks[" + std::to_string(pair.b) + "]";
-      const Rational gap = watch_.exact().form(pair, a[0].exact, b[0].exact, 0, 0)[0];
+      const Rational gap = watch_.exact().form(pair, a.exact(0), b.exact(0), 0, 0)[0];
       if (gap >= 0) continue;
       throw InputError(scene_file_, 0, field,
                        pair.a < 0
@@ -126,16 +121,18 @@ class BilliardCertification {
     const std::int64_t first_line = line_ + 1;
     const std::size_t most = std::max<std::size_t>(2 * paths_.size(), 256);
     const Rational end = end_of_window();
+    const bool ends_early = end < horizon_;
+    const CompactRational compact_end = end;
     bool last = false;
     BilliardTime to = from;
     for (;;) {
       std::optional<BilliardEvent> event = take();
       if (!event) {
         last = end >= horizon_;
-        to = BilliardTime(std::max<Rational>(last ? horizon_ : end, from.exact));
+        to = BilliardTime(std::max<Rational>(last ? horizon_ : end, from.value()));
         break;
       }
-      if (event->t > end && !(end >= horizon_)) {
+      if (ends_early && compact_end < event->t) {
         to = BilliardTime(end);
         ahead_ = std::move(event);
         break;
@@ -154,9 +151,9 @@ class BilliardCertification {
     }
     if (!times_.empty() && to.exact < times_.back().exact) to = times_.back();
     follow({from, to, last, &times_, first_line});
-    if (!found_.faults.empty()) miss_maneuvers(to.exact - options_.tolerance);
+    if (!found_.faults.empty()) miss_maneuvers(to.value() - options_.tolerance);
     now_ = to;
-    for (BilliardPath& path : paths_) path.erase(path.begin(), path.end() - 1);
+    for (BilliardPath& path : paths_) path.forget_all_but_last();
     if (options_.monitor && !options_.monitor(now_.near.mid, number_))
       throw CertificationInterrupted{number_, now_.near.mid};
     return !last;
@@ -165,14 +162,15 @@ class BilliardCertification {
   Rational end_of_window() const {
     const double length = meeting_.good_length();
     if (!std::isfinite(length)) return horizon_;
-    const Rational end = now_.exact + to_rational(length);
-    return end > now_.exact ? std::min(end, horizon_) : horizon_;
+    const Rational now = now_.value(), end = now + to_rational(length);
+    return end > now ? std::min(end, horizon_) : horizon_;
   }
 
   void claim(const BilliardEvent& event) {
     const BilliardTime t(event.t);
     times_.push_back(t);
-    for (; later_ < billiard_.maneuvers.size() && billiard_.maneuvers[later_].t < event.t; ++later_)
+    for (; later_ < billiard_.maneuvers.size() && billiard_.maneuvers[later_].t < t.value();
+         ++later_)
       undone_line_[later_] = event.line;
     if (const auto* turn = std::get_if<BilliardTurn>(&event.what))
       maneuver(*turn, t, event.line);
@@ -181,15 +179,10 @@ class BilliardCertification {
     ++number_;
   }
 
-  void turn(GenId disk, const BilliardTime& t, const Vec3& v,
+  void turn(GenId disk, const BilliardTime& t, const CompactVec3& v,
             const std::optional<BilliardPair>& by) {
-    if (billiard_.disks[static_cast<std::size_t>(disk)].fixed) return;
-    BilliardPath& path = paths_[static_cast<std::size_t>(disk)];
-    BilliardLine line = line_from(t, watch_.exact().place(disk, path.back().exact, t.exact), v);
-    line.claim = number_;
-    line.turns = path.back().turns + 1;
-    line.by = by;
-    path.push_back(std::move(line));
+    if (!billiard_.disks[static_cast<std::size_t>(disk)].fixed)
+      paths_[static_cast<std::size_t>(disk)].turn(t, v, number_, by);
   }
 
   void blame(Fault kind, std::int64_t line, const BilliardTime& t, std::string truth,
@@ -201,7 +194,7 @@ class BilliardCertification {
     ++certificate_.maneuvers;
     auto& scheduled = next_maneuver_[static_cast<std::size_t>(claimed.disk)];
     const auto off = [&](std::size_t m) {
-      return Rational(abs(billiard_.maneuvers[m].t - t.exact));
+      return Rational(abs(billiard_.maneuvers[m].t - t.value()));
     };
     if (scheduled.empty() || off(scheduled.front()) > options_.tolerance) {
       blame(Fault::spurious_event, line, t,
@@ -210,30 +203,31 @@ class BilliardCertification {
     }
     const BilliardManeuver& maneuver = billiard_.maneuvers[scheduled.front()];
     scheduled.pop_front();
-    const Vec3 v = claimed.v ? *claimed.v : maneuver.velocity;
+    const Vec3 v = claimed.v ? value_of(*claimed.v) : maneuver.velocity;
     const Vec3 difference = v - maneuver.velocity;
     const Rational speed2 = dot(maneuver.velocity, maneuver.velocity);
     if (dot(difference, difference) > options_.law_tolerance * options_.law_tolerance * speed2)
       blame(Fault::wrong_response, line, t, "the velocity is not the one that is scheduled");
     if (claimed.p) {
       const std::string fault = law_.fault_of_place(
-          claimed.disk, paths_[static_cast<std::size_t>(claimed.disk)].back(), t, *claimed.p, v);
+          claimed.disk, paths_[static_cast<std::size_t>(claimed.disk)], t, value_of(*claimed.p), v);
       if (!fault.empty()) blame(Fault::wrong_response, line, t, fault);
     }
-    turn(claimed.disk, t, v, std::nullopt);
+    turn(claimed.disk, t, compact(v), std::nullopt);
   }
 
   void collide(const BilliardCollision& claimed, const BilliardTime& t, std::int64_t line) {
     ++certificate_.collisions;
     BilliardPair pair{claimed.a, claimed.b, claimed.image ? *claimed.image : LatticeImage{}};
-    const BilliardLine& b = paths_[static_cast<std::size_t>(pair.b)].back();
-    const BilliardLine& a = pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)].back();
-    if (!claimed.image) pair.image = watch_.nearest_image(pair, a, b, t.exact);
-    claims_[pair].push_back({number_, line, t});
+    const BilliardPath& b = paths_[static_cast<std::size_t>(pair.b)];
+    const BilliardPath& a = pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)];
+    if (!claimed.image && billiard_.lattice.is_periodic())
+      pair.image = watch_.nearest_image(pair, a.exact_last(), b.exact_last(), t.value());
+    claims_.emplace_back(pair, BilliardClaim{number_, line, t});
     const BounceLaw::Meeting meeting{pair, a, b, t};
     if (const std::string fault = law_.fault(meeting, claimed); !fault.empty())
       blame(Fault::wrong_response, line, t, fault, pair);
-    std::array<std::optional<Vec3>, 2> v = claimed.v;
+    std::array<std::optional<CompactVec3>, 2> v = claimed.v;
     const auto has_none = [&](int side) {
       const GenId disk = side == 0 ? pair.a : pair.b;
       return disk >= 0 && !billiard_.disks[static_cast<std::size_t>(disk)].fixed && !v[side];
@@ -245,35 +239,47 @@ class BilliardCertification {
         if (!has_none(side)) continue;
         v[side].emplace();
         for (std::size_t k = 0; k < 3; ++k)
-          (*v[side])[k] = to_rational(round_nearest(law[static_cast<std::size_t>(side)][k]));
+          (*v[side])[k] = round_nearest(law[static_cast<std::size_t>(side)][k]);
       }
     }
-    if (t.exact >= horizon_ - options_.tolerance) ++certificate_.at_horizon;
-    if (pair.a >= 0) turn(pair.a, t, v[0] ? *v[0] : Vec3{}, pair);
-    turn(pair.b, t, v[1] ? *v[1] : Vec3{}, pair);
+    if (!(t.exact < near_horizon_)) ++certificate_.at_horizon;
+    if (pair.a >= 0) turn(pair.a, t, v[0] ? *v[0] : CompactVec3{}, pair);
+    turn(pair.b, t, v[1] ? *v[1] : CompactVec3{}, pair);
   }
 
   void follow(const PairWatch::Window& window) {
+    std::stable_sort(claims_.begin(), claims_.end(),
+                     [](const auto& x, const auto& y) { return x.first < y.first; });
     std::vector<BilliardPair> pairs = meeting_.in(paths_, window.from, window.to);
-    for (const auto& [pair, claims] : claims_) pairs.push_back(pair);
+    meeting_.adapt(pairs.size());
+    const std::size_t meeting = pairs.size();
+    for (const auto& [pair, claim] : claims_) pairs.push_back(pair);
     for (const auto& [pair, state] : states_) pairs.push_back(pair);
-    std::sort(pairs.begin(), pairs.end());
+    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(meeting), pairs.end());
+    std::inplace_merge(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(meeting),
+                       pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    static const std::vector<BilliardClaim> none;
-    meeting_.adapt(times_.size(), pairs.size());
+    std::vector<BilliardClaim> own;
+    std::size_t next = 0;
     for (const BilliardPair& pair : pairs) {
-      const auto claims = claims_.find(pair);
-      const auto known = states_.find(pair);
-      PairState state = known == states_.end() ? PairState{} : std::move(known->second);
-      const BilliardPath& b = paths_[static_cast<std::size_t>(pair.b)];
-      watch_.follow(pair, pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)], b,
-                    claims == claims_.end() ? none : claims->second, window, state, found_);
-      if (state.is_empty()) {
-        if (known != states_.end()) states_.erase(known);
-      } else {
-        states_[pair] = std::move(state);
-      }
+      own.clear();
+      for (; next < claims_.size() && claims_[next].first == pair; ++next)
+        own.push_back(claims_[next].second);
+      follow(pair, own, window);
     }
+  }
+
+  void follow(const BilliardPair& pair, const std::vector<BilliardClaim>& claims,
+              const PairWatch::Window& window) {
+    const auto known = states_.empty() ? states_.end() : states_.find(pair);
+    PairState state = known == states_.end() ? PairState{} : std::move(known->second);
+    const BilliardPath& b = paths_[static_cast<std::size_t>(pair.b)];
+    watch_.follow(pair, pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)], b, claims,
+                  window, state, found_);
+    if (!state.is_empty())
+      states_[pair] = std::move(state);
+    else if (known != states_.end())
+      states_.erase(known);
   }
 
   // Maneuvers that were to be claimed before that time, and are not.
@@ -331,7 +337,9 @@ class BilliardCertification {
   const std::string& scene_file_;
   BilliardHistoryReader& history_;
   const CertifyOptions& options_;
-  Rational horizon_, extent_;
+  Rational horizon_;
+  CompactRational near_horizon_;  // by the tolerance
+  Rational extent_;
   PairWatch watch_;
   BounceLaw law_;
   MeetingPairs meeting_;
@@ -339,7 +347,7 @@ class BilliardCertification {
   std::optional<BilliardEvent> ahead_;
   std::int64_t line_ = 1, number_ = 0;  // the claim's that was read last; how many were read
   // The claims of the window by pair, and the times of all of them.
-  std::map<BilliardPair, std::vector<BilliardClaim>> claims_;
+  std::vector<std::pair<BilliardPair, BilliardClaim>> claims_;
   std::vector<BilliardTime> times_;
   std::vector<BilliardPath> paths_;
   std::map<BilliardPair, PairState> states_;

@@ -14,27 +14,31 @@ constexpr double most_sides = 0x1p29;
 // More than what a few operations round away.
 constexpr double share = 0x1p-48;
 
-double upper(const Rational& q) { return round_up(q); }
+double upper(const DoubleBall& x) { return (x.mid + x.rad) * (1 + share); }
 
 }  // namespace
 
 MeetingPairs::MeetingPairs(const Billiard& billiard, const BilliardGaps<DoubleBall>& gaps)
     : billiard_(billiard), gaps_(gaps), near_(billiard), fall_alike_(billiard.last_wall() == 0) {
+  for (std::size_t k = 0; k < 3; ++k) sides_[k] = billiard.lattice.sides[k].get_d();
+  drift_ = Rational(billiard.lattice.shear * billiard.lattice.sides[1]).get_d();
   for (const BilliardDisk& disk : billiard.disks) fall_alike_ = fall_alike_ && !disk.fixed;
 }
 
 SweptBox MeetingPairs::box_of(GenId disk, const BilliardPath& path, const BilliardTime& from,
                               const BilliardTime& to) const {
   const BilliardDisk& of = billiard_.disks[static_cast<std::size_t>(disk)];
-  const double radius = upper(std::max(Rational(of.radius + of.growth * from.exact),
-                                       Rational(of.radius + of.growth * to.exact)));
+  const double radius =
+      std::max(upper(gaps_.radius(disk, from.near)), upper(gaps_.radius(disk, to.near)));
   SweptBox box;
   box.lo.fill(infinity);
   box.hi.fill(-infinity);
   for (std::size_t k = 0; k < path.size(); ++k) {
     const BilliardTime& begin = std::max(
         path[k].from, from, [](const auto& a, const auto& b) { return a.exact < b.exact; });
-    const BilliardTime& end = k + 1 < path.size() ? path[k + 1].from : to;
+    const bool ends_before = k + 1 < path.size() && path[k + 1].from.exact < to.exact;
+    const BilliardTime& end = ends_before ? path[k + 1].from : to;
+    if (end.exact < begin.exact || to.exact < begin.exact) continue;
     const double passed = end.near.mid - begin.near.mid + end.near.rad + begin.near.rad;
     for (const BilliardTime* t : {&begin, &end}) {
       Vector3<DoubleBall> x = gaps_.place(disk, path[k].near, t->near);
@@ -43,7 +47,7 @@ SweptBox MeetingPairs::box_of(GenId disk, const BilliardPath& path, const Billia
         // A parabola is within |g| h^2 / 8 of its chord.
         const double fall = of.fixed || fall_alike_
                                 ? 0
-                                : std::fabs(billiard_.gravity[axis].get_d()) * passed * passed / 4;
+                                : std::fabs(gaps_.gravity()[axis].mid) * passed * passed / 4;
         const double around = radius + x[axis].rad + fall;
         const double pad = share * (std::fabs(x[axis].mid) + around);
         box.lo[axis] = std::min(box.lo[axis], x[axis].mid - around - pad);
@@ -52,10 +56,8 @@ SweptBox MeetingPairs::box_of(GenId disk, const BilliardPath& path, const Billia
     }
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double side = billiard_.lattice.sides[axis].get_d();
-    const double drift = axis == 0 ? std::fabs(billiard_.lattice.shear.get_d() *
-                                               billiard_.lattice.sides[1].get_d() * to.near.mid)
-                                   : 0;
+    const double side = sides_[axis];
+    const double drift = axis == 0 ? std::fabs(drift_ * to.near.mid) : 0;
     const double far = std::max(std::fabs(box.lo[axis]), std::fabs(box.hi[axis])) + drift;
     if (!(far < infinity) || (side > 0 && !(far < most_sides * side)))
       throw Undecided("a disk is farther out than images are counted", disk, disk);
@@ -115,7 +117,7 @@ void MeetingPairs::measure(const std::vector<BilliardPath>& paths, const Billiar
   const int dimension = billiard_.dimension;
   for (int k = 0; k < dimension; ++k) {
     const auto axis = static_cast<std::size_t>(k);
-    const double side = billiard_.lattice.sides[axis].get_d();
+    const double side = sides_[axis];
     if (side > 0) least_side = std::min(least_side, side);
     volume *= side > 0 ? side : all.hi[axis] - all.lo[axis];
   }
@@ -123,33 +125,55 @@ void MeetingPairs::measure(const std::vector<BilliardPath>& paths, const Billiar
       volume / static_cast<double>(std::max<std::size_t>(paths.size(), 1)), 1.0 / dimension);
   good_length_ = moving > 0 ? spacing / 2 / (speeds / moving) : infinity;
   // No disk runs past all of its images many times, nor do images beside it.
-  fastest = std::max(
-      fastest, std::fabs(billiard_.lattice.shear.get_d() * billiard_.lattice.sides[1].get_d()));
+  fastest = std::max(fastest, std::fabs(drift_));
   if (fastest > 0) good_length_ = std::min(good_length_, 4 * least_side / fastest);
   const double g = std::sqrt(dot(billiard_.gravity, billiard_.gravity).get_d());
   if (g > 0 && !fall_alike_) good_length_ = std::min(good_length_, std::sqrt(spacing / g));
   if (!(good_length_ > 0)) good_length_ = infinity;
 }
 
-void MeetingPairs::adapt(std::size_t claims, std::size_t pairs) {
+void MeetingPairs::adapt(std::size_t pairs) {
   const std::size_t n = billiard_.disks.size();
-  constexpr double least = 0x1p-6, most = 0x1p60;
+  constexpr double least = 0x1p-6, most = 0x1p1000;
   if (pairs > 8 * n + 64 || near_.compared() > 64 * n + 512) {
     stretch_ = std::max(least, stretch_ / 2);
-  } else if (claims == 0 && pairs <= 2 * n + 16 && near_.compared() <= 8 * n + 64) {
+  } else if (pairs <= 4 * n + 16 && near_.compared() <= 32 * n + 64) {
     stretch_ = std::min(most, stretch_ * 2);
   }
+}
+
+void MeetingPairs::make_boxes(const std::vector<BilliardPath>& paths, const BilliardTime& from,
+                              const BilliardTime& to) {
+  boxes_.clear();
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    boxes_.push_back(box_of(static_cast<GenId>(i), paths[i], from, to));
+  }
+}
+
+// The pairs of disks that may meet. A window in which disks run past many images is split.
+void MeetingPairs::add_disks(const std::vector<BilliardPath>& paths, const BilliardTime& from,
+                             const BilliardTime& to, int splits, std::vector<BilliardPair>& pairs) {
+  make_boxes(paths, from, to);
+  splits_ = splits > 0;
+  const auto found = near_.pairs(boxes_, from.near.mid - from.near.rad, to.near.mid + to.near.rad);
+  if (found) {
+    pairs.insert(pairs.end(), found->begin(), found->end());
+    return;
+  }
+  constexpr int most_splits = 40;
+  if (splits == most_splits) throw Undecided("a disk runs past too many images of others", 0, 0);
+  const BilliardTime middle{CompactRational(Rational((from.value() + to.value()) / 2))};
+  add_disks(paths, from, middle, splits + 1, pairs);
+  add_disks(paths, middle, to, splits + 1, pairs);
 }
 
 std::vector<BilliardPair> MeetingPairs::in(const std::vector<BilliardPath>& paths,
                                            const BilliardTime& from, const BilliardTime& to) {
   std::vector<BilliardPair> pairs;
   good_length_ = infinity;
-  if (paths.size() < 2 && billiard_.last_wall() == 0) return pairs;
-  boxes_.clear();
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    boxes_.push_back(box_of(static_cast<GenId>(i), paths[i], from, to));
-  }
+  if (billiard_.last_wall() == 0 && paths.size() < 2) return pairs;
+  if (paths.size() > 1) add_disks(paths, from, to, 0, pairs);
+  if (paths.size() < 2 || splits_) make_boxes(paths, from, to);
   const double begin = from.near.mid - from.near.rad, end = to.near.mid + to.near.rad;
   for (GenId wall = billiard_.last_wall(); wall < 0; ++wall) {
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
@@ -157,10 +181,8 @@ std::vector<BilliardPair> MeetingPairs::in(const std::vector<BilliardPath>& path
         pairs.push_back({wall, static_cast<GenId>(i)});
     }
   }
-  if (paths.size() > 1) {
-    const std::vector<BilliardPair> of_disks = near_.pairs(boxes_, begin, end);
-    pairs.insert(pairs.end(), of_disks.begin(), of_disks.end());
-  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   measure(paths, to);
   return pairs;
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "certify/billiards/billiard_lines.h"
+#include "certify/billiards/billiard_path.h"
 #include "filtered/billiards/near_boxes.h"
 
 namespace voroproof::internal {
@@ -19,14 +19,18 @@ class MeetingPairs {
                                const BilliardTime& to);
 
   // How long the next window is to be: as long as disks take for about the way between neighbours;
-  // longer as long as nothing happens, and shorter where too many pairs may meet, or images have to
-  // be looked at. Infinite where nothing moves, or nothing can meet.
+  // longer as long as few pairs may meet, and shorter where too many pairs may meet, or images have
+  // to be looked at. Infinite where nothing moves, or nothing can meet.
   double good_length() const { return good_length_ * stretch_; }
 
-  // To be told of each window: how many claims it had, and how many pairs were followed in it.
-  void adapt(std::size_t claims, std::size_t pairs);
+  // To be told of each window how many pairs were followed in it.
+  void adapt(std::size_t pairs);
 
  private:
+  void make_boxes(const std::vector<BilliardPath>& paths, const BilliardTime& from,
+                  const BilliardTime& to);
+  void add_disks(const std::vector<BilliardPath>& paths, const BilliardTime& from,
+                 const BilliardTime& to, int splits, std::vector<BilliardPair>& pairs);
   SweptBox box_of(GenId disk, const BilliardPath& path, const BilliardTime& from,
                   const BilliardTime& to) const;
   bool may_meet_wall(GenId wall, const SweptBox& box, double from, double to) const;
@@ -36,6 +40,9 @@ class MeetingPairs {
   const BilliardGaps<DoubleBall>& gaps_;
   NearBoxes near_;
   std::vector<SweptBox> boxes_;
+  bool splits_ = false;  // the boxes are those of a part of the window
+  std::array<double, 3> sides_{};
+  double drift_ = 0;  // how fast images beyond the second side move
   // Gravity moves all disks alike, and nothing else is there: they are looked at as they fall.
   bool fall_alike_;
   double good_length_ = 0, stretch_ = 1;

@@ -22,12 +22,6 @@ std::string text(const Vec3& v, int dimension) {
 
 }  // namespace
 
-DoubleBall enclosed(const Rational& q) { return BilliardTime(q).near; }
-
-Vector3<DoubleBall> enclosed(const Vec3& v) {
-  return {enclosed(v[0]), enclosed(v[1]), enclosed(v[2])};
-}
-
 BounceLaw::BounceLaw(const Billiard& billiard, const BilliardGaps<Rational>& exact,
                      const BilliardGaps<DoubleBall>& near, const Rational& tolerance,
                      const Rational& law_tolerance, const Rational& extent)
@@ -64,8 +58,9 @@ Before<T> before(const BilliardGaps<T>& gaps, const BilliardPair& pair, const Li
 }  // namespace
 
 std::array<Vec3, 2> BounceLaw::after(const Meeting& m) const {
-  const Before<Rational> state = before(exact_, m.pair, m.a.exact, m.b.exact, m.t.exact);
-  const auto response = exact_.response(m.pair, state.p, state.v, m.t.exact);
+  const Before<Rational> state =
+      before(exact_, m.pair, m.a.exact_last(), m.b.exact_last(), m.t.value());
+  const auto response = exact_.response(m.pair, state.p, state.v, m.t.value());
   if (response.normal2 == 0)
     throw Undecided("the centres of two that touch coincide: there is no normal", m.pair.a,
                     m.pair.b);
@@ -74,7 +69,8 @@ std::array<Vec3, 2> BounceLaw::after(const Meeting& m) const {
 }
 
 bool BounceLaw::certainly_obeyed(const Meeting& m, const BilliardCollision& claim) const {
-  const Before<DoubleBall> state = before(near_, m.pair, m.a.near, m.b.near, m.t.near);
+  const Before<DoubleBall> state =
+      before(near_, m.pair, m.a.back().near, m.b.back().near, m.t.near);
   const auto response = near_.response(m.pair, state.p, state.v, m.t.near);
   // The root of the sum of squares is at most the sum of the speeds, which is allowed.
   const Vector3<DoubleBall> seen =
@@ -100,7 +96,8 @@ bool BounceLaw::certainly_obeyed(const Meeting& m, const BilliardCollision& clai
 }
 
 std::string BounceLaw::law_fault(const Meeting& m, const BilliardCollision& claim) const {
-  const Before<Rational> state = before(exact_, m.pair, m.a.exact, m.b.exact, m.t.exact);
+  const Before<Rational> state =
+      before(exact_, m.pair, m.a.exact_last(), m.b.exact_last(), m.t.value());
   const std::array<Vec3, 2> law = after(m);
   const bool is_wall = m.pair.a < 0;
   Rational speed = length(is_wall ? state.v[1] : Vec3(state.v[1] + exact_.drift(m.pair.image)));
@@ -112,8 +109,8 @@ std::string BounceLaw::law_fault(const Meeting& m, const BilliardCollision& clai
   }
   Rational rounding = 0;
   if (!is_wall || billiard_.round) {
-    const Rational distance = exact_.reach(m.pair, m.t.exact) * (Rational(1) << 53);
-    const Rational error = 16 * (extent_ + speed * m.t.exact);
+    const Rational distance = exact_.reach(m.pair, m.t.value()) * (Rational(1) << 53);
+    const Rational error = 16 * (extent_ + speed * m.t.value());
     if (error >= distance)
       throw Undecided("the roundings of centres hide the normal of a collision", m.pair.a,
                       m.pair.b);
@@ -122,7 +119,7 @@ std::string BounceLaw::law_fault(const Meeting& m, const BilliardCollision& clai
   const Rational allowed = (law_tolerance_ + rounding) * speed;
   for (const int side : {0, 1}) {
     if (!claim.v[side]) continue;
-    const Vec3 off = *claim.v[side] - law[static_cast<std::size_t>(side)];
+    const Vec3 off = value_of(*claim.v[side]) - law[static_cast<std::size_t>(side)];
     if (dot(off, off) <= allowed * allowed) continue;
     const GenId disk = side == 0 ? m.pair.a : m.pair.b;
     return "by the law of collision the velocity of " + std::to_string(disk) + " is " +
@@ -135,18 +132,19 @@ std::string BounceLaw::law_fault(const Meeting& m, const BilliardCollision& clai
   return {};
 }
 
-std::string BounceLaw::fault_of_place(GenId disk, const BilliardLine& line, const BilliardTime& t,
+std::string BounceLaw::fault_of_place(GenId disk, const BilliardPath& path, const BilliardTime& t,
                                       const Vec3& place, const Vec3& velocity_after) const {
-  const Vec3 path = exact_.place(disk, line.exact, t.exact);
-  const Rational speeds =
-      length(exact_.velocity(disk, line.exact, t.exact)) + length(velocity_after);
+  const Flight<Rational> flight = path.exact_last();
+  const Vec3 true_place = exact_.place(disk, flight, t.value());
+  const Rational speeds = length(exact_.velocity(disk, flight, t.value())) + length(velocity_after);
   Rational units = 0;
   for (const Rational& x : place) units = std::max<Rational>(units, abs(x));
   const Rational allowed = tolerance_ * speeds + units / (Rational(1) << 50);
-  const Vec3 off = place - path;
+  const Vec3 off = place - true_place;
   if (dot(off, off) <= allowed * allowed) return {};
-  return "the centre of " + std::to_string(disk) + " is then " + text(path, billiard_.dimension) +
-         ", and the claimed one is off by " + number_text(round_nearest(length(off)));
+  return "the centre of " + std::to_string(disk) + " is then " +
+         text(true_place, billiard_.dimension) + ", and the claimed one is off by " +
+         number_text(round_nearest(length(off)));
 }
 
 std::string BounceLaw::fault(const Meeting& m, const BilliardCollision& claim) const {
@@ -154,9 +152,9 @@ std::string BounceLaw::fault(const Meeting& m, const BilliardCollision& claim) c
   if (std::string fault = law_fault(m, claim); !fault.empty()) return fault;
   for (const int side : {0, 1}) {
     if (!claim.p[side]) continue;
-    const Vec3 after = claim.v[side] ? *claim.v[side] : Vec3{};
-    std::string fault =
-        fault_of_place(side == 0 ? m.pair.a : m.pair.b, line(m, side), m.t, *claim.p[side], after);
+    const Vec3 after = claim.v[side] ? value_of(*claim.v[side]) : Vec3{};
+    std::string fault = fault_of_place(side == 0 ? m.pair.a : m.pair.b, side == 0 ? m.a : m.b, m.t,
+                                       value_of(*claim.p[side]), after);
     if (!fault.empty()) return fault;
   }
   return {};

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "certify/billiards/billiard_lines.h"
+#include "certify/billiards/billiard_path.h"
 #include "history/billiard_history.h"
 
 namespace voroproof::internal {
@@ -18,10 +18,10 @@ class BounceLaw {
             const BilliardGaps<DoubleBall>& near, const Rational& tolerance,
             const Rational& law_tolerance, const Rational& extent);
 
-  // Two that collide at t, on their lines just before; for a wall `a` is unused.
+  // Two that collide at t, at the ends of their paths so far; for a wall `a` is unused.
   struct Meeting {
     BilliardPair pair;
-    const BilliardLine &a, &b;
+    const BilliardPath &a, &b;
     const BilliardTime& t;
   };
 
@@ -34,15 +34,12 @@ class BounceLaw {
   std::string fault(const Meeting& meeting, const BilliardCollision& claim) const;
 
   // Why the centre claimed at a maneuver is not that of the path; empty where it is.
-  std::string fault_of_place(GenId disk, const BilliardLine& line, const BilliardTime& t,
+  std::string fault_of_place(GenId disk, const BilliardPath& path, const BilliardTime& t,
                              const Vec3& place, const Vec3& velocity_after) const;
 
  private:
   bool certainly_obeyed(const Meeting& meeting, const BilliardCollision& claim) const;
   std::string law_fault(const Meeting& meeting, const BilliardCollision& claim) const;
-  const BilliardLine& line(const Meeting& meeting, int side) const {
-    return side == 0 ? meeting.a : meeting.b;
-  }
 
   const Billiard& billiard_;
   const BilliardGaps<Rational>& exact_;
@@ -50,9 +47,5 @@ class BounceLaw {
   const Rational &tolerance_, &law_tolerance_, &extent_;
   DoubleBall near_tolerance_, near_law_tolerance_;
 };
-
-// Enclosures of exact values.
-DoubleBall enclosed(const Rational& q);
-Vector3<DoubleBall> enclosed(const Vec3& v);
 
 }  // namespace voroproof::internal

@@ -11,9 +11,9 @@ namespace voroproof::internal {
 bool PairWatch::last_turn_was_own(const Life& life) const {
   const auto& [a, b, image] = life.pair;
   const auto is_own = [&](const BilliardLine& line) { return line.by == life.pair; };
-  if (a < 0 || billiard_.disks[static_cast<std::size_t>(a)].fixed) return is_own(life.b);
-  if (billiard_.disks[static_cast<std::size_t>(b)].fixed) return is_own(life.a);
-  return is_own(life.a) && life.a.claim == life.b.claim;
+  if (a < 0 || billiard_.disks[static_cast<std::size_t>(a)].fixed) return is_own(life.b());
+  if (billiard_.disks[static_cast<std::size_t>(b)].fixed) return is_own(life.a());
+  return is_own(life.a()) && life.a().claim == life.b().claim;
 }
 
 // Whether the claim at t answers the overlap that is in progress.
@@ -23,7 +23,7 @@ bool PairWatch::answer_open(const Life& life, const Rational& t, Walk& walk) con
   const bool on_these_lines = (episode.entry <=> life.begin()) >= 0;
   if (on_these_lines && !episode.answer) return (episode.entry <=> earliest) >= 0;
   if (last_turn_was_own(life)) return false;
-  const Rational length = t - life.from.exact;
+  const Rational length = t - life.since();
   if (sign(form(life, 0).derivative().evaluate(length)) != Sign::negative) return false;
   if (!episode.deep) return life.begin() >= earliest;
   return !episode.answer && (episode.entry <=> earliest) >= 0;
@@ -31,8 +31,8 @@ bool PairWatch::answer_open(const Life& life, const Rational& t, Walk& walk) con
 
 // Whether the two come nearest within the tolerance of t, to no more than their rounding.
 bool PairWatch::comes_near(const Life& life, const Rational& t, Walk& walk) const {
-  const Rational middle = t - life.from.exact;
-  const Rational first = life.begin() - life.from.exact;
+  const Rational middle = t - life.since();
+  const Rational first = life.begin() - life.since();
   const Rational lo = std::max<Rational>(first, middle - tolerance_), hi = middle + tolerance_;
   const Polynomial<Rational> f = form(life, 0), slope = f.derivative();
   const Rational depth = rounding(life);
@@ -54,7 +54,7 @@ bool PairWatch::comes_near(const Life& life, const Rational& t, Walk& walk) cons
 
 bool PairWatch::answers(const Life& life, const BilliardClaim& claim, Walk& walk) const {
   PairState& state = walk.state;
-  const Rational& t = claim.t.exact;
+  const Rational t = claim.t.value();
   if (state.open) {
     if (!answer_open(life, t, walk)) return false;
     state.open->answer = t;
@@ -66,16 +66,18 @@ bool PairWatch::answers(const Life& life, const BilliardClaim& claim, Walk& walk
     state.ended.erase(episode);
     return true;
   }
-  const Rational length = t - life.from.exact;
+  const Rational length = t - life.since();
   if (first_fall(form(life, 0), length, length + tolerance_)) return true;
   return comes_near(life, t, walk);
 }
 
 // The images of b that may be nearest to a at t.
-std::vector<LatticeImage> PairWatch::images_near(const BilliardPair& pair, const BilliardLine& a,
-                                                 const BilliardLine& b, const Rational& t) const {
+std::vector<LatticeImage> PairWatch::images_near(const BilliardPair& pair,
+                                                 const Flight<Rational>& a,
+                                                 const Flight<Rational>& b,
+                                                 const Rational& t) const {
   if (pair.a < 0 || !billiard_.lattice.is_periodic()) return {LatticeImage{}};
-  const Vec3 d = exact_.place(pair.b, b.exact, t) - exact_.place(pair.a, a.exact, t);
+  const Vec3 d = exact_.place(pair.b, b, t) - exact_.place(pair.a, a, t);
   const auto nearest = [&](std::size_t axis, const Rational& x) {
     const Rational& side = billiard_.lattice.sides[axis];
     if (side == 0) return 0;
@@ -97,11 +99,11 @@ std::vector<LatticeImage> PairWatch::images_near(const BilliardPair& pair, const
   return images;
 }
 
-LatticeImage PairWatch::nearest_image(const BilliardPair& pair, const BilliardLine& a,
-                                      const BilliardLine& b, const Rational& t) const {
+LatticeImage PairWatch::nearest_image(const BilliardPair& pair, const Flight<Rational>& a,
+                                      const Flight<Rational>& b, const Rational& t) const {
   const std::vector<LatticeImage> images = images_near(pair, a, b, t);
   if (images.size() == 1) return images.front();
-  const Vec3 d = exact_.place(pair.b, b.exact, t) - exact_.place(pair.a, a.exact, t);
+  const Vec3 d = exact_.place(pair.b, b, t) - exact_.place(pair.a, a, t);
   const auto distance2 = [&](const LatticeImage& image) {
     const Vec3 moved = d + exact_.offset(image, t);
     return Rational(dot(moved, moved));
@@ -114,18 +116,20 @@ LatticeImage PairWatch::nearest_image(const BilliardPair& pair, const BilliardLi
 
 // Another image that touches then, where the one that is named does not.
 std::optional<LatticeImage> PairWatch::touching_image(const Life& life, const Rational& t) const {
-  const Rational length = t - life.from.exact, lo = std::max<Rational>(0, length - tolerance_);
-  for (const LatticeImage& other : images_near(life.pair, life.a, life.b, t)) {
+  const Rational length = t - life.since(), lo = std::max<Rational>(0, length - tolerance_);
+  const Flight<Rational> a = life.path_a.exact(life.index_a), b = life.path_b.exact(life.index_b);
+  for (const LatticeImage& other : images_near(life.pair, a, b, t)) {
     if (other == life.pair.image) continue;
     const BilliardPair pair{life.pair.a, life.pair.b, other};
-    const Life there{pair, life.a, life.b, life.from, life.to};
+    const Life there{pair,         life.path_a, life.path_b, life.index_a,
+                     life.index_b, life.from,   life.to};
     if (first_fall(form(there, 0), lo, length + tolerance_)) return other;
   }
   return std::nullopt;
 }
 
 BilliardFault PairWatch::fault_of(const Life& life, const BilliardClaim& claim) const {
-  const Rational& t = claim.t.exact;
+  const Rational t = claim.t.value();
   BilliardFault fault{Fault::spurious_event, claim.line, round_nearest(t), name(life.pair),
                       life.pair};
   if (const auto image = touching_image(life, t)) {
@@ -134,9 +138,9 @@ BilliardFault PairWatch::fault_of(const Life& life, const BilliardClaim& claim) 
     return fault;
   }
   const Polynomial<Rational> f = form(life, 0);
-  const Rational length = t - life.from.exact;
-  if (const auto entry = first_fall(f, 0, horizon_ - life.from.exact)) {
-    const double truth = EntryTime{life.from.exact, *entry}.rounded();
+  const Rational length = t - life.since();
+  if (const auto entry = first_fall(f, 0, horizon_ - life.since())) {
+    const double truth = EntryTime{life.since(), *entry}.rounded();
     fault.kind = Fault::wrong_time;
     fault.truth += " touch at t = " + number_text(truth) + ", which is " +
                    number_text(std::fabs(truth - fault.t)) +

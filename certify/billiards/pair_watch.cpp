@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "certify/billiards/pair_signs.h"
+#include "certify/vectors.h"
 #include "history/json_text.h"
 
 namespace voroproof::internal {
@@ -18,14 +19,9 @@ double down(const DoubleBall& x) {
 
 }  // namespace
 
-BilliardTime::BilliardTime(const Rational& t) : exact(t) {
-  const double x = t.get_d();
-  near = {x, to_rational(x) == t ? 0 : std::fabs(x) * 0x1p-52 + DBL_MIN};
-}
-
-const Rational& PairWatch::Life::begin() const {
-  if (pair.a < 0) return b.from.exact;
-  return std::max(a.from.exact, b.from.exact);
+Rational PairWatch::Life::begin() const {
+  if (pair.a < 0) return b().from.value();
+  return std::max(a().from.value(), b().from.value());
 }
 
 PairWatch::PairWatch(const Billiard& billiard, const Rational& horizon, const Rational& tolerance,
@@ -54,45 +50,47 @@ std::string PairWatch::name(const BilliardPair& pair) const {
   return text + "]";
 }
 
+// Each turn rounds places, and the last one times as well, by which the two go on from elsewhere.
 Rational PairWatch::rounding(const Life& life) const {
-  const std::int64_t turns = (life.pair.a < 0 ? 0 : life.a.turns) + life.b.turns;
-  Rational rounding = extent_ * static_cast<long>(std::max<std::int64_t>(1, turns));
-  return rounding >> 51;
+  const auto speed = [](const BilliardLine& line) {
+    const Vec3 v = value_of(line.velocity);
+    return root_bound(dot(v, v));
+  };
+  Rational speeds = speed(life.b());
+  std::int64_t turns = life.b().turns;
+  if (life.pair.a >= 0) {
+    speeds += speed(life.a());
+    turns += life.a().turns;
+  }
+  const Rational places = extent_ * static_cast<long>(std::max<std::int64_t>(1, turns));
+  return Rational(places + speeds * life.begin()) >> 51;
 }
 
 Polynomial<Rational> PairWatch::form(const Life& life, const Rational& depth) const {
-  const GapForm<Rational> f =
-      exact_.form(life.pair, life.a.exact, life.b.exact, life.from.exact, depth);
+  const GapForm<Rational> f = exact_.form(life.pair, life.path_a.exact(life.index_a),
+                                          life.path_b.exact(life.index_b), life.since(), depth);
   return Polynomial<Rational>(std::vector<Rational>(f.begin(), f.end()));
 }
 
-bool PairWatch::certainly_apart(const Life& life) const {
-  return certainly_positive(life.near, near_.degree(life.pair), 0, life.length_up);
-}
-
-// After a collision that was answered: the two part until the tolerance is over, and are apart
-// then. So an episode in progress at its beginning ends within the tolerance, and there is no
-// other.
-bool PairWatch::certainly_parting(const Life& life) const {
+// Doubles decide the usual cases. Without a claim the two are apart throughout. With one they are
+// apart until the tolerance before it, and approach from then on until the tolerance after it, when
+// they would overlap: so there is one entry, and it is answered. After a collision that was
+// answered the two part until the tolerance is over, and are apart then: so an episode in progress
+// ends within the tolerance, and there is no other.
+bool PairWatch::certainly_regular(const Life& life, bool answered, bool claimed) const {
   const int degree = near_.degree(life.pair);
-  return life.length_down > tolerance_up_ &&
-         certainly_positive(derivative(life.near), degree, 0, tolerance_up_) &&
-         certainly_positive(life.near, degree, tolerance_down_, life.length_up);
-}
-
-// The two are apart until the tolerance before the claim, and approach from then on until the
-// tolerance after it, when they would overlap: so there is one entry, and it is answered.
-bool PairWatch::certainly_answered(const Life& life, const BilliardClaim&) const {
-  const int degree = near_.degree(life.pair);
-  const double before = life.length_up - tolerance_down_;
-  const double first = std::max(0.0, before);
-  if (sign(life.near[0]) != Sign::positive) return false;
-  if (before > 0 && !certainly_positive(life.near, degree, 0, before)) return false;
+  const double first = answered ? tolerance_down_ : 0;
+  const double last = claimed ? life.length_up - tolerance_down_ : life.length_up;
+  if (answered && (!(life.length_down > 3 * tolerance_up_) ||
+                   !certainly_positive(derivative(life.near), degree, 0, tolerance_up_)))
+    return false;
+  if (!certainly_positive(life.near, degree, first, std::max(first, last))) return false;
+  if (!claimed) return true;
   const double after = std::nextafter(life.length_down + tolerance_down_, 0.0);
   if (sign(value_at(life.near, after)) != Sign::negative) return false;
   GapForm<DoubleBall> falling = derivative(life.near);
   for (DoubleBall& c : falling) c = -c;
-  return certainly_positive(falling, degree, std::max(0.0, first - tolerance_up_),
+  return certainly_positive(falling, degree, std::max(0.0, last - tolerance_up_),
                             life.length_up + tolerance_up_);
 }
 
@@ -131,7 +129,6 @@ void PairWatch::close(const EntryTime& exit, Walk& walk) const {
 
 void PairWatch::expire(const Rational& now, Walk& walk) const {
   PairState& state = walk.state;
-  if (state.answered && *state.answered + tolerance_ < now) state.answered.reset();
   if (state.open && state.open->deep && !state.open->told) {
     if (state.open->answer && *state.open->answer + tolerance_ < now) {
       const OverlapEpisode episode = *state.open;
@@ -157,7 +154,7 @@ void PairWatch::expire(const Rational& now, Walk& walk) const {
 void PairWatch::settle(Life& life, Walk& walk) const {
   PairState& state = walk.state;
   if (!state.answered) return;
-  const Rational t = *state.answered;
+  const Rational t = state.answered->value();
   state.answered.reset();
   if (state.open || sign(form(life, 0).evaluate(0)) != Sign::negative) return;
   OverlapEpisode& episode =
@@ -174,13 +171,12 @@ void PairWatch::settle(Life& life, Walk& walk) const {
 void PairWatch::judge_life(const Life& life, Walk& walk) const {
   PairState& state = walk.state;
   ++walk.found.exact_lives;
-  const Rational& since = life.from.exact;
-  const Rational length = life.to.exact - since;
+  const Rational since = life.since(), length = life.length();
   const Polynomial<Rational> f = form(life, 0);
   const Rational depth = rounding(life);
   const bool has_reach = life.pair.a >= 0 || billiard_.round;
   const bool covered = !has_reach || (exact_.reach(life.pair, since) >= 4 * depth &&
-                                      exact_.reach(life.pair, life.to.exact) >= 4 * depth);
+                                      exact_.reach(life.pair, since + length) >= 4 * depth);
   const Polynomial<Rational> deeper = covered ? form(life, depth) : f;
   Rational begun = 0;  // where the episode in progress began, in this life
   const auto at = [&](const AlgebraicNumber<Rational>& u) { return EntryTime{since, u}; };
@@ -205,57 +201,56 @@ void PairWatch::judge_life(const Life& life, Walk& walk) const {
 }
 
 void PairWatch::follow(const BilliardPair& pair, const BilliardPath& a, const BilliardPath& b,
-                       const std::vector<BilliardClaim>& claims, const Window& window,
+                       std::span<const BilliardClaim> claims, const Window& window,
                        PairState& state, BilliardFindings& found) const {
   constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
   Walk walk{pair, window, state, found};
-  std::size_t ia = 0, ib = 0, next_claim = 0;
-  BilliardTime now = window.from;
+  std::size_t ia = 0, ib = 0;
+  const BilliardTime* now = &window.from;
   const auto turn_of = [](const BilliardPath& path, std::size_t i) {
     return i + 1 < path.size() ? path[i + 1].claim : never;
   };
-  const bool is_wall = pair.a < 0;
   for (;;) {
-    const std::int64_t turn_a = is_wall ? never : turn_of(a, ia), turn_b = turn_of(b, ib);
-    const std::int64_t own = next_claim < claims.size() ? claims[next_claim].number : never;
+    const std::int64_t turn_a = pair.a < 0 ? never : turn_of(a, ia), turn_b = turn_of(b, ib);
+    const std::int64_t own = claims.empty() ? never : claims.front().number;
     const std::int64_t turn = std::min({turn_a, turn_b, own});
-    const BilliardClaim* claim = turn == own && own != never ? &claims[next_claim] : nullptr;
+    const BilliardClaim* claim = turn == own && own != never ? &claims.front() : nullptr;
     const BilliardTime& to = turn == never    ? window.to
                              : claim          ? claim->t
                              : turn == turn_a ? a[ia + 1].from
                                               : b[ib + 1].from;
-    Life life{pair, is_wall ? b[ib] : a[ia], b[ib], now, to};
-    life.near = near_.form(pair, life.a.near, life.b.near, now.near, DoubleBall(0));
-    const DoubleBall length = to.near - now.near;
-    life.length_up = std::max(0.0, up(length));
-    life.length_down = std::max(0.0, down(length));
-    ++found.pair_lives;
-    const bool lasts = now.exact < to.exact;
-    const bool plain = !state.open && state.ended.empty() && !state.answered;
-    if (claim && plain && certainly_answered(life, *claim)) {
-      state.answered = claim->t.exact;
-      state.answered_line = claim->line;
-    } else {
-      const bool clear = !claim && (plain ? certainly_apart(life)
-                                          : state.answered && !state.open && state.ended.empty() &&
-                                                certainly_parting(life));
-      if (clear) {
-        state.answered.reset();
-      } else {
-        settle(life, walk);
-        if (lasts) judge_life(life, walk);
-        if (claim) judge_claim(life, *claim, walk);
-      }
-    }
+    Life life{pair, pair.a < 0 ? b : a, b, pair.a < 0 ? ib : ia, ib, *now, to};
+    live(life, claim, walk);
     if (turn == never) break;
-    expire(to.exact, walk);
-    if (claim) ++next_claim;
+    if (!state.is_empty()) expire(to.value(), walk);
+    if (claim) claims = claims.subspan(1);
     if (turn == turn_a) ++ia;
     if (turn == turn_b) ++ib;
-    now = to;
+    now = &to;
   }
-  expire(window.to.exact, walk);
+  if (!state.is_empty()) expire(window.to.value(), walk);
   if (window.last) finish(walk);
+}
+
+// The life of the two up to its end, and the claim there, if there is one.
+void PairWatch::live(Life& life, const BilliardClaim* claim, Walk& walk) const {
+  PairState& state = walk.state;
+  ++walk.found.pair_lives;
+  life.near = near_.form(life.pair, life.a().near, life.b().near, life.from.near, DoubleBall(0));
+  const DoubleBall length = life.to.near - life.from.near;
+  life.length_up = std::max(0.0, up(length));
+  life.length_down = std::max(0.0, down(length));
+  const bool plain = !state.open && state.ended.empty();
+  if (plain && certainly_regular(life, state.answered.has_value(), claim != nullptr)) {
+    state.answered.reset();
+    if (!claim) return;
+    state.answered = claim->t.exact;
+    state.answered_line = claim->line;
+    return;
+  }
+  settle(life, walk);
+  if (life.from.exact < life.to.exact) judge_life(life, walk);
+  if (claim) judge_claim(life, *claim, walk);
 }
 
 // No claim comes any more.

@@ -4,10 +4,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "certify/billiards/billiard_lines.h"
+#include "certify/billiards/billiard_path.h"
 #include "certify/certificate.h"
 #include "exact/algebraic.h"
 
@@ -56,7 +57,7 @@ struct PairState {
   std::optional<OverlapEpisode> open;  // in progress
   std::vector<OverlapEpisode> ended;   // not answered yet
   // A claim was answered at that time, and the episode may be in progress. Doubles did not tell.
-  std::optional<Rational> answered;
+  std::optional<CompactRational> answered;
   std::int64_t answered_line = 0;
   bool is_empty() const { return !open && ended.empty() && !answered; }
 };
@@ -76,17 +77,18 @@ class PairWatch {
     std::int64_t first_line;                 // its first claim's, or that of what follows it
   };
 
-  // Follows the pair through the window. `a` is ignored for a wall. `claims`: those of this pair.
+  // Follows the pair through the window. `a` is ignored for a wall. `claims`: those of this pair,
+  // in order.
   void follow(const BilliardPair& pair, const BilliardPath& a, const BilliardPath& b,
-              const std::vector<BilliardClaim>& claims, const Window& window, PairState& state,
+              std::span<const BilliardClaim> claims, const Window& window, PairState& state,
               BilliardFindings& found) const;
 
   const BilliardGaps<Rational>& exact() const { return exact_; }
   const BilliardGaps<DoubleBall>& near() const { return near_; }
 
   // The image of the pair's second disk that is nearest to the first one at t.
-  LatticeImage nearest_image(const BilliardPair& pair, const BilliardLine& a, const BilliardLine& b,
-                             const Rational& t) const;
+  LatticeImage nearest_image(const BilliardPair& pair, const Flight<Rational>& a,
+                             const Flight<Rational>& b, const Rational& t) const;
 
   // "disks 0 and 1", "disk 3 and wall -2", with the image where it is another than the disk itself.
   std::string name(const BilliardPair& pair) const;
@@ -95,12 +97,18 @@ class PairWatch {
   // The pair between two turns of either, on lines that both keep, in the time after `from`.
   struct Life {
     const BilliardPair& pair;
-    const BilliardLine &a, &b;
-    BilliardTime from, to;
+    const BilliardPath &path_a, &path_b;
+    std::size_t index_a, index_b;
+    const BilliardTime &from, &to;
     GapForm<DoubleBall> near{};  // in the time since `from`
     double length_up = 0, length_down = 0;
+
+    const BilliardLine& a() const { return path_a[index_a]; }
+    const BilliardLine& b() const { return path_b[index_b]; }
+    Rational since() const { return from.value(); }
+    Rational length() const { return to.value() - from.value(); }
     // When their lines began: earlier than `from` where a window began since.
-    const Rational& begin() const;
+    Rational begin() const;
   };
 
   // The pair on its way through a window.
@@ -115,16 +123,15 @@ class PairWatch {
       const auto& times = *window.times;
       std::int64_t line = window.first_line;
       for (const BilliardTime& t : times) {
-        if ((x <=> t.exact) < 0) break;
+        if ((x <=> t.value()) < 0) break;
         ++line;
       }
       return line;
     }
   };
 
-  bool certainly_apart(const Life& life) const;
-  bool certainly_parting(const Life& life) const;
-  bool certainly_answered(const Life& life, const BilliardClaim& claim) const;
+  bool certainly_regular(const Life& life, bool answered, bool claimed) const;
+  void live(Life& life, const BilliardClaim* claim, Walk& walk) const;
   void judge_life(const Life& life, Walk& walk) const;
   void judge_claim(const Life& life, const BilliardClaim& claim, Walk& walk) const;
   bool last_turn_was_own(const Life& life) const;
@@ -132,8 +139,8 @@ class PairWatch {
   bool answers(const Life& life, const BilliardClaim& claim, Walk& walk) const;
   bool comes_near(const Life& life, const Rational& t, Walk& walk) const;
   BilliardFault fault_of(const Life& life, const BilliardClaim& claim) const;
-  std::vector<LatticeImage> images_near(const BilliardPair& pair, const BilliardLine& a,
-                                        const BilliardLine& b, const Rational& t) const;
+  std::vector<LatticeImage> images_near(const BilliardPair& pair, const Flight<Rational>& a,
+                                        const Flight<Rational>& b, const Rational& t) const;
   std::optional<LatticeImage> touching_image(const Life& life, const Rational& t) const;
   void settle(Life& life, Walk& walk) const;
   void open(const EntryTime& entry, Walk& walk) const;

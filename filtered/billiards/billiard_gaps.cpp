@@ -33,18 +33,6 @@ T number(int k) {
   return T(k);
 }
 
-// The product of two polynomials of degree 2, added to `sum`.
-template <class T>
-void add_product(GapForm<T>& sum, const std::array<T, 3>& f, const std::array<T, 3>& g,
-                 bool subtracted) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const T term = f[i] * g[j];
-      sum[i + j] = subtracted ? T(sum[i + j] - term) : T(sum[i + j] + term);
-    }
-  }
-}
-
 }  // namespace
 
 template <class T>
@@ -147,12 +135,23 @@ GapForm<T> BilliardGaps<T>::form(const BilliardPair& pair, const Flight<T>& a, c
   // The reach is from inside in a round frame: then a gap that is deeper needs a greater one.
   const bool inside = pair.a < 0;
   const T reach_now = inside ? T(reach(pair, since) + depth) : T(reach(pair, since) - depth);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::array<T, 3> path{d[axis], v[axis], falls_ ? T(gravity_[axis] * fall) : zero};
-    add_product(form, path, path, inside);
+  const T two = number<T>(2);
+  if (!falls_) {
+    form[0] = dot(d, d) - reach_now * reach_now;
+    form[1] = two * T(dot(d, v) - reach_now * rate);
+    form[2] = dot(v, v) - rate * rate;
+  } else {
+    // |d + v u + g u^2|^2 less the square of the reach.
+    const Vector3<T> g = gravity_ * fall;
+    form[0] = dot(d, d) - reach_now * reach_now;
+    form[1] = two * T(dot(d, v) - reach_now * rate);
+    form[2] = dot(v, v) + two * dot(d, g) - rate * rate;
+    form[3] = two * dot(v, g);
+    form[4] = dot(g, g);
   }
-  const std::array<T, 3> radii{reach_now, rate, zero};
-  add_product(form, radii, radii, !inside);
+  if (inside) {
+    for (T& c : form) c = zero - c;
+  }
   return form;
 }
 
@@ -262,8 +261,27 @@ bool positive_on(const GapForm<DoubleBall>& form, int degree, double lo, double 
 
 }  // namespace
 
+namespace {
+
+// Whether a form of degree 2 is positive on all of [0, hi] because it rises from the start, falls
+// to the end, or has no root at all.
+bool is_plainly_positive(const GapForm<DoubleBall>& form, double hi) {
+  if (sign(form[0]) != Sign::positive) return false;
+  const bool is_convex = sign(form[2]) != Sign::negative && sign(form[2]) != Sign::unknown;
+  if (!is_convex) return false;
+  if (sign(form[1]) == Sign::positive) return true;
+  const DoubleBall four(4);
+  if (sign(form[1] * form[1] - four * form[0] * form[2]) == Sign::negative) return true;
+  const DoubleBall end(hi);
+  return sign(form[1] + DoubleBall(2) * form[2] * end) == Sign::negative &&
+         sign(value_at(form, hi)) == Sign::positive;
+}
+
+}  // namespace
+
 bool certainly_positive(const GapForm<DoubleBall>& form, int degree, double lo, double hi) {
   constexpr int most_halvings = 6;
+  if (degree == 2 && lo >= 0 && is_plainly_positive(form, hi)) return true;
   return positive_on(form, degree, lo, hi, most_halvings);
 }
 

@@ -55,6 +55,9 @@ class BilliardGaps {
   // How far a disk falls from rest in the time t.
   Vector3<T> fall(const T& t) const { return gravity_ * T(t * t / T(2)); }
 
+  // The radius at a time.
+  T radius(GenId i, const T& t) const { return disk(i).radius + disk(i).growth * t; }
+
   // Centre and velocity at a time.
   Vector3<T> place(GenId disk, const Flight<T>& flight, const T& t) const;
   Vector3<T> velocity(GenId disk, const Flight<T>& flight, const T& t) const;

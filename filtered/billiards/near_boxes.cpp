@@ -23,8 +23,6 @@ LatticeImage plus(const LatticeImage& a, const LatticeImage& b) {
 }
 LatticeImage minus(const LatticeImage& a) { return {-a[0], -a[1], -a[2]}; }
 
-constexpr double most_cells = 64;  // a box in more is compared with all others
-
 }  // namespace
 
 NearBoxes::NearBoxes(const Billiard& billiard)
@@ -85,8 +83,9 @@ void NearBoxes::fold(const std::vector<SweptBox>& boxes, double from, double to)
 }
 
 // All images, but the folded disk itself, that meet the box of all. The first axis comes last:
-// images along the second one drift along it.
-void NearBoxes::add_images(double from, double to) {
+// images along the second one drift along it. False where they are too many.
+bool NearBoxes::add_images(double from, double to) {
+  const double most = 64 * static_cast<double>(folded_) + 4096;
   for (const std::size_t k : {std::size_t{2}, std::size_t{1}, std::size_t{0}}) {
     if (sides_[k] == 0) continue;
     const std::size_t so_far = copies_.size();
@@ -94,6 +93,7 @@ void NearBoxes::add_images(double from, double to) {
       const SweptBox& box = copies_[i].box;
       const double first = std::floor((all_.lo[k] - box.hi[k]) / sides_[k]) - 1;
       const double last = std::ceil((all_.hi[k] - box.lo[k]) / sides_[k]) + 1;
+      if (!(static_cast<double>(copies_.size()) + last - first < most)) return false;
       for (double n = first; n <= last; ++n) {
         if (n == 0) continue;
         Copy moved = copies_[i];
@@ -105,48 +105,47 @@ void NearBoxes::add_images(double from, double to) {
       }
     }
   }
+  return true;
 }
 
-// As long as the half of all boxes are: these are in few cells.
-void NearBoxes::choose_cells() {
-  std::vector<double> extents;
+NearBoxes::Range NearBoxes::cells_of(const SweptBox& box, int level) const {
+  Range range{Cell{level, {}}, Cell{level, {}}};
+  for (std::size_t k = 0; k < axes_; ++k) {
+    // Monotonic in the coordinate, so that boxes that meet share a cell.
+    range[0].at[k] = static_cast<std::int64_t>(std::floor(std::ldexp(box.lo[k], -level)));
+    range[1].at[k] = static_cast<std::int64_t>(std::floor(std::ldexp(box.hi[k], -level)));
+  }
+  return range;
+}
+
+// A box is in few cells of its level, and cells are counted in 52 bits.
+void NearBoxes::choose_levels() {
+  double far = 0;
+  for (const Copy& copy : copies_) {
+    for (std::size_t k = 0; k < axes_; ++k) {
+      far = std::max({far, std::fabs(copy.box.lo[k]), std::fabs(copy.box.hi[k])});
+    }
+  }
+  const int lowest = far > 0 ? std::ilogb(far) - 50 : 0;
+  ranges_.clear();
+  levels_.clear();
   for (const Copy& copy : copies_) {
     double extent = 0;
     for (std::size_t k = 0; k < axes_; ++k) {
       extent = std::max(extent, copy.box.hi[k] - copy.box.lo[k]);
     }
-    extents.push_back(extent);
+    const int level = extent > 0 ? std::max(lowest, std::ilogb(extent) + 1) : lowest;
+    ranges_.push_back(cells_of(copy.box, level));
+    levels_.push_back(level);
   }
-  cell_ = 0;
-  if (!extents.empty()) {
-    const auto middle = extents.begin() + static_cast<std::ptrdiff_t>(extents.size() / 2);
-    std::nth_element(extents.begin(), middle, extents.end());
-    cell_ = *middle;
-  }
+  std::sort(levels_.begin(), levels_.end());
+  levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
   buckets_ = std::bit_ceil(2 * copies_.size() + 1);
 }
 
-// The first cell and the last one of a box; none where they are too many.
-std::optional<std::array<NearBoxes::Cell, 2>> NearBoxes::cells_of(const SweptBox& box) const {
-  std::array<Cell, 2> range{};
-  double covered = 1;
-  for (std::size_t k = 0; k < axes_; ++k) {
-    // Monotonic in the coordinate, so that boxes that meet share a cell.
-    const double lo = std::floor((box.lo[k] - all_.lo[k]) / cell_);
-    const double hi = std::floor((box.hi[k] - all_.lo[k]) / cell_);
-    covered *= hi - lo + 1;
-    // Written so that no number is more than covered: neither for a cell of size 0.
-    if (!(covered <= most_cells) || !(std::fabs(lo) < 0x1p52) || !(std::fabs(hi) < 0x1p52))
-      return std::nullopt;
-    range[0][k] = static_cast<std::int64_t>(lo);
-    range[1][k] = static_cast<std::int64_t>(hi);
-  }
-  return range;
-}
-
 std::size_t NearBoxes::bucket(const Cell& cell) const {
-  std::uint64_t hash = 0;
-  for (const std::int64_t x : cell) {
+  auto hash = static_cast<std::uint64_t>(cell.level);
+  for (const std::int64_t x : cell.at) {
     hash = (hash ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15U;
     hash ^= hash >> 32U;
   }
@@ -167,58 +166,65 @@ void NearBoxes::compare(std::size_t c, std::size_t d, std::vector<BilliardPair>&
   add(copies_[d], copies_[c], pairs);
 }
 
-// Those that share a bucket, in the bucket of the first cell that they share only.
-void NearBoxes::compare_in_buckets(std::vector<BilliardPair>& pairs) {
-  for (std::size_t k = 0; k + 1 < begins_.size(); ++k) {
-    for (std::size_t i = begins_[k]; i < begins_[k + 1]; ++i) {
-      for (std::size_t j = i + 1; j < begins_[k + 1]; ++j) {
-        const std::size_t c = members_[i], d = members_[j];
-        const Cell &at = (*ranges_[c])[0], &of = (*ranges_[d])[0];
-        const Cell first{std::max(at[0], of[0]), std::max(at[1], of[1]), std::max(at[2], of[2])};
-        if (bucket(first) == k) compare(c, d, pairs);
-      }
+namespace {
+
+template <class Range, class Visit>
+void each_cell(const Range& range, Visit&& visit) {
+  auto cell = range[0];
+  const auto &first = range[0].at, &last = range[1].at;
+  for (cell.at[2] = first[2]; cell.at[2] <= last[2]; ++cell.at[2]) {
+    for (cell.at[1] = first[1]; cell.at[1] <= last[1]; ++cell.at[1]) {
+      for (cell.at[0] = first[0]; cell.at[0] <= last[0]; ++cell.at[0]) visit(cell);
     }
   }
 }
 
-// Counts, or stores, which copies are in which bucket.
+}  // namespace
+
 void NearBoxes::sort_into_buckets() {
-  const auto each_cell = [&](std::size_t c, auto&& visit) {
-    if (!ranges_[c]) return;
-    const auto& [first, last] = *ranges_[c];
-    for (std::int64_t z = first[2]; z <= last[2]; ++z) {
-      for (std::int64_t y = first[1]; y <= last[1]; ++y) {
-        for (std::int64_t x = first[0]; x <= last[0]; ++x) visit(bucket({x, y, z}));
-      }
-    }
-  };
-  ranges_.clear();
-  for (const Copy& copy : copies_) ranges_.push_back(cells_of(copy.box));
   begins_.assign(buckets_ + 1, 0);
-  for (std::size_t c = 0; c < copies_.size(); ++c) {
-    each_cell(c, [&](std::size_t k) { ++begins_[k + 1]; });
+  for (const Range& range : ranges_) {
+    each_cell(range, [&](const Cell& cell) { ++begins_[bucket(cell) + 1]; });
   }
   for (std::size_t k = 1; k < begins_.size(); ++k) begins_[k] += begins_[k - 1];
   members_.resize(begins_.back());
   std::vector<std::size_t> next(begins_.begin(), begins_.end() - 1);
   for (std::size_t c = 0; c < copies_.size(); ++c) {
-    each_cell(c, [&](std::size_t k) { members_[next[k]++] = c; });
+    each_cell(ranges_[c], [&](const Cell& cell) { members_[next[bucket(cell)]++] = c; });
   }
 }
 
-std::vector<BilliardPair> NearBoxes::pairs(const std::vector<SweptBox>& boxes, double from,
-                                           double to) {
+// Compares it with those of that level, its own or a higher one, in the first cell that they share.
+void NearBoxes::compare_in(std::size_t c, int level, std::vector<BilliardPair>& pairs) {
+  const bool is_own = level == ranges_[c][0].level;
+  const Range range = is_own ? ranges_[c] : cells_of(copies_[c].box, level);
+  each_cell(range, [&](const Cell& cell) {
+    const std::size_t k = bucket(cell);
+    for (std::size_t m = begins_[k]; m < begins_[k + 1]; ++m) {
+      const std::size_t d = members_[m];
+      const Cell& other = ranges_[d][0];
+      if (other.level != level || (is_own && d <= c)) continue;
+      bool is_first = true;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        is_first = is_first && cell.at[axis] == std::max(range[0].at[axis], other.at[axis]);
+      }
+      if (is_first) compare(c, d, pairs);
+    }
+  });
+}
+
+std::optional<std::vector<BilliardPair>> NearBoxes::pairs(const std::vector<SweptBox>& boxes,
+                                                          double from, double to) {
   fold(boxes, from, to);
-  add_images(from, to);
-  choose_cells();
+  if (!add_images(from, to)) return std::nullopt;
+  choose_levels();
   sort_into_buckets();
   compared_ = 0;
   std::vector<BilliardPair> pairs;
-  compare_in_buckets(pairs);
   for (std::size_t c = 0; c < copies_.size(); ++c) {
-    if (ranges_[c]) continue;  // else it is large, and compared with all
-    for (std::size_t d = 0; d < copies_.size(); ++d) {
-      if (d != c && (ranges_[d] || c < d)) compare(c, d, pairs);
+    for (auto level = std::lower_bound(levels_.begin(), levels_.end(), ranges_[c][0].level);
+         level != levels_.end(); ++level) {
+      compare_in(c, *level, pairs);
     }
   }
   std::sort(pairs.begin(), pairs.end());

@@ -21,8 +21,10 @@ class NearBoxes {
   explicit NearBoxes(const Billiard& billiard);
 
   // All pairs of disks, with the image of the second, whose boxes meet in the window [from, to],
-  // each once, in order. Boxes are by disk, where the disks are, not folded.
-  std::vector<BilliardPair> pairs(const std::vector<SweptBox>& boxes, double from, double to);
+  // each once, in order. Boxes are by disk, where the disks are, not folded. Nothing where so many
+  // images would have to be looked at that the window is to be split.
+  std::optional<std::vector<BilliardPair>> pairs(const std::vector<SweptBox>& boxes, double from,
+                                                 double to);
 
   // How many boxes the last call has compared.
   std::size_t compared() const { return compared_; }
@@ -35,16 +37,21 @@ class NearBoxes {
     LatticeImage image;
   };
 
-  using Cell = std::array<std::int64_t, 3>;
+  // A cell of the grid of a level, whose cells have the side 2^level.
+  struct Cell {
+    int level;
+    std::array<std::int64_t, 3> at;
+  };
+  using Range = std::array<Cell, 2>;  // the first cell and the last one
 
   void fold(const std::vector<SweptBox>& boxes, double from, double to);
-  void add_images(double from, double to);
+  bool add_images(double from, double to);
   void shift(Copy& copy, const LatticeImage& by, double from, double to) const;
-  void choose_cells();
-  std::optional<std::array<Cell, 2>> cells_of(const SweptBox& box) const;
+  void choose_levels();
+  Range cells_of(const SweptBox& box, int level) const;
   std::size_t bucket(const Cell& cell) const;
   void sort_into_buckets();
-  void compare_in_buckets(std::vector<BilliardPair>& pairs);
+  void compare_in(std::size_t c, int level, std::vector<BilliardPair>& pairs);
   void compare(std::size_t c, std::size_t d, std::vector<BilliardPair>& pairs);
   void add(const Copy& a, const Copy& b, std::vector<BilliardPair>& pairs) const;
 
@@ -53,12 +60,14 @@ class NearBoxes {
   std::size_t axes_;
   std::vector<Copy> copies_;  // first those of the disks that are folded, by disk
   std::size_t folded_ = 0;
-  SweptBox all_{};   // contains the folded ones
-  double cell_ = 0;  // its length
+  SweptBox all_{};  // contains the folded ones
+  // By copy: the level at which it is in few cells, and its cells there. All levels, the lowest
+  // first.
+  std::vector<Range> ranges_;
+  std::vector<int> levels_;
   std::size_t buckets_ = 1;
-  std::vector<std::optional<std::array<Cell, 2>>> ranges_;  // by copy
-  std::size_t compared_ = 0;
   std::vector<std::size_t> begins_, members_;  // by bucket
+  std::size_t compared_ = 0;
 };
 
 }  // namespace voroproof::internal

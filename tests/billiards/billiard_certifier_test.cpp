@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "history/error.h"
+#include "history/json_text.h"
 #include "tests/billiards/billiard_cases.h"
 
 namespace voroproof::internal::testing {
@@ -358,6 +359,63 @@ TEST(BilliardCertifier, Bystanders) {
     c.collisions = 0;
     EXPECT_EQ(c.judge().verdict, Verdict::refuted) << other;
   }
+}
+
+// Three would touch at one instant of a late clock. Its rounded time is late, so that the pair that
+// does not collide overlaps for a moment, by more than the size of the scene explains.
+TEST(BilliardCertifier, ThreeTouchLate) {
+  expect_certified(
+      {R"("frame":"none","disks":[
+    {"center":[0,0],"radius":"13/2","velocity":[0,0],"mass":1},
+    {"center":["40/3",0],"radius":"13/2","velocity":[0,0],"mass":1000000},
+    {"center":["16/3",12],"radius":"13/2","velocity":[0,0],"mass":1}],
+    "maneuvers":[{"t":1e9,"disk":0,"velocity":[1,0]}])",
+       "1000000003",
+       {R"({"t":1e9,"maneuver":0,"v":[1,0]})",
+        R"({"t":1000000000.3333334,"collide":[0,1],"v":[["-999999/1000001",0],["2/1000001",0]]})"},
+       1,
+       1});
+}
+
+// A ball that bounces once a unit of time, for longer than a window has claims.
+TEST(BilliardCertifier, ManyBouncesBesideSomethingFarAway) {
+  for (const char* const other : {"", R"(,{"center":[134217728,9],"radius":1,"fixed":true})"}) {
+    BilliardCase c{std::string(R"("frame":{"walls":[{"normal":[0,1],"offset":0}]},"gravity":[0,-8],
+      "disks":[{"center":[0,1],"radius":1,"velocity":[0.1,"4.1"]})") +
+                       other + "]",
+                   "700.5",
+                   {}};
+    for (int k = 1; k <= 600; ++k) {
+      c.events.push_back(R"({"t":)" + number_text(k * 1.025) +
+                         R"(,"collide":[-1,0],"v":[null,[0.1,4.1]]})");
+    }
+    c.collisions = 600;
+    c.horizon = "615.5";
+    const Certificate certificate = c.judge();
+    EXPECT_EQ(certificate.verdict, Verdict::certified)
+        << (certificate.divergence ? certificate.divergence->truth : certificate.reason);
+  }
+}
+
+// Far from everything, at a speed of its own.
+TEST(BilliardCertifier, ExtremeScales) {
+  BilliardCase c{R"("frame":"none","disks":[
+    {"center":[-1e100,0],"radius":1,"velocity":[1e100,0]},{"center":[0,0],"radius":1,"velocity":[0,0]}])",
+                 "1e100",
+                 {}};
+  EXPECT_EQ(c.judge().verdict, Verdict::refuted);
+}
+
+// One runs past 10^5 images of the other, in a window that its slow beginning made long.
+TEST(BilliardCertifier, PastManyImages) {
+  BilliardCase c{R"("frame":{"periodic":[1,1]},"disks":[
+    {"center":[0,0],"radius":0.125,"velocity":[1e-6,0]},{"center":[0,0.5],"radius":0.125,"velocity":[0,0]}],
+    "maneuvers":[{"t":1,"disk":0,"velocity":[1e5,0]}])",
+                 "2",
+                 {R"({"t":1,"maneuver":0})"},
+                 0,
+                 1};
+  expect_certified(c);
 }
 
 // Nothing happens for long: windows become longer, as many as there would be else.

@@ -82,6 +82,8 @@ TEST(BilliardReader, RefusesFaultyScenes) {
        "frame.walls[0].restitution: not in (0, 1]"},
       {R"("frame":{"center":[0,0],"radius":0.5},)" + disks,
        "disks[0].radius: the disk does not fit into the frame"},
+      {R"("frame":{"periodic":[5,null],"walls":[{"normal":[1,0],"offset":-5}]},)" + disks,
+       "frame.walls: a wall lies across an axis that is periodic"},
       {R"("frame":{"periodic":[0,5]},)" + disks, "frame.periodic[0]: not positive"},
       {R"("frame":{"periodic":[5,null],"shear":1},)" + disks, "frame.shear: the first two axes"},
       {R"("frame":{"periodic":[2,5]},)" + disks, "disks[0].radius: the disk reaches its own image"},

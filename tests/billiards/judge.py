@@ -49,6 +49,9 @@ class Motion:
         b = scene.disks[j]
         at_b = [list(axis) for axis in judge.paths[j].lines[lines[1]]]
         self.count = lines[1] + (lines[0] if i >= 0 else 0)
+        on = [(judge.paths[k], n) for k, n in zip(pair, lines) if k >= 0]
+        self.begin = max(path.starts[n] for path, n in on)
+        self.speeds = sum(norm(path.velocity(n, path.starts[n])) for path, n in on)
         self.wall = scene.walls[-1 - i] if i < 0 and not scene.circle else None
         self.inside = i < 0 and self.wall is None
         if self.wall:
@@ -186,7 +189,7 @@ class Judge:
 
     def delta(self, motion, t):
         """The depth that roundings explain, at time t."""
-        delta = self.extent * max(1, motion.count) / 2 ** 51
+        delta = (self.extent * max(1, motion.count) + motion.speeds * motion.begin) / 2 ** 51
         return delta if motion.wall or evaluate(motion.reach, t) >= 4 * delta else Fraction(0)
 
     def depths(self, motion, start, end):

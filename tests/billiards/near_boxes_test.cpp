@@ -60,7 +60,7 @@ void compare(const Sample& sample, unsigned seed) {
   }
   const double from = uniform(0, 3), to = from + uniform(0, 0.5);
   NearBoxes near(billiard);
-  const std::vector<BilliardPair> found = near.pairs(boxes, from, to);
+  const std::vector<BilliardPair> found = near.pairs(boxes, from, to).value();
   const std::set<BilliardPair> pairs(found.begin(), found.end());
   EXPECT_EQ(pairs.size(), found.size());
   constexpr int far = 12;
@@ -101,13 +101,20 @@ TEST(NearBoxes, FindsAllPairsOfAllImages) {
   }
 }
 
+// A box across a million cells is to be split, and is not looked at.
+TEST(NearBoxes, TooManyImages) {
+  const Billiard billiard = box(2, {5, 5, 0}, 0);
+  const SweptBox one{{1, 1, 0}, {2, 2, 0}}, other{{0, 0, 0}, {5e6, 1, 0}};
+  EXPECT_FALSE(NearBoxes(billiard).pairs({one, other}, 0, 1).has_value());
+}
+
 TEST(NearBoxes, FewDisks) {
   const Billiard billiard = box(2, {5, 5, 0}, 0);
-  EXPECT_TRUE(NearBoxes(billiard).pairs({}, 0, 1).empty());
+  EXPECT_TRUE(NearBoxes(billiard).pairs({}, 0, 1)->empty());
   const SweptBox one{{1, 1, 0}, {2, 2, 0}};
-  EXPECT_TRUE(NearBoxes(billiard).pairs({one}, 0, 1).empty());
+  EXPECT_TRUE(NearBoxes(billiard).pairs({one}, 0, 1)->empty());
   const SweptBox other{{5.5, 1, 0}, {6.5, 2, 0}};
-  const auto pairs = NearBoxes(billiard).pairs({one, other}, 0, 1);
+  const auto pairs = NearBoxes(billiard).pairs({one, other}, 0, 1).value();
   ASSERT_EQ(pairs.size(), 1U);
   EXPECT_EQ(pairs.front(), (BilliardPair{0, 1, {-1, 0, 0}}));
 }
