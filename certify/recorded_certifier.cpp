@@ -59,6 +59,11 @@ void complete(Certificate& c, const std::optional<std::array<Rational, 2>>& othe
   const auto told = history.remarks();
   c.remarks.insert(c.remarks.begin(), told.begin(), told.end());
   name_shadow(c, history, round_up(options.tolerance));
+  const bool knows_no_flips = !history.header().initial && history.counts().flips == 0;
+  if (knows_no_flips && c.divergence && c.divergence->true_flip) {
+    c.remarks.push_back(
+        "the history tells of no flips: --events collisions judges its collisions alone");
+  }
 }
 
 }  // namespace

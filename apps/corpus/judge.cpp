@@ -23,11 +23,12 @@ void write_text(const std::string& path, const std::string& text) {
 }
 
 int certify_into(const std::string& scene, const std::string& history, Truth truth,
-                 const std::string& report) {
+                 EventKinds events, const std::string& report) {
   try {
     const Claim claim = open_claim(scene, history);
     CertifyOptions options;
     options.truth = truth;
+    options.events = events;
     options.propose_initial = construct_initial;
     const Certificate certificate = certify(claim.scene, *claim.history, options);
     claim.history->require_unchanged();
@@ -94,9 +95,9 @@ std::string_view name_of(CaseJudgement::Verdict verdict) {
 }
 
 ProcessStep judging(const std::string& scene, const std::string& history, Truth truth,
-                    const std::string& report, const ProcessLimits& limits,
+                    EventKinds events, const std::string& report, const ProcessLimits& limits,
                     std::function<void(const CaseJudgement&)> on_judgement) {
-  return {.work = [=] { return certify_into(scene, history, truth, report); },
+  return {.work = [=] { return certify_into(scene, history, truth, events, report); },
           .limits = limits,
           .on_end =
               [report, on_judgement = std::move(on_judgement)](const ProcessEnd& end) {

@@ -32,7 +32,7 @@ std::string_view name_of(CaseJudgement::Verdict verdict);
 // then hands on the judgement. Its process writes a report or a message to `report`, a file that
 // it may overwrite. Where it exceeds the limits or fails, the judgement is undecided and says why.
 ProcessStep judging(const std::string& scene, const std::string& history, Truth truth,
-                    const std::string& report, const ProcessLimits& limits,
+                    EventKinds events, const std::string& report, const ProcessLimits& limits,
                     std::function<void(const CaseJudgement&)> on_judgement);
 
 }  // namespace voroproof::internal

@@ -162,7 +162,8 @@ std::string report_for_terminal(const CorpusRunInfo& info,
   }
   out += table_text(rows);
   const FamilyTally& all = families.back();
-  out += "\n" + std::to_string(all.passed) + " of " + count_text(all.cases, "case") + " passed\n";
+  out += "\n" + std::to_string(all.passed) + " of " + count_text(all.cases, "case") + " passed" +
+         (info.events == EventKinds::all ? "" : ", by collisions and maneuvers alone") + "\n";
   return out;
 }
 
@@ -197,6 +198,7 @@ Json report_data(const CorpusRunInfo& info, const std::vector<ProgramResult>& re
   Json j = json(info);
   j["truths"] = Json::array();
   for (const Truth truth : info.truths) j["truths"].push_back(name_of(truth));
+  j["events"] = info.events == EventKinds::all ? "all" : "collisions";
   Json families = Json::array();
   for (const FamilyTally& f : tallies(results)) {
     Json family = {{"family", f.family}, {"cases", f.cases},       {"passed", f.passed},

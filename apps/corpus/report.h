@@ -15,6 +15,7 @@ struct CorpusRunInfo {
   std::string producer;  // the program that gave the verdicts: this one
   std::string command;   // empty where the corpus was held against itself
   std::vector<Truth> truths;
+  EventKinds events = EventKinds::all;
   ProcessLimits limits;
 };
 

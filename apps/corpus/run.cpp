@@ -96,12 +96,14 @@ void add_judging(ProcessJob& job, ProgramResult& result, const fs::path& folder,
   const std::string report = (folder / "report").string();
   for (const Truth truth : options.truths) {
     std::optional<CaseJudgement>& into = truth == Truth::exact ? result.exact : result.recorded;
-    job.push_back(judging(result.of->scene(), history, truth, report, options.limits,
+    job.push_back(judging(result.of->scene(), history, truth, options.events, report,
+                          options.limits,
                           [&into](const CaseJudgement& judgement) { into = judgement; }));
   }
   if (!result.of->decided) {
-    job.push_back(judging(result.of->scene(), result.of->history(), Truth::exact, report,
-                          options.limits, [&result](const CaseJudgement& j) { result.own = j; }));
+    job.push_back(judging(result.of->scene(), result.of->history(), Truth::exact, options.events,
+                          report, options.limits,
+                          [&result](const CaseJudgement& j) { result.own = j; }));
   }
   job.back().on_end = [&result, folder, judged = job.back().on_end](const ProcessEnd& end) {
     judged(end);
@@ -228,8 +230,8 @@ std::vector<OwnResult> own_histories(const std::vector<CorpusCase>& cases,
       result.checks.push_back({.file = file, .expected = expected, .found = {}, .reason = {}});
       OwnCheck& check = result.checks.back();
       job->push_back(judging(c.scene(), c.path(file),
-                             truth == "exact" ? Truth::exact : Truth::recorded, report,
-                             options.limits, [&check, truth](const CaseJudgement& j) {
+                             truth == "exact" ? Truth::exact : Truth::recorded, EventKinds::all,
+                             report, options.limits, [&check, truth](const CaseJudgement& j) {
                                check.found = judged_text(j, truth);
                                check.reason = j.reason;
                                check.seconds = j.seconds;

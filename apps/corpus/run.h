@@ -16,8 +16,9 @@ namespace voroproof::internal {
 struct CorpusRunOptions {
   std::string command;  // with {scene} and {history}; see against_program
   std::vector<Truth> truths{Truth::exact, Truth::recorded};
-  ProcessLimits limits;  // for each run of the program, and for each certification
-  std::size_t jobs = 1;  // side by side
+  EventKinds events = EventKinds::all;  // that are judged of a program's histories
+  ProcessLimits limits;                 // for each run of the program, and for each certification
+  std::size_t jobs = 1;                 // side by side
   // See run_jobs.
   std::function<bool(std::size_t finished)> progress;
 };
@@ -73,8 +74,8 @@ struct OwnResult {
 };
 
 // Certifies every case's exact history under the exact truth and its wrong ones, and compares the
-// expected diagrams with those that the exact history gives. `command` and `truths` of the options
-// do not count. Throws as against_program.
+// expected diagrams with those that the exact history gives. `command`, `truths` and `events` of
+// the options do not count. Throws as against_program.
 std::vector<OwnResult> own_histories(const std::vector<CorpusCase>& cases,
                                      const CorpusRunOptions& options);
 

@@ -114,6 +114,7 @@ ExitCode run_cases(const Request& request) {
   const CorpusRunInfo info{.producer = producer(),
                            .command = options.command,
                            .truths = options.truths,
+                           .events = options.events,
                            .limits = options.limits};
   std::ostream& out = words_beside({request.json, request.html});
   bool all_passed = false;

@@ -29,7 +29,13 @@ void ProgramRun::add_to(Verb& verb, bool required) {
       "--truth", {"exact", "recorded", "both"}, truth,
       "What the program's histories are certified against: the true motion, the motion that each "
       "history itself records, or either, whichever holds.");
-  if (!required) truths.needs("--against");
+  Option& kinds = verb.choice("--events", {"all", "collisions"}, events,
+                              "Which events of the program's histories are judged: with "
+                              "\"collisions\" flips and initial diagrams are passed over.");
+  if (!required) {
+    truths.needs("--against");
+    kinds.needs("--against");
+  }
   verb.real("--timeout", seconds,
             "The seconds for each run of the program and for each certification.");
   verb.whole("--memory", megabytes, 0, 1 << 30,
@@ -51,6 +57,7 @@ CorpusRunOptions ProgramRun::options(std::function<bool(std::size_t finished)> p
   CorpusRunOptions options;
   options.command = command;
   options.truths = truths_of(truth);
+  options.events = events == "all" ? EventKinds::all : EventKinds::collisions;
   options.limits = {.seconds = seconds, .bytes = megabytes * bytes_per_megabyte};
   options.jobs = jobs;
   options.progress = std::move(progress);

@@ -11,12 +11,12 @@
 namespace voroproof::internal {
 
 struct ProgramRun {
-  std::string command, truth = "both";
+  std::string command, truth = "both", events = "all";
   double seconds = 60;
   std::uint64_t megabytes = 4096;
   std::size_t jobs = 1;
 
-  // Adds --against, --truth, --timeout, --memory and --jobs, which go to this object.
+  // Adds --against, --truth, --events, --timeout, --memory and --jobs, which go to this object.
   void add_to(Verb& verb, bool required);
   // Throws UsageError where the command names no scene or no history, or the time is not positive.
   void require_valid() const;

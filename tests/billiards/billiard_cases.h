@@ -1,6 +1,8 @@
 // Billiards and their histories as text, for tests.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
 #include <vector>
 
@@ -38,5 +40,21 @@ struct BilliardCase {
     return certify_billiard(billiard, scene_file, history, options);
   }
 };
+
+// Disk 0 hits disk 1 at rest, at t = 2.
+inline BilliardCase head_on() {
+  return {R"("frame":"none","disks":[
+    {"center":[0,0],"radius":1,"velocity":[1,0]},
+    {"center":[4,0],"radius":1,"velocity":[0,0]}])",
+          "5",
+          {R"({"t":2,"collide":[0,1],"v":[[0,0],[1,0]],"p":[[2,0],[4,0]]})"},
+          1};
+}
+
+inline void expect_certified(const BilliardCase& c) {
+  const Certificate certificate = c.judge();
+  EXPECT_EQ(certificate.verdict, Verdict::certified)
+      << (certificate.divergence ? certificate.divergence->truth : certificate.reason);
+}
 
 }  // namespace voroproof::internal::testing

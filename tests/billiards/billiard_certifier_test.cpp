@@ -4,17 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "history/error.h"
-#include "history/json_text.h"
 #include "tests/billiards/billiard_cases.h"
 
 namespace voroproof::internal::testing {
 namespace {
-
-void expect_certified(const BilliardCase& c) {
-  const Certificate certificate = c.judge();
-  EXPECT_EQ(certificate.verdict, Verdict::certified)
-      << (certificate.divergence ? certificate.divergence->truth : certificate.reason);
-}
 
 void expect_refuted(const BilliardCase& c, Fault fault, std::int64_t line) {
   const Certificate certificate = c.judge();
@@ -23,16 +16,6 @@ void expect_refuted(const BilliardCase& c, Fault fault, std::int64_t line) {
             fault_names[static_cast<int>(fault)])
       << certificate.divergence->truth;
   EXPECT_EQ(certificate.divergence->line, line) << certificate.divergence->truth;
-}
-
-// Disk 0 hits disk 1 at rest, at t = 2.
-BilliardCase head_on() {
-  return {R"("frame":"none","disks":[
-    {"center":[0,0],"radius":1,"velocity":[1,0]},
-    {"center":[4,0],"radius":1,"velocity":[0,0]}])",
-          "5",
-          {R"({"t":2,"collide":[0,1],"v":[[0,0],[1,0]],"p":[[2,0],[4,0]]})"},
-          1};
 }
 
 TEST(BilliardCertifier, HeadOn) {
@@ -84,28 +67,6 @@ TEST(BilliardCertifier, RepeatedWithoutRestitution) {
 
 // A window of time ends after so many claims, wherever that is: here at a claim of 0 and 1, which
 // have overlapped for long, but by less than the rounding.
-TEST(BilliardCertifier, LateClaimsAtTheEndOfAWindow) {
-  for (int others = 250; others <= 262; ++others) {
-    BilliardCase c{R"("frame":"none","disks":[
-      {"center":[0,0],"radius":1,"velocity":[1e-9,0]},{"center":[2.00000001,0],"radius":1,"velocity":[0,0]},
-      {"center":[134217728,8],"radius":1,"velocity":[0,0]}],"maneuvers":[)",
-                   "64",
-                   {},
-                   1,
-                   others};
-    for (int k = 0; k < others; ++k) {
-      const std::string t = std::to_string(k) + "e-3";
-      c.members += (k ? "," : "") + (R"({"t":)" + t) + R"(,"disk":2,"velocity":[0,0]})";
-      c.events.push_back(R"({"t":)" + t + R"(,"maneuver":2})");
-    }
-    c.members += "]";
-    c.events.push_back(R"({"t":32,"collide":[0,1],"v":[[0,0],[1e-9,0]]})");
-    EXPECT_EQ(c.judge().verdict, Verdict::refuted) << others;
-    c.events.back() = R"({"t":10.0000000,"collide":[0,1],"v":[[0,0],[1e-9,0]]})";
-    EXPECT_EQ(c.judge().verdict, Verdict::certified) << others;
-  }
-}
-
 TEST(BilliardCertifier, ThroughTheSideOfTheBox) {
   BilliardCase c{R"("dimension":3,"frame":{"periodic":[8,8,8]},"disks":[
     {"center":[1,4,4],"radius":0.5,"velocity":[-1,0,0]},
@@ -287,6 +248,11 @@ TEST(BilliardCertifier, Grazes) {
   EXPECT_EQ(c.judge().grazes, 1);
   c.events = {R"({"t":4.1,"collide":[0,1],"v":[[1,0],[0,0]]})"};
   EXPECT_EQ(c.judge().verdict, Verdict::refuted);
+  // Once, though both are within the tolerance of it.
+  c.events = {R"({"t":3.9999999,"collide":[0,1],"v":[[1,0],[0,0]]})",
+              R"({"t":4,"collide":[0,1],"v":[[1,0],[0,0]]})"};
+  c.collisions = 2;
+  EXPECT_EQ(c.judge().verdict, Verdict::refuted);
   // A little nearer, and it is a collision that is missing.
   c.events.clear();
   c.collisions = 0;
@@ -348,90 +314,12 @@ TEST(BilliardCertifier, FewDisks) {
 }
 
 // Bystanders far away, fast or slow, change the windows of time and nothing else.
-TEST(BilliardCertifier, Bystanders) {
-  for (const char* const other : {R"({"center":[1e6,0],"radius":1,"velocity":[1e3,0]})",
-                                  R"({"center":[0,1e3],"radius":100,"velocity":[0,1e-3]})",
-                                  R"({"center":[0,50],"radius":1e-9,"velocity":[0,1e9]})"}) {
-    BilliardCase c = head_on();
-    c.members.insert(c.members.size() - 1, std::string(",") + other);
-    expect_certified(c);
-    c.events.clear();
-    c.collisions = 0;
-    EXPECT_EQ(c.judge().verdict, Verdict::refuted) << other;
-  }
-}
-
 // Three would touch at one instant of a late clock. Its rounded time is late, so that the pair that
 // does not collide overlaps for a moment, by more than the size of the scene explains.
-TEST(BilliardCertifier, ThreeTouchLate) {
-  expect_certified(
-      {R"("frame":"none","disks":[
-    {"center":[0,0],"radius":"13/2","velocity":[0,0],"mass":1},
-    {"center":["40/3",0],"radius":"13/2","velocity":[0,0],"mass":1000000},
-    {"center":["16/3",12],"radius":"13/2","velocity":[0,0],"mass":1}],
-    "maneuvers":[{"t":1e9,"disk":0,"velocity":[1,0]}])",
-       "1000000003",
-       {R"({"t":1e9,"maneuver":0,"v":[1,0]})",
-        R"({"t":1000000000.3333334,"collide":[0,1],"v":[["-999999/1000001",0],["2/1000001",0]]})"},
-       1,
-       1});
-}
-
 // A ball that bounces once a unit of time, for longer than a window has claims.
-TEST(BilliardCertifier, ManyBouncesBesideSomethingFarAway) {
-  for (const char* const other : {"", R"(,{"center":[134217728,9],"radius":1,"fixed":true})"}) {
-    BilliardCase c{std::string(R"("frame":{"walls":[{"normal":[0,1],"offset":0}]},"gravity":[0,-8],
-      "disks":[{"center":[0,1],"radius":1,"velocity":[0.1,"4.1"]})") +
-                       other + "]",
-                   "700.5",
-                   {}};
-    for (int k = 1; k <= 600; ++k) {
-      c.events.push_back(R"({"t":)" + number_text(k * 1.025) +
-                         R"(,"collide":[-1,0],"v":[null,[0.1,4.1]]})");
-    }
-    c.collisions = 600;
-    c.horizon = "615.5";
-    const Certificate certificate = c.judge();
-    EXPECT_EQ(certificate.verdict, Verdict::certified)
-        << (certificate.divergence ? certificate.divergence->truth : certificate.reason);
-  }
-}
-
 // Far from everything, at a speed of its own.
-TEST(BilliardCertifier, ExtremeScales) {
-  BilliardCase c{R"("frame":"none","disks":[
-    {"center":[-1e100,0],"radius":1,"velocity":[1e100,0]},{"center":[0,0],"radius":1,"velocity":[0,0]}])",
-                 "1e100",
-                 {}};
-  EXPECT_EQ(c.judge().verdict, Verdict::refuted);
-}
-
 // One runs past 10^5 images of the other, in a window that its slow beginning made long.
-TEST(BilliardCertifier, PastManyImages) {
-  BilliardCase c{R"("frame":{"periodic":[1,1]},"disks":[
-    {"center":[0,0],"radius":0.125,"velocity":[1e-6,0]},{"center":[0,0.5],"radius":0.125,"velocity":[0,0]}],
-    "maneuvers":[{"t":1,"disk":0,"velocity":[1e5,0]}])",
-                 "2",
-                 {R"({"t":1,"maneuver":0})"},
-                 0,
-                 1};
-  expect_certified(c);
-}
-
 // Nothing happens for long: windows become longer, as many as there would be else.
-TEST(BilliardCertifier, LongWaits) {
-  expect_certified(
-      {R"("frame":"none","disks":[{"center":[0,0],"radius":1e-6,"velocity":[1,0]}])", "1e12", {}});
-  expect_certified({R"("frame":{"periodic":[8,8]},"disks":[
-    {"center":[0,0],"radius":1e-3,"velocity":[1,0]},{"center":[0,4],"radius":1e-3,"velocity":[1,0]}])",
-                    "1e6",
-                    {}});
-  expect_certified({R"("frame":{"periodic":[1,1]},"gravity":[1,1],"disks":[
-    {"center":[0,0],"radius":0.1,"velocity":[0,0]},{"center":[0.5,0.5],"radius":0.1,"velocity":[0,0]}])",
-                    "1000",
-                    {}});
-}
-
 TEST(BilliardCertifier, DisksThatAreNotInTheirPlaces) {
   const auto fault = [](const std::string& members) {
     try {

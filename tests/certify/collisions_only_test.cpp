@@ -53,6 +53,23 @@ void expect_missing(const Scene& scene, const History& h, std::pair<GenId, GenId
   }
 }
 
+// Whoever knows no flips is told what to ask for.
+TEST(CollisionsOnly, IsWhatAHistoryWithoutFlipsIsPointedTo) {
+  Random random(7);
+  const Scene scene = random_scene({.n = 12, .horizon = 30}, random);
+  const History whole = claimed_history(scene, run(scene));
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    CertifyOptions all;
+    all.truth = truth;
+    all.propose_initial = [&](Motion&) { return *whole.header.initial; };
+    const Certificate c = certify(scene, without_flips(scene), all);
+    ASSERT_EQ(c.verdict, Verdict::refuted);
+    ASSERT_FALSE(c.remarks.empty());
+    EXPECT_NE(c.remarks.back().find("--events collisions"), std::string::npos);
+    EXPECT_TRUE(certify(scene, whole, all).remarks.empty());
+  }
+}
+
 // Two gases in one container that pass through each other: each is simulated alone. The first
 // contact of a disk of the one and a disk of the other is what is missing.
 struct TwoWorlds {

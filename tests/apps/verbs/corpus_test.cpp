@@ -146,6 +146,16 @@ TEST_F(CorpusCli, TruthsAreChosen) {
   }
 }
 
+// An engine that knows no flips passes by its collisions, and the report says so.
+TEST_F(CorpusCli, EventsAreChosen) {
+  const std::string engine =
+      simulate() + R"( && sed -i -e '/"flip"/d' -e 's/"flips":[0-9]*/"flips":0/' {history})";
+  EXPECT_EQ(against(engine, "eight")["outcome"], "refuted");
+  EXPECT_EQ(json("report.json")["events"], "all");
+  EXPECT_EQ(against(engine, "eight", {"--events", "collisions"})["outcome"], "certified");
+  EXPECT_EQ(json("report.json")["events"], "collisions");
+}
+
 // After some collisions no run in doubles follows the true motion; its history may be right of its
 // own. The case passes, and the columns tell which.
 TEST_F(CorpusCli, EitherTruthWillDo) {
@@ -194,6 +204,8 @@ TEST_F(CorpusCli, BadUsageIsRefused) {
   refused(with({"--jobs", "0"}), "--jobs");
   refused(with({"--against", simulate(), "--truth", "mine"}), "--truth");
   refused(with({"--truth", "exact"}), "--truth requires --against");
+  refused(with({"--events", "collisions"}), "--events requires --against");
+  refused(with({"--against", simulate(), "--events", "flips"}), "--events");
   refused(with({"--json", file("a"), "--html", file("a")}), "named for two outputs");
   refused({"corpus", "show", "three", "--corpus", file("nowhere")}, "nowhere");
   refused({"corpus"}, "no verb given");
