@@ -9,30 +9,12 @@
 #include <variant>
 #include <vector>
 
-#include "exact/compact_rational.h"
+#include "exact/billiard_events.h"
 #include "history/billiard.h"
 #include "history/history_reader.h"
 #include "history/line_source.h"
 
 namespace voroproof::internal {
-
-// A collision of a wall (a < 0) or a disk a with a disk b > a, or with an image of it.
-struct BilliardCollision {
-  GenId a, b;
-  std::optional<LatticeImage> image;              // none where the file names none
-  std::array<std::optional<CompactVec3>, 2> v{};  // velocities just after; none of a wall
-  std::array<std::optional<CompactVec3>, 2> p{};  // centres
-};
-// A maneuver.
-struct BilliardTurn {
-  GenId disk;
-  std::optional<CompactVec3> v, p;
-};
-struct BilliardEvent {
-  CompactRational t;
-  std::int64_t line = 0;
-  std::variant<BilliardCollision, BilliardTurn> what;
-};
 
 // Reads a history line by line in bounded memory and checks what can be checked without knowing how
 // the disks move. Every member throws InputError, naming the line; a reader that threw is of no

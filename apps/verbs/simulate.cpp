@@ -16,8 +16,10 @@
 #include "apps/run/history_sink.h"
 #include "apps/run/keeper.h"
 #include "apps/run/stats_file.h"
+#include "apps/verbs/simulate_billiard.h"
 #include "apps/verbs/simulate_world.h"
 #include "apps/verbs/verbs.h"
+#include "history/billiard.h"
 #include "history/descriptor.h"
 #include "history/error.h"
 #include "history/history_writer.h"
@@ -287,19 +289,22 @@ ExitCode simulate_scene(const Request& request) {
 ExitCode simulate(const Request& request) {
   require_distinct({request.scene},
                    {request.history, request.history + partial_ending, request.stats});
-  if (!is_world_file(request.scene)) return simulate_scene(request);
+  const bool is_billiard = is_billiard_file(request.scene);
+  if (!is_billiard && !is_world_file(request.scene)) return simulate_scene(request);
   if (request.resume || !request.stats.empty()) {
-    throw UsageError("--resume, --stats: not for worlds (scenes of version 2)");
+    throw UsageError("--resume, --stats: not for scenes of version 2");
   }
   std::optional<Rational> horizon;
   if (!request.horizon.empty()) horizon = time_argument("--horizon", request.horizon);
-  return simulate_world({.scene = request.scene,
-                         .history = request.history,
-                         .horizon = horizon,
-                         .max_events = request.max_events,
-                         .filters = motion_options(request).filters,
-                         .replace = request.replace,
-                         .quiet = request.quiet});
+  const MotionOptions motion = motion_options(request);
+  const WorldRequest whole{.scene = request.scene,
+                           .history = request.history,
+                           .horizon = horizon,
+                           .max_events = request.max_events,
+                           .filters = motion.filters,
+                           .replace = request.replace,
+                           .quiet = request.quiet};
+  return is_billiard ? simulate_billiard(whole, motion.max_bits) : simulate_world(whole);
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ class BilliardCertification {
     try {
       require_placement();
       now_ = BilliardTime(0);
+      meeting_.in(paths_, now_, now_);  // for the length of the first window
       bool more = true;
       while (more && found_.faults.empty()) more = window();
       if (found_.faults.empty()) finish();
@@ -91,21 +92,11 @@ class BilliardCertification {
   }
 
   // No two overlap at the start, and all are in the frame.
-  void require_placement() {
-    const BilliardTime start(0);
-    for (const BilliardPair& pair : meeting_.in(paths_, start, start)) {
-      const BilliardPath& b = paths_[static_cast<std::size_t>(pair.b)];
-      const BilliardPath& a = pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)];
-      const std::string field = "disks[" + std::to_string(pair.b) + "]";
-      const Rational gap = watch_.exact().form(pair, a.exact(0), b.exact(0), 0, 0)[0];
-      if (gap >= 0) continue;
-      throw InputError(scene_file_, 0, field,
-                       pair.a < 0
-                           ? "is not wholly inside of " +
-                                 watch_.name(pair).substr(watch_.name(pair).find(" and ") + 5)
-                           : "overlaps: " + watch_.name(pair) + " are at a distance below " +
-                                 "the sum of their radii");
-    }
+  void require_placement() const {
+    const auto pair = find_overlap_at_start(billiard_);
+    if (!pair) return;
+    const auto [field, why] = placement_fault(billiard_, *pair);
+    throw InputError(scene_file_, 0, field, why);
   }
 
   std::optional<BilliardEvent> take() {
@@ -224,6 +215,11 @@ class BilliardCertification {
     if (!claimed.image && billiard_.lattice.is_periodic())
       pair.image = watch_.nearest_image(pair, a.exact_last(), b.exact_last(), t.value());
     claims_.emplace_back(pair, BilliardClaim{number_, line, t});
+    const auto is_fixed = [&](GenId g) {
+      return g < 0 || billiard_.disks[static_cast<std::size_t>(g)].fixed;
+    };
+    if (is_fixed(pair.a) && is_fixed(pair.b))
+      blame(Fault::spurious_event, line, t, watch_.name(pair) + " cannot move", pair);
     const BounceLaw::Meeting meeting{pair, a, b, t};
     if (const std::string fault = law_.fault(meeting, claimed); !fault.empty())
       blame(Fault::wrong_response, line, t, fault, pair);

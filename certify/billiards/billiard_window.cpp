@@ -10,87 +10,23 @@ namespace voroproof::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double most_sides = 0x1p29;
-// More than what a few operations round away.
-constexpr double share = 0x1p-48;
-
-double upper(const DoubleBall& x) { return (x.mid + x.rad) * (1 + share); }
-
 }  // namespace
 
 MeetingPairs::MeetingPairs(const Billiard& billiard, const BilliardGaps<DoubleBall>& gaps)
-    : billiard_(billiard), gaps_(gaps), near_(billiard), fall_alike_(billiard.last_wall() == 0) {
-  for (std::size_t k = 0; k < 3; ++k) sides_[k] = billiard.lattice.sides[k].get_d();
-  drift_ = Rational(billiard.lattice.shear * billiard.lattice.sides[1]).get_d();
-  for (const BilliardDisk& disk : billiard.disks) fall_alike_ = fall_alike_ && !disk.fixed;
-}
+    : billiard_(billiard), gaps_(gaps), lines_(billiard, gaps), near_(billiard) {}
 
 SweptBox MeetingPairs::box_of(GenId disk, const BilliardPath& path, const BilliardTime& from,
                               const BilliardTime& to) const {
-  const BilliardDisk& of = billiard_.disks[static_cast<std::size_t>(disk)];
-  const double radius =
-      std::max(upper(gaps_.radius(disk, from.near)), upper(gaps_.radius(disk, to.near)));
-  SweptBox box;
-  box.lo.fill(infinity);
-  box.hi.fill(-infinity);
+  SweptBox box = LineBoxes::empty();
   for (std::size_t k = 0; k < path.size(); ++k) {
-    const BilliardTime& begin = std::max(
-        path[k].from, from, [](const auto& a, const auto& b) { return a.exact < b.exact; });
+    const BilliardTime& begin = path[k].from.exact < from.exact ? from : path[k].from;
     const bool ends_before = k + 1 < path.size() && path[k + 1].from.exact < to.exact;
     const BilliardTime& end = ends_before ? path[k + 1].from : to;
     if (end.exact < begin.exact || to.exact < begin.exact) continue;
-    const double passed = end.near.mid - begin.near.mid + end.near.rad + begin.near.rad;
-    for (const BilliardTime* t : {&begin, &end}) {
-      Vector3<DoubleBall> x = gaps_.place(disk, path[k].near, t->near);
-      if (fall_alike_) x = x - gaps_.fall(t->near);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        // A parabola is within |g| h^2 / 8 of its chord.
-        const double fall = of.fixed || fall_alike_
-                                ? 0
-                                : std::fabs(gaps_.gravity()[axis].mid) * passed * passed / 4;
-        const double around = radius + x[axis].rad + fall;
-        const double pad = share * (std::fabs(x[axis].mid) + around);
-        box.lo[axis] = std::min(box.lo[axis], x[axis].mid - around - pad);
-        box.hi[axis] = std::max(box.hi[axis], x[axis].mid + around + pad);
-      }
-    }
+    lines_.extend(box, disk, path[k].near, begin.near, end.near);
   }
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double side = sides_[axis];
-    const double drift = axis == 0 ? std::fabs(drift_ * to.near.mid) : 0;
-    const double far = std::max(std::fabs(box.lo[axis]), std::fabs(box.hi[axis])) + drift;
-    if (!(far < infinity) || (side > 0 && !(far < most_sides * side)))
-      throw Undecided("a disk is farther out than images are counted", disk, disk);
-  }
+  lines_.require_near(disk, box, to.near.mid);
   return box;
-}
-
-bool MeetingPairs::may_meet_wall(GenId id, const SweptBox& box, double from, double to) const {
-  if (billiard_.round) {
-    // All corners of the box are inside.
-    double far2 = 0, size = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double c = billiard_.round->center[k].get_d();
-      const double far =
-          std::max(std::fabs(box.lo[k] - c), std::fabs(box.hi[k] - c)) + share * std::fabs(c);
-      far2 += far * far;
-      size += std::fabs(c);
-    }
-    const double radius = billiard_.round->radius.get_d();
-    return !(std::sqrt(far2) * (1 + share) + share * size < radius * (1 - share));
-  }
-  const BilliardWall& wall = billiard_.walls[static_cast<std::size_t>(-1 - id)];
-  double least = 0, size = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double n = wall.normal[k].get_d();
-    const double a = n * box.lo[k], b = n * box.hi[k];
-    least += std::min(a, b);
-    size += std::fabs(a) + std::fabs(b);
-  }
-  const double offset = wall.offset.get_d(), speed = wall.speed.get_d();
-  const double high = offset + std::max(speed * from, speed * to);
-  size += std::fabs(offset) + std::fabs(speed * from) + std::fabs(speed * to);
-  return !(least - share * size > high);
 }
 
 // How long the disks take, on the mean, for a part of the way between neighbours.
@@ -98,7 +34,7 @@ void MeetingPairs::measure(const std::vector<BilliardPath>& paths, const Billiar
   double speeds = 0, moving = 0, fastest = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     Vector3<DoubleBall> v = gaps_.velocity(static_cast<GenId>(i), paths[i].back().near, to.near);
-    if (fall_alike_) v = v - gaps_.gravity() * to.near;
+    if (lines_.fall_alike()) v = v - gaps_.gravity() * to.near;
     const double speed = std::hypot(v[0].mid, v[1].mid, v[2].mid);
     speeds += speed;
     moving += speed > 0;
@@ -117,7 +53,7 @@ void MeetingPairs::measure(const std::vector<BilliardPath>& paths, const Billiar
   const int dimension = billiard_.dimension;
   for (int k = 0; k < dimension; ++k) {
     const auto axis = static_cast<std::size_t>(k);
-    const double side = sides_[axis];
+    const double side = lines_.side(axis);
     if (side > 0) least_side = std::min(least_side, side);
     volume *= side > 0 ? side : all.hi[axis] - all.lo[axis];
   }
@@ -125,10 +61,10 @@ void MeetingPairs::measure(const std::vector<BilliardPath>& paths, const Billiar
       volume / static_cast<double>(std::max<std::size_t>(paths.size(), 1)), 1.0 / dimension);
   good_length_ = moving > 0 ? spacing / 2 / (speeds / moving) : infinity;
   // No disk runs past all of its images many times, nor do images beside it.
-  fastest = std::max(fastest, std::fabs(drift_));
+  fastest = std::max(fastest, std::fabs(lines_.drift()));
   if (fastest > 0) good_length_ = std::min(good_length_, 4 * least_side / fastest);
   const double g = std::sqrt(dot(billiard_.gravity, billiard_.gravity).get_d());
-  if (g > 0 && !fall_alike_) good_length_ = std::min(good_length_, std::sqrt(spacing / g));
+  if (g > 0 && !lines_.fall_alike()) good_length_ = std::min(good_length_, std::sqrt(spacing / g));
   if (!(good_length_ > 0)) good_length_ = infinity;
 }
 
@@ -177,7 +113,7 @@ std::vector<BilliardPair> MeetingPairs::in(const std::vector<BilliardPath>& path
   const double begin = from.near.mid - from.near.rad, end = to.near.mid + to.near.rad;
   for (GenId wall = billiard_.last_wall(); wall < 0; ++wall) {
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      if (may_meet_wall(wall, boxes_[i], begin, end))
+      if (lines_.may_meet_wall(wall, boxes_[i], begin, end))
         pairs.push_back({wall, static_cast<GenId>(i)});
     }
   }

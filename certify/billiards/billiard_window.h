@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "certify/billiards/billiard_path.h"
-#include "filtered/billiards/near_boxes.h"
+#include "filtered/billiards/line_boxes.h"
 
 namespace voroproof::internal {
 
@@ -33,18 +33,14 @@ class MeetingPairs {
                  const BilliardTime& to, int splits, std::vector<BilliardPair>& pairs);
   SweptBox box_of(GenId disk, const BilliardPath& path, const BilliardTime& from,
                   const BilliardTime& to) const;
-  bool may_meet_wall(GenId wall, const SweptBox& box, double from, double to) const;
   void measure(const std::vector<BilliardPath>& paths, const BilliardTime& to);
 
   const Billiard& billiard_;
   const BilliardGaps<DoubleBall>& gaps_;
+  LineBoxes lines_;
   NearBoxes near_;
   std::vector<SweptBox> boxes_;
   bool splits_ = false;  // the boxes are those of a part of the window
-  std::array<double, 3> sides_{};
-  double drift_ = 0;  // how fast images beyond the second side move
-  // Gravity moves all disks alike, and nothing else is there: they are looked at as they fall.
-  bool fall_alike_;
   double good_length_ = 0, stretch_ = 1;
 };
 

@@ -116,7 +116,9 @@ std::string BounceLaw::law_fault(const Meeting& m, const BilliardCollision& clai
                       m.pair.b);
     rounding = error / distance;
   }
-  const Rational allowed = (law_tolerance_ + rounding) * speed;
+  // A time that is rounded changes velocities under gravity.
+  const Rational fall = length(billiard_.gravity) * m.t.value() >> 51;
+  const Rational allowed = (law_tolerance_ + rounding) * speed + fall;
   for (const int side : {0, 1}) {
     if (!claim.v[side]) continue;
     const Vec3 off = value_of(*claim.v[side]) - law[static_cast<std::size_t>(side)];

@@ -25,7 +25,12 @@ bool PairWatch::answer_open(const Life& life, const Rational& t, Walk& walk) con
   if (last_turn_was_own(life)) return false;
   const Rational length = t - life.since();
   if (sign(form(life, 0).derivative().evaluate(length)) != Sign::negative) return false;
-  if (!episode.deep) return life.begin() >= earliest;
+  if (!episode.deep) {
+    // An overlap that is none but for roundings counts as entered where these lines begin.
+    if (life.begin() < earliest) return false;
+    episode.entry = {life.begin(), Rational(0)};
+    return true;
+  }
   return !episode.answer && (episode.entry <=> earliest) >= 0;
 }
 

@@ -5,6 +5,7 @@
 
 #include "certify/billiards/pair_signs.h"
 #include "certify/vectors.h"
+#include "filtered/billiards/line_boxes.h"
 #include "history/json_text.h"
 
 namespace voroproof::internal {
@@ -35,20 +36,7 @@ PairWatch::PairWatch(const Billiard& billiard, const Rational& horizon, const Ra
       exact_(billiard),
       near_(billiard) {}
 
-std::string PairWatch::name(const BilliardPair& pair) const {
-  const std::string ball = billiard_.dimension == 3 ? "ball " : "disk ";
-  if (pair.a < 0) {
-    const std::string frame = billiard_.round ? "the frame" : "wall " + std::to_string(pair.a);
-    return ball + std::to_string(pair.b) + " and " + frame;
-  }
-  std::string text = ball + std::to_string(pair.a) + " and " + ball + std::to_string(pair.b);
-  if (pair.image == LatticeImage{}) return text;
-  text += " at image [";
-  for (int k = 0; k < billiard_.dimension; ++k) {
-    text += (k ? "," : "") + std::to_string(pair.image[static_cast<std::size_t>(k)]);
-  }
-  return text + "]";
-}
+std::string PairWatch::name(const BilliardPair& pair) const { return name_of(billiard_, pair); }
 
 // Each turn rounds places, and the last one times as well, by which the two go on from elsewhere.
 Rational PairWatch::rounding(const Life& life) const {
@@ -150,8 +138,27 @@ void PairWatch::expire(const Rational& now, Walk& walk) const {
   });
 }
 
-// Tells what doubles left open of a collision that was answered when this life began.
-void PairWatch::settle(Life& life, Walk& walk) const {
+// Whether the two overlap by more than that rounding somewhere in [lo, hi], in the time since the
+// beginning of the life. A rounding explains nothing where the reach is not four times as large.
+bool PairWatch::is_deeper_in(const Life& life, const Rational& depth, const Rational& lo,
+                             const Rational& hi) const {
+  const Polynomial<Rational> deeper = form(life, depth), any = form(life, 0);
+  if (life.pair.a < 0 && !billiard_.round) return is_negative_in(deeper, lo, hi);
+  const Rational since = life.since();
+  const auto beyond = [&](const Rational& u) {
+    return Rational(exact_.reach(life.pair, since + u) - 4 * depth);
+  };
+  const Rational first = beyond(lo), last = beyond(hi);
+  if (first >= 0 && last >= 0) return is_negative_in(deeper, lo, hi);
+  if (first < 0 && last < 0) return is_negative_in(any, lo, hi);
+  const Rational cut = lo + (hi - lo) * first / (first - last);
+  return is_negative_in(first < 0 ? any : deeper, lo, cut) ||
+         is_negative_in(first < 0 ? deeper : any, cut, hi);
+}
+
+// Tells what doubles left open of a collision that was answered when this life began: it may be in
+// progress, and is deep where it is so for the rounding before it or after it.
+void PairWatch::settle(const Life& life, Walk& walk) const {
   PairState& state = walk.state;
   if (!state.answered) return;
   const Rational t = state.answered->value();
@@ -161,10 +168,20 @@ void PairWatch::settle(Life& life, Walk& walk) const {
       state.open.emplace(OverlapEpisode{{t, Rational(0)}, false, false, {}, 0, 0});
   episode.answer = t;
   episode.answer_line = state.answered_line;
-  const Rational depth = rounding(life);
-  episode.deep = (life.pair.a >= 0 || billiard_.round) && exact_.reach(life.pair, t) < 4 * depth
-                     ? true
-                     : sign(form(life, depth).evaluate(0)) == Sign::negative;
+  // The claim began the lines of those that are not fixed, in this window.
+  const auto before = [&](GenId disk, std::size_t index) {
+    return index == 0 || billiard_.disks[static_cast<std::size_t>(disk)].fixed ? index : index - 1;
+  };
+  const GenId a = life.pair.a < 0 ? life.pair.b : life.pair.a;
+  const Life last{life.pair,
+                  life.path_a,
+                  life.path_b,
+                  before(a, life.index_a),
+                  before(life.pair.b, life.index_b),
+                  life.from,
+                  life.to};
+  episode.deep =
+      is_deeper_in(life, rounding(last), 0, 0) || is_deeper_in(life, rounding(life), 0, 0);
 }
 
 // Opens and closes the episodes of [from, to) on lines that both keep.
@@ -174,14 +191,10 @@ void PairWatch::judge_life(const Life& life, Walk& walk) const {
   const Rational since = life.since(), length = life.length();
   const Polynomial<Rational> f = form(life, 0);
   const Rational depth = rounding(life);
-  const bool has_reach = life.pair.a >= 0 || billiard_.round;
-  const bool covered = !has_reach || (exact_.reach(life.pair, since) >= 4 * depth &&
-                                      exact_.reach(life.pair, since + length) >= 4 * depth);
-  const Polynomial<Rational> deeper = covered ? form(life, depth) : f;
   Rational begun = 0;  // where the episode in progress began, in this life
   const auto at = [&](const AlgebraicNumber<Rational>& u) { return EntryTime{since, u}; };
   const auto deepen = [&](const Rational& lo, const Rational& hi) {
-    if (!state.open->deep) state.open->deep = is_negative_in(deeper, lo, hi);
+    if (!state.open->deep) state.open->deep = is_deeper_in(life, depth, lo, hi);
   };
   const Sign first = sign_after(f, 0);
   if (!state.open && first == Sign::negative) open(at(Rational(0)), walk);

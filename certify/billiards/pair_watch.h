@@ -142,7 +142,9 @@ class PairWatch {
   std::vector<LatticeImage> images_near(const BilliardPair& pair, const Flight<Rational>& a,
                                         const Flight<Rational>& b, const Rational& t) const;
   std::optional<LatticeImage> touching_image(const Life& life, const Rational& t) const;
-  void settle(Life& life, Walk& walk) const;
+  bool is_deeper_in(const Life& life, const Rational& depth, const Rational& lo,
+                    const Rational& hi) const;
+  void settle(const Life& life, Walk& walk) const;
   void open(const EntryTime& entry, Walk& walk) const;
   void close(const EntryTime& exit, Walk& walk) const;
   void expire(const Rational& now, Walk& walk) const;

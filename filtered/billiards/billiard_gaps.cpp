@@ -6,10 +6,13 @@
 namespace voroproof::internal {
 namespace {
 
+// At that precision, where T has one.
 template <class T>
-T as(const Rational& q) {
+T as(const Rational& q, int bits) {
   if constexpr (std::is_same_v<T, Rational>) {
     return q;
+  } else if constexpr (std::is_same_v<T, Ball>) {
+    return Ball(q, bits);
   } else {
     // get_d() rounds towards zero.
     const double x = q.get_d();
@@ -18,8 +21,8 @@ T as(const Rational& q) {
 }
 
 template <class T>
-Vector3<T> as(const Vec3& v) {
-  return {as<T>(v[0]), as<T>(v[1]), as<T>(v[2])};
+Vector3<T> as(const Vec3& v, int bits) {
+  return {as<T>(v[0], bits), as<T>(v[1], bits), as<T>(v[2], bits)};
 }
 
 bool has_gravity(const Billiard& billiard) {
@@ -30,29 +33,34 @@ bool has_gravity(const Billiard& billiard) {
 
 template <class T>
 T number(int k) {
-  return T(k);
+  if constexpr (std::is_same_v<T, Ball>) {
+    return Ball(static_cast<double>(k), 64);
+  } else {
+    return T(k);
+  }
 }
 
 }  // namespace
 
 template <class T>
-BilliardGaps<T>::BilliardGaps(const Billiard& billiard)
+BilliardGaps<T>::BilliardGaps(const Billiard& billiard, int bits)
     : falls_(has_gravity(billiard)),
       round_(billiard.round.has_value()),
-      gravity_(as<T>(billiard.gravity)),
-      sides_(as<T>(billiard.lattice.sides)),
-      restitution_(as<T>(billiard.restitution)),
-      shear_(as<T>(billiard.lattice.shear)) {
+      gravity_(as<T>(billiard.gravity, bits)),
+      sides_(as<T>(billiard.lattice.sides, bits)),
+      restitution_(as<T>(billiard.restitution, bits)),
+      shear_(as<T>(billiard.lattice.shear, bits)) {
   if (round_) {
-    center_ = as<T>(billiard.round->center);
-    radius_ = as<T>(billiard.round->radius);
-    round_restitution_ = as<T>(billiard.round->restitution);
+    center_ = as<T>(billiard.round->center, bits);
+    radius_ = as<T>(billiard.round->radius, bits);
+    round_restitution_ = as<T>(billiard.round->restitution, bits);
   }
   for (const BilliardDisk& d : billiard.disks) {
-    disks_.push_back({as<T>(d.radius), as<T>(d.growth), as<T>(d.mass), d.fixed});
+    disks_.push_back({as<T>(d.radius, bits), as<T>(d.growth, bits), as<T>(d.mass, bits), d.fixed});
   }
   for (const BilliardWall& w : billiard.walls) {
-    walls_.push_back({as<T>(w.normal), as<T>(w.offset), as<T>(w.speed), as<T>(w.restitution)});
+    walls_.push_back({as<T>(w.normal, bits), as<T>(w.offset, bits), as<T>(w.speed, bits),
+                      as<T>(w.restitution, bits)});
   }
 }
 
@@ -61,6 +69,11 @@ int BilliardGaps<T>::degree(const BilliardPair& pair) const {
   if (!falls_) return 2;
   if (pair.a < 0) return round_ ? 4 : 2;
   return disk(pair.a).fixed != disk(pair.b).fixed ? 4 : 2;
+}
+
+template <class T>
+Vector3<T> BilliardGaps<T>::fall(const T& t) const {
+  return gravity_ * T(t * t / number<T>(2));
 }
 
 template <class T>
@@ -79,7 +92,7 @@ Vector3<T> BilliardGaps<T>::velocity(GenId i, const Flight<T>& flight, const T& 
 
 template <class T>
 Vector3<T> BilliardGaps<T>::offset(const LatticeImage& k, const T& t) const {
-  Vector3<T> offset{T(0), T(0), T(0)};
+  Vector3<T> offset{number<T>(0), number<T>(0), number<T>(0)};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (k[axis] != 0) offset[axis] = number<T>(k[axis]) * sides_[axis];
   }
@@ -89,8 +102,8 @@ Vector3<T> BilliardGaps<T>::offset(const LatticeImage& k, const T& t) const {
 
 template <class T>
 Vector3<T> BilliardGaps<T>::drift(const LatticeImage& k) const {
-  if (k[1] == 0) return {T(0), T(0), T(0)};
-  return {T(number<T>(k[1]) * shear_ * sides_[1]), T(0), T(0)};
+  if (k[1] == 0) return {number<T>(0), number<T>(0), number<T>(0)};
+  return {T(number<T>(k[1]) * shear_ * sides_[1]), number<T>(0), number<T>(0)};
 }
 
 template <class T>
@@ -105,7 +118,7 @@ T BilliardGaps<T>::reach(const BilliardPair& pair, const T& t) const {
 template <class T>
 GapForm<T> BilliardGaps<T>::form(const BilliardPair& pair, const Flight<T>& a, const Flight<T>& b,
                                  const T& since, const T& depth) const {
-  const T zero(0);
+  const T zero = number<T>(0);
   GapForm<T> form{zero, zero, zero, zero, zero};
   Vector3<T> d = place(pair.b, b, since), v = velocity(pair.b, b, since);
   T fall = falls_ && !disk(pair.b).fixed ? T(number<T>(1) / number<T>(2)) : zero;
@@ -161,7 +174,7 @@ typename BilliardGaps<T>::Response BilliardGaps<T>::response(const BilliardPair&
                                                              const std::array<Vector3<T>, 2>& v,
                                                              const T& t) const {
   const Disk& b = disk(pair.b);
-  const T one = number<T>(1), zero(0);
+  const T one = number<T>(1), zero = number<T>(0);
   if (pair.a < 0 && !round_) {
     const Wall& w = wall(pair.a);
     const T rate = dot(v[1], w.normal) - w.speed - b.growth;
@@ -188,6 +201,7 @@ typename BilliardGaps<T>::Response BilliardGaps<T>::response(const BilliardPair&
 
 template class BilliardGaps<Rational>;
 template class BilliardGaps<DoubleBall>;
+template class BilliardGaps<Ball>;
 
 DoubleBall value_at(const GapForm<DoubleBall>& form, double u) {
   DoubleBall value = form.back();

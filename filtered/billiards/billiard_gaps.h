@@ -10,6 +10,7 @@
 #include <compare>
 #include <vector>
 
+#include "exact/ball.h"
 #include "exact/billiard.h"
 #include "exact/generators.h"
 #include "filtered/numbers/double_ball.h"
@@ -34,11 +35,12 @@ inline constexpr int max_gap_degree = 4;
 template <class T>
 using GapForm = std::array<T, max_gap_degree + 1>;  // coefficients from the constant term up
 
-// T is Rational or DoubleBall: then enclosures of all values.
+// T is Rational, or DoubleBall or Ball: then enclosures of all values.
 template <class T>
 class BilliardGaps {
  public:
-  explicit BilliardGaps(const Billiard& billiard);
+  // `bits`: the precision, where T has one.
+  explicit BilliardGaps(const Billiard& billiard, int bits = 0);
 
   // The least degree that all forms of the pair have, whatever their lines.
   int degree(const BilliardPair& pair) const;
@@ -53,7 +55,7 @@ class BilliardGaps {
 
   const Vector3<T>& gravity() const { return gravity_; }
   // How far a disk falls from rest in the time t.
-  Vector3<T> fall(const T& t) const { return gravity_ * T(t * t / T(2)); }
+  Vector3<T> fall(const T& t) const;
 
   // The radius at a time.
   T radius(GenId i, const T& t) const { return disk(i).radius + disk(i).growth * t; }

@@ -232,4 +232,37 @@ std::optional<std::vector<BilliardPair>> NearBoxes::pairs(const std::vector<Swep
   return pairs;
 }
 
+std::vector<BilliardPair> NearBoxes::partners(GenId disk, const std::vector<SweptBox>& boxes,
+                                              double from, double to) const {
+  std::vector<BilliardPair> found;
+  const SweptBox& own = boxes[static_cast<std::size_t>(disk)];
+  // Moves the box along the axes from that one down by all sides with which it may meet.
+  const auto visit = [&](auto&& self, const Copy& copy, std::size_t k) -> void {
+    double first = 0, last = 0;
+    if (sides_[k] != 0) {
+      first = std::floor((own.lo[k] - copy.box.hi[k]) / sides_[k]);
+      last = std::ceil((own.hi[k] - copy.box.lo[k]) / sides_[k]);
+    }
+    for (double n = first; n <= last; ++n) {
+      Copy moved = copy;
+      LatticeImage by{};
+      by[k] = static_cast<int>(n);
+      if (n != 0) shift(moved, by, from, to);
+      if (moved.box.lo[k] > own.hi[k] || moved.box.hi[k] < own.lo[k]) continue;
+      if (k > 0) {
+        self(self, moved, k - 1);
+      } else if (meet(moved.box, own)) {
+        const bool is_first = disk < copy.disk;
+        found.push_back({is_first ? disk : copy.disk, is_first ? copy.disk : disk,
+                         is_first ? moved.image : minus(moved.image)});
+      }
+    }
+  };
+  for (std::size_t j = 0; j < boxes.size(); ++j) {
+    const auto other = static_cast<GenId>(j);
+    if (other != disk) visit(visit, Copy{boxes[j], other, {}}, 2);
+  }
+  return found;
+}
+
 }  // namespace voroproof::internal

@@ -26,6 +26,10 @@ class NearBoxes {
   std::optional<std::vector<BilliardPair>> pairs(const std::vector<SweptBox>& boxes, double from,
                                                  double to);
 
+  // The pairs of one disk in that window, looked for among all.
+  std::vector<BilliardPair> partners(GenId disk, const std::vector<SweptBox>& boxes, double from,
+                                     double to) const;
+
   // How many boxes the last call has compared.
   std::size_t compared() const { return compared_; }
 

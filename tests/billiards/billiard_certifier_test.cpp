@@ -31,6 +31,8 @@ TEST(BilliardCertifier, HeadOn) {
   expect_refuted(c, Fault::wrong_time, 2);
   c.events = {R"({"t":2,"collide":[0,1],"v":[[0,0],[1,0.001]]})"};
   expect_refuted(c, Fault::wrong_response, 2);
+  c.events = {R"({"t":2,"collide":[0,1],"v":[[0,0],[1.00000001,0]]})"};
+  expect_refuted(c, Fault::wrong_response, 2);
   c.events = {R"({"t":2,"collide":[0,1],"v":[[0,0],[1,0]],"p":[[2,0.1],[4,0]]})"};
   expect_refuted(c, Fault::wrong_response, 2);
   c.events = {R"({"t":2,"collide":[0,1]})"};
@@ -63,6 +65,10 @@ TEST(BilliardCertifier, RepeatedWithoutRestitution) {
   c.events.push_back(c.events.front());
   c.collisions = 2;
   EXPECT_EQ(c.judge().verdict, Verdict::refuted);
+  // Claimed late, they stay in each other.
+  c.events = {R"({"t":2.0000005,"collide":[0,1],"v":[[0.5,0],[0.5,0]]})"};
+  c.collisions = 1;
+  expect_refuted(c, Fault::overlap, 2);
 }
 
 // A window of time ends after so many claims, wherever that is: here at a claim of 0 and 1, which

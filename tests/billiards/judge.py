@@ -311,9 +311,10 @@ class Judge:
                 change = {i: q * of_a, j: -q * (1 - of_a)}
                 speeds += norm(before[i]) + abs(a.growth)
             mu = 16 * (self.extent + speeds * t) / rho / 2 ** 53
+        fall = norm(scene.gravity) * t / 2 ** 51
         for disk, claimed in claim.velocities.items():
             off = [x - (v + change[disk] * y) for x, v, y in zip(claimed, before[disk], n)]
-            if norm(off) > (self.law_tolerance + mu) * speeds:
+            if norm(off) > (self.law_tolerance + mu) * speeds + fall:
                 self.fault(claim.line, f"disk {disk} does not leave as the law says")
 
     def check_centres(self, claim):

@@ -1,0 +1,390 @@
+#include "engine/billiard/billiard_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "engine/billiard/meeting_time.h"
+#include "filtered/billiards/line_boxes.h"
+#include "filtered/motion/options.h"
+
+namespace voroproof::internal {
+namespace {
+
+DoubleBall near_of(const Rational& q) {
+  const double x = q.get_d();  // rounds towards zero
+  return {x, to_rational(x) == q ? 0 : std::fabs(x) * 0x1p-52 + DBL_MIN};
+}
+DoubleBall near_of(const Ball& b) {
+  double lo = 0, hi = 0;
+  b.to_interval(lo, hi);
+  return DoubleBall::hull(lo, hi);
+}
+template <class T>
+Vector3<DoubleBall> near_of(const Vector3<T>& v) {
+  return {near_of(v[0]), near_of(v[1]), near_of(v[2])};
+}
+
+// The nearest binary64 of a value among values of that size. One that no number of bits tells from
+// zero, or from the middle of two binary64, is taken for it.
+double nearest(const Rational& q, double) { return round_nearest(q); }
+double nearest(const Ball& b, double size) {
+  double x = 0;
+  if (b.round_to_double(x)) return x;
+  double hi = 0, lo = 0, error = 0;
+  b.to_double_double(hi, lo, error);
+  if (!(error <= size * 0x1p-90)) throw MoreBits("how a value rounds is not told");
+  return std::fabs(hi) <= error ? 0 : b.midpoint_as_double();
+}
+
+template <class T>
+CompactVec3 nearest(const Vector3<T>& v) {
+  const Vector3<DoubleBall> near = near_of(v);
+  const double size =
+      std::max({std::fabs(near[0].mid), std::fabs(near[1].mid), std::fabs(near[2].mid)});
+  return {nearest(v[0], size), nearest(v[1], size), nearest(v[2], size)};
+}
+
+template <class T>
+T in(const Rational& q, int bits) {
+  if constexpr (std::is_same_v<T, Ball>) {
+    return Ball(q, bits);
+  } else {
+    return q;
+  }
+}
+template <class T>
+Vector3<T> in(const Vec3& v, int bits) {
+  return {in<T>(v[0], bits), in<T>(v[1], bits), in<T>(v[2], bits)};
+}
+
+template <class T>
+class BilliardEngine {
+ public:
+  BilliardEngine(const Billiard& billiard, int bits, const BilliardOptions& options,
+                 std::uint64_t& told, const std::function<void(const BilliardEvent&)>& tell)
+      : billiard_(billiard),
+        bits_(bits),
+        options_(options),
+        told_(told),
+        tell_(tell),
+        gaps_(billiard, bits),
+        near_gaps_(billiard),
+        lines_(billiard, near_gaps_),
+        near_(billiard),
+        now_(in<T>(0, bits)) {
+    for (const BilliardDisk& d : billiard.disks) {
+      Body body{{now_, in<T>(d.center, bits), in<T>(d.velocity, bits)}, {}, {}, 0};
+      bodies_.push_back(std::move(body));
+      refresh(bodies_.back());
+    }
+  }
+
+  // False where it was interrupted.
+  bool run() {
+    double length = billiard_.horizon.get_d() / 16;
+    Rational from = 0;
+    do {
+      Rational to = from + to_rational(length);
+      if (to > billiard_.horizon || to <= from) to = billiard_.horizon;
+      const auto pairs = pairs_in(from, to);
+      const std::size_t n = bodies_.size();
+      constexpr double least_share = 0x1p-40;
+      if (!pairs ||
+          (pairs->size() > 8 * n + 64 && length > least_share * billiard_.horizon.get_d())) {
+        length /= 2;
+        if (!(length > 0)) throw BilliardStop("a disk runs past too many images of others");
+        continue;
+      }
+      if (pairs->size() < 2 * n + 16) length *= 2;
+      if (!window(*pairs, from, to)) return false;
+      from = to;
+    } while (from < billiard_.horizon);
+    return true;
+  }
+
+  double time() const { return near_of(now_).mid; }
+
+ private:
+  struct Body {
+    Flight<T> flight;
+    Flight<DoubleBall> near;
+    SweptBox box;
+    std::int64_t turns = 0;
+  };
+  struct Meeting {
+    T t;
+    DoubleBall near;
+    BilliardPair pair;
+    std::int64_t turns_a, turns_b;
+  };
+
+  Body& body(GenId i) { return bodies_[static_cast<std::size_t>(i)]; }
+  std::int64_t turns_of(GenId i) const { return bodies_[static_cast<std::size_t>(i)].turns; }
+  bool fixed(GenId i) const { return billiard_.disks[static_cast<std::size_t>(i)].fixed; }
+
+  static void refresh(Body& body) {
+    body.near = {near_of(body.flight.t0), near_of(body.flight.x), near_of(body.flight.v)};
+  }
+
+  void box(GenId i, const DoubleBall& from, const DoubleBall& to) {
+    body(i).box = LineBoxes::empty();
+    lines_.extend(body(i).box, i, body(i).near, from, to);
+    lines_.require_near(i, body(i).box, to.mid);
+  }
+
+  std::optional<std::vector<BilliardPair>> pairs_in(const Rational& from, const Rational& to) {
+    const DoubleBall begin = near_of(from), end = near_of(to);
+    boxes_.clear();
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      box(static_cast<GenId>(i), begin, end);
+      boxes_.push_back(bodies_[i].box);
+    }
+    auto pairs = near_.pairs(boxes_, begin.mid - begin.rad, end.mid + end.rad);
+    if (!pairs) return pairs;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      add_walls(static_cast<GenId>(i), begin, end, *pairs);
+    }
+    return pairs;
+  }
+
+  void add_walls(GenId i, const DoubleBall& from, const DoubleBall& to,
+                 std::vector<BilliardPair>& pairs) {
+    if (fixed(i)) return;
+    for (GenId wall = billiard_.last_wall(); wall < 0; ++wall) {
+      if (lines_.may_meet_wall(wall, body(i).box, from.mid - from.rad, to.mid + to.rad))
+        pairs.push_back({wall, i});
+    }
+  }
+
+  // -1, 0, 1: whether x is earlier than y, the same, or later.
+  int order(const T& x, const DoubleBall& near_x, const T& y, const DoubleBall& near_y) const {
+    const Sign rough = sign(near_x - near_y);
+    if (is_certain(rough)) return rough == Sign::negative ? -1 : 1;
+    const Sign exact = sign(T(x - y));
+    if (exact == Sign::unknown)
+      throw MoreBits("which of two events comes first is not told: they may be simultaneous");
+    return static_cast<int>(exact);
+  }
+
+  bool earlier(const Meeting& x, const Meeting& y) const {
+    // One meeting may have been found from either side.
+    if (x.pair == y.pair && x.turns_a == y.turns_a && x.turns_b == y.turns_b) return false;
+    const int ordered = order(x.t, x.near, y.t, y.near);
+    return ordered != 0 ? ordered < 0 : x.pair < y.pair;
+  }
+
+  void predict(const BilliardPair& pair) {
+    if (pair.a >= 0 && fixed(pair.a) && fixed(pair.b)) return;
+    Body& b = body(pair.b);
+    Body& a = pair.a < 0 ? b : body(pair.a);
+    const bool parting = parting_ == pair;
+    const int degree = gaps_.degree(pair);
+    const DoubleBall near_now = near_of(now_), length = near_end_ - near_now;
+    if (!parting) {
+      const auto rough = near_gaps_.form(pair, a.near, b.near, near_now, DoubleBall(0));
+      if (certainly_positive(rough, degree, 0,
+                             std::max(0.0, (length.mid + length.rad) * (1 + 0x1p-50))))
+        return;
+    }
+    if (degree > 2)
+      throw BilliardStop("gravity with fixed disks, or in a round frame, is not simulated");
+    const auto u =
+        meeting_time<T>(gaps_.form(pair, a.flight, b.flight, now_, in<T>(0, bits_)), parting);
+    if (!u) return;
+    T t = now_ + *u;
+    const DoubleBall near = near_of(t);
+    if (sign(near - near_end_) == Sign::positive) return;
+    meetings_.push_back({std::move(t), near, pair, pair.a < 0 ? 0 : a.turns, b.turns});
+    std::push_heap(meetings_.begin(), meetings_.end(), later_);
+  }
+
+  bool is_stale(const Meeting& m) const {
+    return m.turns_b != turns_of(m.pair.b) || (m.pair.a >= 0 && m.turns_a != turns_of(m.pair.a));
+  }
+
+  // Meetings of disks that have turned since are gone before others are found: one that is found
+  // anew may be at the same time.
+  void drop_stale() {
+    std::erase_if(meetings_, [&](const Meeting& m) { return is_stale(m); });
+    std::make_heap(meetings_.begin(), meetings_.end(), later_);
+  }
+
+  // The next meeting in the window, which stays the first one.
+  const Meeting* next_meeting() const {
+    if (meetings_.empty()) return nullptr;
+    const Meeting& first = meetings_.front();
+    const int ordered = order(first.t, first.near, end_, near_end_);
+    return ordered < 0 || (ordered == 0 && is_last_) ? &first : nullptr;
+  }
+
+  bool window(const std::vector<BilliardPair>& pairs, const Rational& from, const Rational& to) {
+    now_ = in<T>(from, bits_);
+    end_ = in<T>(to, bits_);
+    near_end_ = near_of(end_);
+    is_last_ = to == billiard_.horizon;
+    meetings_.clear();
+    for (const BilliardPair& pair : pairs) predict(pair);
+    for (;;) {
+      const Meeting* meeting = next_meeting();
+      const BilliardManeuver* maneuver = next_maneuver(to);
+      if (meeting == nullptr && maneuver == nullptr) return true;
+      if (options_.monitor && !options_.monitor(time(), events_)) return false;
+      if (maneuver != nullptr) {
+        const T t = in<T>(maneuver->t, bits_);
+        // Collisions come first.
+        if (meeting == nullptr || order(t, near_of(t), meeting->t, meeting->near) < 0) {
+          turn(*maneuver, t);
+          continue;
+        }
+      }
+      const Meeting due = *meeting;
+      collide(due);
+    }
+  }
+
+  const BilliardManeuver* next_maneuver(const Rational& to) const {
+    if (maneuvers_ == billiard_.maneuvers.size()) return nullptr;
+    const BilliardManeuver& next = billiard_.maneuvers[maneuvers_];
+    return next.t < to || (is_last_ && next.t == to) ? &next : nullptr;
+  }
+
+  // Tells what has not been told by a run with fewer bits.
+  void tell(BilliardEvent event) {
+    ++events_;
+    if (events_ <= told_) return;
+    if (options_.max_events > 0 && events_ > options_.max_events)
+      throw BilliardStop("more than " + std::to_string(options_.max_events) + " events");
+    tell_(event);
+    told_ = events_;
+  }
+
+  void set(GenId i, const T& t, const Vector3<T>& x, const Vector3<T>& v) {
+    Body& body = this->body(i);
+    body.flight = {t, x, v};
+    ++body.turns;
+    refresh(body);
+  }
+
+  // All that a disk may meet in the rest of the window.
+  void predict_all(GenId i) {
+    const DoubleBall from = near_of(now_);
+    box(i, from, near_end_);
+    boxes_[static_cast<std::size_t>(i)] = body(i).box;
+    std::vector<BilliardPair> pairs =
+        near_.partners(i, boxes_, from.mid - from.rad, near_end_.mid + near_end_.rad);
+    add_walls(i, from, near_end_, pairs);
+    for (const BilliardPair& pair : pairs) predict(pair);
+  }
+
+  void turn(const BilliardManeuver& maneuver, const T& t) {
+    const GenId i = maneuver.disk;
+    now_ = t;
+    const Vector3<T> x = gaps_.place(i, body(i).flight, t), v = in<T>(maneuver.velocity, bits_);
+    tell({CompactRational(nearest(t, std::fabs(near_of(t).mid))), 0,
+          BilliardTurn{i, nearest(v), nearest(x)}});
+    set(i, t, x, v);
+    drop_stale();
+    ++maneuvers_;
+    predict_all(i);
+  }
+
+  void collide(const Meeting& due) {
+    const auto& [t, near, pair, turns_a, turns_b] = due;
+    now_ = t;
+    std::array<Vector3<T>, 2> x, v;
+    for (const int side : {0, 1}) {
+      const GenId i = side == 0 ? pair.a : pair.b;
+      if (i < 0) continue;
+      x[side] = gaps_.place(i, body(i).flight, t);
+      v[side] = gaps_.velocity(i, body(i).flight, t);
+    }
+    const auto law = gaps_.response(pair, x, v, t);
+    v[0] = v[0] + law.normal * law.factor_a;
+    v[1] = v[1] + law.normal * law.factor_b;
+    BilliardCollision told{pair.a, pair.b, {}, {}, {}};
+    if (pair.a >= 0 && billiard_.lattice.is_periodic()) told.image = pair.image;
+    for (const int side : {0, 1}) {
+      const GenId i = side == 0 ? pair.a : pair.b;
+      if (i < 0) continue;
+      told.p[side] = nearest(x[side]);
+      if (!fixed(i)) told.v[side] = nearest(v[side]);
+    }
+    tell({CompactRational(nearest(t, std::fabs(near.mid))), 0, std::move(told)});
+    for (const int side : {0, 1}) {
+      const GenId i = side == 0 ? pair.a : pair.b;
+      if (i >= 0 && !fixed(i)) set(i, t, x[side], v[side]);
+    }
+    drop_stale();
+    parting_ = pair;
+    for (const GenId i : {pair.a, pair.b}) {
+      if (i >= 0 && !fixed(i)) predict_all(i);
+    }
+    parting_.reset();
+  }
+
+  const Billiard& billiard_;
+  int bits_;
+  const BilliardOptions& options_;
+  std::uint64_t& told_;
+  const std::function<void(const BilliardEvent&)>& tell_;
+  BilliardGaps<T> gaps_;
+  BilliardGaps<DoubleBall> near_gaps_;
+  LineBoxes lines_;
+  NearBoxes near_;
+  std::vector<Body> bodies_;
+  std::vector<SweptBox> boxes_;
+  // A heap, the first meeting at its front.
+  std::vector<Meeting> meetings_;
+  std::function<bool(const Meeting&, const Meeting&)> later_ =
+      [this](const Meeting& x, const Meeting& y) { return earlier(y, x); };
+  T now_, end_{};
+  DoubleBall near_end_;
+  std::optional<BilliardPair> parting_;  // the two that have just collided
+  bool is_last_ = false;
+  std::size_t maneuvers_ = 0;  // that have taken place
+  std::uint64_t events_ = 0;
+};
+
+// Runs once; false where it was interrupted.
+template <class T>
+bool run_once(const Billiard& billiard, int bits, const BilliardOptions& options,
+              std::uint64_t& told, const std::function<void(const BilliardEvent&)>& tell,
+              BilliardOutcome& outcome) {
+  outcome.bits = bits;
+  BilliardEngine<T> engine(billiard, bits, options, told, tell);
+  try {
+    const bool complete = engine.run();
+    outcome.kind = complete ? BilliardOutcome::Kind::complete : BilliardOutcome::Kind::interrupted;
+    outcome.t = complete ? round_nearest(billiard.horizon) : engine.time();
+  } catch (const MoreBits& at) {
+    if (bits >= options.max_bits) {
+      outcome = {BilliardOutcome::Kind::stopped, engine.time(), at.what(), bits};
+      return true;
+    }
+    return false;
+  } catch (const NoFraction&) {
+    return false;
+  } catch (const std::runtime_error& at) {  // BilliardStop, Undecided
+    outcome = {BilliardOutcome::Kind::stopped, engine.time(), at.what(), bits};
+  }
+  return true;
+}
+
+}  // namespace
+
+BilliardOutcome run_billiard(const Billiard& billiard, const BilliardOptions& options,
+                             const std::function<void(const BilliardEvent&)>& tell) {
+  BilliardOutcome outcome;
+  std::uint64_t told = 0;
+  if (run_once<Rational>(billiard, 0, options, told, tell, outcome)) return outcome;
+  for (int bits = options.start_bits;; bits *= 2) {
+    if (run_once<Ball>(billiard, bits, options, told, tell, outcome)) return outcome;
+  }
+}
+
+}  // namespace voroproof::internal
