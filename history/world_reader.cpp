@@ -17,7 +17,7 @@ namespace {
 constexpr auto bit = JsonReader::bit;
 
 constexpr const char* only_pass =
-    "\"pass\" is wanted here; only certify and validate read billiards, whose disks bounce";
+    "\"pass\" is wanted here; only simulate, certify and validate read billiards, whose disks bounce";
 
 class WorldReader {
  public:

@@ -32,7 +32,7 @@ Ball second_root(const Ball& a, const Ball& b) {
 }  // namespace
 
 Rational exact_root(const Rational& x) {
-  constexpr std::size_t most_bits = 1U << 14U;
+  constexpr std::size_t most_bits = 1U << 18U;
   const Integer &n = x.get_num(), &d = x.get_den();
   if (mpz_sizeinbase(n.get_mpz_t(), 2) + mpz_sizeinbase(d.get_mpz_t(), 2) > most_bits ||
       mpz_perfect_square_p(n.get_mpz_t()) == 0 || mpz_perfect_square_p(d.get_mpz_t()) == 0)

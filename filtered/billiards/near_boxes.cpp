@@ -118,22 +118,17 @@ NearBoxes::Range NearBoxes::cells_of(const SweptBox& box, int level) const {
   return range;
 }
 
-// A box is in few cells of its level, and cells are counted in 52 bits.
+// A box is in few cells of its level, and its cells there are counted in 52 bits.
 void NearBoxes::choose_levels() {
-  double far = 0;
-  for (const Copy& copy : copies_) {
-    for (std::size_t k = 0; k < axes_; ++k) {
-      far = std::max({far, std::fabs(copy.box.lo[k]), std::fabs(copy.box.hi[k])});
-    }
-  }
-  const int lowest = far > 0 ? std::ilogb(far) - 50 : 0;
   ranges_.clear();
   levels_.clear();
   for (const Copy& copy : copies_) {
-    double extent = 0;
+    double extent = 0, far = 0;
     for (std::size_t k = 0; k < axes_; ++k) {
       extent = std::max(extent, copy.box.hi[k] - copy.box.lo[k]);
+      far = std::max({far, std::fabs(copy.box.lo[k]), std::fabs(copy.box.hi[k])});
     }
+    const int lowest = far > 0 ? std::ilogb(far) - 50 : 0;
     const int level = extent > 0 ? std::max(lowest, std::ilogb(extent) + 1) : lowest;
     ranges_.push_back(cells_of(copy.box, level));
     levels_.push_back(level);

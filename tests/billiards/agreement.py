@@ -3,11 +3,13 @@
     agreement.py PROGRAM [FIRST_SEED] [SCENES]
 
 For each seed: a scene and its right history, which both must certify, and one mutant of each kind. Where the judge
-refutes, so must the program, at the same line or an earlier one that the judge agrees with; where the judge certifies,
-the program must not refute. Counts by kind on standard output; exit code 1 after a disagreement.
+refutes, so must the program; where it certifies, so must the program. The history that the program simulates must be
+certified by both, and begin as that of the engine in doubles. Counts by kind on standard output; exit code 1 after a
+disagreement.
 """
 
 import collections
+import json
 import os
 import subprocess
 import sys
@@ -57,6 +59,29 @@ def compare(program, folder, scene, scene_path, name, rows, counts):
     return False
 
 
+def simulated(program, folder, scene_path):
+    """The rows of the program's own history; None where it says that it does not simulate such a scene."""
+    path = os.path.join(folder, "simulated.jsonl")
+    run = subprocess.run([program, "simulate", scene_path, "-o", path, "--quiet", "--replace"],
+                         capture_output=True, text=True, timeout=300, check=False)
+    if run.returncode == 3 and "is not simulated" in run.stderr:
+        return None
+    if run.returncode != 0:
+        raise SystemExit(f"simulate: {run.returncode}: {run.stderr}")
+    with open(path, encoding="utf-8") as file:
+        return [json.loads(line) for line in file]
+
+
+def begin_alike(own, rows):
+    """Whether two histories tell the same, until the roundings of doubles have grown."""
+    for a, b in zip(own[1:-1], rows[1:-1]):
+        if abs(a["t"] - b["t"]) > 1e-9:
+            return True
+        if any(a.get(field) != b.get(field) for field in ("collide", "image", "maneuver")):
+            return False
+    return True
+
+
 def main():
     program = sys.argv[1]
     first = int(sys.argv[2]) if len(sys.argv) > 2 else 0
@@ -68,14 +93,18 @@ def main():
             raw, rows = make(seed)
             write(scene_path, raw)
             scene = Scene(raw)
-            histories = [("right", rows)] + [(kind, mutate(scene, rows, seed, kind)) for kind in KINDS]
+            own = simulated(program, folder, scene_path)
+            if own and not begin_alike(own, rows):
+                print(f"simulate tells otherwise than the engine in doubles\n  seed {seed}")
+                disagreements += 1
+            histories = [("right", rows), ("simulated", own)] + [(kind, mutate(scene, rows, seed, kind)) for kind in KINDS]
             for name, altered in histories:
                 if altered and not compare(program, folder, scene, scene_path, f"{name}", altered, counts):
                     print(f"  seed {seed}")
                     disagreements += 1
     for (name, word), count in sorted(counts.items()):
         print(f"{name:20} {word:16} {count}")
-    if counts["right", "CERTIFIED"] == 0 or disagreements:
+    if counts["right", "CERTIFIED"] == 0 or counts["simulated", "CERTIFIED"] == 0 or disagreements:
         sys.exit(1)
 
 

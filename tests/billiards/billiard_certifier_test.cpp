@@ -169,6 +169,19 @@ TEST(BilliardCertifier, AWallThatMovesAndOneThatIsSlanted) {
   expect_refuted(c, Fault::wrong_response, 2);
 }
 
+// It comes to one that rests.
+TEST(BilliardCertifier, AWallThatComes) {
+  BilliardCase c{R"("frame":{"walls":[{"normal":[1,0],"offset":-6,"speed":1}]},"disks":[
+    {"center":[0,0],"radius":1,"velocity":[0,0]},{"center":[40,0],"radius":1,"velocity":[-1,0]}])",
+                 "8",
+                 {R"({"t":5,"collide":[-1,0],"v":[null,[2,0]]})"},
+                 1};
+  expect_certified(c);
+  c.events.clear();
+  c.collisions = 0;
+  expect_refuted(c, Fault::missing_event, 2);
+}
+
 TEST(BilliardCertifier, ASphere) {
   BilliardCase c{R"("dimension":3,"frame":{"center":[1,0,0],"radius":10},
     "disks":[{"center":[1,0,0],"radius":1,"velocity":[1,2,2]}])",
@@ -255,7 +268,7 @@ TEST(BilliardCertifier, Grazes) {
   c.events = {R"({"t":4.1,"collide":[0,1],"v":[[1,0],[0,0]]})"};
   EXPECT_EQ(c.judge().verdict, Verdict::refuted);
   // Once, though both are within the tolerance of it.
-  c.events = {R"({"t":3.9999999,"collide":[0,1],"v":[[1,0],[0,0]]})",
+  c.events = {R"({"t":3.9999999999,"collide":[0,1],"v":[[1,0],[0,0]]})",
               R"({"t":4,"collide":[0,1],"v":[[1,0],[0,0]]})"};
   c.collisions = 2;
   EXPECT_EQ(c.judge().verdict, Verdict::refuted);

@@ -240,7 +240,7 @@ class Judge:
             if entry.compare(start) == 0 and evaluate(motion.below(), start) < 0:
                 continue
             if entry.compare(t - tau) >= 0 >= entry.compare(t + tau):
-                if entry.compare(t) <= 0:
+                if entry.compare(t) < 0:
                     return self.mark(claim, [e for e in episodes if self.starts_at(e, entry, start, t)])
                 return True
         if self.just_met(claim):

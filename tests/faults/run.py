@@ -47,6 +47,8 @@ def program(name):
 
 ORDER = {
     "certify/world": [program("world_certifier_test")],
+    "certify/billiards": [program("billiard_test")],
+    "filtered/billiards": [program("billiard_test")],
     "certify": [CERTIFY, CORPUS, program("evidence_test"), CASES, program("adversary_test")],
     "filtered": [program("filtered_test"), program("carry_test"), program("symmetry_test"), CERTIFY,
                  CORPUS, program("engine_oracle_test"), CASES],
