@@ -7,12 +7,16 @@
 
 namespace voroproof::internal {
 
-// Whether the last turn of either of the two was their own collision.
-bool PairWatch::last_turn_was_own(const Life& life) const {
+// Whether the two have just collided and cannot meet again on these lines: their gap is convex, but
+// in a frame, and under gravity for one that is fixed.
+bool PairWatch::have_parted(const Life& life) const {
   const auto& [a, b, image] = life.pair;
+  if (a < 0) return false;
+  const auto is_fixed = [&](GenId g) { return billiard_.disks[static_cast<std::size_t>(g)].fixed; };
   const auto is_own = [&](const BilliardLine& line) { return line.by == life.pair; };
-  if (a < 0 || billiard_.disks[static_cast<std::size_t>(a)].fixed) return is_own(life.b());
-  if (billiard_.disks[static_cast<std::size_t>(b)].fixed) return is_own(life.a());
+  if (is_fixed(a) != is_fixed(b)) {
+    return near_.degree(life.pair) == 2 && is_own(is_fixed(a) ? life.b() : life.a());
+  }
   return is_own(life.a()) && life.a().claim == life.b().claim;
 }
 
@@ -22,7 +26,7 @@ bool PairWatch::answer_open(const Life& life, const Rational& t, Walk& walk) con
   const Rational earliest = t - tolerance_;
   const bool on_these_lines = (episode.entry <=> life.begin()) >= 0;
   if (on_these_lines && !episode.answer) return (episode.entry <=> earliest) >= 0;
-  if (last_turn_was_own(life)) return false;
+  if (have_parted(life)) return false;
   const Rational length = t - life.since();
   if (sign(form(life, 0).derivative().evaluate(length)) != Sign::negative) return false;
   if (!episode.deep) {
@@ -42,7 +46,7 @@ bool PairWatch::comes_near(const Life& life, const Rational& t, Walk& walk) cons
   const Polynomial<Rational> f = form(life, 0), slope = f.derivative();
   const Rational depth = rounding(life);
   if ((life.pair.a >= 0 || billiard_.round) && exact_.reach(life.pair, t) < 4 * depth) return false;
-  if (life.pair.a >= 0 && last_turn_was_own(life)) return false;
+  if (have_parted(life)) return false;
   if (is_negative_in(f, lo, hi)) return false;  // that would be an entry, and is not due
   for (const auto& root : roots_of(slope, lo, hi)) {
     const SignsAround signs = signs_around(slope, root);

@@ -134,7 +134,7 @@ class PairWatch {
   void live(Life& life, const BilliardClaim* claim, Walk& walk) const;
   void judge_life(const Life& life, Walk& walk) const;
   void judge_claim(const Life& life, const BilliardClaim& claim, Walk& walk) const;
-  bool last_turn_was_own(const Life& life) const;
+  bool have_parted(const Life& life) const;
   bool answer_open(const Life& life, const Rational& t, Walk& walk) const;
   bool answers(const Life& life, const BilliardClaim& claim, Walk& walk) const;
   bool comes_near(const Life& life, const Rational& t, Walk& walk) const;

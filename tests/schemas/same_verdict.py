@@ -90,7 +90,7 @@ FILES = {
                       {"t": "3/2", "disk": 3, "velocity": [1, 0]}]}],
     "box.json": [{
         "format": "voroproof-scene", "version": 2, "horizon": 1, "contacts": "bounce", "dimension": 3,
-        "frame": {"walls": [{"normal": ["3/5", 0, "-4/5"], "offset": -40, "speed": "1/8", "restitution": 0.5},
+        "frame": {"walls": [{"normal": [0, 0, "-1"], "offset": -40, "speed": "1/8", "restitution": 0.5},
                             {"normal": [0, 0, 1], "offset": "-81/2"}],
                   "periodic": [50, "101/2", None], "shear": "1/10"},
         "gravity": [0, 0, -10],
@@ -99,7 +99,8 @@ FILES = {
         "format": "voroproof-scene", "version": 2, "horizon": 1, "contacts": "bounce",
         "frame": {"periodic": [None, 9], "shear": "0/1"}, "disks": []}],
     "between.json": [{
-        "format": "voroproof-scene", "version": 2, "horizon": 1, "contacts": "bounce", "frame": {"walls": []},
+        "format": "voroproof-scene", "version": 2, "horizon": 1, "contacts": "bounce",
+        "frame": {"walls": [{"normal": ["3/5", "-4/5"], "offset": -40}]},
         "disks": []}],
     "free.json": [{
         "format": "voroproof-scene", "version": 2, "horizon": 1, "contacts": "bounce", "frame": "none", "disks": []}],
@@ -135,7 +136,7 @@ UNSAYABLE = {
         "a vertex of the same name", "second maneuver", "is fixed"],
     "how many coordinates there are": ["coordinates, as", "coordinates, and", "the dimension of the scene"],
     "a radius that shrinks": ["becomes negative", "is not positive"],
-    "geometry": ["overlap", "container", "contains", "no default", "for a point", "its own image", "does not fit",
+    "geometry": ["overlap", "container", "contains", "no default", "for a point", "its own image", "does not fit", "lies across",
                  "length is not exactly 1"],
     "the size of an exact string": ["not in [0, 1", "not in (0, 1]", "beyond the limits of a scene"],
     "the size of a number where any value may stand": ["beyond the range of binary64"],
