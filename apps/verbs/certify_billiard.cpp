@@ -83,6 +83,7 @@ ExitCode certify_billiard(const CertifyRequest& request) {
   if (history.header().horizon != billiard.horizon)
     certificate.other_horizon = std::array{history.header().horizon, billiard.horizon};
   if (report) file.run.history_sha256 = history.content_sha256();
+  if (certificate.divergence) file.run.evidence = "none";
   interruption.wind_up();
   if (report) {
     report->write(report_text(file.run, file.options, certificate));

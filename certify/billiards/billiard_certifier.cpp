@@ -177,8 +177,8 @@ class BilliardCertification {
   }
 
   void blame(Fault kind, std::int64_t line, const BilliardTime& t, std::string truth,
-             const BilliardPair& pair = {}) {
-    found_.faults.push_back({kind, line, t.near.mid, std::move(truth), pair});
+             std::optional<std::pair<GenId, GenId>> contact = {}) {
+    found_.faults.push_back({kind, line, t.near.mid, std::move(truth), contact});
   }
 
   void maneuver(const BilliardTurn& claimed, const BilliardTime& t, std::int64_t line) {
@@ -219,10 +219,11 @@ class BilliardCertification {
       return g < 0 || billiard_.disks[static_cast<std::size_t>(g)].fixed;
     };
     if (is_fixed(pair.a) && is_fixed(pair.b))
-      blame(Fault::spurious_event, line, t, watch_.name(pair) + " cannot move", pair);
+      blame(Fault::spurious_event, line, t, watch_.name(pair) + " cannot move",
+            std::pair(pair.a, pair.b));
     const BounceLaw::Meeting meeting{pair, a, b, t};
     if (const std::string fault = law_.fault(meeting, claimed); !fault.empty())
-      blame(Fault::wrong_response, line, t, fault, pair);
+      blame(Fault::wrong_response, line, t, fault, std::pair(pair.a, pair.b));
     std::array<std::optional<CompactVec3>, 2> v = claimed.v;
     const auto has_none = [&](int side) {
       const GenId disk = side == 0 ? pair.a : pair.b;
@@ -327,6 +328,7 @@ class BilliardCertification {
     divergence.line = first.line;
     divergence.t = first.t;
     divergence.truth = first.truth;
+    divergence.true_contact = first.contact;
   }
 
   const Billiard& billiard_;

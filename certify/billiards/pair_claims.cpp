@@ -140,7 +140,7 @@ std::optional<LatticeImage> PairWatch::touching_image(const Life& life, const Ra
 BilliardFault PairWatch::fault_of(const Life& life, const BilliardClaim& claim) const {
   const Rational t = claim.t.value();
   BilliardFault fault{Fault::spurious_event, claim.line, round_nearest(t), name(life.pair),
-                      life.pair};
+                      std::pair(life.pair.a, life.pair.b)};
   if (const auto image = touching_image(life, t)) {
     fault.kind = Fault::wrong_image;
     fault.truth = name({life.pair.a, life.pair.b, *image}) + " touch, and not " + name(life.pair);

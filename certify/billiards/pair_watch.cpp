@@ -96,7 +96,7 @@ void PairWatch::miss(const OverlapEpisode& episode, Walk& walk) const {
                                name(walk.pair) +
                                    " touch at t = " + number_text(episode.entry.rounded()) +
                                    ", and overlap from then on; no collision of them is claimed",
-                               walk.pair});
+                               std::pair(walk.pair.a, walk.pair.b)});
 }
 
 // An overlap that no claim answers in time, or that goes on when its collision is over.
@@ -111,7 +111,7 @@ void PairWatch::close(const EntryTime& exit, Walk& walk) const {
         {Fault::overlap, episode.answer_line, round_nearest(*episode.answer),
          name(walk.pair) + " overlap until t = " + number_text(exit.rounded()) +
              ", for longer than the tolerance after their collision",
-         walk.pair});
+         std::pair(walk.pair.a, walk.pair.b)});
   }
 }
 
@@ -187,7 +187,6 @@ void PairWatch::settle(const Life& life, Walk& walk) const {
 // Opens and closes the episodes of [from, to) on lines that both keep.
 void PairWatch::judge_life(const Life& life, Walk& walk) const {
   PairState& state = walk.state;
-  ++walk.found.exact_lives;
   const Rational since = life.since(), length = life.length();
   const Polynomial<Rational> f = form(life, 0);
   const Rational depth = rounding(life);

@@ -20,13 +20,13 @@ struct BilliardFault {
   std::int64_t line;
   double t;
   std::string truth;
-  BilliardPair pair{};
+  std::optional<std::pair<GenId, GenId>> contact{};  // which two touch, or are said to
 };
 
 // The faults found so far, and the counts.
 struct BilliardFindings {
   std::vector<BilliardFault> faults;
-  std::int64_t pair_lives = 0, grazes = 0, rounding_overlaps = 0, left_out = 0, exact_lives = 0;
+  std::int64_t pair_lives = 0, grazes = 0, rounding_overlaps = 0, left_out = 0;
 };
 
 struct BilliardClaim {
