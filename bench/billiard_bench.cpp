@@ -1,5 +1,5 @@
-// Certifying the history of an event-driven engine in a periodic box, against making it: scenes and
-// histories go through files in memory's place, on disk, as users have them.
+// How long the certifier takes for the history of an event-driven engine in a periodic box, against
+// how long the engine takes to make it. The certifier reads a file; the engine writes into memory.
 #include <chrono>
 #include <cmath>
 #include <cstdio>

@@ -66,10 +66,7 @@ class BilliardReader {
         json_.text();
         break;
       case seed:
-        if (json_.text_is_next())
-          json_.text();
-        else
-          json_.big_integer();
+        read_seed(json_);
         break;
       case horizon:
         read_time(billiard_.horizon);

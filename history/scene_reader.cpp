@@ -55,7 +55,7 @@ class SceneReader {
               scene_.comment = json_.text();
               break;
             case seed:
-              read_seed();
+              scene_.seed = read_seed(json_);
               break;
             case container:
               read_container();
@@ -100,13 +100,6 @@ class SceneReader {
   void read_radius(Number& radius) {
     radius = value();
     if (sgn(radius) < 0) json_.fail("negative");
-  }
-
-  void read_seed() {
-    if (json_.text_is_next())
-      scene_.seed = std::string(json_.text());
-    else
-      scene_.seed = json_.big_integer();
   }
 
   void read_container() {

@@ -27,4 +27,9 @@ CompactRational scene_value(JsonReader& json) {
   return q;
 }
 
+std::variant<std::string, Integer> read_seed(JsonReader& json) {
+  if (json.text_is_next()) return std::string(json.text());
+  return json.big_integer();
+}
+
 }  // namespace voroproof::internal

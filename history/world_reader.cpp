@@ -17,7 +17,8 @@ namespace {
 constexpr auto bit = JsonReader::bit;
 
 constexpr const char* only_pass =
-    "\"pass\" is wanted here; only simulate, certify and validate read billiards, whose disks bounce";
+    "\"pass\" is wanted here; only simulate, certify and validate read billiards, whose disks "
+    "bounce";
 
 class WorldReader {
  public:
@@ -77,10 +78,7 @@ class WorldReader {
         world_.comment = json_.text();
         break;
       case seed:
-        if (json_.text_is_next())
-          world_.seed = std::string(json_.text());
-        else
-          world_.seed = json_.big_integer();
+        world_.seed = read_seed(json_);
         break;
       case horizon:
         read_time(world_.horizon);

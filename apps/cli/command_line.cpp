@@ -1,5 +1,6 @@
 #include "apps/cli/command_line.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <system_error>
@@ -97,6 +98,11 @@ std::ostream& words_beside(const std::vector<std::string>& outputs) {
     if (!output.empty() && is_standard_output(output)) return std::cerr;
   }
   return std::cout;
+}
+
+bool filters_wanted() {
+  const char* filters = std::getenv("VOROPROOF_FILTERS");
+  return filters == nullptr || std::string_view(filters) != "off";
 }
 
 }  // namespace voroproof::internal

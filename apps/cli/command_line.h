@@ -64,4 +64,8 @@ void require_picture(const std::string& option, const std::string& path);
 // the outputs goes to standard output. Empty names are passed over.
 std::ostream& words_beside(const std::vector<std::string>& outputs);
 
+// Whether doubles may decide. Tests set VOROPROOF_FILTERS=off in the environment, where nothing
+// else changes (CONTRIBUTING.md).
+bool filters_wanted();
+
 }  // namespace voroproof::internal

@@ -188,17 +188,6 @@ SecondWords ask(const std::vector<SecondChecker>& seconds, const CertifyRequest&
   return words;
 }
 
-void read_tolerances(const CertifyRequest& request, const HistoryHeader& header,
-                     CertifyOptions& options) {
-  options.tolerance = time_argument("--tolerance", request.tolerance);
-  options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
-  try {
-    require_meaningful(options, header.horizon);
-  } catch (const std::invalid_argument& fault) {
-    throw UsageError(std::string("--") + fault.what());
-  }
-}
-
 // Scenes of version 2 are certified whole, in their own ways.
 void require_plain(const CertifyRequest& request, const std::string& known) {
   if (request.order != "format" || request.kernel || request.proved || request.resume ||
@@ -212,9 +201,7 @@ ExitCode certify_files_of_world(const CertifyRequest& request) {
   const std::string known = "a world is certified with --tolerance, --max-events and --quiet";
   require_plain(request, known);
   if (request.events != "all" || !request.report.empty()) throw UsageError(known + " only");
-  return certify_world({request.scene, request.history,
-                        time_argument("--tolerance", request.tolerance), request.max_events,
-                        request.quiet});
+  return certify_world(request);
 }
 
 ExitCode certify_files_of_billiard(const CertifyRequest& request) {
@@ -252,7 +239,7 @@ ExitCode certify_files(CertifyRequest& request) {
                                                      event_limit_reason(request.max_events));
   }
   const HistoryHeader& header = claim.history->header();
-  read_tolerances(request, header, options);
+  read_tolerances(request, header.horizon, options);
   options.propose_initial = construct_initial;
   file.options = options;
   file.run = certification_run(producer(), request.scene, request.history, claim, {});

@@ -16,17 +16,6 @@
 namespace voroproof::internal {
 namespace {
 
-void read_tolerances(const CertifyRequest& request, const HistoryHeader& header,
-                     CertifyOptions& options) {
-  options.tolerance = time_argument("--tolerance", request.tolerance);
-  options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
-  try {
-    require_meaningful(options, header.horizon);
-  } catch (const std::invalid_argument& fault) {
-    throw UsageError(std::string("--") + fault.what());
-  }
-}
-
 Certificate undecided(std::string reason, std::int64_t line, std::int64_t events, double t) {
   Certificate certificate;
   certificate.reason = std::move(reason);
@@ -68,8 +57,9 @@ ExitCode certify_billiard(const CertifyRequest& request) {
   ShardFile file;
   file.options = request.options;
   file.options.truth = Truth::recorded;
+  file.options.motion.filters = filters_wanted();
   file.options.events = EventKinds::collisions;
-  read_tolerances(request, history.header(), file.options);
+  read_tolerances(request, history.header().horizon, file.options);
   file.run = {.producer = producer(),
               .scene_file = request.scene,
               .history_file = request.history,

@@ -1,8 +1,23 @@
 #include "apps/verbs/certify_request.h"
 
+#include <stdexcept>
+
+#include "apps/cli/command_line.h"
 #include "apps/cli/limits.h"
+#include "library/certification.h"
 
 namespace voroproof::internal {
+
+void read_tolerances(const CertifyRequest& request, const Rational& horizon,
+                     CertifyOptions& options) {
+  options.tolerance = time_argument("--tolerance", request.tolerance);
+  options.law_tolerance = time_argument("--law-tolerance", request.law_tolerance);
+  try {
+    require_meaningful(options, horizon);
+  } catch (const std::invalid_argument& fault) {
+    throw UsageError(std::string("--") + fault.what());
+  }
+}
 
 Verb& add_certify_options(Verb& program, const std::shared_ptr<CertifyRequest>& request) {
   Verb& verb = program.add_verb("certify", "Prove or refute a history of a scene");

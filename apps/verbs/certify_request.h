@@ -22,6 +22,11 @@ struct CertifyRequest {
   bool quiet = false, kernel = false, proved = false, resume = false;
 };
 
+// Reads the tolerances asked for, which must mean something for a history with that horizon. Throws
+// UsageError.
+void read_tolerances(const CertifyRequest& request, const Rational& horizon,
+                     CertifyOptions& options);
+
 // Adds the verb with all its options, which are read into the request.
 Verb& add_certify_options(Verb& program, const std::shared_ptr<CertifyRequest>& request);
 

@@ -2,7 +2,6 @@
 
 #include <iostream>
 #include <ostream>
-#include <stdexcept>
 
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
@@ -15,7 +14,6 @@
 #include "history/json_text.h"
 #include "history/world.h"
 #include "history/world_history_reader.h"
-#include "library/certification.h"
 
 namespace voroproof::internal {
 namespace {
@@ -28,19 +26,20 @@ WorldVerdict undecided(const std::string& reason, std::int64_t line, double t) {
   return verdict;
 }
 
-WorldVerdict judge(const WorldClaim& claim, const World& world, WorldHistoryReader& history,
-                   const CooperativeInterruption& interruption) {
+WorldVerdict judge(const CertifyRequest& request, const Rational& tolerance, const World& world,
+                   WorldHistoryReader& history, const CooperativeInterruption& interruption) {
   if (history.header().horizon > world.horizon) {
     return undecided("the history goes beyond the horizon of the scene", 1, 0);
   }
-  Progress progress(round_nearest(history.header().horizon), claim.quiet);
-  WorldCertifier certifier(world, history.header().initial, claim.tolerance,
-                           [&] { return !interruption.requested(); });
+  Progress progress(round_nearest(history.header().horizon), request.quiet);
+  WorldCertifier certifier(
+      world, history.header().initial, tolerance, [&] { return !interruption.requested(); },
+      filters_wanted());
   double t = 0;
   std::uint64_t events = 0;
   while (const auto event = history.next()) {
-    if (claim.max_events > 0 && ++events > claim.max_events) {
-      return undecided(event_limit_reason(claim.max_events), history.line(), t);
+    if (request.max_events > 0 && ++events > request.max_events) {
+      return undecided(event_limit_reason(request.max_events), history.line(), t);
     }
     t = round_nearest(event->t);
     progress.report(t, events);
@@ -56,14 +55,14 @@ WorldVerdict judge(const WorldClaim& claim, const World& world, WorldHistoryRead
 }
 
 // The verdict last, and the reason of one other than CERTIFIED to stderr.
-void tell(std::ostream& out, const WorldClaim& claim, const World& world,
-          const WorldHistoryReader& history, const WorldVerdict& verdict) {
+void tell(std::ostream& out, const CertifyRequest& request, const Rational& tolerance,
+          const World& world, const WorldHistoryReader& history, const WorldVerdict& verdict) {
   if (verdict.kind != Verdict::certified) {
-    std::cerr << "voroproof: " << printable(claim.history, 4096) << ": line " << verdict.line
+    std::cerr << "voroproof: " << printable(request.history, 4096) << ": line " << verdict.line
               << ": " << printable(verdict.reason, 4096) << '\n';
   }
   const WorldCounts& counts = history.counts();
-  if (!claim.quiet) {
+  if (!request.quiet) {
     out << "c " << counts.flips << " flips, " << counts.hides << " hides, " << counts.appears
         << " appears, " << counts.swaps << " swaps, " << counts.jumps << " jumps, "
         << counts.maneuvers << " maneuvers "
@@ -73,7 +72,7 @@ void tell(std::ostream& out, const WorldClaim& claim, const World& world,
         << '\n';
   }
   const VerdictWords words =
-      words_of_world(verdict.kind, history.header().horizon, world.horizon, claim.tolerance);
+      words_of_world(verdict.kind, history.header().horizon, world.horizon, tolerance);
   out << "c " << words.about << '\n';
   for (const std::string& line : words.reservations) out << "c " << line << '\n';
   out << "s " << words.verdict << '\n';
@@ -81,22 +80,17 @@ void tell(std::ostream& out, const WorldClaim& claim, const World& world,
 
 }  // namespace
 
-ExitCode certify_world(const WorldClaim& claim) {
+ExitCode certify_world(const CertifyRequest& request) {
   CooperativeInterruption interruption;
-  World world = read_world(claim.scene);
-  WorldHistoryReader history(claim.history, static_cast<int>(world.disks.size()), world.sha256);
+  World world = read_world(request.scene);
+  WorldHistoryReader history(request.history, static_cast<int>(world.disks.size()), world.sha256);
   CertifyOptions options;
-  options.tolerance = claim.tolerance;
-  try {
-    require_meaningful(options, history.header().horizon);
-  } catch (const std::invalid_argument& fault) {
-    throw UsageError(std::string("--") + fault.what());
-  }
+  read_tolerances(request, history.header().horizon, options);
   const Rational whole = world.horizon;
   if (history.header().horizon < whole) world.horizon = history.header().horizon;
-  const WorldVerdict verdict = judge(claim, world, history, interruption);
+  const WorldVerdict verdict = judge(request, options.tolerance, world, history, interruption);
   world.horizon = whole;
-  tell(words_beside({}), claim, world, history, verdict);
+  tell(words_beside({}), request, options.tolerance, world, history, verdict);
   return exit_code(verdict.kind);
 }
 

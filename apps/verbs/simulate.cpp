@@ -16,6 +16,7 @@
 #include "apps/run/history_sink.h"
 #include "apps/run/keeper.h"
 #include "apps/run/stats_file.h"
+#include "apps/run/told_run.h"
 #include "apps/verbs/simulate_billiard.h"
 #include "apps/verbs/simulate_world.h"
 #include "apps/verbs/verbs.h"
@@ -45,9 +46,7 @@ struct Request {
 // Tests set in the environment where decisions are taken, never what they are (CONTRIBUTING.md).
 MotionOptions motion_options(const Request& request) {
   MotionOptions motion = request.motion;
-  if (const char* filters = std::getenv("VOROPROOF_FILTERS")) {
-    motion.filters = std::string_view(filters) != "off";
-  }
+  motion.filters = filters_wanted();
   if (const char* bits = std::getenv("VOROPROOF_START_BITS")) {
     motion.start_bits = std::clamp(std::atoi(bits), least_bits, most_bits);
   }
@@ -95,21 +94,6 @@ void print_summary(std::ostream& out, const Outcome& outcome, const EngineStats&
       << stats.disk_collisions << " container " << stats.wall_collisions << "; maneuvers "
       << stats.maneuvers << "; t " << number_text(outcome.t) << "; bits " << stats.highest_bits
       << '\n';
-}
-
-ExitCode report(const Outcome& outcome) {
-  switch (outcome.kind) {
-    case Outcome::Kind::complete:
-      return ExitCode::ok;
-    case Outcome::Kind::stopped:
-      std::cerr << "voroproof: stopped at t = " << number_text(outcome.t) << ": "
-                << printable(outcome.reason, 4096) << '\n';
-      return ExitCode::undecided;
-    case Outcome::Kind::interrupted:
-      break;
-  }
-  std::cerr << "voroproof: interrupted at t = " << number_text(outcome.t) << '\n';
-  return ExitCode::interrupted;
 }
 
 Outcome run_or_resume(Engine& engine, HistorySink& sink, const std::optional<BegunHistory>& begun) {
@@ -283,7 +267,7 @@ ExitCode simulate_scene(const Request& request) {
   if (!request.quiet) {
     print_summary(words_beside({request.history, request.stats}), outcome, engine.stats());
   }
-  return report(outcome);
+  return told_end(outcome);
 }
 
 ExitCode simulate(const Request& request) {

@@ -7,6 +7,7 @@
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
 #include "apps/cli/progress.h"
+#include "apps/run/told_run.h"
 #include "engine/billiard/billiard_run.h"
 #include "filtered/billiards/line_boxes.h"
 #include "history/billiard.h"
@@ -63,27 +64,14 @@ ExitCode simulate_billiard(const WorldRequest& request, int max_bits) {
     writer.stopped(outcome.t,
                    outcome.kind == BilliardOutcome::Kind::stopped ? outcome.reason : "interrupted");
   }
-  if (request.replace) {
-    writer.close();
-  } else if (const std::string written = writer.close_beside_complete();
-             written != request.history) {
-    std::cerr << "voroproof: " << printable(request.history, 4096)
-              << ": is complete and stays; the history that stopped is in "
-              << printable(written, 4096) << '\n';
-  }
+  close_history(writer, request.history, request.replace);
   if (!request.quiet) {
     words_beside({request.history})
         << "collisions " << writer.counts().collisions << "; maneuvers "
         << writer.counts().maneuvers << "; t " << number_text(outcome.t) << "; "
         << (outcome.bits == 0 ? "in fractions" : "bits " + std::to_string(outcome.bits)) << '\n';
   }
-  if (complete) return ExitCode::ok;
-  const bool stopped = outcome.kind == BilliardOutcome::Kind::stopped;
-  std::cerr << "voroproof: " << (stopped ? "stopped" : "interrupted")
-            << " at t = " << number_text(outcome.t);
-  if (stopped) std::cerr << ": " << printable(outcome.reason, 4096);
-  std::cerr << '\n';
-  return stopped ? ExitCode::undecided : ExitCode::interrupted;
+  return told_end(outcome);
 }
 
 }  // namespace voroproof::internal

@@ -10,6 +10,7 @@
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
 #include "apps/cli/progress.h"
+#include "apps/run/told_run.h"
 #include "certify/world/world_certifier.h"
 #include "engine/world/world_run.h"
 #include "history/error.h"
@@ -142,22 +143,9 @@ ExitCode simulate_world(const WorldRequest& request) {
   } else {
     writer.stopped(to_rational(outcome.t), outcome.reason);
   }
-  if (request.replace) {
-    writer.close();
-  } else if (const std::string written = writer.close_beside_complete();
-             written != request.history) {
-    std::cerr << "voroproof: " << printable(request.history, 4096)
-              << ": is complete and stays; the history that stopped is in "
-              << printable(written, 4096) << '\n';
-  }
+  close_history(writer, request.history, request.replace);
   if (!request.quiet) print_summary(words_beside({request.history}), writer.counts(), outcome.t);
-  if (complete) return ExitCode::ok;
-  const bool stopped = outcome.kind == WorldOutcome::Kind::stopped;
-  std::cerr << "voroproof: " << (stopped ? "stopped" : "interrupted")
-            << " at t = " << number_text(outcome.t);
-  if (stopped) std::cerr << ": " << printable(outcome.reason, 4096);
-  std::cerr << '\n';
-  return stopped ? ExitCode::undecided : ExitCode::interrupted;
+  return told_end(outcome);
 }
 
 }  // namespace voroproof::internal

@@ -49,9 +49,9 @@ class BilliardCertification {
         horizon_(history.header().horizon),
         near_horizon_(horizon_ - options.tolerance),
         extent_(extent_of(billiard)),
-        watch_(billiard, horizon_, options.tolerance, extent_),
+        watch_(billiard, horizon_, options.tolerance, extent_, options.motion.filters),
         law_(billiard, watch_.exact(), watch_.near(), options.tolerance, options.law_tolerance,
-             extent_),
+             extent_, options.motion.filters),
         meeting_(billiard, watch_.near()),
         next_maneuver_(billiard.disks.size()) {}
 
@@ -114,13 +114,15 @@ class BilliardCertification {
     const Rational end = end_of_window();
     const bool ends_early = end < horizon_;
     const CompactRational compact_end = end;
+    Rational until = horizon_;
     bool last = false;
     BilliardTime to = from;
     for (;;) {
       std::optional<BilliardEvent> event = take();
       if (!event) {
-        last = end >= horizon_;
-        to = BilliardTime(std::max<Rational>(last ? horizon_ : end, from.value()));
+        if (const HistoryStop* at = stop()) until = std::min(horizon_, *at->exact_t);
+        last = end >= until;
+        to = BilliardTime(std::max<Rational>(last ? until : end, from.value()));
         break;
       }
       if (ends_early && compact_end < event->t) {
@@ -141,7 +143,7 @@ class BilliardCertification {
       }
     }
     if (!times_.empty() && to.exact < times_.back().exact) to = times_.back();
-    follow({from, to, last, &times_, first_line});
+    follow({from, to, until, last, &times_, first_line});
     if (!found_.faults.empty()) miss_maneuvers(to.value() - options_.tolerance);
     now_ = to;
     for (BilliardPath& path : paths_) path.forget_all_but_last();
@@ -149,6 +151,9 @@ class BilliardCertification {
       throw CertificationInterrupted{number_, now_.near.mid};
     return !last;
   }
+
+  // Where the history stops, once it has been read; null where it does not.
+  const HistoryStop* stop() const { return std::get_if<HistoryStop>(&history_.ending()); }
 
   Rational end_of_window() const {
     const double length = meeting_.good_length();
@@ -279,13 +284,13 @@ class BilliardCertification {
       states_.erase(known);
   }
 
-  // Maneuvers that were to be claimed before that time, and are not.
-  void miss_maneuvers(const Rational& before) {
+  // Maneuvers that were to be claimed before that time, or at all, and are not.
+  void miss_maneuvers(const std::optional<Rational>& before) {
     for (const auto& scheduled : next_maneuver_) {
       if (scheduled.empty()) continue;
       const std::size_t m = scheduled.front();
       const BilliardManeuver& maneuver = billiard_.maneuvers[m];
-      if (maneuver.t >= before) continue;
+      if (before && maneuver.t >= *before) continue;
       const std::int64_t line = undone_line_[m] != 0 ? undone_line_[m] : line_ + 1;
       blame(Fault::missing_event, line, BilliardTime(maneuver.t),
             "the maneuver of disk " + std::to_string(maneuver.disk) +
@@ -294,11 +299,11 @@ class BilliardCertification {
   }
 
   void finish() {
-    const auto* stop = std::get_if<HistoryStop>(&history_.ending());
-    if (stop == nullptr) miss_maneuvers(horizon_ + 1);
+    const HistoryStop* at = stop();
+    miss_maneuvers(at ? std::optional(Rational(*at->exact_t - options_.tolerance)) : std::nullopt);
     if (!found_.faults.empty()) return;
-    if (stop != nullptr) {
-      certificate_.reason = "the history stops: " + stop->reason;
+    if (at != nullptr) {
+      certificate_.reason = "the history stops: " + at->reason;
       certificate_.reason_line = history_.line();
     } else if (!history_.counts_match()) {
       blame(Fault::bad_count, history_.line(), BilliardTime(horizon_),

@@ -30,9 +30,9 @@
 
 namespace voroproof::internal {
 
-// Judges the history to its end. Options: tolerances and the monitor; the truth is the recorded one
-// and all events are judged. Throws InputError, naming `scene_file`, where disks of the scene
-// overlap or leave the frame, and CertificationInterrupted.
+// Judges the history to its end. Options: tolerances, the monitor, and whether doubles decide where
+// they can; the truth is the recorded one and all events are judged. Throws InputError, naming
+// `scene_file`, where disks of the scene overlap or leave the frame, and CertificationInterrupted.
 Certificate certify_billiard(const Billiard& billiard, const std::string& scene_file,
                              BilliardHistoryReader& history, const CertifyOptions& options);
 

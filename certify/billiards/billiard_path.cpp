@@ -55,17 +55,6 @@ Rational times_power(const Integer& units, long exponent) {
 
 Vec3 value_of(const CompactVec3& v) { return {v[0].value(), v[1].value(), v[2].value()}; }
 
-DoubleBall enclosed(const CompactRational& q) {
-  if (q.exact() == nullptr) return {q.leading(), std::fabs(q.second()) * (1 + 0x1p-50)};
-  // get_d() rounds towards zero.
-  const double x = q.exact()->get_d();
-  return {x, std::fabs(x) * 0x1p-52 + DBL_MIN};
-}
-
-Vector3<DoubleBall> enclosed(const CompactVec3& v) {
-  return {enclosed(v[0]), enclosed(v[1]), enclosed(v[2])};
-}
-
 ExactPlace::ExactPlace(const Vec3& place) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double x = place[axis].get_d();
@@ -137,8 +126,7 @@ Vector3<DoubleBall> ExactPlace::near() const {
   }
   if (!rest_) return place;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double x = (*rest_)[axis].get_d();
-    place[axis] = place[axis] + DoubleBall(x, std::fabs(x) * 0x1p-52 + DBL_MIN);
+    place[axis] = place[axis] + enclosed((*rest_)[axis]);
   }
   return place;
 }

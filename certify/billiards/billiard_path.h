@@ -8,14 +8,11 @@
 
 #include "exact/compact_rational.h"
 #include "filtered/billiards/billiard_gaps.h"
+#include "filtered/billiards/number_kinds.h"
 
 namespace voroproof::internal {
 
 Vec3 value_of(const CompactVec3& v);
-
-// Enclosures of exact values.
-DoubleBall enclosed(const CompactRational& q);
-Vector3<DoubleBall> enclosed(const CompactVec3& v);
 
 // A time, exactly and enclosed.
 struct BilliardTime {

@@ -10,6 +10,7 @@ namespace voroproof::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
 }  // namespace
 
 MeetingPairs::MeetingPairs(const Billiard& billiard, const BilliardGaps<DoubleBall>& gaps)
@@ -40,9 +41,7 @@ void MeetingPairs::measure(const std::vector<BilliardPath>& paths, const Billiar
     moving += speed > 0;
     fastest = std::max(fastest, speed);
   }
-  SweptBox all;
-  all.lo.fill(infinity);
-  all.hi.fill(-infinity);
+  SweptBox all = LineBoxes::empty();
   for (const SweptBox& box : boxes_) {
     for (std::size_t k = 0; k < 3; ++k) {
       all.lo[k] = std::min(all.lo[k], box.lo[k]);

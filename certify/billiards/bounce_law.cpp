@@ -24,7 +24,7 @@ std::string text(const Vec3& v, int dimension) {
 
 BounceLaw::BounceLaw(const Billiard& billiard, const BilliardGaps<Rational>& exact,
                      const BilliardGaps<DoubleBall>& near, const Rational& tolerance,
-                     const Rational& law_tolerance, const Rational& extent)
+                     const Rational& law_tolerance, const Rational& extent, bool filters)
     : billiard_(billiard),
       exact_(exact),
       near_(near),
@@ -32,7 +32,8 @@ BounceLaw::BounceLaw(const Billiard& billiard, const BilliardGaps<Rational>& exa
       law_tolerance_(law_tolerance),
       extent_(extent),
       near_tolerance_(enclosed(tolerance)),
-      near_law_tolerance_(enclosed(law_tolerance)) {}
+      near_law_tolerance_(enclosed(law_tolerance)),
+      filters_(filters) {}
 
 namespace {
 
@@ -150,7 +151,7 @@ std::string BounceLaw::fault_of_place(GenId disk, const BilliardPath& path, cons
 }
 
 std::string BounceLaw::fault(const Meeting& m, const BilliardCollision& claim) const {
-  if (certainly_obeyed(m, claim)) return {};
+  if (filters_ && certainly_obeyed(m, claim)) return {};
   if (std::string fault = law_fault(m, claim); !fault.empty()) return fault;
   for (const int side : {0, 1}) {
     if (!claim.p[side]) continue;

@@ -16,7 +16,7 @@ class BounceLaw {
   // Tolerances as CertifyOptions has them. All must outlive it.
   BounceLaw(const Billiard& billiard, const BilliardGaps<Rational>& exact,
             const BilliardGaps<DoubleBall>& near, const Rational& tolerance,
-            const Rational& law_tolerance, const Rational& extent);
+            const Rational& law_tolerance, const Rational& extent, bool filters);
 
   // Two that collide at t, at the ends of their paths so far; for a wall `a` is unused.
   struct Meeting {
@@ -46,6 +46,7 @@ class BounceLaw {
   const BilliardGaps<DoubleBall>& near_;
   const Rational &tolerance_, &law_tolerance_, &extent_;
   DoubleBall near_tolerance_, near_law_tolerance_;
+  bool filters_;
 };
 
 }  // namespace voroproof::internal

@@ -26,13 +26,14 @@ Rational PairWatch::Life::begin() const {
 }
 
 PairWatch::PairWatch(const Billiard& billiard, const Rational& horizon, const Rational& tolerance,
-                     const Rational& extent)
+                     const Rational& extent, bool filters)
     : billiard_(billiard),
       horizon_(horizon),
       tolerance_(tolerance),
       extent_(extent),
       tolerance_down_(round_down(tolerance)),
       tolerance_up_(round_up(tolerance)),
+      filters_(filters),
       exact_(billiard),
       near_(billiard) {}
 
@@ -68,13 +69,14 @@ Polynomial<Rational> PairWatch::form(const Life& life, const Rational& depth) co
 bool PairWatch::certainly_regular(const Life& life, bool answered, bool claimed) const {
   const int degree = near_.degree(life.pair);
   const double first = answered ? tolerance_down_ : 0;
-  const double last = claimed ? life.length_up - tolerance_down_ : life.length_up;
+  const double last =
+      claimed ? up(DoubleBall(life.length_up) - DoubleBall(tolerance_down_)) : life.length_up;
   if (answered && (!(life.length_down > 3 * tolerance_up_) ||
                    !certainly_positive(derivative(life.near), degree, 0, tolerance_up_)))
     return false;
   if (!certainly_positive(life.near, degree, first, std::max(first, last))) return false;
   if (!claimed) return true;
-  const double after = std::nextafter(life.length_down + tolerance_down_, 0.0);
+  const double after = down(DoubleBall(life.length_down) + DoubleBall(tolerance_down_));
   if (sign(value_at(life.near, after)) != Sign::negative) return false;
   GapForm<DoubleBall> falling = derivative(life.near);
   for (DoubleBall& c : falling) c = -c;
@@ -88,7 +90,7 @@ void PairWatch::open(const EntryTime& entry, Walk& walk) const {
 }
 
 void PairWatch::miss(const OverlapEpisode& episode, Walk& walk) const {
-  if ((episode.entry <=> horizon_ - tolerance_) >= 0) {
+  if ((episode.entry <=> walk.window.until - tolerance_) >= 0) {
     ++walk.found.left_out;
     return;
   }
@@ -252,7 +254,7 @@ void PairWatch::live(Life& life, const BilliardClaim* claim, Walk& walk) const {
   const DoubleBall length = life.to.near - life.from.near;
   life.length_up = std::max(0.0, up(length));
   life.length_down = std::max(0.0, down(length));
-  const bool plain = !state.open && state.ended.empty();
+  const bool plain = filters_ && !state.open && state.ended.empty();
   if (plain && certainly_regular(life, state.answered.has_value(), claim != nullptr)) {
     state.answered.reset();
     if (!claim) return;

@@ -65,13 +65,16 @@ struct PairState {
 class PairWatch {
  public:
   // `billiard` must outlive it. `extent`: rounding is in proportion to it (docs/claim.md).
+  // `filters`: doubles decide where they can; what is found is the same without.
   PairWatch(const Billiard& billiard, const Rational& horizon, const Rational& tolerance,
-            const Rational& extent);
+            const Rational& extent, bool filters);
 
-  // The window [from, to] of time, at whose end the claims up to `to` have been read; `last`: it
-  // ends at the horizon.
+  // The window [from, to] of time, at whose end the claims up to `to` have been read. The history
+  // tells what happens up to `until`: the horizon, or where it stops. `last`: no claim comes any
+  // more.
   struct Window {
     BilliardTime from, to;
+    Rational until;
     bool last;
     const std::vector<BilliardTime>* times;  // its claims', in order
     std::int64_t first_line;                 // its first claim's, or that of what follows it
@@ -156,6 +159,7 @@ class PairWatch {
   const Billiard& billiard_;
   Rational horizon_, tolerance_, extent_;
   double tolerance_down_, tolerance_up_;
+  bool filters_;
   BilliardGaps<Rational> exact_;
   BilliardGaps<DoubleBall> near_;
 };

@@ -4,63 +4,16 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "engine/billiard/meeting_time.h"
+#include "engine/billiard/told_value.h"
 #include "filtered/billiards/line_boxes.h"
 #include "filtered/motion/options.h"
 
 namespace voroproof::internal {
 namespace {
-
-DoubleBall near_of(const Rational& q) {
-  const double x = q.get_d();  // rounds towards zero
-  return {x, to_rational(x) == q ? 0 : std::fabs(x) * 0x1p-52 + DBL_MIN};
-}
-DoubleBall near_of(const Ball& b) {
-  double lo = 0, hi = 0;
-  b.to_interval(lo, hi);
-  return DoubleBall::hull(lo, hi);
-}
-template <class T>
-Vector3<DoubleBall> near_of(const Vector3<T>& v) {
-  return {near_of(v[0]), near_of(v[1]), near_of(v[2])};
-}
-
-// The nearest binary64 of a value among values of that size. One that no number of bits tells from
-// zero, or from the middle of two binary64, is taken for it.
-double nearest(const Rational& q, double) { return round_nearest(q); }
-double nearest(const Ball& b, double size) {
-  double x = 0;
-  if (b.round_to_double(x)) return x;
-  double hi = 0, lo = 0, error = 0;
-  b.to_double_double(hi, lo, error);
-  if (!(error <= size * 0x1p-90)) throw MoreBits("how a value rounds is not told");
-  return std::fabs(hi) <= error ? 0 : b.midpoint_as_double();
-}
-
-template <class T>
-CompactVec3 nearest(const Vector3<T>& v) {
-  const Vector3<DoubleBall> near = near_of(v);
-  const double size =
-      std::max({std::fabs(near[0].mid), std::fabs(near[1].mid), std::fabs(near[2].mid)});
-  return {nearest(v[0], size), nearest(v[1], size), nearest(v[2], size)};
-}
-
-template <class T>
-T in(const Rational& q, int bits) {
-  if constexpr (std::is_same_v<T, Ball>) {
-    return Ball(q, bits);
-  } else {
-    return q;
-  }
-}
-template <class T>
-Vector3<T> in(const Vec3& v, int bits) {
-  return {in<T>(v[0], bits), in<T>(v[1], bits), in<T>(v[2], bits)};
-}
 
 template <class T>
 class BilliardEngine {
@@ -76,9 +29,9 @@ class BilliardEngine {
         near_gaps_(billiard),
         lines_(billiard, near_gaps_),
         near_(billiard),
-        now_(in<T>(0, bits)) {
+        now_(of_kind<T>(0, bits)) {
     for (const BilliardDisk& d : billiard.disks) {
-      Body body{{now_, in<T>(d.center, bits), in<T>(d.velocity, bits)}, {}, {}, 0};
+      Body body{{now_, of_kind<T>(d.center, bits), of_kind<T>(d.velocity, bits)}, {}, {}, 0};
       bodies_.push_back(std::move(body));
       refresh(bodies_.back());
     }
@@ -86,28 +39,17 @@ class BilliardEngine {
 
   // False where it was interrupted.
   bool run() {
-    double length = billiard_.horizon.get_d() / 16;
+    length_ = billiard_.horizon.get_d() / 16;
     Rational from = 0;
     do {
-      Rational to = from + to_rational(length);
-      if (to > billiard_.horizon || to <= from) to = billiard_.horizon;
-      const auto pairs = pairs_in(from, to);
-      const std::size_t n = bodies_.size();
-      constexpr double least_share = 0x1p-40;
-      if (!pairs ||
-          (pairs->size() > 8 * n + 64 && length > least_share * billiard_.horizon.get_d())) {
-        length /= 2;
-        if (!(length > 0)) throw BilliardStop("a disk runs past too many images of others");
-        continue;
-      }
-      if (pairs->size() < 2 * n + 16) length *= 2;
-      if (!window(*pairs, from, to)) return false;
+      const auto [pairs, to] = next_window(from);
+      if (!window(pairs, from, to)) return false;
       from = to;
     } while (from < billiard_.horizon);
     return true;
   }
 
-  double time() const { return near_of(now_).mid; }
+  double time() const { return enclosed(now_).mid; }
 
  private:
   struct Body {
@@ -128,7 +70,7 @@ class BilliardEngine {
   bool fixed(GenId i) const { return billiard_.disks[static_cast<std::size_t>(i)].fixed; }
 
   static void refresh(Body& body) {
-    body.near = {near_of(body.flight.t0), near_of(body.flight.x), near_of(body.flight.v)};
+    body.near = {enclosed(body.flight.t0), enclosed(body.flight.x), enclosed(body.flight.v)};
   }
 
   void box(GenId i, const DoubleBall& from, const DoubleBall& to) {
@@ -137,8 +79,28 @@ class BilliardEngine {
     lines_.require_near(i, body(i).box, to.mid);
   }
 
+  // The pairs of the window that begins then, and its end. It is halved while too many pairs are in
+  // it and that spares any: some may meet however short it is.
+  std::pair<std::vector<BilliardPair>, Rational> next_window(const Rational& from) {
+    const std::size_t n = bodies_.size();
+    constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
+    for (std::size_t before = unknown;; length_ /= 2) {
+      Rational to = from + to_rational(length_);
+      if (to > billiard_.horizon || to <= from) to = billiard_.horizon;
+      auto pairs = pairs_in(from, to);
+      const std::size_t count = pairs ? pairs->size() : unknown;
+      const bool spares = before == unknown || count < before / 4 * 3;
+      if (count <= 8 * n + 64 || (pairs && !spares)) {
+        if (count < 2 * n + 16 || !spares) length_ *= 2;
+        return {*std::move(pairs), std::move(to)};
+      }
+      if (!(length_ > 0)) throw BilliardStop("a disk runs past too many images of others");
+      before = count;
+    }
+  }
+
   std::optional<std::vector<BilliardPair>> pairs_in(const Rational& from, const Rational& to) {
-    const DoubleBall begin = near_of(from), end = near_of(to);
+    const DoubleBall begin = enclosed(from), end = enclosed(to);
     boxes_.clear();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       box(static_cast<GenId>(i), begin, end);
@@ -184,7 +146,7 @@ class BilliardEngine {
     Body& a = pair.a < 0 ? b : body(pair.a);
     const bool parting = parting_ == pair;
     const int degree = gaps_.degree(pair);
-    const DoubleBall near_now = near_of(now_), length = near_end_ - near_now;
+    const DoubleBall near_now = enclosed(now_), length = near_end_ - near_now;
     if (!parting) {
       const auto rough = near_gaps_.form(pair, a.near, b.near, near_now, DoubleBall(0));
       if (certainly_positive(rough, degree, 0,
@@ -194,10 +156,10 @@ class BilliardEngine {
     if (degree > 2)
       throw BilliardStop("gravity with fixed disks, or in a round frame, is not simulated");
     const auto u =
-        meeting_time<T>(gaps_.form(pair, a.flight, b.flight, now_, in<T>(0, bits_)), parting);
+        meeting_time<T>(gaps_.form(pair, a.flight, b.flight, now_, of_kind<T>(0, bits_)), parting);
     if (!u) return;
     T t = now_ + *u;
-    const DoubleBall near = near_of(t);
+    const DoubleBall near = enclosed(t);
     if (sign(near - near_end_) == Sign::positive) return;
     meetings_.push_back({std::move(t), near, pair, pair.a < 0 ? 0 : a.turns, b.turns});
     std::push_heap(meetings_.begin(), meetings_.end(), later_);
@@ -223,9 +185,9 @@ class BilliardEngine {
   }
 
   bool window(const std::vector<BilliardPair>& pairs, const Rational& from, const Rational& to) {
-    now_ = in<T>(from, bits_);
-    end_ = in<T>(to, bits_);
-    near_end_ = near_of(end_);
+    now_ = of_kind<T>(from, bits_);
+    end_ = of_kind<T>(to, bits_);
+    near_end_ = enclosed(end_);
     is_last_ = to == billiard_.horizon;
     meetings_.clear();
     for (const BilliardPair& pair : pairs) predict(pair);
@@ -235,9 +197,9 @@ class BilliardEngine {
       if (meeting == nullptr && maneuver == nullptr) return true;
       if (options_.monitor && !options_.monitor(time(), events_)) return false;
       if (maneuver != nullptr) {
-        const T t = in<T>(maneuver->t, bits_);
+        const T t = of_kind<T>(maneuver->t, bits_);
         // Collisions come first.
-        if (meeting == nullptr || order(t, near_of(t), meeting->t, meeting->near) < 0) {
+        if (meeting == nullptr || order(t, enclosed(t), meeting->t, meeting->near) < 0) {
           turn(*maneuver, t);
           continue;
         }
@@ -258,7 +220,8 @@ class BilliardEngine {
     ++events_;
     if (events_ <= told_) return;
     if (options_.max_events > 0 && events_ > options_.max_events)
-      throw BilliardStop("more than " + std::to_string(options_.max_events) + " events");
+      throw BilliardStop("the history has more than " + std::to_string(options_.max_events) +
+                         " events");
     tell_(event);
     told_ = events_;
   }
@@ -272,7 +235,7 @@ class BilliardEngine {
 
   // All that a disk may meet in the rest of the window.
   void predict_all(GenId i) {
-    const DoubleBall from = near_of(now_);
+    const DoubleBall from = enclosed(now_);
     box(i, from, near_end_);
     boxes_[static_cast<std::size_t>(i)] = body(i).box;
     std::vector<BilliardPair> pairs =
@@ -284,9 +247,10 @@ class BilliardEngine {
   void turn(const BilliardManeuver& maneuver, const T& t) {
     const GenId i = maneuver.disk;
     now_ = t;
-    const Vector3<T> x = gaps_.place(i, body(i).flight, t), v = in<T>(maneuver.velocity, bits_);
-    tell({CompactRational(nearest(t, std::fabs(near_of(t).mid))), 0,
-          BilliardTurn{i, nearest(v), nearest(x)}});
+    const Vector3<T> x = gaps_.place(i, body(i).flight, t),
+                     v = of_kind<T>(maneuver.velocity, bits_);
+    tell({CompactRational(told_value(t, std::fabs(enclosed(t).mid))), 0,
+          BilliardTurn{i, told_value(v), told_value(x)}});
     set(i, t, x, v);
     drop_stale();
     ++maneuvers_;
@@ -311,10 +275,10 @@ class BilliardEngine {
     for (const int side : {0, 1}) {
       const GenId i = side == 0 ? pair.a : pair.b;
       if (i < 0) continue;
-      told.p[side] = nearest(x[side]);
-      if (!fixed(i)) told.v[side] = nearest(v[side]);
+      told.p[side] = told_value(x[side]);
+      if (!fixed(i)) told.v[side] = told_value(v[side]);
     }
-    tell({CompactRational(nearest(t, std::fabs(near.mid))), 0, std::move(told)});
+    tell({CompactRational(told_value(t, std::fabs(near.mid))), 0, std::move(told)});
     for (const int side : {0, 1}) {
       const GenId i = side == 0 ? pair.a : pair.b;
       if (i >= 0 && !fixed(i)) set(i, t, x[side], v[side]);
@@ -345,6 +309,7 @@ class BilliardEngine {
   T now_, end_{};
   DoubleBall near_end_;
   std::optional<BilliardPair> parting_;  // the two that have just collided
+  double length_ = 0;                    // a window's
   bool is_last_ = false;
   std::size_t maneuvers_ = 0;  // that have taken place
   std::uint64_t events_ = 0;

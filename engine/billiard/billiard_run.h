@@ -31,8 +31,8 @@ struct BilliardOutcome {
 };
 
 // Precondition: find_overlap_at_start() finds none. Tells the events up to the horizon, each once,
-// in their order (docs/formats.md, section 21), with times, velocities and centres rounded to
-// nearest.
+// in their order (docs/formats.md, section 21). Times, velocities and centres are rounded to
+// nearest; in balls a coordinate below 2^-90 of the largest may be told as 0.
 BilliardOutcome run_billiard(const Billiard& billiard, const BilliardOptions& options,
                              const std::function<void(const BilliardEvent&)>& tell);
 

@@ -1,43 +1,14 @@
 #include "filtered/billiards/billiard_gaps.h"
 
-#include <cfloat>
-#include <type_traits>
+#include "filtered/billiards/number_kinds.h"
 
 namespace voroproof::internal {
 namespace {
-
-// At that precision, where T has one.
-template <class T>
-T as(const Rational& q, int bits) {
-  if constexpr (std::is_same_v<T, Rational>) {
-    return q;
-  } else if constexpr (std::is_same_v<T, Ball>) {
-    return Ball(q, bits);
-  } else {
-    // get_d() rounds towards zero.
-    const double x = q.get_d();
-    return {x, to_rational(x) == q ? 0 : std::fabs(x) * 0x1p-52 + DBL_MIN};
-  }
-}
-
-template <class T>
-Vector3<T> as(const Vec3& v, int bits) {
-  return {as<T>(v[0], bits), as<T>(v[1], bits), as<T>(v[2], bits)};
-}
 
 bool has_gravity(const Billiard& billiard) {
   for (const Rational& x : billiard.gravity)
     if (x != 0) return true;
   return false;
-}
-
-template <class T>
-T number(int k) {
-  if constexpr (std::is_same_v<T, Ball>) {
-    return Ball(static_cast<double>(k), 64);
-  } else {
-    return T(k);
-  }
 }
 
 }  // namespace
@@ -46,21 +17,22 @@ template <class T>
 BilliardGaps<T>::BilliardGaps(const Billiard& billiard, int bits)
     : falls_(has_gravity(billiard)),
       round_(billiard.round.has_value()),
-      gravity_(as<T>(billiard.gravity, bits)),
-      sides_(as<T>(billiard.lattice.sides, bits)),
-      restitution_(as<T>(billiard.restitution, bits)),
-      shear_(as<T>(billiard.lattice.shear, bits)) {
+      gravity_(of_kind<T>(billiard.gravity, bits)),
+      sides_(of_kind<T>(billiard.lattice.sides, bits)),
+      restitution_(of_kind<T>(billiard.restitution, bits)),
+      shear_(of_kind<T>(billiard.lattice.shear, bits)) {
   if (round_) {
-    center_ = as<T>(billiard.round->center, bits);
-    radius_ = as<T>(billiard.round->radius, bits);
-    round_restitution_ = as<T>(billiard.round->restitution, bits);
+    center_ = of_kind<T>(billiard.round->center, bits);
+    radius_ = of_kind<T>(billiard.round->radius, bits);
+    round_restitution_ = of_kind<T>(billiard.round->restitution, bits);
   }
   for (const BilliardDisk& d : billiard.disks) {
-    disks_.push_back({as<T>(d.radius, bits), as<T>(d.growth, bits), as<T>(d.mass, bits), d.fixed});
+    disks_.push_back({of_kind<T>(d.radius, bits), of_kind<T>(d.growth, bits),
+                      of_kind<T>(d.mass, bits), d.fixed});
   }
   for (const BilliardWall& w : billiard.walls) {
-    walls_.push_back({as<T>(w.normal, bits), as<T>(w.offset, bits), as<T>(w.speed, bits),
-                      as<T>(w.restitution, bits)});
+    walls_.push_back({of_kind<T>(w.normal, bits), of_kind<T>(w.offset, bits),
+                      of_kind<T>(w.speed, bits), of_kind<T>(w.restitution, bits)});
   }
 }
 
@@ -73,14 +45,14 @@ int BilliardGaps<T>::degree(const BilliardPair& pair) const {
 
 template <class T>
 Vector3<T> BilliardGaps<T>::fall(const T& t) const {
-  return gravity_ * T(t * t / number<T>(2));
+  return gravity_ * T(t * t / whole<T>(2));
 }
 
 template <class T>
 Vector3<T> BilliardGaps<T>::place(GenId i, const Flight<T>& flight, const T& t) const {
   const T passed = t - flight.t0;
   Vector3<T> x = flight.x + flight.v * passed;
-  if (falls_ && !disk(i).fixed) x = x + gravity_ * T(passed * passed / number<T>(2));
+  if (falls_ && !disk(i).fixed) x = x + gravity_ * T(passed * passed / whole<T>(2));
   return x;
 }
 
@@ -92,9 +64,9 @@ Vector3<T> BilliardGaps<T>::velocity(GenId i, const Flight<T>& flight, const T& 
 
 template <class T>
 Vector3<T> BilliardGaps<T>::offset(const LatticeImage& k, const T& t) const {
-  Vector3<T> offset{number<T>(0), number<T>(0), number<T>(0)};
+  Vector3<T> offset{whole<T>(0), whole<T>(0), whole<T>(0)};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (k[axis] != 0) offset[axis] = number<T>(k[axis]) * sides_[axis];
+    if (k[axis] != 0) offset[axis] = whole<T>(k[axis]) * sides_[axis];
   }
   if (k[1] != 0) offset[0] = offset[0] + drift(k)[0] * t;
   return offset;
@@ -102,8 +74,8 @@ Vector3<T> BilliardGaps<T>::offset(const LatticeImage& k, const T& t) const {
 
 template <class T>
 Vector3<T> BilliardGaps<T>::drift(const LatticeImage& k) const {
-  if (k[1] == 0) return {number<T>(0), number<T>(0), number<T>(0)};
-  return {T(number<T>(k[1]) * shear_ * sides_[1]), number<T>(0), number<T>(0)};
+  if (k[1] == 0) return {whole<T>(0), whole<T>(0), whole<T>(0)};
+  return {T(whole<T>(k[1]) * shear_ * sides_[1]), whole<T>(0), whole<T>(0)};
 }
 
 template <class T>
@@ -118,10 +90,10 @@ T BilliardGaps<T>::reach(const BilliardPair& pair, const T& t) const {
 template <class T>
 GapForm<T> BilliardGaps<T>::form(const BilliardPair& pair, const Flight<T>& a, const Flight<T>& b,
                                  const T& since, const T& depth) const {
-  const T zero = number<T>(0);
+  const T zero = whole<T>(0);
   GapForm<T> form{zero, zero, zero, zero, zero};
   Vector3<T> d = place(pair.b, b, since), v = velocity(pair.b, b, since);
-  T fall = falls_ && !disk(pair.b).fixed ? T(number<T>(1) / number<T>(2)) : zero;
+  T fall = falls_ && !disk(pair.b).fixed ? T(whole<T>(1) / whole<T>(2)) : zero;
   if (pair.a < 0 && !round_) {
     const Wall& w = wall(pair.a);
     const Disk& of = disk(pair.b);
@@ -142,13 +114,13 @@ GapForm<T> BilliardGaps<T>::form(const BilliardPair& pair, const Flight<T>& a, c
     d = d - place(pair.a, a, since);
     v = v - velocity(pair.a, a, since);
     rate = disk(pair.a).growth + disk(pair.b).growth;
-    if (falls_ && !disk(pair.a).fixed) fall = fall - number<T>(1) / number<T>(2);
+    if (falls_ && !disk(pair.a).fixed) fall = fall - whole<T>(1) / whole<T>(2);
     if (disk(pair.a).fixed == disk(pair.b).fixed) fall = zero;
   }
   // The reach is from inside in a round frame: then a gap that is deeper needs a greater one.
   const bool inside = pair.a < 0;
   const T reach_now = inside ? T(reach(pair, since) + depth) : T(reach(pair, since) - depth);
-  const T two = number<T>(2);
+  const T two = whole<T>(2);
   if (!falls_) {
     form[0] = dot(d, d) - reach_now * reach_now;
     form[1] = two * T(dot(d, v) - reach_now * rate);
@@ -174,7 +146,7 @@ typename BilliardGaps<T>::Response BilliardGaps<T>::response(const BilliardPair&
                                                              const std::array<Vector3<T>, 2>& v,
                                                              const T& t) const {
   const Disk& b = disk(pair.b);
-  const T one = number<T>(1), zero = number<T>(0);
+  const T one = whole<T>(1), zero = whole<T>(0);
   if (pair.a < 0 && !round_) {
     const Wall& w = wall(pair.a);
     const T rate = dot(v[1], w.normal) - w.speed - b.growth;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "filtered/billiards/number_kinds.h"
 #include "filtered/motion/options.h"
 
 namespace voroproof::internal {
@@ -119,12 +120,8 @@ std::optional<BilliardPair> find_overlap_at_start(const Billiard& billiard) {
   std::vector<SweptBox> boxes;
   for (std::size_t i = 0; i < billiard.disks.size(); ++i) {
     const auto disk = static_cast<GenId>(i);
-    const Vec3& x = billiard.disks[i].center;
-    const auto ball = [](const Rational& q) {
-      return DoubleBall(q.get_d(), std::fabs(q.get_d()) * 0x1p-52);
-    };
     SweptBox box = LineBoxes::empty();
-    lines.extend(box, disk, {start, {ball(x[0]), ball(x[1]), ball(x[2])}, {}}, start, start);
+    lines.extend(box, disk, {start, enclosed(billiard.disks[i].center), {}}, start, start);
     lines.require_near(disk, box, 0);
     boxes.push_back(box);
     for (GenId wall = billiard.last_wall(); wall < 0; ++wall) {

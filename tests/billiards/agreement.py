@@ -4,21 +4,24 @@
 
 For each seed: a scene and its right history, which both must certify, and one mutant of each kind. Where the judge
 refutes, so must the program; where it certifies, so must the program. The history that the program simulates must be
-certified by both, and begin as that of the engine in doubles. Counts by kind on standard output; exit code 1 after a
-disagreement.
+certified by both, and begin as that of the engine in doubles. The verdict and its line are the same without filters,
+and after exact transformations. Counts by kind on standard output; exit code 1 after a disagreement.
 """
 
 import collections
+import hashlib
 import json
 import os
 import subprocess
 import sys
 import tempfile
+from fractions import Fraction
 
 from billiard import History, Malformed, Scene
 from engine import history_bytes, make
 from judge import judge
 from mutants import KINDS, mutate
+from transforms import TRANSFORMS
 
 WORDS = {0: "CERTIFIED", 1: "REFUTED", 2: "INVALID", 3: "UNDECIDED"}
 
@@ -28,9 +31,10 @@ def write(path, data):
         file.write(data)
 
 
-def told(program, scene, history):
+def told(program, scene, history, tolerance="1e-6", filters="on"):
     """The program's word, and the line that it names."""
-    run = subprocess.run([program, "certify", scene, history, "--truth", "recorded", "--quiet"],
+    run = subprocess.run([program, "certify", scene, history, "--truth", "recorded", "--quiet",
+                          "--tolerance", tolerance], env=dict(os.environ, VOROPROOF_FILTERS=filters),
                          capture_output=True, text=True, timeout=300, check=False)
     words = run.stderr.split("line ", 1)
     line = int(words[1].split(":", 1)[0]) if len(words) > 1 and words[1][:1].isdigit() else None
@@ -44,11 +48,34 @@ def judged(scene, rows):
         return fault.line, fault.reason
 
 
+def stays(program, folder, scene, rows, said):
+    """The first transformation after which something else is said; None where nothing changes."""
+    for name, transform in TRANSFORMS.items():
+        data, other, time = transform(scene, rows)
+        raw = json.dumps(data).encode()
+        paths = [os.path.join(folder, file) for file in ("other.scene.json", "other.history.jsonl")]
+        other[0] = dict(other[0], scene_sha256=hashlib.sha256(raw).hexdigest())
+        write(paths[0], raw)
+        write(paths[1], history_bytes(other))
+        tolerance = Fraction(1, 10 ** 6) * time
+        if told(program, *paths, f"{tolerance.numerator}/{tolerance.denominator}")[:2] != said[:2]:
+            return name
+    return None
+
+
 def compare(program, folder, scene, scene_path, name, rows, counts):
     """Whether the two agree; a disagreement is told."""
     history_path = os.path.join(folder, "history.jsonl")
     write(history_path, history_bytes(rows))
-    word, line, words = told(program, scene_path, history_path)
+    said = word, line, words = told(program, scene_path, history_path)
+    if told(program, scene_path, history_path, filters="off")[:2] != said[:2]:
+        print(f"{name}: without filters another verdict than {said}")
+        return False
+    with open(scene_path, encoding="utf-8") as file:
+        changed = stays(program, folder, json.load(file), rows, said)
+    if changed:
+        print(f"{name}: {changed}, another verdict than {said}")
+        return False
     fault = judged(scene, rows)
     counts[name, word] += 1
     if word == "REFUTED" and fault and line != fault[0]:

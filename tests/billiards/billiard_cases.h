@@ -17,6 +17,7 @@ struct BilliardCase {
   std::vector<std::string> events;  // lines
   int collisions = 0, maneuvers = 0;
   Rational tolerance{1, 1000000};
+  std::string last{};  // the last line, where it is not that of a history that ends
 
   std::string scene() const {
     return R"({"format":"voroproof-scene","version":2,"contacts":"bounce","horizon":)" + horizon +
@@ -31,8 +32,10 @@ struct BilliardCase {
                        billiard.sha256 + R"(","horizon":)" + horizon + R"(,"producer":"test"})" +
                        "\n";
     for (const std::string& event : events) text += event + "\n";
-    text += R"({"end":{"t":)" + horizon + R"(,"collisions":)" + std::to_string(collisions) +
-            R"(,"maneuvers":)" + std::to_string(maneuvers) + "}}\n";
+    const std::string end = R"({"end":{"t":)" + horizon + R"(,"collisions":)" +
+                            std::to_string(collisions) + R"(,"maneuvers":)" +
+                            std::to_string(maneuvers) + "}}";
+    text += (last.empty() ? end : last) + "\n";
     BilliardHistoryReader history(folder.write("a.history.jsonl", text), &billiard);
     CertifyOptions options;
     options.truth = Truth::recorded;

@@ -295,6 +295,27 @@ TEST(BilliardCertifier, TheHorizon) {
   expect_refuted(c, Fault::missing_event, 2);
 }
 
+// What comes after it stops is not missing; what comes before is.
+TEST(BilliardCertifier, HistoriesThatStop) {
+  BilliardCase c = head_on();
+  c.members.insert(c.members.size() - 1, R"(,{"center":[8,0],"radius":1,"velocity":[0,0]})");
+  c.horizon = "9";
+  const auto verdict = [&](const std::string& t) {
+    c.last = R"({"stopped":{"t":)" + t + R"(,"reason":"a limit"}})";
+    return c.judge().verdict;
+  };
+  // The next collision is that of 1 and 2, at t = 4.
+  for (const char* const t : {"2", "3", "4", "4.0000005"})
+    EXPECT_EQ(verdict(t), Verdict::undecided) << t;
+  EXPECT_EQ(verdict("4.1"), Verdict::refuted);
+  c.events.clear();
+  EXPECT_EQ(verdict("2"), Verdict::undecided);
+  EXPECT_EQ(verdict("3"), Verdict::refuted);
+  c.members += R"(,"maneuvers":[{"t":1,"disk":1,"velocity":[0,0]}])";
+  EXPECT_EQ(verdict("1"), Verdict::undecided);
+  EXPECT_EQ(verdict("1.5"), Verdict::refuted);
+}
+
 TEST(BilliardCertifier, Maneuvers) {
   BilliardCase c{R"("frame":"none","disks":[
     {"center":[0,0],"radius":1,"velocity":[1,0]},{"center":[4,0],"radius":1,"velocity":[0,0]}],
