@@ -246,7 +246,8 @@ TEST_P(BadWorld, IsRefusedWithLineAndField) {
 }
 
 const std::string only_pass =
-    "\"pass\" is wanted here; only simulate, certify and validate read billiards, whose disks bounce";
+    "\"pass\" is wanted here; only simulate, certify and validate read billiards, whose disks "
+    "bounce";
 const std::string frame = R"("frame": {"center": [0, "1/3"], "radius": 1000, "growth": -1})";
 
 INSTANTIATE_TEST_SUITE_P(
