@@ -105,8 +105,8 @@ class LogReader {
   void take_section(const XML_Char** attributes) {
     std::vector<Waypoint>& way = read_.paths.back().waypoints;
     if (++sections_ > max_waypoints) fail("section", "too many");
-    const Point2 start{number(attributes, "start_i"), number(attributes, "start_j")};
-    const Point2 goal{number(attributes, "goal_i"), number(attributes, "goal_j")};
+    const Vec3 start{number(attributes, "start_i"), number(attributes, "start_j")};
+    const Vec3 goal{number(attributes, "goal_i"), number(attributes, "goal_j")};
     const Rational duration = number(attributes, "duration");
     if (sgn(duration) < 0) fail("duration", "negative");
     if (attribute_if_any(attributes, "number") &&
@@ -119,11 +119,11 @@ class LogReader {
       path_.shortest = duration;
     }
     if (way.empty()) way.push_back({0, start});
-    if (start.x != way.back().at.x || start.y != way.back().at.y) {
+    if (start != way.back().at) {
       fail("start_i", "the section starts elsewhere than the one before ends");
     }
     if (sgn(duration) == 0) {
-      if (goal.x != start.x || goal.y != start.y) fail("duration", "0, and the agent moves");
+      if (goal != start) fail("duration", "0, and the agent moves");
       return;
     }
     way.push_back({Rational(way.back().t + duration), goal});

@@ -106,4 +106,10 @@ void OutputFile::write_through(std::string_view bytes) {
   }
 }
 
+void write_output(const std::string& path, std::string_view text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
 }  // namespace voroproof::internal

@@ -87,4 +87,7 @@ class OutputFile {
   std::size_t used_ = 0;
 };
 
+// Writes an output that is one text. Throws OutputError.
+void write_output(const std::string& path, std::string_view text);
+
 }  // namespace voroproof::internal

@@ -26,26 +26,28 @@ void require_one_time(const GivenPaths& given, const std::string& file) {
 
 // Around all waypoints, and so large that no disk comes near it.
 void set_container(Scene& scene, const GivenPaths& given) {
-  const Point2& some = given.paths.front().waypoints.front().at;
-  Point2 low = some, high = some;
+  Vec3 low = given.paths.front().waypoints.front().at, high = low;
   Rational radius = 0;
   for (const GivenPath& p : given.paths) {
     radius = std::max(radius, p.radius);
     for (const Waypoint& w : p.waypoints) {
-      low = {std::min(low.x, w.at.x), std::min(low.y, w.at.y)};
-      high = {std::max(high.x, w.at.x), std::max(high.y, w.at.y)};
+      for (const std::size_t axis : {0, 1}) {
+        low[axis] = std::min(low[axis], w.at[axis]);
+        high[axis] = std::max(high[axis], w.at[axis]);
+      }
     }
   }
-  scene.cx = (low.x + high.x) / 2;
-  scene.cy = (low.y + high.y) / 2;
+  scene.cx = (low[0] + high[0]) / 2;
+  scene.cy = (low[1] + high[1]) / 2;
   // No waypoint is further from the centre than half of this, less a radius.
-  scene.container_radius = (high.x - low.x) + (high.y - low.y) + 2 * radius;
+  scene.container_radius = (high[0] - low[0]) + (high[1] - low[1]) + 2 * radius;
   if (scene.container_radius == 0) scene.container_radius = 1;
 }
 
 }  // namespace
 
 Scene scene_of_paths(const GivenPaths& given, const std::string& file) {
+  require_straight_in_plane(given, file);
   Scene scene;
   scene.container_radius = 1;
   if (given.paths.empty()) return scene;
@@ -59,13 +61,13 @@ Scene scene_of_paths(const GivenPaths& given, const std::string& file) {
   for (const GivenPath& p : given.paths) {
     const std::vector<Waypoint>& w = p.waypoints;
     const int disk = static_cast<int>(scene.disks.size());
-    Point2 v = w.size() == 1 ? Point2{0, 0} : velocity(w[0], w[1]);
+    Vec3 v = w.size() == 1 ? Vec3{} : velocity(w[0], w[1]);
     const Rational mass = p.radius == 0 ? Rational(1) : Rational(p.radius * p.radius);
-    scene.disks.push_back({w[0].at.x, w[0].at.y, p.radius, v.x, v.y, mass});
+    scene.disks.push_back({w[0].at[0], w[0].at[1], p.radius, v[0], v[1], mass});
     for (std::size_t k = 1; k + 1 < w.size(); ++k) {
-      const Point2 next = velocity(w[k], w[k + 1]);
-      if (next.x == v.x && next.y == v.y) continue;
-      scene.maneuvers.push_back({Rational(w[k].t - start), disk, next.x, next.y});
+      const Vec3 next = velocity(w[k], w[k + 1]);
+      if (next == v) continue;
+      scene.maneuvers.push_back({Rational(w[k].t - start), disk, next[0], next[1]});
       v = next;
     }
   }

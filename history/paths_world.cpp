@@ -13,18 +13,18 @@ namespace {
 void add_disk(World& world, const GivenPath& path, const Rational& growth, const Rational& start) {
   const std::vector<Waypoint>& w = path.waypoints;
   const int disk = static_cast<int>(world.disks.size());
-  Point2 v = velocity(w[0], w[1]);
+  Vec3 v = velocity(w[0], w[1]);
   WorldDisk first{
-      w[0].t - start, std::nullopt, {w[0].at.x, w[0].at.y, path.radius, v.x, v.y, growth}};
+      w[0].t - start, std::nullopt, {w[0].at[0], w[0].at[1], path.radius, v[0], v[1], growth}};
   const Rational end = w.back().t - start;
   if (end < world.horizon) first.leave = end;
   world.disks.push_back(std::move(first));
   for (std::size_t k = 1; k + 1 < w.size(); ++k) {
-    const Point2 next = velocity(w[k], w[k + 1]);
-    const bool turns = next.x != v.x || next.y != v.y;
+    const Vec3 next = velocity(w[k], w[k + 1]);
+    const bool turns = next != v;
     if (!turns && growth == 0) continue;
     WorldManeuver maneuver{w[k].t - start, disk, {}, {}, {}, {}};
-    if (turns) maneuver.velocity = next;
+    if (turns) maneuver.velocity = Point2{next[0], next[1]};
     if (growth != 0) maneuver.radius = path.radius;
     world.maneuvers.push_back(std::move(maneuver));
     v = next;
@@ -35,6 +35,7 @@ void add_disk(World& world, const GivenPath& path, const Rational& growth, const
 
 PathsWorld world_of_paths(const GivenPaths& given, const Rational& growth,
                           const std::string& file) {
+  require_straight_in_plane(given, file);
   PathsWorld made;
   if (given.paths.empty()) return made;
   if (given.paths.size() > static_cast<std::size_t>(max_disks)) {

@@ -78,9 +78,7 @@ void write_world(std::ostream& out, const World& world) {
 void write_world(const std::string& path, const World& world) {
   std::ostringstream text;
   write_world(text, world);
-  OutputFile file(path);
-  file.write(text.str());
-  file.commit();
+  write_output(path, text.str());
 }
 
 }  // namespace voroproof::internal

@@ -11,13 +11,14 @@ std::optional<LeastGap> least_gap_of_all(const Paths& paths, HistoryCursor& hist
                                          const Window& window) {
   if (paths.disks() < 2) return std::nullopt;
   history.seek(window.to);
-  std::vector<GivenPath> given;
+  GivenPaths given;
   for (GenId g = 0; g < paths.disks(); ++g) {
-    given.push_back(
+    given.paths.push_back(
         {std::to_string(g), paths.signed_radius(g), paths.waypoints(g, window.from, window.to)});
   }
   const auto always = [] { return true; };
-  const auto least = GivenClearance(given, always, paths.contacts()).least();
+  given.contacts = paths.contacts();
+  const auto least = GivenClearance(given, always).least();
   const bool contact = paths.contacts().contains({least->i, least->j, least->t});
   return LeastGap{least->i, least->j, least->t, least->distance2, contact};
 }

@@ -121,10 +121,7 @@ std::string scene_text(const Scene& scene) {
 
 void write_scene(const std::string& path, const Scene& scene) {
   with_public_errors([&] {
-    const std::string text = internal::text_of(internal::checked_scene(scene));
-    internal::OutputFile file(path);
-    file.write(text);
-    file.commit();
+    internal::write_output(path, internal::text_of(internal::checked_scene(scene)));
   });
 }
 

@@ -1,37 +1,84 @@
 #include "apps/answers/clearance_answer.h"
 
+#include <algorithm>
+
 #include "history/error.h"
+#include "history/json_text.h"
 #include "library/planning/wall_clearance.h"
 
 namespace voroproof::internal {
 namespace {
 
-OrderedJson json_of(const Point2& p) {
-  return OrderedJson::array({voroproof::internal::json_of(p.x), voroproof::internal::json_of(p.y)});
-}
-
-// An approach of two disks, or of one to the container, with all that it takes to check it by hand.
+// Tells of one approach, of two disks or of one to the container, all that it takes to check it by
+// hand.
 class Teller {
  public:
-  explicit Teller(const GivenPaths& given) : paths_(given.paths) {}
+  explicit Teller(const GivenPaths& given) : given_(given) {}
 
-  OrderedJson json(const Approach& a) const { return json(a, {a.i, a.j}); }
-  OrderedJson json(const WallApproach& a) const { return json(a, {a.disk}); }
+  OrderedJson json(const Approach& a) const {
+    OrderedJson json =
+        json_at(a, a.t_width == 0 ? internal::json_of(a.t) : internal::json_of(time_of(a)));
+    json["disks"] =
+        OrderedJson::array({disk_json(a.i, a.t, a.is_exact()), disk_json(a.j, a.t, a.is_exact())});
+    if (given_.is_periodic()) json["image"] = image_of(a);
+    if (a.distance2_width != 0) {
+      json["distance_squared"] = internal::json_of(
+          Enclosure{round_down(a.distance2), round_up(Rational(a.distance2 + a.distance2_width))});
+    }
+    return json;
+  }
+  OrderedJson json(const WallApproach& a) const {
+    OrderedJson json = json_at(a, internal::json_of(a.t));
+    json["disks"] = OrderedJson::array({disk_json(a.disk, a.t, true)});
+    return json;
+  }
 
-  std::string names(const Approach& a) const { return name(a.i) + " " + name(a.j); }
+  std::string names(const Approach& a) const {
+    std::string image;
+    if (a.image != LatticeImage{}) image = image_of(a).dump();
+    return name(a.i) + " " + name(a.j) + image;
+  }
   std::string names(const WallApproach& a) const { return name(a.disk) + " wall"; }
 
-  // Adds the spells to the list and to the rows of the table.
-  template <class Spells>
-  void add(const Spells& spells, OrderedJson& list,
-           std::vector<std::vector<std::string>>& rows) const {
+  // The same for a table of comma-separated values.
+  std::string cells(const Approach& a) const {
+    std::string cells = name(a.i) + "," + name(a.j);
+    if (!given_.is_periodic()) return cells;
+    for (std::size_t axis = 0; axis < dimension(); ++axis)
+      cells += "," + std::to_string(a.image[axis]);
+    return cells;
+  }
+  std::string cells(const WallApproach& a) const { return name(a.disk) + ",wall"; }
+  std::string heading() const {
+    std::string images;
+    if (given_.is_periodic())
+      images = given_.in_space ? ",image_x,image_y,image_z" : ",image_x,image_y";
+    return "first,second" + images + ",from,to,gap,t\n";
+  }
+
+  static Enclosure time_of(const Approach& a) {
+    return {round_down(a.t), round_up(Rational(a.t + a.t_width))};
+  }
+  static Enclosure time_of(const WallApproach& a) { return enclosure(a.t); }
+
+  // Adds the spells, of the smallest gap first, to the list and to both tables.
+  template <class Spell>
+  void add(std::vector<Spell> spells, OrderedJson& list,
+           std::vector<std::vector<std::string>>& rows, std::string& table) const {
+    std::stable_sort(spells.begin(), spells.end(), [](const Spell& a, const Spell& b) {
+      return gap(a.nearest).lo < gap(b.nearest).lo;
+    });
     list = OrderedJson::array();
-    for (const auto& s : spells) {
-      list.push_back({{"from", voroproof::internal::json_of(s.from)},
-                      {"to", voroproof::internal::json_of(s.to)},
+    for (const Spell& s : spells) {
+      list.push_back({{"from", internal::json_of(s.from)},
+                      {"to", internal::json_of(s.to)},
                       {"least", json(s.nearest)}});
       rows.push_back({names(s.nearest), short_text(s.from), short_text(s.to),
-                      short_text(gap(s.nearest)), short_text(enclosure(s.nearest.t))});
+                      short_text(gap(s.nearest)), short_text(time_of(s.nearest))});
+      table += cells(s.nearest);
+      for (const double x : {s.from.lo, s.to.hi, gap(s.nearest).lo, time_of(s.nearest).lo})
+        table += "," + number_text(x);
+      table += "\n";
     }
   }
 
@@ -40,50 +87,94 @@ class Teller {
     const bool overlap = gap(least).hi < 0;
     return std::string("c least gap ") + what + short_text(gap(least)) +
            (overlap ? " (they overlap)" : "") + ", of " + names(least) +
-           " at t = " + short_text(enclosure(least.t)) + "\n";
+           " at t = " + short_text(time_of(least)) + "\n";
   }
 
  private:
-  std::string name(int g) const { return printable(paths_[static_cast<std::size_t>(g)].name); }
-
-  template <class Nearest>
-  OrderedJson json(const Nearest& a, std::initializer_list<int> generators) const {
-    OrderedJson disks = OrderedJson::array();
-    for (const int g : generators) {
-      const GivenPath& path = paths_[static_cast<std::size_t>(g)];
-      disks.push_back({{"disk", path.name},
-                       {"center", json_of(place_at(path, a.t))},
-                       {"radius", voroproof::internal::json_of(path.radius)}});
-    }
-    return {{"t", voroproof::internal::json_of(a.t)},
-            {"disks", std::move(disks)},
-            {"distance_squared", voroproof::internal::json_of(a.distance2)},
-            {"gap", voroproof::internal::json_of(gap(a))}};
+  std::string name(int g) const {
+    return printable(given_.paths[static_cast<std::size_t>(g)].name);
   }
 
-  const std::vector<GivenPath>& paths_;
+  // Exactly, or rounded where the time is enclosed.
+  OrderedJson place(const Vec3& at, bool is_exact) const {
+    OrderedJson coordinates = OrderedJson::array();
+    for (std::size_t axis = 0; axis < dimension(); ++axis) {
+      coordinates.push_back(is_exact ? internal::json_of(at[axis])
+                                     : internal::json_of(round_nearest(at[axis])));
+    }
+    return coordinates;
+  }
+
+  OrderedJson image_of(const Approach& a) const {
+    OrderedJson image = OrderedJson::array();
+    for (std::size_t axis = 0; axis < dimension(); ++axis) image.push_back(a.image[axis]);
+    return image;
+  }
+
+  std::size_t dimension() const { return given_.in_space ? 3 : 2; }
+
+  OrderedJson disk_json(int g, const Rational& t, bool is_exact) const {
+    const GivenPath& path = given_.paths[static_cast<std::size_t>(g)];
+    return {{"disk", path.name},
+            {"center", place(place_at(path, t), is_exact)},
+            {"radius", internal::json_of(path.radius)}};
+  }
+
+  template <class Nearest>
+  static OrderedJson json_at(const Nearest& a, OrderedJson t) {
+    return {{"t", std::move(t)},
+            {"disks", nullptr},
+            {"distance_squared", internal::json_of(a.distance2)},
+            {"gap", internal::json_of(gap(a))}};
+  }
+
+  const GivenPaths& given_;
 };
 
-// Tells what is judged, for which times, and what is not judged.
-void add_basis(const GivenPaths& given, OrderedJson& json, std::string& lines) {
-  OrderedJson& remarks = json["remarks"] = OrderedJson::array({"judged are " + given.meaning});
+// Tells what is judged, for which times and how, and what is not judged.
+void add_basis(const ClearanceQuestion& question, const GivenPaths& given, OrderedJson& json,
+               std::string& lines) {
+  const ClearanceRules& rules = question.rules;
+  OrderedJson& remarks = json["remarks"] = OrderedJson::array(
+      {"judged are " + (rules.at_waypoints
+                            ? "the instants of the waypoints of the file alone (--frames-only)"
+                            : given.meaning)});
+  if (rules.height) {
+    remarks.push_back(
+        "two that differ by " + number_text(*rules.height) +
+        " or more in height are not near each other, and gaps are horizontal (--height)");
+  }
+  if (given.is_periodic()) remarks.push_back("all images of the periodic box are judged, too");
   for (const std::string& r : given.remarks) remarks.push_back(r);
   for (const OrderedJson& r : remarks) lines += "c " + r.get<std::string>() + "\n";
   json["missing"] = given.missing;
   for (const std::string& m : given.missing) lines += "c missing: " + m + "\n";
+  if (rules.height) json["height"] = internal::json_of(*rules.height);
+  if (rules.at_waypoints) json["frames_only"] = true;
   if (given.paths.empty()) return;
   const auto [from, to] = time_of(given.paths);
-  json["from"] = voroproof::internal::json_of(from);
-  json["to"] = voroproof::internal::json_of(to);
+  json["from"] = internal::json_of(from);
+  json["to"] = internal::json_of(to);
   lines += "c judged from t = " + short_text(enclosure(from)) +
            " to t = " + short_text(enclosure(to)) + "\n";
+}
+
+// How a gap of 0, or less, counts.
+std::string allowance(const ClearanceQuestion& question) {
+  if (!question.required || *question.required > 0) return "";
+  if (*question.required < 0) {
+    return "c overlaps of up to " + short_text(enclosure(Rational(-*question.required))) +
+           " are allowed\n";
+  }
+  return question.touching == Touching::is_allowed ? "c touching is allowed\n"
+                                                   : "c touching is too near\n";
 }
 
 }  // namespace
 
 ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenPaths& given,
                                  const std::function<bool()>& go_on) {
-  const GivenClearance clearance(given.paths, go_on, given.contacts);
+  const GivenClearance clearance(given, go_on, question.rules);
   std::optional<WallClearance> wall;
   if (given.container) wall.emplace(given, go_on);
   const Teller teller(given);
@@ -95,14 +186,17 @@ ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenP
   json["file"] = printable(question.file, 4096);
   json["disks"] = given.paths.size();
   json["legs"] = clearance.legs();
-  add_basis(given, json, lines);
+  add_basis(question, given, json, lines);
+  lines += allowance(question);
 
   const std::optional<Approach> least = clearance.least();
   if (least) json["least"] = teller.json(*least);
   std::optional<WallApproach> at_wall;
   if (wall) {
-    json["container"] = {{"center", json_of(given.container->center)},
-                         {"radius", voroproof::internal::json_of(given.container->radius)}};
+    json["container"] = {
+        {"center", OrderedJson::array({internal::json_of(given.container->center.x),
+                                       internal::json_of(given.container->center.y)})},
+        {"radius", internal::json_of(given.container->radius)}};
     at_wall = wall->least();
   }
   if (least) lines += teller.line("", *least);
@@ -110,25 +204,40 @@ ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenP
     json["least_to_container"] = teller.json(*at_wall);
     lines += teller.line("to the container ", *at_wall);
   } else if (!least) {
-    lines += "c no two disks are there at one time\n";
+    lines += question.rules.height ? "c no two disks are near each other in height at one time\n"
+                                   : "c no two disks are there at one time\n";
   }
   if (question.below) {
-    json["below"] = voroproof::internal::json_of(*question.below);
+    json["below"] = internal::json_of(*question.below);
     std::vector<std::vector<std::string>> rows{{"pair", "from", "to", "least gap", "t"}};
-    teller.add(clearance.spells_below(*question.below), json["approaches"], rows);
+    told.table = teller.heading();
+    teller.add(clearance.spells_below(*question.below), json["approaches"], rows, told.table);
     if (wall) {
-      teller.add(wall->spells_below(*question.below), json["approaches_to_container"], rows);
+      teller.add(wall->spells_below(*question.below), json["approaches_to_container"], rows,
+                 told.table);
     }
-    lines += rows.size() == 1 ? "no approach below that\n" : table_of(rows);
+    lines += "c " + std::to_string(rows.size() - 1) +
+             (rows.size() == 2 ? " approach below " : " approaches below ") +
+             short_text(enclosure(*question.below)) + "\n";
+    if (rows.size() > 1) lines += table_of(rows);
   }
   if (question.required) {
-    const bool refuted = (least && !keeps_clear(*least, *question.required)) ||
-                         (at_wall && !keeps_clear(*at_wall, *question.required));
+    const Rational& required = *question.required;
+    const bool refuted = (least && falls_short(*least, required, question.touching)) ||
+                         (at_wall && !keeps_clear(*at_wall, required, question.touching));
+    const bool is_told = !least || keeps_clear(*least, required, question.touching);
     const bool is_whole = given.missing.empty() && (least || at_wall);
-    told.freedom = refuted ? Freedom::refuted : is_whole ? Freedom::free : Freedom::undecided;
-    const char* verdict = refuted ? "REFUTED" : is_whole ? "FREE" : "UNDECIDED";
-    json["required"] = voroproof::internal::json_of(*question.required);
+    told.freedom = refuted               ? Freedom::refuted
+                   : is_whole && is_told ? Freedom::free
+                                         : Freedom::undecided;
+    const char* verdict = refuted                         ? "REFUTED"
+                          : told.freedom == Freedom::free ? "FREE"
+                                                          : "UNDECIDED";
+    json["required"] = internal::json_of(required);
+    json["touching"] = question.touching == Touching::is_allowed;
     json["verdict"] = verdict;
+    if (!refuted && !is_told)
+      lines += "c missing: a gap is the required one, or too near it to be told\n";
     lines += std::string("s ") + verdict + "\n";
   }
   return told;

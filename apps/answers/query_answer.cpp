@@ -105,11 +105,7 @@ std::string table_of(const std::vector<std::vector<std::string>>& rows) {
 }
 
 void give(const Answer& answer, const std::string& path, std::ostream& out) {
-  if (!path.empty()) {
-    OutputFile file(path);
-    file.write(file_text(answer.json));
-    file.commit();
-  }
+  if (!path.empty()) write_output(path, file_text(answer.json));
   out << answer.table;
 }
 

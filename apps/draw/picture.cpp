@@ -109,10 +109,7 @@ void write_picture(const std::string& path, int size, const std::function<void(c
     throw std::invalid_argument("picture: the size must lie between 16 and 20000 pixels");
   const std::string_view name = without_compression(path);
   const auto draw = name.ends_with(".png") ? png : name.ends_with(".pdf") ? pdf : svg;
-  const std::string bytes = draw(paint, size);
-  OutputFile file(path);
-  file.write(bytes);
-  file.commit();
+  write_output(path, draw(paint, size));
 }
 
 }  // namespace voroproof::internal

@@ -11,13 +11,14 @@
 #include "filtered/motion/options.h"
 #include "history/error.h"
 #include "history/event_limit.h"
+#include "history/output_file.h"
 
 namespace voroproof::internal {
 namespace {
 
 struct Request {
-  std::string paths, history, radius, below, required, output;
-  bool stay = false, vanish = false;
+  std::string paths, history, radius, below, required, height, output;
+  bool stay = false, vanish = false, may_touch = false, frames_only = false;
   EngineOptions options;
 };
 
@@ -41,15 +42,45 @@ GivenPaths paths_of(const Request& request) {
   return history_paths(read_scene(request.paths), request.history, request.options);
 }
 
+ClearanceQuestion question_of(const Request& request, const GivenPaths& given) {
+  ClearanceQuestion question{request.paths, distance("--below", request.below), {}, {}, {}};
+  if (!request.required.empty())
+    question.required = number_argument("--required", request.required);
+  question.touching = request.may_touch ? Touching::is_allowed : Touching::is_too_near;
+  question.rules.at_waypoints = request.frames_only;
+  question.rules.height = distance("--height", request.height);
+  for (const Rational& side : given.sides) {
+    if (side != 0 && question.below && *question.below > 1000 * side)
+      throw UsageError("--below: more than 1000 sides of the periodic box");
+  }
+  if (question.rules.height && *question.rules.height == 0)
+    throw UsageError("--height: 0 is given, a positive number is wanted");
+  if (question.rules.height && !given.in_space)
+    throw UsageError("--height: the file has no column z, which is the height");
+  if (question.rules.at_waypoints && given.container)
+    throw UsageError("--frames-only: a history has no frames");
+  return question;
+}
+
+// Whether the answer is to be a table of the approaches.
+bool is_table(const std::string& output) { return output.ends_with(".csv"); }
+
 ExitCode tell_clearance(const Request& request) {
+  if (is_table(request.output) && request.below.empty())
+    throw UsageError("-o FILE.csv is the table of the approaches that --below asks for");
+
   require_distinct({request.paths, request.history}, {request.output});
   const CooperativeInterruption interruption;
   const EventLimit limit(request.options.max_events);
   const GivenPaths given = paths_of(request);
-  const ClearanceAnswer told = answer_clearance(
-      {request.paths, distance("--below", request.below), distance("--required", request.required)},
-      given, [&] { return !interruption.requested(); });
-  give(told.answer, request.output, words_beside({request.output}));
+  const ClearanceAnswer told = answer_clearance(question_of(request, given), given,
+                                                [&] { return !interruption.requested(); });
+  if (is_table(request.output)) {
+    write_output(request.output, told.table);
+    words_beside({request.output}) << told.answer.table;
+  } else {
+    give(told.answer, request.output, words_beside({request.output}));
+  }
   switch (told.freedom) {
     case Freedom::refuted:
       return ExitCode::refuted;
@@ -67,8 +98,8 @@ void add_clearance(Verb& program) {
   Verb& verb = program.add_verb(
       "clearance", "The exact least gap of all pairs of disks on given paths (docs/others.md)");
   verb.input("paths", request->paths,
-             "A table of waypoints (disk,t,x,y and perhaps radius), the log of a CCBS plan (XML), "
-             "or, with a "
+             "A table of waypoints (disk,t,x,y and perhaps z and radius) or of polynomial pieces "
+             "(disk,t,duration,x^0,x^1,...,y^0,...), the log of a CCBS plan (XML), or, with a "
              "history, a scene.")
       .required();
   verb.input("history", request->history,
@@ -84,10 +115,21 @@ void add_clearance(Verb& program) {
   verb.text("--below", request->below, "LENGTH",
             "List every interval in which a gap is less than this.");
   verb.text("--required", request->required, "LENGTH",
-            "Prove that every gap is at least this, and positive, or refute it.");
-  verb.output("-o,--output", request->output, "Write the answer here, as JSON, besides the lines.");
+            "Prove that every gap is at least this, and positive where it is 0, or refute it. "
+            "Negative: so much overlap is allowed.");
+  verb.flag("--may-touch", request->may_touch, "With --required 0: a gap of exactly 0 is allowed.");
+  verb.text(
+      "--height", request->height, "LENGTH",
+      "Two count as near each other only while their heights z differ by less than this; a gap "
+      "is horizontal.");
+  verb.flag("--frames-only", request->frames_only,
+            "Judge the instants of the waypoints alone: what is between two frames is no motion.");
+  verb.output("-o,--output", request->output,
+              "Write the answer here besides the lines, as JSON, or as a table of the approaches "
+              "where it ends in .csv.");
   verb.note(
-      "Judged are the piecewise linear paths between the waypoints. A negative gap is an overlap. "
+      "Judged are the piecewise linear paths between the waypoints, or the polynomials of the "
+      "pieces. A negative gap is an overlap. "
       "Paths that do not all begin and end together need --stay or --vanish. "
       "With --required the last line is s FREE (exit code 0), s REFUTED (1), s INVALID (2) or "
       "s UNDECIDED (3): no gap is too small, but there is none, or the input lacks what the line "

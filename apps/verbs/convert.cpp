@@ -51,12 +51,6 @@ std::string format_to_write(const Request& request) {
       "--output: none of .scene.json, .disks.txt, .history.jsonl and .evtsq (and no --format)");
 }
 
-void write_text(const std::string& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 // A disk file has no horizon and no restitution: they come from the command line.
 void disks_to_scene(const Request& request) {
   if (!is_disk_file(request.input)) {
@@ -88,7 +82,7 @@ void disks_to_scene(const Request& request) {
   }
   std::ostringstream text;
   write_scene(text, scene);
-  write_text(request.output, text.str());
+  write_output(request.output, text.str());
   if (!disks.ids.empty() && disks.ids.back() != static_cast<std::int64_t>(disks.ids.size()) - 1) {
     words_beside({request.output}) << "the disks are renumbered from 0 in the order of their ids\n";
   }
@@ -97,7 +91,7 @@ void disks_to_scene(const Request& request) {
 // Given paths keep to themselves: where two touch, the disks of a scene would bounce.
 void require_apart(const Request& request, const GivenPaths& given) {
   const CooperativeInterruption interruption;
-  const GivenClearance clearance(given.paths, [&] { return !interruption.requested(); });
+  const GivenClearance clearance(given, [&] { return !interruption.requested(); });
   const auto least = clearance.least();
   if (!least || keeps_clear(*least, 0)) return;
   const auto name = [&](int g) { return printable(given.paths[static_cast<std::size_t>(g)].name); };
@@ -117,7 +111,7 @@ void paths_to_world(const Request& request, const GivenPaths& given) {
   std::ostringstream text;
   write_world(text, made.world);
   parse_world(text.str(), request.output);  // within the limits of scenes
-  write_text(request.output, text.str());
+  write_output(request.output, text.str());
   std::ostream& out = words_beside({request.output});
   out << "the disks follow the piecewise linear paths between the waypoints exactly, each from its "
          "first to its last, and pass through each other\n"
@@ -148,7 +142,7 @@ void paths_to_scene(const Request& request) {
   std::ostringstream text;
   write_scene(text, scene);
   parse_scene(text.str(), request.output);  // within the limits of scenes
-  write_text(request.output, text.str());
+  write_output(request.output, text.str());
   std::ostream& out = words_beside({request.output});
   out << "the disks follow the piecewise linear paths between the waypoints exactly, and "
          "touch nothing\n"
@@ -164,7 +158,7 @@ void scene_to_disks(const Request& request) {
   } catch (const UnsuitableScene& e) {
     throw InputError(request.input, 0, "", std::string(e.what()) + ": a disk file cannot say it");
   }
-  write_text(request.output, text.str());
+  write_output(request.output, text.str());
   if (!scene.maneuvers.empty()) {
     words_beside({request.output}) << "the maneuvers are left out: a disk file has none\n";
   }

@@ -22,9 +22,7 @@ struct Request {
 void write_scene_file(const std::string& path, const Scene& scene) {
   std::ostringstream text;
   write_scene(text, scene);
-  OutputFile file(path);
-  file.write(text.view());
-  file.commit();
+  write_output(path, text.view());
 }
 
 std::string size_of(const Scene& scene) {

@@ -17,8 +17,8 @@ class BallPlan {
  public:
   explicit BallPlan(const Plan& plan) : plan_(plan) {
     for (const Vehicle& v : plan.task.vehicles) {
-      starts_.push_back({ball_of(v.start.x), ball_of(v.start.y)});
-      ways_.push_back({ball_of(v.goal.x - v.start.x), ball_of(v.goal.y - v.start.y)});
+      starts_.push_back({ball_of(v.start.x), ball_of(v.start.y), DoubleBall()});
+      ways_.push_back({ball_of(v.goal.x - v.start.x), ball_of(v.goal.y - v.start.y), DoubleBall()});
       radii_.push_back(ball_of(v.radius));
     }
   }
@@ -26,9 +26,9 @@ class BallPlan {
   // A certain lower bound of the gap.
   double least_gap(int i, int j) const {
     double least = std::numeric_limits<double>::infinity();
-    Ball2 a = offset(i, j, 0);
+    Ball3 a = offset(i, j, 0);
     for_each_piece(plan_.timetables[i], plan_.timetables[j], [&](int, int to) {
-      const Ball2 b = offset(i, j, to);
+      const Ball3 b = offset(i, j, to);
       least = std::min(least, least_distance(a, b));
       a = b;
     });
@@ -36,19 +36,16 @@ class BallPlan {
   }
 
  private:
-  Ball2 offset(int i, int j, int step) const {
-    const Ball2 p = place(i, step), q = place(j, step);
-    return {q.x - p.x, q.y - p.y};
-  }
+  Ball3 offset(int i, int j, int step) const { return place(j, step) - place(i, step); }
 
-  Ball2 place(int i, int step) const {
+  Ball3 place(int i, int step) const {
     const DoubleBall part =
         progress_at<DoubleBall>(plan_.timetables[i], step) * DoubleBall(1.0 / whole_way);
-    return {starts_[i].x + part * ways_[i].x, starts_[i].y + part * ways_[i].y};
+    return starts_[i] + ways_[i] * part;
   }
 
   const Plan& plan_;
-  std::vector<Ball2> starts_, ways_;
+  std::vector<Ball3> starts_, ways_;
   std::vector<DoubleBall> radii_;
 };
 
@@ -107,22 +104,32 @@ std::optional<Approach> minimum_gap(const Plan& plan) {
   for (const Pair& pair : pairs) {
     if (pair.bound > nearest_above) break;
     const Approach approach = nearest_approach(plan, pair.i, pair.j);
-    if (nearest) {
-      const auto order = compare_gaps(approach, *nearest);
-      if (order > 0) continue;
-      if (order == 0 && std::tie(approach.t, approach.i, approach.j) >
-                            std::tie(nearest->t, nearest->i, nearest->j))
-        continue;
-    }
-    nearest = approach;
-    nearest_above = gap(approach).hi;
+    nearest = nearest ? nearer_of(*nearest, approach) : approach;
+    nearest_above = gap(*nearest).hi;
   }
   return nearest;
 }
 
-bool keeps_clear(const Approach& approach, const Rational& clearance) {
-  const Rational apart = approach.reach + clearance;
-  return clearance == 0 ? approach.distance2 > apart * apart : approach.distance2 >= apart * apart;
+namespace {
+
+// Whether a distance, whose square is given, is what is asked for.
+bool is_enough(const Rational& distance2, const Rational& reach, const Rational& clearance,
+               Touching touching) {
+  const Rational apart = reach + clearance;
+  if (apart < 0) return true;
+  return clearance == 0 && touching == Touching::is_too_near ? distance2 > apart * apart
+                                                             : distance2 >= apart * apart;
+}
+
+}  // namespace
+
+bool keeps_clear(const Approach& approach, const Rational& clearance, Touching touching) {
+  return is_enough(approach.distance2, approach.reach, clearance, touching);
+}
+
+bool falls_short(const Approach& approach, const Rational& clearance, Touching touching) {
+  return !is_enough(approach.distance2 + approach.distance2_width, approach.reach, clearance,
+                    touching);
 }
 
 // sqrt(d) - r against sqrt(e) - s is sqrt(d) against w = sqrt(e) + c with c = r - s: w's sign
@@ -141,21 +148,58 @@ std::strong_ordering compare_gaps(const Approach& a, const Approach& b) {
                                  sign(Rational(u * u - b.distance2 * v * v))));
 }
 
-Enclosure gap(const Approach& approach) { return root_less(approach.distance2, approach.reach); }
-
-Enclosure root_less(const Rational& square, const Rational& less) {
-  if (square == 0) return enclosure(Rational(-less));
+std::pair<Rational, Rational> root_bounds(const Rational& square) {
+  if (square == 0) return {0, 0};
   // sqrt(p / q) = sqrt(p q) / q, and the integer root of p q 4^k is right to 1.
   const Integer &p = square.get_num(), &q = square.get_den();
   const Integer scaled = (p * q) << 160;
   const Integer root = sqrt(scaled);
-  const auto lessened = [&](const Integer& r) {
+  const auto divided = [&](const Integer& r) {
     Rational value(r, Integer(q << 80));
     value.canonicalize();
-    return Rational(value - less);
+    return value;
   };
-  const Integer above = root * root == scaled ? root : Integer(root + 1);
-  return {round_down(lessened(root)), round_up(lessened(above))};
+  return {divided(root), divided(root * root == scaled ? root : Integer(root + 1))};
+}
+
+namespace {
+
+// Bounds of the gap.
+std::pair<Rational, Rational> gap_of(const Approach& a) {
+  return {root_bounds(a.distance2).first - a.reach,
+          root_bounds(a.distance2 + a.distance2_width).second - a.reach};
+}
+
+}  // namespace
+
+Approach nearer_of(const Approach& a, const Approach& b) {
+  const auto rank = [](const Approach& c) { return std::tie(c.t, c.i, c.j, c.image); };
+  const Approach& first = rank(b) < rank(a) ? b : a;
+  if (a.is_exact() && b.is_exact()) {
+    const auto order = compare_gaps(a, b);
+    return order < 0 ? a : order > 0 ? b : first;
+  }
+  const auto [a_lo, a_hi] = gap_of(a);
+  const auto [b_lo, b_hi] = gap_of(b);
+  if (a_hi < b_lo) return a;
+  if (b_hi < a_lo) return b;
+  Approach both = first;
+  const Rational least = std::max<Rational>(std::min(a_lo, b_lo) + first.reach, 0);
+  if (least * least < both.distance2) {
+    both.distance2_width += both.distance2 - least * least;
+    both.distance2 = least * least;
+  }
+  return both;
+}
+
+Enclosure gap(const Approach& approach) {
+  const auto [lo, hi] = gap_of(approach);
+  return {round_down(lo), round_up(hi)};
+}
+
+Enclosure root_less(const Rational& square, const Rational& less) {
+  const auto [lo, hi] = root_bounds(square);
+  return {round_down(Rational(lo - less)), round_up(Rational(hi - less))};
 }
 
 }  // namespace voroproof::internal

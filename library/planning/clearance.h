@@ -8,17 +8,24 @@
 #include <optional>
 #include <utility>
 
+#include "exact/billiard.h"
 #include "exact/enclosure.h"
 #include "library/planning/plan.h"
 
 namespace voroproof::internal {
 
-// The nearest that two vehicles come: gap = sqrt(distance2) - reach.
+// The nearest that two vehicles, or disks, come: gap = sqrt(distance2) - reach.
 struct Approach {
-  int i, j;            // i < j
+  int i, j;            // i < j; equal for a disk and an image of itself
   Rational t;          // the first such time
   Rational distance2;  // squared, between the centres
   Rational reach;      // the sum of the radii
+  // By how much the true time and square may be greater: zero but for curves, where both are
+  // algebraic numbers.
+  Rational t_width{}, distance2_width{};
+  LatticeImage image{};  // the one of j, in a periodic box
+
+  bool is_exact() const { return t_width == 0 && distance2_width == 0; }
 };
 
 Approach nearest_approach(const Plan& plan, int i, int j);
@@ -32,16 +39,30 @@ Approach nearest_approach(const PlanTask& task, int i, const Timetable& of_i, in
 // others are compared exactly.
 std::optional<Approach> minimum_gap(const Plan& plan);
 
-// Whether the gap is what `clearance` >= 0 asks for: at least that, and positive.
-bool keeps_clear(const Approach& approach, const Rational& clearance);
+// Whether a gap of exactly 0 is one that is kept where 0 is asked for.
+enum class Touching { is_too_near, is_allowed };
 
-// Compares the approaches by their gaps.
+// Whether the gap is proved to be what is asked for: at least `clearance`, and, where that is 0 and
+// touching is too near, positive. A negative clearance is an overlap that is allowed.
+bool keeps_clear(const Approach& approach, const Rational& clearance,
+                 Touching touching = Touching::is_too_near);
+// Whether it is proved not to be that. The one or the other holds of an exact approach.
+bool falls_short(const Approach& approach, const Rational& clearance, Touching touching);
+
+// Compares two exact approaches by their gaps.
 std::strong_ordering compare_gaps(const Approach& a, const Approach& b);
+
+// The one with the smaller gap; of equal ones the first in time, then by disks and image. Gaps that
+// differ by less than about 2^-80 of the distance may count as equal where one is not exact; what
+// comes back encloses both of them then.
+Approach nearer_of(const Approach& a, const Approach& b);
 
 // The nearest to the origin on the segment from a to b: the first point of it that is as near, as a
 // part of the way from a to b, and the square of its distance.
 std::pair<Rational, Rational> nearest_to_origin(const Point2& a, const Point2& b);
 
+// Bounds of the root of `square` >= 0, about 2^-80 of it apart, or equal where it is rational.
+std::pair<Rational, Rational> root_bounds(const Rational& square);
 // The root of `square` >= 0 less `less`, to about 2^-80 of the root, rounded outwards.
 Enclosure root_less(const Rational& square, const Rational& less);
 

@@ -1,6 +1,7 @@
 #include "library/planning/given_clearance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -12,31 +13,68 @@ namespace voroproof::internal {
 
 namespace {
 
-Point2 place_on(const Waypoint& a, const Waypoint& b, const Rational& t) {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Vec3 place_on(const Waypoint& a, const Waypoint& b, const Rational& t) {
   if (t == a.t) return a.at;
-  const Rational part = (t - a.t) / (b.t - a.t);
-  return {a.at.x + part * (b.at.x - a.at.x), a.at.y + part * (b.at.y - a.at.y)};
+  return a.at + (b.at - a.at) * Rational((t - a.t) / (b.t - a.t));
 }
 
-// A part of a spell, within the common piece of two legs.
-struct Part {
-  Rational begin, end;    // times of the piece
-  bool at_begin, at_end;  // whether the gap is less than the distance there
-  NearSpell spell;
+Vec3 place_on(const Curve& curve, const Rational& s) {
+  Vec3 at{};
+  for (std::size_t k = curve.size(); k-- > 0;) at = at * s + curve[k];
+  return at;
+}
+
+// The curve from one time to another, by s from 0 to 1.
+Curve cut(Curve curve, const Rational& from, const Rational& to) {
+  const std::size_t n = curve.size();
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    for (std::size_t k = n - 1; k-- > i;) curve[k] = curve[k] + curve[k + 1] * from;
+  }
+  Rational scale = 1;
+  for (Vec3& c : curve) {
+    c = c * scale;
+    scale *= to - from;
+  }
+  return curve;
+}
+
+// Points whose convex hull has the curve for s from 0 to 1: its Bernstein coefficients.
+std::vector<Vec3> control_points(const Curve& curve) {
+  // Those of s^k are C(i, k) / C(n, k).
+  std::vector<Vec3> points(curve.size());
+  const auto n = static_cast<unsigned long>(curve.size() - 1);
+  for (unsigned long i = 0; i <= n; ++i) {
+    for (unsigned long k = 0; k <= i; ++k) {
+      Integer chosen, all;
+      mpz_bin_uiui(chosen.get_mpz_t(), i, k);
+      mpz_bin_uiui(all.get_mpz_t(), n, k);
+      points[i] = points[i] + curve[k] * Rational(Rational(chosen) / all);
+    }
+  }
+  return points;
+}
+
+// A part of a spell of one pair, within the common time of two legs.
+struct LegPart {
+  Rational begin, end;  // times of the legs
+  SpellPart part;
 };
 
 // The parts of one pair in order of time, put together where one goes on in the next.
-void join(std::vector<Part>& parts, std::vector<NearSpell>& spells) {
-  std::sort(parts.begin(), parts.end(),
-            [](const Part& a, const Part& b) { return a.begin < b.begin; });
-  const Part* last = nullptr;
-  for (const Part& p : parts) {
-    if (last != nullptr && last->at_end && p.at_begin && last->end == p.begin) {
+void join(std::vector<LegPart>& parts, std::vector<NearSpell>& spells) {
+  std::stable_sort(parts.begin(), parts.end(), [](const LegPart& a, const LegPart& b) {
+    return std::tie(a.begin, a.end) < std::tie(b.begin, b.end);
+  });
+  const LegPart* last = nullptr;
+  for (const LegPart& p : parts) {
+    if (last != nullptr && last->part.at_end && p.part.at_begin && last->end == p.begin) {
       NearSpell& open = spells.back();
-      open.to = p.spell.to;
-      if (compare_gaps(p.spell.nearest, open.nearest) < 0) open.nearest = p.spell.nearest;
+      open.to = p.part.spell.to;
+      open.nearest = nearer_of(open.nearest, p.part.spell.nearest);
     } else {
-      spells.push_back(p.spell);
+      spells.push_back(p.part.spell);
     }
     last = &p;
   }
@@ -44,111 +82,216 @@ void join(std::vector<Part>& parts, std::vector<NearSpell>& spells) {
 
 }  // namespace
 
-Point2 place_at(const GivenPath& path, const Rational& t) {
+Vec3 place_at(const GivenPath& path, const Rational& t) {
   const std::vector<Waypoint>& w = path.waypoints;
   const auto next = std::lower_bound(
       w.begin(), w.end(), t, [](const Waypoint& p, const Rational& at) { return p.t < at; });
-  return next == w.begin() ? next->at : place_on(*(next - 1), *next, t);
+  if (next == w.begin()) return next->at;
+  const auto leg = static_cast<std::size_t>(next - w.begin()) - 1;
+  if (leg < path.curves.size() && !path.curves[leg].empty())
+    return place_on(path.curves[leg], t - w[leg].t);
+  return place_on(w[leg], *next, t);
 }
 
-// The common piece of two legs: the offset of the centres at both ends, and the reach.
-struct GivenClearance::Common {
-  int i, j;
-  Rational from, to;
-  Point2 a, b;
-  Rational reach;
-
-  Approach nearest(const std::set<GivenContact>& contacts) const {
-    const auto [part, distance2] = nearest_to_origin(a, b);
-    const Rational t = from + part * (to - from);
-    const bool touch = contacts.contains({i, j, t});
-    return {i, j, t, touch ? Rational(reach * reach) : distance2, reach};
+GivenClearance::GivenClearance(const GivenPaths& given, std::function<bool()> go_on,
+                               ClearanceRules rules)
+    : given_(given), go_on_(std::move(go_on)), rules_(std::move(rules)) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    sides_below_[axis] = round_down(given.sides[axis]);
+    sides_above_[axis] = round_up(given.sides[axis]);
   }
-};
-
-GivenClearance::GivenClearance(const std::vector<GivenPath>& paths, std::function<bool()> go_on,
-                               std::set<GivenContact> contacts)
-    : paths_(paths), go_on_(std::move(go_on)), contacts_(std::move(contacts)) {
-  for (std::size_t g = 0; g < paths.size(); ++g) {
-    const std::vector<Waypoint>& w = paths[g].waypoints;
-    const std::size_t last = w.size() - 1;
-    for (std::size_t k = 0; k < std::max<std::size_t>(last, 1); ++k) {
-      const Waypoint &a = w[k], &b = w[std::min(k + 1, last)];
-      const auto [x_lo, x_hi] = std::minmax(a.at.x, b.at.x);
-      const auto [y_lo, y_hi] = std::minmax(a.at.y, b.at.y);
-      legs_.push_back({static_cast<int>(g), k, round_down(a.t), round_up(b.t), round_down(x_lo),
-                       round_up(x_hi), round_down(y_lo), round_up(y_hi)});
-    }
+  for (std::size_t g = 0; g < given.paths.size(); ++g) {
+    const std::size_t count = given.paths[g].waypoints.size();
+    const bool instants = rules_.at_waypoints || count == 1;
+    for (std::size_t k = 0; k + (instants ? 0 : 1) < count; ++k)
+      add_leg(static_cast<int>(g), k, instants ? k : k + 1);
   }
   std::stable_sort(legs_.begin(), legs_.end(),
                    [](const Leg& a, const Leg& b) { return a.from < b.from; });
-  for (const Leg& leg : legs_) {
-    const GivenPath& path = paths[static_cast<std::size_t>(leg.path)];
-    const auto [a, b] = ends(leg);
-    Motion motion{ball_of(a.t), {ball_of(a.at.x), ball_of(a.at.y)}, {}, ball_of(path.radius)};
-    if (b.t > a.t) {
-      const DoubleBall time = ball_of(b.t - a.t);
-      motion.velocity = {ball_of(b.at.x - a.at.x) / time, ball_of(b.at.y - a.at.y) / time};
+  for (const Leg& leg : legs_) motions_.push_back(motion_of(leg));
+}
+
+void GivenClearance::add_leg(int path, std::size_t first, std::size_t last) {
+  const std::vector<Waypoint>& w = given_.paths[static_cast<std::size_t>(path)].waypoints;
+  Leg leg{path, first, round_down(w[first].t), round_up(w[last].t), {}, {}};
+  leg.low.fill(infinity);
+  leg.high.fill(-infinity);
+  const auto take = [&](const Vec3& at) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      leg.low[axis] = std::min(leg.low[axis], round_down(at[axis]));
+      leg.high[axis] = std::max(leg.high[axis], round_up(at[axis]));
     }
-    motions_.push_back(motion);
+  };
+  const Curve* curve = first == last ? nullptr : curve_of(leg);
+  if (curve != nullptr) {
+    for (const Vec3& p : control_points(cut(*curve, 0, w[last].t - w[first].t))) take(p);
+  } else {
+    take(w[first].at);
+    take(w[last].at);
   }
+  legs_.push_back(std::move(leg));
+}
+
+GivenClearance::Motion GivenClearance::motion_of(const Leg& leg) const {
+  const auto ball3 = [](const Vec3& v) {
+    return Ball3{ball_of(v[0]), ball_of(v[1]), ball_of(v[2])};
+  };
+  const auto [a, b] = ends(leg);
+  Motion motion{ball_of(a.t),
+                ball3(a.at),
+                {},
+                ball_of(given_.paths[static_cast<std::size_t>(leg.path)].radius),
+                curve_of(leg) == nullptr && (b.t > a.t || b.at == a.at)};
+  if (motion.is_straight && b.t > a.t) {
+    const DoubleBall time = ball_of(b.t - a.t);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      motion.velocity[axis] = ball_of(b.at[axis] - a.at[axis]) / time;
+  }
+  return motion;
 }
 
 std::pair<const Waypoint&, const Waypoint&> GivenClearance::ends(const Leg& leg) const {
-  const std::vector<Waypoint>& w = paths_[static_cast<std::size_t>(leg.path)].waypoints;
-  return {w[leg.first], w[std::min(leg.first + 1, w.size() - 1)]};
+  const std::vector<Waypoint>& w = given_.paths[static_cast<std::size_t>(leg.path)].waypoints;
+  const bool instant = rules_.at_waypoints || w.size() == 1;
+  return {w[leg.first], w[leg.first + (instant ? 0 : 1)]};
 }
 
-// All pairs of legs of two disks that may be there at one time.
+// Null where the leg is straight.
+const Curve* GivenClearance::curve_of(const Leg& leg) const {
+  const std::vector<Curve>& curves = given_.paths[static_cast<std::size_t>(leg.path)].curves;
+  if (rules_.at_waypoints || leg.first >= curves.size() || curves[leg.first].empty())
+    return nullptr;
+  return &curves[leg.first];
+}
+
+// The leg's way from one of its times to another, by s from 0 to 1. What takes no time is gone at
+// one pace.
+Curve GivenClearance::course(const Leg& leg, const Rational& from, const Rational& to) const {
+  const auto [a, b] = ends(leg);
+  if (const Curve* curve = curve_of(leg)) return cut(*curve, from - a.t, to - a.t);
+  if (a.t == b.t) return {a.at, b.at - a.at};
+  const Vec3 start = place_on(a, b, from);
+  return {start, place_on(a, b, to) - start};
+}
+
+// Calls visit(a, b, image) for all pairs of legs of two disks that may be there at one time, and
+// the images of the second of them that may be within `near`, or be the nearest.
 template <class Visit>
-void GivenClearance::each_pair(Visit&& visit) const {
+void GivenClearance::each_pair(const std::optional<double>& near, Visit&& visit) const {
   std::vector<const Leg*> there;
   for (const Leg& leg : legs_) {
     if (!go_on_()) throw Interrupted();
     std::erase_if(there, [&](const Leg* other) { return other->to < leg.from; });
     for (const Leg* other : there) {
-      if (other->path != leg.path) visit(*other, leg);
+      if (other->path == leg.path) continue;
+      const bool in_order = other->path < leg.path;
+      each_image(in_order ? *other : leg, in_order ? leg : *other, near, visit);
     }
     there.push_back(&leg);
   }
 }
 
+template <class Visit>
+void GivenClearance::each_image(const Leg& a, const Leg& b, const std::optional<double>& near,
+                                Visit&& visit) const {
+  if (!given_.is_periodic()) {
+    visit(a, b, LatticeImage{});
+    return;
+  }
+  LatticeImage first{}, last{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double side = sides_above_[axis];
+    if (side == 0) continue;
+    // Within half a side lies the nearest; one more on each side allows for all roundings.
+    const double reach = near ? *near / side : 0.5;
+    const double low = (b.low[axis] - a.high[axis]) / side,
+                 high = (b.high[axis] - a.low[axis]) / side;
+    first[axis] = static_cast<int>(std::floor(-reach - high - 1e-6));
+    last[axis] = static_cast<int>(std::ceil(reach - low + 1e-6));
+  }
+  LatticeImage image;
+  for (image[0] = first[0]; image[0] <= last[0]; ++image[0]) {
+    if (!go_on_()) throw Interrupted();
+    for (image[1] = first[1]; image[1] <= last[1]; ++image[1]) {
+      for (image[2] = first[2]; image[2] <= last[2]; ++image[2]) visit(a, b, image);
+    }
+  }
+}
+
+// Each disk with the next images of itself along the axes, from which it is always as far.
+std::vector<CommonPiece> GivenClearance::own_images() const {
+  std::vector<CommonPiece> pieces;
+  for (std::size_t g = 0; g < given_.paths.size(); ++g) {
+    const GivenPath& path = given_.paths[g];
+    const int disk = static_cast<int>(g);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (given_.sides[axis] == 0) continue;
+      CommonTime time{disk,
+                      disk,
+                      {},
+                      path.waypoints.front().t,
+                      path.waypoints.back().t,
+                      Rational(2 * path.radius)};
+      time.image[axis] = 1;
+      Vec3 offset{};
+      offset[axis] = given_.sides[axis];
+      pieces.emplace_back(std::move(time), Curve{offset}, rules_.height);
+    }
+  }
+  return pieces;
+}
+
 // Nothing where they are not there at one time, or for an instant only that a leg before one of
 // them has, too.
-std::optional<GivenClearance::Common> GivenClearance::common(const Leg& a, const Leg& b) const {
-  const Leg &p = a.path < b.path ? a : b, &q = a.path < b.path ? b : a;
-  const auto [p_first, p_last] = ends(p);
-  const auto [q_first, q_last] = ends(q);
-  const Rational from = std::max(p_first.t, q_first.t), to = std::min(p_last.t, q_last.t);
+std::optional<CommonPiece> GivenClearance::common(const Leg& a, const Leg& b,
+                                                  const LatticeImage& image) const {
+  const auto [a_first, a_last] = ends(a);
+  const auto [b_first, b_last] = ends(b);
+  const Rational from = std::max(a_first.t, b_first.t), to = std::min(a_last.t, b_last.t);
   if (from > to) return std::nullopt;
-  const auto goes_on = [&](const Leg& leg, const Waypoint& first) {
-    return leg.first > 0 && first.t == to;
+  const auto goes_on = [&](const Leg& leg, const Waypoint& first, const Waypoint& last) {
+    return leg.first > 0 && first.t == to && first.t < last.t;
   };
-  if (goes_on(p, p_first) || goes_on(q, q_first)) return std::nullopt;
-  const auto offset = [&, &p0 = p_first, &p1 = p_last, &q0 = q_first,
-                       &q1 = q_last](const Rational& t) -> Point2 {
-    const Point2 u = place_on(p0, p1, t), v = place_on(q0, q1, t);
-    return {v.x - u.x, v.y - u.y};
-  };
-  return Common{p.path,
-                q.path,
-                from,
-                to,
-                offset(from),
-                offset(to),
-                Rational(paths_[static_cast<std::size_t>(p.path)].radius +
-                         paths_[static_cast<std::size_t>(q.path)].radius)};
+  if (goes_on(a, a_first, a_last) || goes_on(b, b_first, b_last)) return std::nullopt;
+  Curve offset = course(b, from, to);
+  const Curve of_a = course(a, from, to);
+  offset.resize(std::max(offset.size(), of_a.size()));
+  for (std::size_t k = 0; k < of_a.size(); ++k) offset[k] = offset[k] - of_a[k];
+  for (std::size_t axis = 0; axis < 3; ++axis) offset[0][axis] += image[axis] * given_.sides[axis];
+  const Rational reach = given_.paths[static_cast<std::size_t>(a.path)].radius +
+                         given_.paths[static_cast<std::size_t>(b.path)].radius;
+  return CommonPiece({a.path, b.path, image, from, to, reach}, offset, rules_.height);
+}
+
+// No distance is less than that of the boxes along an axis: a certain lower bound of it.
+double GivenClearance::apart_above(const Leg& a, const Leg& b, const LatticeImage& image) const {
+  double apart = 0;
+  for (std::size_t axis = 0; axis < (rules_.height ? 2 : 3); ++axis) {
+    double low_b = b.low[axis], high_b = b.high[axis];
+    if (const int k = image[axis]; k != 0) {
+      const double near = k * sides_below_[axis], far = k * sides_above_[axis];
+      low_b = next_below(low_b + next_below(std::min(near, far)));
+      high_b = next_above(high_b + next_above(std::max(near, far)));
+    }
+    apart = std::max({apart, low_b - a.high[axis], a.low[axis] - high_b});
+  }
+  return next_below(apart);
 }
 
 // A certain lower bound of the gap on the common piece of two legs, if they have one.
-double GivenClearance::gap_above(const Leg& a, const Leg& b) const {
+double GivenClearance::gap_above(const Leg& a, const Leg& b, const LatticeImage& image) const {
   const Motion &p = motions_[static_cast<std::size_t>(&a - legs_.data())],
                &q = motions_[static_cast<std::size_t>(&b - legs_.data())];
+  if (!p.is_straight || !q.is_straight || rules_.height) return -infinity;
   const double from = std::max(a.from, b.from), to = std::min(a.to, b.to);
-  const auto offset = [&](const DoubleBall& t) -> Ball2 {
-    const DoubleBall of_p = t - p.t, of_q = t - q.t;
-    return {(q.at.x + of_q * q.velocity.x) - (p.at.x + of_p * p.velocity.x),
-            (q.at.y + of_q * q.velocity.y) - (p.at.y + of_p * p.velocity.y)};
+  const auto offset = [&](const DoubleBall& t) {
+    Ball3 of = (q.at + q.velocity * (t - q.t)) - (p.at + p.velocity * (t - p.t));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (image[axis] == 0) continue;
+      of[axis] = of[axis] +
+                 DoubleBall(image[axis]) * DoubleBall::hull(sides_below_[axis], sides_above_[axis]);
+    }
+    return of;
   };
   const double apart = least_distance(offset(DoubleBall::hull(from, next_above(from))),
                                       offset(DoubleBall::hull(next_below(to), to)));
@@ -158,89 +301,71 @@ double GivenClearance::gap_above(const Leg& a, const Leg& b) const {
 // By how much two may be apart on their paths where the gap counts as zero: rounded up.
 double GivenClearance::largest_gap_at_contacts() const {
   double largest = 0;
-  for (const GivenContact& contact : contacts_) {
+  for (const GivenContact& contact : given_.contacts) {
     if (contact.i == container_id) continue;
-    const GivenPath &p = paths_[static_cast<std::size_t>(contact.i)],
-                    &q = paths_[static_cast<std::size_t>(contact.j)];
+    const GivenPath &p = given_.paths[static_cast<std::size_t>(contact.i)],
+                    &q = given_.paths[static_cast<std::size_t>(contact.j)];
     if (contact.t < p.waypoints.front().t || contact.t > p.waypoints.back().t) continue;
-    const Point2 a = place_at(p, contact.t), b = place_at(q, contact.t);
-    const DoubleBall x = ball_of(a.x - b.x), y = ball_of(a.y - b.y);
-    largest = std::max(largest, -low(ball_of(p.radius + q.radius) - sqrt(x * x + y * y)));
+    const Vec3 offset = place_at(p, contact.t) - place_at(q, contact.t);
+    const DoubleBall apart = sqrt(ball_of(dot(offset, offset)));
+    largest = std::max(largest, -low(ball_of(p.radius + q.radius) - apart));
   }
   return largest;
 }
 
 std::optional<Approach> GivenClearance::least() const {
   std::optional<Approach> least;
-  double least_above = std::numeric_limits<double>::infinity();
+  double least_above = infinity;
   std::vector<double> radii;
-  for (const GivenPath& p : paths_) radii.push_back(round_up(p.radius));
+  for (const GivenPath& p : given_.paths) radii.push_back(round_up(p.radius));
   const double at_contacts = largest_gap_at_contacts();
   // Whether gaps of so much and more are not the least, nor one that a contact makes zero.
   const auto is_more = [&](double gap) {
     return gap > least_above && (least_above < 0 || gap > at_contacts);
   };
-  each_pair([&](const Leg& a, const Leg& b) {
-    // No gap is less than the distance of the boxes along an axis, less the radii.
-    const double apart =
-        std::max({a.x_lo - b.x_hi, b.x_lo - a.x_hi, a.y_lo - b.y_hi, b.y_lo - a.y_hi, 0.0});
+  const auto take = [&](const CommonPiece& piece) {
+    const std::optional<Approach> approach = piece.nearest(given_.contacts);
+    if (!approach) return;
+    least = least ? nearer_of(*least, *approach) : *approach;
+    least_above = gap(*least).hi;
+  };
+  for (const CommonPiece& piece : own_images()) take(piece);
+  each_pair(std::nullopt, [&](const Leg& a, const Leg& b, const LatticeImage& image) {
     const double reach = next_above(radii[static_cast<std::size_t>(a.path)] +
                                     radii[static_cast<std::size_t>(b.path)]);
-    if (is_more(next_below(next_below(apart) - reach)) || is_more(gap_above(a, b))) return;
-    const auto piece = common(a, b);
+    if (is_more(next_below(apart_above(a, b, image) - reach)) || is_more(gap_above(a, b, image)))
+      return;
+    const std::optional<CommonPiece> piece = common(a, b, image);
     if (!piece) return;
-    const Approach approach = piece->nearest(contacts_);
-    if (least) {
-      const auto order = compare_gaps(approach, *least);
-      if (order > 0) return;
-      if (order == 0 &&
-          std::tie(approach.t, approach.i, approach.j) >= std::tie(least->t, least->i, least->j)) {
-        return;
-      }
+    // Further than the least gap that is known.
+    if (least && given_.contacts.empty()) {
+      const Rational beyond = piece->time().reach + to_rational(least_above);
+      if (beyond >= 0 && piece->is_plainly_beyond(beyond * beyond)) return;
     }
-    least = approach;
-    least_above = gap(approach).hi;
+    take(*piece);
   });
   return least;
 }
 
 std::vector<NearSpell> GivenClearance::spells_below(const Rational& distance) const {
-  std::map<std::pair<int, int>, std::vector<Part>> parts;
+  std::map<std::tuple<int, int, LatticeImage>, std::vector<LegPart>> parts;
+  const auto take = [&](const CommonPiece& piece) {
+    const CommonTime& time = piece.time();
+    for (SpellPart& part : piece.below(distance, given_.contacts))
+      parts[{time.i, time.j, time.image}].push_back({time.from, time.to, std::move(part)});
+  };
   std::vector<double> widths;  // a radius and half of the distance
-  for (const GivenPath& p : paths_) widths.push_back(round_up(Rational(p.radius + distance / 2)));
-  each_pair([&](const Leg& a, const Leg& b) {
+  double widest = 0;
+  for (const GivenPath& p : given_.paths) {
+    widths.push_back(round_up(Rational(p.radius + distance / 2)));
+    widest = std::max(widest, widths.back());
+  }
+  for (const CommonPiece& piece : own_images()) take(piece);
+  each_pair(next_above(2 * widest), [&](const Leg& a, const Leg& b, const LatticeImage& image) {
     const double near = next_above(widths[static_cast<std::size_t>(a.path)] +
                                    widths[static_cast<std::size_t>(b.path)]);
-    if (a.x_lo > next_above(b.x_hi + near) || b.x_lo > next_above(a.x_hi + near) ||
-        a.y_lo > next_above(b.y_hi + near) || b.y_lo > next_above(a.y_hi + near)) {
-      return;
-    }
-    const auto piece = common(a, b);
-    if (!piece) return;
-    const Approach nearest = piece->nearest(contacts_);
-    const Rational limit = piece->reach + distance, limit2 = limit * limit;
-    // At a contact the rounded places tell, too: the ends of the spell are theirs.
-    if (nearest.distance2 >= limit2 || piece->nearest({}).distance2 >= limit2) return;
-    const auto below = [&](const Point2& o) { return o.x * o.x + o.y * o.y < limit2; };
-    Part part{piece->from,
-              piece->to,
-              below(piece->a),
-              below(piece->b),
-              {enclosure(piece->from), enclosure(piece->to), nearest}};
-    // |a + s u|^2 = limit^2, s from 0 to 1: s = -h -+ sqrt(h^2 - c).
-    const Rational ux = piece->b.x - piece->a.x, uy = piece->b.y - piece->a.y;
-    const Rational u2 = ux * ux + uy * uy, length = piece->to - piece->from;
-    if (!part.at_begin || !part.at_end) {
-      const Rational h = (piece->a.x * ux + piece->a.y * uy) / u2;
-      const Rational c = (piece->a.x * piece->a.x + piece->a.y * piece->a.y - limit2) / u2;
-      const Rational root2 = (h * h - c) * length * length, middle = piece->from - h * length;
-      if (!part.at_begin) {
-        const Enclosure before = root_less(root2, middle);
-        part.spell.from = {-before.hi + 0.0, -before.lo + 0.0};
-      }
-      if (!part.at_end) part.spell.to = root_less(root2, -middle);
-    }
-    parts[{piece->i, piece->j}].push_back(std::move(part));
+    if (apart_above(a, b, image) > near) return;
+    if (const std::optional<CommonPiece> piece = common(a, b, image)) take(*piece);
   });
   std::vector<NearSpell> spells;
   for (auto& [pair, all] : parts) join(all, spells);

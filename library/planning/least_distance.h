@@ -5,13 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/vector3.h"
 #include "filtered/numbers/double_ball.h"
 
 namespace voroproof::internal {
 
-struct Ball2 {
-  DoubleBall x, y;
-};
+using Ball3 = Vector3<DoubleBall>;
 
 inline DoubleBall ball_of(const Rational& q) {
   return DoubleBall::hull(round_down(q), round_up(q));
@@ -26,14 +25,18 @@ inline double low(const DoubleBall& d) {
 // A certain lower bound of the distance of the origin from the segment from a to b: for any
 // direction n that is at least min(n.a, n.b) / |n|. The bound is sharp for n towards the nearest
 // point, of which n needs to be no more than a guess.
-inline double least_distance(const Ball2& a, const Ball2& b) {
-  const double u = b.x.mid - a.x.mid, v = b.y.mid - a.y.mid, length2 = u * u + v * v;
-  const double part =
-      length2 > 0 ? std::clamp(-(a.x.mid * u + a.y.mid * v) / length2, 0.0, 1.0) : 0;
-  const DoubleBall x(a.x.mid + part * u), y(a.y.mid + part * v);
-  const DoubleBall length = sqrt(x * x + y * y);
-  const auto along = [&](const Ball2& p) { return low((x * p.x + y * p.y) / length); };
-  const double least = std::min(along(a), along(b));
+inline double least_distance(const Ball3& a, const Ball3& b) {
+  double along2 = 0, length2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double u = b[k].mid - a[k].mid;
+    along2 -= a[k].mid * u;
+    length2 += u * u;
+  }
+  const double part = length2 > 0 ? std::clamp(along2 / length2, 0.0, 1.0) : 0;
+  Ball3 n;
+  for (std::size_t k = 0; k < 3; ++k) n[k] = DoubleBall(a[k].mid + part * (b[k].mid - a[k].mid));
+  const DoubleBall length = sqrt(dot(n, n));
+  const double least = std::min(low(dot(n, a) / length), low(dot(n, b) / length));
   return least > 0 ? least : 0;
 }
 

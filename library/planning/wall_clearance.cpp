@@ -43,11 +43,12 @@ Enclosure gap(const WallApproach& approach) {
   return negated(root_less(approach.distance2, approach.room));
 }
 
-bool keeps_clear(const WallApproach& approach, const Rational& clearance) {
+bool keeps_clear(const WallApproach& approach, const Rational& clearance, Touching touching) {
   const Rational room = approach.room - clearance;
   if (room < 0) return false;
   const Rational limit2 = room * room;
-  return clearance > 0 ? approach.distance2 <= limit2 : approach.distance2 < limit2;
+  return clearance == 0 && touching == Touching::is_too_near ? approach.distance2 < limit2
+                                                             : approach.distance2 <= limit2;
 }
 
 WallClearance::WallClearance(const GivenPaths& given, std::function<bool()> go_on)
@@ -56,8 +57,8 @@ WallClearance::WallClearance(const GivenPaths& given, std::function<bool()> go_o
 WallApproach WallClearance::at(int disk, const Waypoint& waypoint) const {
   const Rational room =
       given_.container->radius - given_.paths[static_cast<std::size_t>(disk)].radius;
-  const Rational x = waypoint.at.x - given_.container->center.x,
-                 y = waypoint.at.y - given_.container->center.y;
+  const Rational x = waypoint.at[0] - given_.container->center.x,
+                 y = waypoint.at[1] - given_.container->center.y;
   const bool touches = given_.contacts.contains({container_id, disk, waypoint.t});
   return {disk, waypoint.t, touches ? Rational(room * room) : Rational(x * x + y * y), room};
 }
@@ -108,8 +109,8 @@ std::vector<WallSpell> WallClearance::spells_below(const Rational& distance) con
       const Waypoint &p = w[k], &q = w[std::min(k + 1, w.size() - 1)];
       Leg leg{at(static_cast<int>(g), p),
               at(static_cast<int>(g), q),
-              {p.at.x - o.x, p.at.y - o.y},
-              {q.at.x - o.x, q.at.y - o.y},
+              {p.at[0] - o.x, p.at[1] - o.y},
+              {q.at[0] - o.x, q.at[1] - o.y},
               false,
               false};
       leg.is_first_below = is_below(leg.first, leg.a, distance);

@@ -10,6 +10,7 @@
 
 #include "exact/enclosure.h"
 #include "history/paths_file.h"
+#include "library/planning/clearance.h"
 
 namespace voroproof::internal {
 
@@ -29,8 +30,9 @@ struct WallSpell {
 
 // The gap to about 2^-80 of the distance, rounded outwards.
 Enclosure gap(const WallApproach& approach);
-// Whether the gap is what `clearance` >= 0 asks for: at least that, and positive.
-bool keeps_clear(const WallApproach& approach, const Rational& clearance);
+// Whether the gap is what is asked for: at least `clearance`, and, where that is 0 and touching is
+// too near, positive.
+bool keeps_clear(const WallApproach& approach, const Rational& clearance, Touching touching);
 
 class WallClearance {
  public:

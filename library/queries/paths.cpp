@@ -100,7 +100,7 @@ const RecordedState& Paths::piece(GenId g, const Rational& t) const {
 std::vector<Waypoint> Paths::waypoints(GenId g, const Rational& from, const Rational& to) const {
   const std::vector<RecordedState>& all = pieces(g);
   const auto waypoint = [](const Rational& t, const ExactVec2& at) {
-    return Waypoint{t, {at[0], at[1]}};
+    return Waypoint{t, {at[0], at[1], 0}};
   };
   auto next = first_after(all, from);
   std::vector<Waypoint> path{waypoint(from, position_at(*std::prev(next), from))};

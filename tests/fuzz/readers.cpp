@@ -123,7 +123,7 @@ bool plan(std::string_view bytes) {
 
 bool table(std::string_view bytes) {
   return accepts([&] {
-    const GivenPaths paths = read_waypoint_table(file_with(bytes), Rational(1, 2));
+    const GivenPaths paths = read_path_table(file_with(bytes), Rational(1, 2));
     world_of_paths(paths, Rational(1, 8), "paths");
     scene_of_paths(paths, "paths");
   });

@@ -48,8 +48,8 @@ TEST_F(PathsFile, NumbersOfATableAreExact) {
   EXPECT_EQ(g.paths[0].name, "a b");
   EXPECT_EQ(g.paths[0].radius, 1);
   ASSERT_EQ(g.paths[0].waypoints.size(), 2u);
-  EXPECT_EQ(g.paths[0].waypoints[0].at.x, Rational(1, 3));
-  EXPECT_EQ(g.paths[0].waypoints[0].at.y, Rational(1, 10));
+  EXPECT_EQ(g.paths[0].waypoints[0].at[0], Rational(1, 3));
+  EXPECT_EQ(g.paths[0].waypoints[0].at[1], Rational(1, 10));
   EXPECT_EQ(g.paths[0].waypoints[1].t, Rational(1, 10));
   EXPECT_EQ(read("disk,t,x,y,radius\na,0,0,0,2\n", std::nullopt).paths[0].radius, 2);
   EXPECT_TRUE(read("disk,t,x,y\n").paths.empty());
@@ -93,7 +93,7 @@ TEST_F(PathsFile, WhatIsBeyondAPathIsSaid) {
       EXPECT_EQ(p.waypoints.front().t, 0);
       EXPECT_EQ(p.waypoints.back().t, 2);
     }
-    EXPECT_EQ(parked.paths[1].waypoints.back().at.x, gone.paths[1].waypoints.back().at.x);
+    EXPECT_EQ(parked.paths[1].waypoints.back().at[0], gone.paths[1].waypoints.back().at[0]);
     EXPECT_NE(parked.remarks.back().find("1 of 2 disks are taken to stay"), std::string::npos);
   }
   EXPECT_EQ(read(table, 1, Beyond::stays).paths[1].waypoints.size(), 3u);
@@ -107,7 +107,7 @@ TEST_F(PathsFile, WhatIsBeyondAPathIsSaid) {
 TEST_F(PathsFile, BrokenTables) {
   refused("", 0, "");
   refused("disk,t,x\n", 1, "y");
-  refused("disk,t,x,y,z\n", 1, "z");
+  refused("disk,t,x,y,height\n", 1, "height");
   refused("disk,t,x,y,x\n", 1, "x");
   refused("disk,t,x,y\n", 1, "radius", std::nullopt);
   refused("disk,t,x,y\na,0,0\n", 2, "");
@@ -119,6 +119,65 @@ TEST_F(PathsFile, BrokenTables) {
   refused("disk,t,x,y,radius\na,1,0,0,1\na,2,0,0,2\n", 3, "radius");
 }
 
+TEST_F(PathsFile, Space) {
+  const GivenPaths g = read("z,disk,t,x,y\n1/3,a,0,1,2\n");
+  EXPECT_TRUE(g.in_space);
+  EXPECT_EQ(g.paths[0].waypoints[0].at, (Vec3{1, 2, Rational(1, 3)}));
+  EXPECT_FALSE(read("disk,t,x,y\n").in_space);
+}
+
+TEST_F(PathsFile, PiecesFollowEachOther) {
+  const GivenPaths g = read(
+      "disk,t,duration,x^0,x^2,y^0\n"
+      "a,1,2,0,1/2,5\na,3,1,2,0,5\n"
+      "b,1,2,0,0,0\nb,3,1,3,0,4\n");
+  ASSERT_EQ(g.paths.size(), 2u);
+  ASSERT_EQ(g.paths[0].waypoints.size(), 3u);
+  EXPECT_EQ(g.paths[0].waypoints[1].t, 3);
+  EXPECT_EQ(g.paths[0].waypoints[1].at, (Vec3{2, 5, 0}));
+  EXPECT_EQ(g.paths[0].curves[0], (Curve{{0, 5, 0}, {0, 0, 0}, {Rational(1, 2), 0, 0}}));
+  // The second jumps by 5, and says so.
+  ASSERT_EQ(g.paths[1].waypoints.size(), 4u);
+  EXPECT_EQ(g.paths[1].waypoints[2].t, 3);
+  EXPECT_TRUE(g.paths[1].curves[1].empty());
+  ASSERT_EQ(g.remarks.size(), 1u);
+  EXPECT_EQ(
+      g.remarks[0],
+      "1 pieces begin elsewhere than the one before ends, by up to 5: the disk is taken to go "
+      "there straight, at once");
+  // Who is there for a shorter time may stay.
+  const GivenPaths parked =
+      read("disk,t,duration,x^0,x^1,y^0\na,0,4,0,1,0\nb,1,2,0,1,3\n", 1, Beyond::stays);
+  EXPECT_EQ(parked.paths[1].waypoints.size(), 4u);
+  EXPECT_EQ(parked.paths[1].curves.size(), 3u);
+  EXPECT_EQ(parked.paths[1].waypoints.back().at, (Vec3{2, 3, 0}));
+}
+
+TEST_F(PathsFile, BrokenPieces) {
+  const std::string heading = "disk,t,duration,x^0,x^1,y^0\n";
+  refused("disk,t,duration,x^0\n", 1, "y^0");
+  refused("disk,t,duration,x^1,y^0\n", 1, "x^0");
+  refused("disk,t,duration,x^0,y^0,x^8\n", 1, "x^8");
+  refused("disk,t,duration,x^0,y^0,x\n", 1, "x");
+  refused("disk,t,duration,x^0,y^0,z^1\n", 1, "z^1");
+  refused("disk,t,x^0,y^0\n", 1, "x^0");
+  refused(heading + "a,0,0,1,1,1\n", 2, "duration");
+  refused(heading + "a,0,1,0,0,0\na,2,1,0,0,0\n", 3, "t");
+  refused(heading + "a,0,1,0,0,0\na,1/2,1,0,0,0\n", 3, "t");
+  refused(heading + "a,0,1e60,0,1e60,0\n", 2, "x^1");
+}
+
+TEST_F(PathsFile, PeriodicBoxes) {
+  const GivenPaths g = read("# periodic: 10, none\ndisk,t,x,y\na,0,1,2\n");
+  EXPECT_EQ(g.sides, (Vec3{10, 0, 0}));
+  EXPECT_TRUE(g.is_periodic());
+  refused("# periodic: 10\ndisk,t,x,y\n", 1, "periodic");
+  refused("\n# periodic: 10,0\ndisk,t,x,y\n", 2, "periodic");
+  refused("# periodic: 10,ten\ndisk,t,x,y\n", 1, "periodic");
+  refused("# periodic: 1,1\n# periodic: 1,1\ndisk,t,x,y\n", 2, "periodic");
+  refused("# periodic: 1,none\ndisk,t,x,y\na,0,1e9,0\n", 1, "periodic");
+}
+
 TEST_F(PathsFile, SectionsOfAPlanFollowEachOther) {
   const GivenPaths g =
       read(log(agent(section("0", "1", "0.1") + section("1", "1", "0") + section("1", "3", "0.2")) +
@@ -126,7 +185,7 @@ TEST_F(PathsFile, SectionsOfAPlanFollowEachOther) {
   ASSERT_EQ(g.paths.size(), 2u);
   ASSERT_EQ(g.paths[0].waypoints.size(), 3u);
   EXPECT_EQ(g.paths[0].waypoints[2].t, Rational(3, 10));
-  EXPECT_EQ(g.paths[0].waypoints[2].at.x, 3);
+  EXPECT_EQ(g.paths[0].waypoints[2].at[0], 3);
 }
 
 TEST_F(PathsFile, BrokenPlans) {

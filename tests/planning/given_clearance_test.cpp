@@ -18,14 +18,20 @@ GivenPath path(const char* name, Rational radius, std::vector<Waypoint> waypoint
   return {name, radius, std::move(waypoints)};
 }
 
+GivenPaths given(std::vector<GivenPath> paths) {
+  GivenPaths all;
+  all.paths = std::move(paths);
+  return all;
+}
+
 double sampled_gap(const GivenPath& a, const GivenPath& b, double t) {
   const auto at = [t](const GivenPath& p) -> std::pair<double, double> {
     const auto& w = p.waypoints;
     std::size_t k = 1;
     while (k + 1 < w.size() && w[k].t.get_d() < t) ++k;
     const double s = (t - w[k - 1].t.get_d()) / (w[k].t.get_d() - w[k - 1].t.get_d());
-    return {w[k - 1].at.x.get_d() * (1 - s) + w[k].at.x.get_d() * s,
-            w[k - 1].at.y.get_d() * (1 - s) + w[k].at.y.get_d() * s};
+    return {w[k - 1].at[0].get_d() * (1 - s) + w[k].at[0].get_d() * s,
+            w[k - 1].at[1].get_d() * (1 - s) + w[k].at[1].get_d() * s};
   };
   const auto [x, y] = at(a);
   const auto [u, v] = at(b);
@@ -33,7 +39,7 @@ double sampled_gap(const GivenPath& a, const GivenPath& b, double t) {
 }
 
 // Random paths of other starts, ends and waypoints, overlaps among them.
-std::vector<GivenPath> random_paths(std::mt19937_64& random, int n) {
+GivenPaths random_paths(std::mt19937_64& random, int n) {
   const auto integer = [&](int low, int high) {
     return static_cast<int>(std::uniform_int_distribution<int>(low, high)(random));
   };
@@ -48,14 +54,15 @@ std::vector<GivenPath> random_paths(std::mt19937_64& random, int n) {
     }
     paths.push_back(p);
   }
-  return paths;
+  return given(std::move(paths));
 }
 
 TEST(GivenClearance, AsSamplingFinds) {
   std::mt19937_64 random(5);
   for (int round = 0; round < 20; ++round) {
-    const std::vector<GivenPath> paths = random_paths(random, 2 + round % 7);
-    const GivenClearance clearance(paths, always);
+    const GivenPaths all = random_paths(random, 2 + round % 7);
+    const std::vector<GivenPath>& paths = all.paths;
+    const GivenClearance clearance(all, always);
     double lowest = HUGE_VAL;
     std::vector<NearSpell> spells = clearance.spells_below(3);
     for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -81,18 +88,17 @@ TEST(GivenClearance, AsSamplingFinds) {
     if (!least) continue;
     EXPECT_LE(gap(*least).lo, lowest + 1e-9);
     EXPECT_GT(gap(*least).hi, lowest - 0.5);  // speeds are below 170, steps below 0.01 / 2
-    const Point2 a = place_at(paths[static_cast<std::size_t>(least->i)], least->t),
-                 b = place_at(paths[static_cast<std::size_t>(least->j)], least->t);
-    const Rational x = a.x - b.x, y = a.y - b.y;
-    EXPECT_EQ(Rational(x * x + y * y), least->distance2);
+    const Vec3 apart = place_at(paths[static_cast<std::size_t>(least->i)], least->t) -
+                       place_at(paths[static_cast<std::size_t>(least->j)], least->t);
+    EXPECT_EQ(Rational(dot(apart, apart)), least->distance2);
   }
 }
 
 // Two cross at the origin half a second apart, through a waypoint of one: one spell, its ends
 // known.
 TEST(GivenClearance, SpellsGoOnOverWaypoints) {
-  const std::vector<GivenPath> paths{path("a", 1, {{-10, {-10, 0}}, {0, {0, 0}}, {10, {10, 0}}}),
-                                     path("b", 1, {{-10, {0, 0}}, {10, {0, 0}}})};
+  const GivenPaths paths = given({path("a", 1, {{-10, {-10, 0}}, {0, {0, 0}}, {10, {10, 0}}}),
+                                  path("b", 1, {{-10, {0, 0}}, {10, {0, 0}}})});
   const GivenClearance clearance(paths, always);
   const auto spells = clearance.spells_below(1);
   ASSERT_EQ(spells.size(), 1u);
@@ -103,20 +109,21 @@ TEST(GivenClearance, SpellsGoOnOverWaypoints) {
   EXPECT_EQ(spells[0].nearest.t, 0);
   EXPECT_EQ(gap(spells[0].nearest).hi, -2);
   // At a gap of exactly the distance nothing is below it.
-  const std::vector<GivenPath> apart{path("a", 1, {{0, {0, 0}}, {1, {1, 0}}}),
-                                     path("b", 1, {{0, {0, 3}}, {1, {1, 3}}})};
+  const GivenPaths apart =
+      given({path("a", 1, {{0, {0, 0}}, {1, {1, 0}}}), path("b", 1, {{0, {0, 3}}, {1, {1, 3}}})});
   EXPECT_TRUE(GivenClearance(apart, always).spells_below(1).empty());
   EXPECT_EQ(GivenClearance(apart, always).spells_below(Rational(11, 10)).size(), 1u);
 }
 
 TEST(GivenClearance, FewAndShortPaths) {
-  EXPECT_FALSE(GivenClearance({}, always).least());
-  const std::vector<GivenPath> one{path("a", 1, {{0, {0, 0}}})};
+  const GivenPaths none;
+  EXPECT_FALSE(GivenClearance(none, always).least());
+  const GivenPaths one = given({path("a", 1, {{0, {0, 0}}})});
   EXPECT_FALSE(GivenClearance(one, always).least());
   // There at one time only, for a moment; and never.
-  const std::vector<GivenPath> moment{path("a", 1, {{0, {0, 0}}, {1, {1, 0}}}),
-                                      path("b", 1, {{1, {4, 0}}, {2, {0, 0}}}),
-                                      path("c", 0, {{3, {4, 0}}})};
+  const GivenPaths moment =
+      given({path("a", 1, {{0, {0, 0}}, {1, {1, 0}}}), path("b", 1, {{1, {4, 0}}, {2, {0, 0}}}),
+             path("c", 0, {{3, {4, 0}}})});
   const auto least = GivenClearance(moment, always).least();
   ASSERT_TRUE(least);
   EXPECT_EQ(least->t, 1);
@@ -130,12 +137,12 @@ TEST(GivenClearance, FewAndShortPaths) {
 // Two that turn at one time while they are near, over and over: so many spells as they are apart
 // between, and none within another.
 TEST(GivenClearance, WhoTurnAtOneTimeAreNearOnce) {
-  std::vector<GivenPath> paths{path("a", 1, {}), path("b", 1, {})};
+  GivenPaths all = given({path("a", 1, {}), path("b", 1, {})});
   for (int k = 0; k <= 40; ++k) {
-    paths[0].waypoints.push_back({k, {0, 0}});
-    paths[1].waypoints.push_back({k, {k % 2 == 0 ? 9 : 2, 0}});
+    all.paths[0].waypoints.push_back({k, {0, 0}});
+    all.paths[1].waypoints.push_back({k, {k % 2 == 0 ? 9 : 2, 0}});
   }
-  const auto spells = GivenClearance(paths, always).spells_below(1);
+  const auto spells = GivenClearance(all, always).spells_below(1);
   ASSERT_EQ(spells.size(), 20u);
   for (std::size_t k = 0; k < spells.size(); ++k) {
     EXPECT_LT(spells[k].from.hi, 2.0 * static_cast<double>(k) + 1);
@@ -146,11 +153,12 @@ TEST(GivenClearance, WhoTurnAtOneTimeAreNearOnce) {
 // On the recorded path of the second contact, which comes first, the two are apart by a rounding.
 TEST(GivenClearance, AContactIsZeroAlsoWhereRoundingsLeaveAGap) {
   const Rational apart = Rational(2) + Rational(1) / (Integer(1) << 40);
-  const std::vector<GivenPath> paths{path("a", 1, {{0, {0, 0}}, {9, {0, 0}}}),
-                                     path("b", 1, {{0, {9, 0}}, {5, {2, 0}}, {9, {9, 0}}}),
-                                     path("c", 1, {{0, {0, 50}}, {9, {0, 50}}}),
-                                     path("d", 1, {{0, {9, 50}}, {3, {apart, 50}}, {9, {9, 50}}})};
-  const auto least = GivenClearance(paths, always, {{0, 1, 5}, {2, 3, 3}}).least();
+  GivenPaths paths = given({path("a", 1, {{0, {0, 0}}, {9, {0, 0}}}),
+                            path("b", 1, {{0, {9, 0}}, {5, {2, 0}}, {9, {9, 0}}}),
+                            path("c", 1, {{0, {0, 50}}, {9, {0, 50}}}),
+                            path("d", 1, {{0, {9, 50}}, {3, {apart, 50}}, {9, {9, 50}}})});
+  paths.contacts = {{0, 1, 5}, {2, 3, 3}};
+  const auto least = GivenClearance(paths, always).least();
   ASSERT_TRUE(least);
   EXPECT_EQ(std::pair(least->i, least->j), std::pair(2, 3));
   EXPECT_EQ(least->t, 3);
@@ -158,7 +166,7 @@ TEST(GivenClearance, AContactIsZeroAlsoWhereRoundingsLeaveAGap) {
 }
 
 TEST(GivenClearance, Interrupted) {
-  const std::vector<GivenPath> one{path("a", 1, {{0, {0, 0}}})};
+  const GivenPaths one = given({path("a", 1, {{0, {0, 0}}})});
   EXPECT_THROW(GivenClearance(one, [] { return false; }).least(), Interrupted);
 }
 

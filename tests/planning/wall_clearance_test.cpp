@@ -37,8 +37,8 @@ TEST(WallClearance, ByHand) {
   EXPECT_EQ(least->t, 0);
   EXPECT_EQ(least->distance2, 64);
   expect_encloses(gap(*least), 1);
-  EXPECT_TRUE(keeps_clear(*least, 1));
-  EXPECT_FALSE(keeps_clear(*least, Rational(1000000001, 1000000000)));
+  EXPECT_TRUE(keeps_clear(*least, 1, Touching::is_too_near));
+  EXPECT_FALSE(keeps_clear(*least, Rational(1000000001, 1000000000), Touching::is_too_near));
   // The gap is less than 3 where |x - 1| > 6.
   const std::vector<WallSpell> spells = wall.spells_below(3);
   ASSERT_EQ(spells.size(), 3u);
@@ -62,10 +62,12 @@ TEST(WallClearance, Degenerate) {
     EXPECT_TRUE(wall.spells_below(4).empty());
     EXPECT_EQ(wall.spells_below(Rational(5)).size(), 1u);
   }
-  const GivenPaths none{{}, {}, GivenContainer{{0, 0}, 1}, {}};
+  GivenPaths none;
+  none.container = GivenContainer{{0, 0}, 1};
   EXPECT_FALSE(WallClearance(none, always).least());
   EXPECT_TRUE(WallClearance(none, always).spells_below(1).empty());
-  EXPECT_FALSE(keeps_clear(WallApproach{0, 0, 81, 9}, 0));  // touching is not clear
+  EXPECT_FALSE(
+      keeps_clear(WallApproach{0, 0, 81, 9}, 0, Touching::is_too_near));  // touching is not clear
   // Along a chord whose middle is at the distance: the instant parts the spell.
   const GivenPaths chord = one({{0, {-3, 3}}, {8, {5, 3}}});
   const std::vector<WallSpell> spells = WallClearance(chord, always).spells_below(6);
@@ -84,7 +86,7 @@ TEST(WallClearance, ContactsAreNotOverlaps) {
   const WallClearance wall(given, always);
   expect_encloses(gap(*wall.least()), 0);
   EXPECT_TRUE(wall.spells_below(0).empty());
-  EXPECT_FALSE(keeps_clear(*wall.least(), 0));
+  EXPECT_FALSE(keeps_clear(*wall.least(), 0, Touching::is_too_near));
   ASSERT_EQ(wall.spells_below(1).size(), 1u);
   EXPECT_EQ(wall.spells_below(1)[0].nearest.t, 2);
 }
@@ -96,12 +98,12 @@ TEST(WallClearance, ContactsOfDisks) {
     const Rational off = Rational(sign, 1 << 30), place = 1 + off;
     given.paths.push_back({"b", 1, {{0, {5, 0}}, {2, {place, 0}}, {4, {5, 0}}}});
     given.contacts = {{0, 1, 2}};
-    const GivenClearance clearance(given.paths, always, given.contacts);
+    const GivenClearance clearance(given, always);
     const auto least = clearance.least();
     ASSERT_TRUE(least);
     EXPECT_EQ(least->t, 2);
     expect_encloses(gap(*least), 0);
-    EXPECT_FALSE(keeps_clear(*least, 0));
+    EXPECT_FALSE(keeps_clear(*least, 0, Touching::is_too_near));
     EXPECT_TRUE(clearance.spells_below(0).empty());
     EXPECT_EQ(clearance.spells_below(1).size(), 1u);
     // Less than the rounding: the places tell where the spell is.
@@ -131,8 +133,8 @@ TEST(WallClearance, AsSamplingFinds) {
     double lowest = HUGE_VAL;
     for (int k = 0; k <= 2000; ++k) {
       const double at = end * k / 2000;
-      const Point2 p = place_at(given.paths[0], Rational(at));
-      const double here = 9 - std::hypot(p.x.get_d() - 1, p.y.get_d());
+      const Vec3 p = place_at(given.paths[0], Rational(at));
+      const double here = 9 - std::hypot(p[0].get_d() - 1, p[1].get_d());
       lowest = std::min(lowest, here);
       EXPECT_GE(here, least - 1e-9);
       if (std::fabs(here - limit) < 1e-6) continue;

@@ -11,7 +11,7 @@ from . import numbers
 from .faults import Refused, printable
 
 MOST_WAYPOINTS = 20_000_000  # the most that `clearance` and `convert` read
-Place = Tuple[Fraction, Fraction]
+Place = Tuple[Fraction, ...]  # in the plane or in space
 
 
 class _Disk(NamedTuple):
@@ -24,11 +24,12 @@ class _Disk(NamedTuple):
 class Table:
     """Waypoints, each written as it comes; of a disk only the last is kept in memory.
 
-    `with_radius`: the table has a column of radii.
+    `with_radius`: the table has a column of radii. `dimension`: 2 or 3, the number of coordinates of a place.
     """
 
-    def __init__(self, with_radius: bool):
+    def __init__(self, with_radius: bool, dimension: int = 2):
         self._with_radius = with_radius
+        self._axes = "xyz"[:dimension]
         self._rows: IO[str] = tempfile.TemporaryFile("w+", encoding="utf-8", newline="\n")
         self._disks: Dict[str, _Disk] = {}
         self._waypoints = 0
@@ -59,7 +60,7 @@ class Table:
             raise Refused("", f"more than {MOST_WAYPOINTS} waypoints")
         if not name or not name.isprintable() or name.strip() != name or "," in name or name[0] == "#":
             raise Refused("disk", "its name is empty, or has a comma or other characters that no table can hold")
-        for field, value in (("t", t), ("x", at[0]), ("y", at[1]), ("radius", radius or Fraction(0))):
+        for field, value in (("t", t), *zip(self._axes, at), ("radius", radius or Fraction(0))):
             try:
                 numbers.within(value)
             except ValueError as error:
@@ -85,7 +86,7 @@ class Table:
         if frame is not None and known.frame is not None and frame > known.frame + 1:
             self._bridged += 1
         self._longest = max(self._longest, (t - known.t, name, known.t), key=lambda leg: leg[0])
-        length = float((at[0] - known.at[0])**2 + (at[1] - known.at[1])**2)**0.5
+        length = float(sum((now - before)**2 for now, before in zip(at, known.at)))**0.5
         self._farthest = max(self._farthest, (length, name, known.t), key=lambda leg: leg[0])
 
     def summary(self) -> List[str]:
@@ -115,7 +116,7 @@ class Table:
         """
         heading = "".join(f"# {printable(said, 1000)}\n" for said in [
             *(f"remark: {remark}" for remark in self._remarks()), *self._missing()])
-        heading += "disk,t,x,y,radius\n" if self._with_radius else "disk,t,x,y\n"
+        heading += ",".join(["disk", "t", *self._axes, *(["radius"] if self._with_radius else [])]) + "\n"
         self._rows.seek(0)
         try:
             if output == "-":
