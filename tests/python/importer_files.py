@@ -75,6 +75,16 @@ SCENARIO = """# two that cross, one that has a route
 00:01:00.00>KL1 HDG 180
 """
 
+EXTENDED = """2
+Lattice="10.0 0.0 0.0 0.0 8.0 0.0 0.0 0.0 6.0" Properties=species:S:1:pos:R:3:id:I:1:radius:R:1:forces:R:3 pbc="T F T" Time=0.5
+Ar 1.5 -2.0 0.1 7 0.5 0 0 0
+Ne 4.0 0.25 -1e-1 3 0.25 0 0 1.5
+2
+Lattice="10.0 0.0 0.0 0.0 8.0 0.0 0.0 0.0 6.0" Properties=species:S:1:pos:R:3:id:I:1:radius:R:1:forces:R:3 pbc="T F T" Time=0.75
+Ne 4.5 0.25 0.3 3 0.25 0 0 0
+Ar 1.5 -1.75 0.1 7 0.5 0 0 0
+"""
+
 AMERICAN = """MMSI,BaseDateTime,LAT,LON,SOG,COG,Heading,VesselName,IMO,CallSign,VesselType,Status,Length,Width
 367000001,2020-01-01T00:01:00,29.50000,-90.10000,8.1,90.0,90.0,"ONE, TWO",,,31,0,50,10
 367000002,2020-01-01T00:00:30,29.50000,-90.09000,7.9,270.0,270.0,THREE,,,31,0,40,10
@@ -134,7 +144,7 @@ def single(value):
 
 
 def rows_of(path):
-    """The waypoints of a table by disk: t, x, y and the radius, where there is one, as Fractions."""
+    """The waypoints of a table by disk: t, x, y, perhaps z, and the radius, where there is one, as Fractions."""
     disks = {}
     lines = [line for line in pathlib.Path(path).read_text().splitlines() if not line.startswith("#")]
     for line in lines[1:]:

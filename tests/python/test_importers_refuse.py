@@ -6,7 +6,8 @@ import sqlite3
 from fractions import Fraction
 
 import pytest
-from importer_files import AMERICAN, DATA, DUMP, SCENARIO, command, periodic_dump, write_gsd, write_jupedsim
+from dynamo_files import BETWEEN, HITS
+from importer_files import AMERICAN, DATA, DUMP, EXTENDED, SCENARIO, command, periodic_dump, write_gsd, write_jupedsim
 
 import voroproof as vp
 from voroproof.importers import FORMATS
@@ -36,7 +37,8 @@ def refusal(kind, path, **options):
     ("2 1 9.1 0", "2 1 nan 0", 12, "x", "not a decimal"),
     ("2 1 9.1 0", "2 1 1e999 0", 12, "x", "magnitude"),
     ("2 1 9.1 0", "1 1 9.1 0", 13, "t", "no later"),
-    ("1 1 0.1 0.2 0 0.25", "1 1 0.1 0.2 0.5 0.25", 13, "z", "not in a plane"),
+    ("1 1 0.1 0.2 0 0.25", "1 1 0.1 0.2 0.5 0.25", 13, "BOX BOUNDS", "periodic in z"),
+    ("1 1 0.1 0.2 0 0.25", "1 1 0.1 0.2 - 0.25", 13, "z", "not a decimal"),
     ("1 1 0.1 0.2 0 0.25", "1 1 0.1 0.2 0 -1", 13, "radius", "negative"),
     ("1 1 1.3e0 .2 0 0.25", "1 1 1.3e0 .2 0 0.5", 23, "radius", "another than before"),
     ("ITEM: TIMESTEP\n100", "ITEM: TIMESTEP\n-5", 23, "t", "no later"),
@@ -71,7 +73,7 @@ def test_periodic_boxes(tmp_path, columns, atoms, treatment, line, field, reason
     ("3 atoms", "4 atoms", 0, "Atoms", "3 atoms, and the head of the file says 4"),
     ("3 1 1.0 1 1.5 2.5 0 0 0 0", "3 1 1.0 1 1.5 2.5", 16, "Atoms", "6 values"),
     ("1 1 0.5 1 8 2 0", "3 1 0.5 1 8 2 0", 17, "Atoms id", "second time"),
-    ("1 1 0.5 1 8 2 0", "1 1 0.5 1 8 2 1", 17, "Atoms z", "not in a plane"),
+    ("1 1 0.5 1 8 2 0", "1 1 0.5 1 8 2 high", 17, "Atoms z", "not a decimal"),
     ("1 1 0.5 1 8", "1 1 half 1 8", 17, "Atoms diameter", "not a decimal"),
     ("2 0 0 0 0 0 0\n", "", 0, "Velocities", "not those of the atoms"),
     ("2 0 0 0 0 0 0\n", "2 0 0\n", 23, "Velocities", "3 values"),
@@ -99,7 +101,7 @@ def test_gsd_files(tmp_path):
         ([(0, at, {}), (0, at[::-1], {})], None, "frame 1 particle 0 t", "no later"),
         ([(0, at, {}), (1, [[5, 0, 0], [-4.5, 1, 0]], {})], None, "frame 1 particles/position[1]", "crossed a side"),
         ([(0, [[0, 0, 0], [1, float("nan"), 0]], {})], None, "frame 0 particles/position[1]", "finite"),
-        ([(0, [[0, 0, 0], [1, 1, 1]], {})], None, "frame 0 particles/position[1]", "not in a plane"),
+        ([(0, at, {}), (1, [[0, 0, 0], [1, 1, 0.75]], {})], None, "frame 1 particles/position[1]", "z changes by more"),
         ([(0, at, {})], (9, 9, 1, 0.5, 0, 0), "frame 0 configuration/box", "tilted"),
         ([(0, at, {})], (9, 0, 1, 0, 0, 0), "frame 0 configuration/box", "no positive length"),
         ([(0, at, {"diameter": [1, 2]}), (1, at, {"diameter": [1, 3]})], None, "frame 1 particle 1 radius", "another"),
@@ -292,17 +294,24 @@ def broken(random_source, data):
     return bytes(data)
 
 
-@pytest.mark.parametrize("kind", ["lammps-dump", "lammps-data", "bluesky", "ais", "jupedsim", "gsd"])
+@pytest.mark.parametrize("kind", ["lammps-dump", "lammps-data", "bluesky", "ais", "xyz", "dynamo", "events", "jupedsim", "gsd"])
 def test_whatever_is_broken_is_read_or_refused(tmp_path, kind):
     """No other error than InputError, whatever the bytes; scripts/fuzz.sh asks for other and for more changes."""
     whole = tmp_path / "whole"
-    options = {"bluesky": {"until": Fraction(600)}, "gsd": {"periodic": "as-is"}, "lammps-data": {"until": Fraction(3)}}
+    options = {"bluesky": {"until": Fraction(600)}, "gsd": {"periodic": "as-is"}, "lammps-data": {"until": Fraction(3)},
+               "xyz": {"periodic": "as-is"}, "dynamo": {"horizon": Fraction(25)}}
     if kind == "jupedsim":
         write_jupedsim(whole)
     elif kind == "gsd":
         write_gsd(whole, [(0, [[0, 0, 0]], {}), (1, [[1, 0, 0]], {})])
     else:
-        whole.write_text({"lammps-dump": DUMP, "lammps-data": DATA, "bluesky": SCENARIO, "ais": AMERICAN}[kind])
+        whole.write_text({"lammps-dump": DUMP, "lammps-data": DATA, "bluesky": SCENARIO, "ais": AMERICAN, "xyz": EXTENDED,
+                          "dynamo": BETWEEN, "events": "".join(HITS)}[kind])
+    (tmp_path / "config").write_text(BETWEEN)
+    def read(path):
+        if kind == "events":
+            return FORMATS["dynamo"].read(str(tmp_path / "config"), events=path, history="none")
+        return FORMATS[kind].read(path, **options.get(kind, {}))
     dice = random.Random(int(os.environ.get("VOROPROOF_FUZZ_SEED", 7)))
     outcomes = {True: 0, False: 0}
     times = int(os.environ.get("VOROPROOF_FUZZ_TIMES", 1))
@@ -310,7 +319,7 @@ def test_whatever_is_broken_is_read_or_refused(tmp_path, kind):
         path = tmp_path / f"{kind}{k}"
         path.write_bytes(broken(dice, whole.read_bytes()))
         try:
-            FORMATS[kind].read(str(path), **options.get(kind, {}))
+            read(str(path))
             outcomes[True] += 1
         except vp.InputError as error:
             assert str(error).startswith(str(path)) and "\n" not in str(error)

@@ -1,15 +1,16 @@
-"""Files of other programs as tables of waypoints, which `clearance` and `convert` read (docs/others.md).
+"""Files of other programs as tables of waypoints, which `clearance` and `convert` read, or as billiards with their
+histories, which `certify` reads (docs/others.md).
 
     python3 -m voroproof.importers jupedsim trajectories.sqlite --radius 0.2 -o agents.csv
     voroproof clearance agents.csv --required 0
 
 Each importer writes numbers exactly, and says in remarks what the file cannot say and which digits are
-lost. The remarks stand in the table as well; what reads it repeats them.
+lost. The remarks stand in the table as well, and what reads it repeats them, or in the scene.
 """
 
-from . import ais, bluesky, gsd_file, jupedsim, lammps_data, lammps_dump
+from . import ais, bluesky, dynamo, gsd_file, jupedsim, lammps_data, lammps_dump, xyz
 from .table import Table
 
-FORMATS = {module.NAME: module for module in (ais, bluesky, gsd_file, jupedsim, lammps_data, lammps_dump)}
+FORMATS = {module.NAME: module for module in (ais, bluesky, dynamo, gsd_file, jupedsim, lammps_data, lammps_dump, xyz)}
 
-__all__ = ["FORMATS", "Table", "ais", "bluesky", "gsd_file", "jupedsim", "lammps_data", "lammps_dump"]
+__all__ = ["FORMATS", "Table", "ais", "bluesky", "dynamo", "gsd_file", "jupedsim", "lammps_data", "lammps_dump", "xyz"]

@@ -1,4 +1,4 @@
-"""The command: python3 -m voroproof.importers FORMAT FILE -o TABLE."""
+"""The command: python3 -m voroproof.importers FORMAT FILE -o OUT."""
 
 import argparse
 import os
@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any, Callable, Dict, List
 
 from ..errors import InputError, OutputError
-from . import ais, boxes, bluesky, geography, gsd_file, jupedsim, lammps_data, lammps_dump, numbers
+from . import (ais, boxes, bluesky, dynamo, geography, gsd_file, jupedsim, lammps_data, lammps_dump, numbers, xyz)
 
 BAD_INPUT, INTERNAL, MEMORY, INTERRUPTED = 2, 4, 5, 6  # as the program's
 
@@ -58,18 +58,24 @@ OPTIONS: Dict[str, Dict[str, Any]] = {
     "timestep": dict(type=positive, metavar="DT", help="how long a step takes; without it t is counted in steps"),
     "periodic": dict(choices=[boxes.UNWRAP, boxes.AS_IS], help="how coordinates of a periodic box are taken: "
                      "unwrapped by image flags, or as they stand, where no disk crosses a side"),
-    "flatten": dict(action="store_true", help="leave heights out where they differ"),
+    "flatten": dict(action="store_true", help="leave heights out, where they differ"),
     "style": dict(choices=list(lammps_data.STYLES), help="the atom style, where the file does not say it"),
     "until": dict(type=positive, metavar="T", help="the end of motion"),
     "origin": dict(type=origin, metavar="LAT,LON", help="the point about which the Earth is taken for a plane, as in "
                    "--origin=-33.9,151.2"),
     "columns": dict(type=columns, metavar="WHAT=NAME,...", help="the names of columns: " + ", ".join(ais.KNOWN)),
+    "horizon": dict(type=not_negative, metavar="T", help="the end of the history; without it the last collision of "
+                    "--events"),
+    "events": dict(metavar="FILE", help="the collisions of a run from this configuration: trajectory.out"),
+    "history": dict(metavar="HISTORY", help="the file to write the history of --events to"),
     "longest_gap": dict(type=positive, metavar="S", help="cut a track where it has no message for so many seconds"),
 }
 
 READERS = {
     lammps_dump: ("text dumps of LAMMPS (atom, custom)", ["radius", "timestep", "periodic", "flatten"]),
     lammps_data: ("data files of LAMMPS", ["radius", "style", "until", "flatten"]),
+    dynamo: ("configurations of DynamO (XML), and what its plugin Trajectory writes", ["horizon", "events", "history"]),
+    xyz: ("xyz and extended xyz", ["radius", "timestep", "periodic", "flatten"]),
     gsd_file: ("GSD files of HOOMD-blue", ["radius", "timestep", "periodic", "flatten"]),
     jupedsim: ("SQLite trajectories of JuPedSim", ["radius"]),
     bluesky: ("scenarios of BlueSky (.scn)", ["radius", "origin", "until"]),
@@ -80,13 +86,13 @@ READERS = {
 def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(
         prog="python3 -m voroproof.importers", allow_abbrev=False,
-        description="Make tables of waypoints, which voroproof clearance and convert read, of other programs' files. "
-        "What the file cannot say is said, and stands in the table.")
+        description="Make tables of waypoints, which voroproof clearance and convert read, of other programs' files, "
+        "or scenes and histories, which voroproof certify reads. What the file cannot say is said, and stands in them.")
     formats = top.add_subparsers(metavar="FORMAT", required=True)
     for module, (what, options) in READERS.items():
         one = formats.add_parser(module.NAME, help=what, description=what, allow_abbrev=False)
         one.add_argument("file", metavar="FILE", help='"-" is standard input, where the format is text')
-        one.add_argument("-o", "--output", required=True, metavar="TABLE", help='"-" is standard output')
+        one.add_argument("-o", "--output", required=True, metavar="OUT", help='"-" is standard output')
         for name in options:
             spelled = "atom-style" if name == "style" else name.replace("_", "-")
             one.add_argument("--" + spelled, dest=name, **OPTIONS[name])
@@ -94,16 +100,27 @@ def parser() -> argparse.ArgumentParser:
     return top
 
 
+def require_apart(given: argparse.Namespace) -> None:
+    """No file is written that is read, or written twice."""
+    read = [given.file, getattr(given, "events", None)]
+    if read == ["-", "-"]:
+        raise OutputError("-: would be read twice")
+    written = list(filter(None, [given.output, getattr(given, "history", None)]))
+    for name in filter(os.path.exists, written):
+        if any(other not in (None, "-") and os.path.exists(other) and os.path.samefile(other, name) for other in read):
+            raise OutputError(f"{name}: would replace the file that is read")
+    if len({os.path.realpath(name) for name in written}) < len(written):
+        raise OutputError(f"{given.output}: two files would be written to it")
+
+
 def run(arguments: List[str]) -> int:
     given = parser().parse_args(arguments)
-    if given.file != "-" and os.path.exists(given.output) and os.path.exists(given.file) and os.path.samefile(
-            given.file, given.output):
-        raise OutputError(f"{given.output}: would replace the file that is read")
+    require_apart(given)
     reader: Callable[..., Any] = given.read
-    table = reader(given.file, **{name: getattr(given, name) for name in given.options})
-    table.write(given.output)
-    beside = sys.stderr if given.output == "-" else sys.stdout
-    print("\n".join(table.summary()), file=beside)
+    made = reader(given.file, **{name: getattr(given, name) for name in given.options})
+    made.write(given.output)
+    beside = sys.stderr if "-" in (given.output, getattr(given, "history", None)) else sys.stdout
+    print("\n".join(made.summary()), file=beside)
     return 0
 
 

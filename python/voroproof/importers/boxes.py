@@ -9,6 +9,8 @@ Bounds = Tuple[Fraction, Fraction]
 MISSING = ("the box is periodic, and the periodic images of the disks are not in the table: across a side two may come "
            "nearer than in it")
 
+PERHAPS_MISSING = ("the periodic images of the disks, where the box is periodic: the file does not say whether it is")
+
 
 def side(axis: str, periodic: Optional[bool], treatment: Optional[str]) -> None:
     """Raises ValueError where a periodic axis, or one of which that is not known (None), has no treatment."""
@@ -25,26 +27,21 @@ def require_no_jump(axis: str, before: Fraction, now: Fraction, length: Fraction
                          "and its coordinates are not unwrapped")
 
 
-class Plane:
-    """That all heights of a file are one, or are left out on request."""
+class Heights:
+    """Whether the heights of a file differ, and whether they are left out on request."""
 
     def __init__(self, flatten: bool):
-        self._flatten = flatten
-        self._height: Optional[Fraction] = None
-        self._differs = False
+        self.flatten = flatten
+        self.differ = False
+        self._first: Optional[Fraction] = None
 
     def take(self, z: Fraction) -> None:
-        """Raises ValueError where heights differ and are not to be left out."""
-        if self._height is None:
-            self._height = z
-        elif z != self._height:
-            self._differs = True
-            if not self._flatten:
-                raise ValueError("not the same for all disks: this motion is not in a plane (--flatten leaves heights "
-                                 "out, and judges the shadows)")
+        if self._first is None:
+            self._first = z
+        self.differ = self.differ or z != self._first
 
     def remarks(self) -> List[str]:
-        if self._differs:
+        if self.differ and self.flatten:
             return ["heights are left out: the disks are shadows on the xy plane, and overlap where bodies pass over "
                     "each other"]
         return []

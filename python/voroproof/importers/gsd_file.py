@@ -33,7 +33,7 @@ class _Reader:
         self.radius = radius
         self.timestep = timestep
         self.treatment = periodic
-        self.plane = boxes.Plane(flatten)
+        self.heights = boxes.Heights(flatten)
         self.count: Optional[int] = None
 
     def read(self) -> Table:
@@ -44,7 +44,8 @@ class _Reader:
                 fail(self.path, 0, "", "no frame")
             # A frame without them has those of the first frame, or else 1.
             self.has_sizes = any(frames.file.chunk_exists(frame=k, name="particles/diameter") for k in range(len(frames)))
-            table = Table(self.radius is not None or self.has_sizes)
+            self.dimension = 2 if self.heights.flatten else 3
+            table = Table(self.radius is not None or self.has_sizes, self.dimension)
             for k in range(len(frames)):
                 self.frame(table, frames, k)
         table.remarks += self.remarks()
@@ -79,9 +80,10 @@ class _Reader:
             self.particle(table, particles, i, k, t, lengths, has_images)
 
     def box(self, box: Any, place: str) -> List[Fraction]:
+        """The lengths; that of z may be 0, where the box is in the plane."""
         field = f"{place} configuration/box"
         try:
-            lengths = [numbers.binary(float(value)) for value in box[:2]]
+            lengths = [numbers.binary(float(value)) for value in box[:3]]
             tilt = [numbers.binary(float(value)) for value in box[3:6]]
             for axis in "xy":
                 boxes.side(axis, True, self.treatment)
@@ -89,7 +91,7 @@ class _Reader:
             fail(self.path, 0, field, str(error))
         if any(tilt):
             fail(self.path, 0, field, "a tilted box; only boxes along the axes are read")
-        if min(lengths) <= 0:
+        if min(lengths[:2]) <= 0 or lengths[2] < 0:
             fail(self.path, 0, field, "no positive length")
         return lengths
 
@@ -98,20 +100,20 @@ class _Reader:
         name = str(i)
         field = f"frame {k} particles/position[{i}]"
         try:
-            x, y, z = (numbers.binary(float(value)) for value in particles.position[i])
-            self.plane.take(z)
-            at = [x, y]
+            at = [numbers.binary(float(value)) for value in particles.position[i]]
             if self.treatment == boxes.UNWRAP:
-                at = [at[a] + int(particles.image[i][a]) * lengths[a] for a in (0, 1)]
+                at = [x + int(k) * length for x, k, length in zip(at, particles.image[i], lengths)]
+            self.heights.take(at[2])
+            at = at[:self.dimension]
             last = table.last(name)
             # Flags that never change are not written: where one is missing, the place must tell.
             if last is not None and not (self.treatment == boxes.UNWRAP and has_images):
-                for a, axis in enumerate("xy"):
-                    boxes.require_no_jump(axis, last[1][a], at[a], lengths[a])
+                for axis, before, now, length in zip("xyz", last[1], at, lengths):
+                    boxes.require_no_jump(axis, before, now, length)
             radius = self.radius
             if radius is None and self.has_sizes:
                 radius = numbers.binary(float(particles.diameter[i])) / 2
-            table.add(name, t, (at[0], at[1]), radius, k)
+            table.add(name, t, tuple(at), radius, k)
         except ValueError as error:
             fail(self.path, 0, field, str(error))
         except Refused as refused:
@@ -127,7 +129,7 @@ class _Reader:
             said.append("radii are half of the diameters of the file, which need not be those at which particles touch")
         else:
             said.append("the file does not give diameters: give --radius where the table is read")
-        return said + [*self.plane.remarks(),
+        return said + [*self.heights.remarks(),
                        "no digit of the file is lost: positions are binary32 numbers, written exactly; HOOMD-blue may "
                        "have rounded them when it wrote them"]
 

@@ -29,7 +29,7 @@ class _Reader:
         self.radius = radius
         self.style_given = style
         self.until = until
-        self.plane = boxes.Plane(flatten)
+        self.heights = boxes.Heights(flatten)
         self.style: Optional[_Style] = None
         self.atoms: Optional[int] = None
         self.places: Dict[str, Place] = {}
@@ -97,12 +97,7 @@ class _Reader:
         if len(self.places) == self.atoms:
             self.lines.fail("Atoms", f"more than the {self.atoms} that the head of the file says")
         name = self.name(words, self.places, "Atoms")
-        at = [self.number(words[x + k], f"Atoms {axis}") for k, axis in enumerate("xyz")]
-        try:
-            self.plane.take(at[2])
-        except ValueError as error:
-            self.lines.fail("Atoms z", str(error))
-        self.places[name] = (at[0], at[1])
+        self.places[name] = tuple(self.number(words[x + k], f"Atoms {axis}") for k, axis in enumerate("xyz"))
         self.radii[name] = self.radius
         if self.radius is None and self.style.diameter is not None:
             self.radii[name] = self.number(words[self.style.diameter], "Atoms diameter") / 2
@@ -111,7 +106,7 @@ class _Reader:
         if len(words) < 4:
             self.lines.fail("Velocities", f"{len(words)} values, not 4 at least")
         name = self.name(words, self.velocities, "Velocities")
-        self.velocities[name] = (self.number(words[1], "Velocities vx"), self.number(words[2], "Velocities vy"))
+        self.velocities[name] = tuple(self.number(words[1 + k], f"Velocities v{axis}") for k, axis in enumerate("xyz"))
 
     def table(self) -> Table:
         self.lines.number = 0
@@ -121,19 +116,20 @@ class _Reader:
             self.lines.fail("Atoms", f"{len(self.places)} atoms, and the head of the file says {self.atoms}")
         if self.until is not None and self.velocities.keys() != self.places.keys():
             self.lines.fail("Velocities", "not those of the atoms: no motion until a time is known")
-        table = Table(self.radius is not None or self.style.diameter is not None)
+        dimension = 2 if self.heights.flatten else 3
+        table = Table(self.radius is not None or self.style.diameter is not None, dimension)
         try:
             for name, at in self.places.items():
-                table.add(name, Fraction(0), at, self.radii[name])
+                samples = [(Fraction(0), at)]
                 if self.until is not None:
-                    v = self.velocities[name]
-                    table.add(name, self.until, (at[0] + v[0] * self.until, at[1] + v[1] * self.until),
-                              self.radii[name])
+                    samples.append((self.until, tuple(x + self.until * v for x, v in zip(at, self.velocities[name]))))
+                for t, place in samples:
+                    self.heights.take(place[2])
+                    table.add(name, t, place[:dimension], self.radii[name])
         except Refused as refused:
             self.lines.fail(refused.field, refused.reason)
         table.remarks += self.remarks()
-        table.missing.append("the periodic images of the atoms, where the box is periodic: the file does not say whether "
-                             "it is")
+        table.missing.append(boxes.PERHAPS_MISSING)
         return table
 
     def remarks(self) -> Iterator[str]:
@@ -147,7 +143,7 @@ class _Reader:
             yield f"the radius of every disk is {numbers.text(self.radius)}, as given"
         elif self.style.diameter is None:
             yield "atoms of this style have no size: give --radius where the table is read"
-        yield from self.plane.remarks()
+        yield from self.heights.remarks()
         yield "no digit is lost: decimals are taken as they stand"
 
 

@@ -40,7 +40,7 @@ class _Reader:
         self.radius = radius
         self.timestep = timestep
         self.treatment = periodic
-        self.plane = boxes.Plane(flatten)
+        self.heights = boxes.Heights(flatten)
         self.columns: List[str] = []
         self.table: Optional[Table] = None
         self.frames = 0
@@ -123,9 +123,9 @@ class _Reader:
     def box(self, words: List[str]) -> Tuple[List[boxes.Bounds], List[Optional[bool]]]:
         if words[:1] and words[0] in ("xy", "abc"):
             self.fail("BOX BOUNDS", "a tilted box; only boxes along the axes are read")
-        periodic: List[Optional[bool]] = [None, None]
+        periodic: List[Optional[bool]] = [None, None, None]
         if len(words) >= 2:
-            periodic = ["p" in word for word in words[:2]]
+            periodic = ["p" in word for word in words[:3]]
         bounds = []
         for axis in ("x", "y", "z")[:len(words) if len(words) == 2 else 3]:
             cells = self.line("BOX BOUNDS").split()
@@ -135,6 +135,9 @@ class _Reader:
             if high < low:
                 self.fail("BOX BOUNDS", f"the bounds of {axis} are exchanged")
             bounds.append((low, high))
+        if len(words) == 2:  # a box in the plane
+            bounds.append((Fraction(0), Fraction(0)))
+            periodic.append(False)
         return bounds, periodic
 
     def axis(self, name: str) -> Optional[_Axis]:
@@ -146,21 +149,28 @@ class _Reader:
         return None
 
     def axes(self, frame: _Frame) -> List[_Axis]:
+        """Those of x and y, and that of z where the file has heights."""
         found = []
-        for k, name in enumerate("xy"):
+        for name in "xyz":
             axis = self.axis(name)
-            if axis is None:
+            if axis is None and name != "z":
                 self.fail("ATOMS", f"no column of {name}: one of {name}, {name}s, {name}u, {name}su")
-            try:
-                boxes.side(name, frame.periodic[k], self.treatment)
-            except ValueError as error:
-                self.fail("BOX BOUNDS", str(error))
-            if frame.periodic[k] is not False:
-                self.any_periodic = True
-                if self.treatment == boxes.UNWRAP and not axis.unwrapped and axis.image is None:
-                    self.fail("ATOMS", f"no column {name}u or i{name}, by which {name} could be unwrapped")
-            found.append(axis)
+            if axis is not None:
+                if name != "z":
+                    self.side(frame, axis, len(found))
+                found.append(axis)
         return found
+
+    def side(self, frame: _Frame, axis: _Axis, k: int) -> None:
+        """Refuses a periodic side of the box with which nothing is to be done."""
+        try:
+            boxes.side(axis.name, frame.periodic[k], self.treatment)
+        except ValueError as error:
+            self.fail("BOX BOUNDS", str(error))
+        if frame.periodic[k] is not False:
+            self.any_periodic = True
+            if self.treatment == boxes.UNWRAP and not axis.unwrapped and axis.image is None:
+                self.fail("ATOMS", f"no column {axis.name}u or i{axis.name}, by which {axis.name} could be unwrapped")
 
     def atoms(self, frame: _Frame) -> None:
         columns = {name: k for k, name in enumerate(self.columns)}
@@ -168,31 +178,32 @@ class _Reader:
             self.fail("ATOMS", "a column occurs twice")
         if "id" not in columns:
             self.fail("ATOMS", "no column id: the order of atoms says nothing about which is which")
-        axes, height = self.axes(frame), self.axis("z")
+        axes = self.axes(frame)
         size = next((name for name in ("radius", "diameter") if name in columns), None)
         if self.table is None:
-            self.table = Table(self.radius is not None or size is not None)
+            self.table = Table(self.radius is not None or size is not None, 2 if self.heights.flatten else len(axes))
         for _ in range(frame.atoms):
             row = self.line("ATOMS").split()
             if len(row) != len(columns):
                 self.fail("ATOMS", f"{len(row)} values, not the {len(columns)} of the columns")
-            self.atom(frame, row, columns, axes, height, size)
+            self.atom(frame, row, columns, axes, size)
         self.frames += 1
 
     def atom(self, frame: _Frame, row: List[str], columns: Dict[str, int], axes: List[_Axis],
-             height: Optional[_Axis], size: Optional[str]) -> None:
+             size: Optional[str]) -> None:
         name = str(self.integer(row[columns["id"]], "id"))
         radius = self.radius
         if radius is None and size is not None:
             radius = self.number(row[columns[size]], size) / (1 if size == "radius" else 2)
-        x, y = (self.coordinate(frame, row, axis, k, name) for k, axis in enumerate(axes))
-        if height is not None:
-            try:
-                self.plane.take(self.number(row[height.column], "z"))
-            except ValueError as error:
-                self.fail("z", str(error))
+        at = [self.coordinate(frame, row, axis, k, name) for k, axis in enumerate(axes)]
+        if len(axes) == 3:
+            self.heights.take(at[2])
+            if self.heights.flatten:
+                at.pop()
+            elif self.heights.differ:
+                self.side(frame, axes[2], 2)
         try:
-            self.table.add(name, frame.t, (x, y), radius, self.frames)
+            self.table.add(name, frame.t, tuple(at), radius, self.frames)
         except Refused as refused:
             self.fail(refused.field, refused.reason)
 
@@ -201,9 +212,9 @@ class _Reader:
         low, high = frame.bounds[k]
         if axis.scaled:
             value = low + value * (high - low)
-        if frame.periodic[k] is False or axis.unwrapped:
+        if frame.periodic[k] is False or axis.unwrapped or (axis.name == "z" and self.heights.flatten):
             return value
-        if self.treatment == boxes.UNWRAP:
+        if self.treatment == boxes.UNWRAP and axis.image is not None:
             return value + self.integer(row[axis.image], "i" + axis.name) * (high - low)
         last = self.table.last(name)
         if last is not None:
@@ -223,7 +234,7 @@ class _Reader:
             yield f"the radius of every disk is {numbers.text(self.radius)}, as given"
         elif not ({"radius", "diameter"} & set(self.columns)):
             yield "the file does not give radii: give --radius where the table is read"
-        yield from self.plane.remarks()
+        yield from self.heights.remarks()
         yield "no digit is lost: decimals are taken as they stand"
 
 

@@ -1,15 +1,29 @@
-"""The lines of a text file, plain or compressed by gzip, in bounded memory."""
+"""The bytes and the lines of a text file, plain or compressed by gzip or bzip2, in bounded memory."""
 
+import bz2
 import contextlib
 import gzip
 import io
 import sys
 import zlib
-from typing import Iterator, NoReturn
+from typing import BinaryIO, Iterator, NoReturn
 
 from .faults import fail
 
 LONGEST_LINE = 1 << 16
+
+
+def binary_input(path: str, stack: contextlib.ExitStack) -> BinaryIO:
+    """The expanded bytes of a file, which the stack closes; "-" is standard input.
+
+    Raises OSError; reading raises OSError, EOFError or zlib.error.
+    """
+    raw = sys.stdin.buffer if path == "-" else stack.enter_context(open(path, "rb"))
+    buffered = raw if hasattr(raw, "peek") else io.BufferedReader(raw)
+    start = buffered.peek(3)[:3]
+    if start[:2] == b"\x1f\x8b":
+        return gzip.GzipFile(fileobj=buffered)
+    return bz2.BZ2File(buffered) if start == b"BZh" else buffered
 
 
 class Lines:
@@ -31,11 +45,7 @@ class Lines:
                 fail(self.path, self.number, "", getattr(error, "strerror", None) or str(error))
 
     def _lines(self, stack: contextlib.ExitStack) -> Iterator[str]:
-        raw = sys.stdin.buffer if self.path == "-" else stack.enter_context(open(self.path, "rb"))
-        buffered = raw if hasattr(raw, "peek") else io.BufferedReader(raw)
-        if buffered.peek(2)[:2] == b"\x1f\x8b":
-            buffered = gzip.GzipFile(fileobj=buffered)
-        text = io.TextIOWrapper(buffered, encoding="utf-8-sig", errors="replace", newline=None)
+        text = io.TextIOWrapper(binary_input(self.path, stack), encoding="utf-8-sig", errors="replace", newline=None)
         if self.path == "-":
             stack.callback(text.detach)
         while True:

@@ -24,12 +24,15 @@ class _Disk(NamedTuple):
 class Table:
     """Waypoints, each written as it comes; of a disk only the last is kept in memory.
 
-    `with_radius`: the table has a column of radii. `dimension`: 2 or 3, the number of coordinates of a place.
+    `with_radius`: the table has a column of radii. `dimension`: 2 or 3, the number of coordinates of a place. A table
+    in space whose heights are all the same is written in the plane.
     """
 
     def __init__(self, with_radius: bool, dimension: int = 2):
         self._with_radius = with_radius
         self._axes = "xyz"[:dimension]
+        self._height: Optional[Fraction] = None  # where the first waypoint is
+        self._flat = True
         self._rows: IO[str] = tempfile.TemporaryFile("w+", encoding="utf-8", newline="\n")
         self._disks: Dict[str, _Disk] = {}
         self._waypoints = 0
@@ -71,6 +74,9 @@ class Table:
         if known is not None:
             self._follow(name, known, t, at, radius, frame)
         self._disks[name] = _Disk(t, at, radius, frame)
+        if self._axes == "xyz":
+            self._height = at[2] if self._height is None else self._height
+            self._flat = self._flat and at[2] == self._height
         self._span = (min(self._span[0], t), max(self._span[1], t)) if self._span else (t, t)
         cells = [name, *map(numbers.text, (t, *at))]
         if self._with_radius:
@@ -116,23 +122,31 @@ class Table:
         """
         heading = "".join(f"# {printable(said, 1000)}\n" for said in [
             *(f"remark: {remark}" for remark in self._remarks()), *self._missing()])
-        heading += ",".join(["disk", "t", *self._axes, *(["radius"] if self._with_radius else [])]) + "\n"
         self._rows.seek(0)
         try:
             if output == "-":
-                _copy(heading, self._rows, sys.stdout)
+                self._copy(heading, sys.stdout)
                 sys.stdout.flush()
             else:
                 with whole_file(output) as made:
-                    _copy(heading, self._rows, made)
+                    self._copy(heading, made)
         except OSError as error:
             raise OutputError(f"{printable(output, 4096)}: {error.strerror or error}") from error
 
-
-def _copy(heading: str, rows: IO[str], to: IO[str]) -> None:
-    to.write(heading)
-    while chunk := rows.read(1 << 20):
-        to.write(chunk)
+    def _copy(self, remarks: str, to: IO[str]) -> None:
+        columns = ["disk", "t", *self._axes, *(["radius"] if self._with_radius else [])]
+        one_height = self._axes == "xyz" and self._flat
+        if one_height:
+            columns.remove("z")
+        to.write(remarks + ",".join(columns) + "\n")
+        if one_height:
+            for row in self._rows:
+                cells = row.rstrip("\n").split(",")
+                del cells[4]  # z
+                to.write(",".join(cells) + "\n")
+        else:
+            while chunk := self._rows.read(1 << 20):
+                to.write(chunk)
 
 
 def _short(value: Fraction) -> str:
