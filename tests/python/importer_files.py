@@ -1,15 +1,18 @@
 """Small files as other programs write them, made for the tests of the importers, and what reads tables back."""
 
+import json
 import os
 import pathlib
 import sqlite3
 import struct
 import subprocess
 import sys
+import zipfile
 from fractions import Fraction
 
 import pytest
 
+import voroproof as vp
 from voroproof.importers import FORMATS
 
 DUMP = """ITEM: UNITS
@@ -101,6 +104,89 @@ DANISH = """# Timestamp,Type of mobile,MMSI,Latitude,Longitude,Navigational stat
 31/01/2021 23:59:55,Base Station,2190068,55.510000,10.900000,Unknown value,,,,
 """
 
+SCHEDULE = """statistics:
+  cost: 5
+  makespan: 3
+  runtime: 1.1e-05
+  highLevelExpanded: 1
+  lowLevelExpanded: 7
+schedule:
+  agent0:
+    - x: 0
+      y: 0
+      t: 0
+    - x: 1
+      y: 0
+      t: 1
+    - x: 2
+      y: 0
+      t: 2
+  agent1:
+    - x: 2
+      y: 2
+      t: 0
+    - x: 2
+      y: 2
+      t: 2
+    - x: 2
+      y: 1
+      t: 3
+"""
+
+LOG = """<?xml version="1.0" ?>
+<root>
+ <agents number="2">
+  <defaultparameters size="0.4"/>
+  <agent id="0" start.x="0" start.y="0" goal.x="3" goal.y="0"/>
+  <agent id="b" start.x="5" start.y="1" goal.x="5" goal.y="1"/>
+ </agents>
+ <map type="grid">
+  <grid width="6" height="2">
+   <row number="0">0 0 0 0 1 0 </row>
+  </grid>
+ </map>
+ <dynamicobstacles>
+  <defaultparameters size="0.33333"/>
+  <obstacle id="0">
+   <section id="0" start.x="0" start.y="9" goal.x="0" goal.y="9" duration="2.5"/>
+   <section id="1" start.x="0" start.y="9" goal.x="2" goal.y="8" duration="8.9442719"/>
+  </obstacle>
+ </dynamicobstacles>
+ <log>
+  <summary runtime="0.038355745" tries="1" agentssolved="2 (100.000000%)" flowtime="9.5" makespan="9.5"/>
+  <path>
+   <row number="0">* * * * 1 0 </row>
+  </path>
+  <agent id="0" start.x="0" start.y="0" start.heading="90" goal.x="3" goal.y="0" goal.heading="0" size="0.40000001">
+   <path pathfound="true" runtime="0.0007" duration="9.5">
+    <section id="0" start.x="0" start.y="0" start.heading="90" goal.x="0" goal.y="0" goal.heading="0" duration="2.5"/>
+    <section id="1" start.x="0" start.y="0" start.heading="0" goal.x="3" goal.y="0" goal.heading="0" duration="6"/>
+    <section id="2" start.x="3" start.y="0" start.heading="0" goal.x="3" goal.y="0" goal.heading="0" duration="1"/>
+   </path>
+  </agent>
+  <agent id="b" start.x="5" start.y="1" goal.x="5" goal.y="1" size="0.5">
+   <path pathfound="true" runtime="0.0001" duration="0"/>
+  </agent>
+ </log>
+</root>
+"""
+
+ZEROS = "0.000000," * 8
+POLYNOMIALS = "duration," + "".join(f"{axis}^{k}," for axis in ("x", "y", "z", "yaw") for k in range(8)) + f"""
+1.050000,0.000000,-0.000000,0.000000,-0.000000,0.830443,-0.276140,-0.384219,0.180493,\
+-0.000000,0.000000,-0.000000,0.000000,-1.356107,0.688430,0.587426,-0.329106,0.5{ZEROS[3:]}{ZEROS}
+0.710000,0.396058,0.918033,0.128965,-0.773546,0.339704,0.034310,-0.026417,-0.030049,\
+-0.445604,-0.684403,0.888433,1.493630,-1.361618,-0.139316,0.158875,0.095799,0.5{ZEROS[3:]}{ZEROS}
+"""
+
+TRAJECTORY = """{"version": 1, "takeoffTime": 6, "points": [
+  [0.0, [0.0, 0.0, 0.0], []],
+  [6, [0, 0, 12], [[0, 0, 0], [0, 0, 12]]],
+  [22, [12, 12, 12], [[-4, -20, 12], [32, 16, 12]]],
+  [38.0, [0, 0, 12], [[-6, 18, 12]]],
+  [50.3, [-6, -6.1, 18]]]}
+"""
+
 
 def periodic_dump(columns, *atoms):
     """A dump of one atom in a periodic box, a frame for each of its lines."""
@@ -138,13 +224,27 @@ def write_gsd(path, frames, box=(10, 8, 1, 0, 0, 0)):
             file.append(snapshot)
 
 
+def write_skyc(path, *trajectories, settings=(), show=None, packing=zipfile.ZIP_DEFLATED):
+    """A compiled show as Skybrush writes it, of a trajectory's text a drone, with more settings of the drones."""
+    drones = [{"type": "generic", "settings": {"trajectory": {"$ref": f"./drones/drone_{k}/trajectory.json#"},
+                                               "lights": {"$ref": f"./drones/drone_{k}/lights.json#"},
+                                               **(settings[k] if k < len(settings) else {})}}
+              for k in range(len(trajectories))]
+    made = {"version": 1, "environment": {"type": "outdoor"}, "swarm": {"drones": drones}, "meta": {"title": "a test"}}
+    with zipfile.ZipFile(path, "w", packing) as archive:
+        archive.writestr("show.json", json.dumps(made) if show is None else show)
+        for k, trajectory in enumerate(trajectories):
+            archive.writestr(f"drones/drone_{k}/trajectory.json", trajectory)
+            archive.writestr(f"drones/drone_{k}/lights.json", '{"version": 1, "data": "B6MQAA=="}')
+
+
 def single(value):
     """The binary32 that is nearest, exactly."""
     return Fraction(struct.unpack("<f", struct.pack("<f", value))[0])
 
 
 def rows_of(path):
-    """The waypoints of a table by disk: t, x, y, perhaps z, and the radius, where there is one, as Fractions."""
+    """The rows of a table by disk, as Fractions: t, x, y, perhaps z, and perhaps the radius; or the columns of pieces."""
     disks = {}
     lines = [line for line in pathlib.Path(path).read_text().splitlines() if not line.startswith("#")]
     for line in lines[1:]:
@@ -180,3 +280,29 @@ def command(*arguments, **kept):
 def program(*arguments):
     """The program voroproof on a file of paths."""
     return subprocess.run([os.environ["VOROPROOF_PROGRAM"], *map(str, arguments)], capture_output=True, text=True)
+
+
+def refusal(kind, path, **options):
+    with pytest.raises(vp.InputError) as caught:
+        FORMATS[kind].read(str(path), **options)
+    assert "\n" not in str(caught.value) and caught.value.file == str(path)
+    return caught.value
+
+
+def broken(random_source, data):
+    """The bytes with a few of them changed, taken out or doubled."""
+    data = bytearray(data)
+    for _ in range(random_source.randint(1, 4)):
+        k = random_source.randrange(len(data))
+        kind = random_source.randrange(4)
+        if kind == 0:
+            data[k] = random_source.choice(b"\x00\xff\n\r,\" #>:-.e0919azAZ")
+        elif kind == 1:
+            del data[k:k + random_source.randint(1, 9)]
+        elif kind == 2:
+            data[k:k] = data[k:k + random_source.randint(1, 40)]
+        else:
+            del data[k:]
+        if not data:
+            break
+    return bytes(data)

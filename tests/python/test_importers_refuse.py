@@ -7,17 +7,11 @@ from fractions import Fraction
 
 import pytest
 from dynamo_files import BETWEEN, HITS
-from importer_files import AMERICAN, DATA, DUMP, EXTENDED, SCENARIO, command, periodic_dump, write_gsd, write_jupedsim
+from importer_files import (AMERICAN, DATA, DUMP, EXTENDED, LOG, POLYNOMIALS, SCENARIO, SCHEDULE, TRAJECTORY, broken,
+                            command, periodic_dump, refusal, write_gsd, write_jupedsim, write_skyc)
 
 import voroproof as vp
 from voroproof.importers import FORMATS
-
-
-def refusal(kind, path, **options):
-    with pytest.raises(vp.InputError) as caught:
-        FORMATS[kind].read(str(path), **options)
-    assert "\n" not in str(caught.value) and caught.value.file == str(path)
-    return caught.value
 
 
 @pytest.mark.parametrize("old, new, line, field, reason", [
@@ -275,26 +269,8 @@ def test_nothing_is_left_where_writing_fails(tmp_path, monkeypatch):
     assert os.listdir(tmp_path) == ["a"]
 
 
-def broken(random_source, data):
-    """The bytes with a few of them changed, taken out or doubled."""
-    data = bytearray(data)
-    for _ in range(random_source.randint(1, 4)):
-        k = random_source.randrange(len(data))
-        kind = random_source.randrange(4)
-        if kind == 0:
-            data[k] = random_source.choice(b"\x00\xff\n\r,\" #>:-.e0919azAZ")
-        elif kind == 1:
-            del data[k:k + random_source.randint(1, 9)]
-        elif kind == 2:
-            data[k:k] = data[k:k + random_source.randint(1, 40)]
-        else:
-            del data[k:]
-        if not data:
-            break
-    return bytes(data)
-
-
-@pytest.mark.parametrize("kind", ["lammps-dump", "lammps-data", "bluesky", "ais", "xyz", "dynamo", "events", "jupedsim", "gsd"])
+@pytest.mark.parametrize("kind", ["lammps-dump", "lammps-data", "bluesky", "ais", "xyz", "dynamo", "events", "jupedsim",
+                                  "gsd", "mapf", "aa-sipp", "polynomials", "skybrush"])
 def test_whatever_is_broken_is_read_or_refused(tmp_path, kind):
     """No other error than InputError, whatever the bytes; scripts/fuzz.sh asks for other and for more changes."""
     whole = tmp_path / "whole"
@@ -304,9 +280,12 @@ def test_whatever_is_broken_is_read_or_refused(tmp_path, kind):
         write_jupedsim(whole)
     elif kind == "gsd":
         write_gsd(whole, [(0, [[0, 0, 0]], {}), (1, [[1, 0, 0]], {})])
+    elif kind == "skybrush":
+        write_skyc(whole, TRAJECTORY)
     else:
         whole.write_text({"lammps-dump": DUMP, "lammps-data": DATA, "bluesky": SCENARIO, "ais": AMERICAN, "xyz": EXTENDED,
-                          "dynamo": BETWEEN, "events": "".join(HITS)}[kind])
+                          "dynamo": BETWEEN, "events": "".join(HITS), "mapf": SCHEDULE, "aa-sipp": LOG,
+                          "polynomials": POLYNOMIALS}[kind])
     (tmp_path / "config").write_text(BETWEEN)
     def read(path):
         if kind == "events":

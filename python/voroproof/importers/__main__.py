@@ -7,7 +7,8 @@ from fractions import Fraction
 from typing import Any, Callable, Dict, List
 
 from ..errors import InputError, OutputError
-from . import (ais, boxes, bluesky, dynamo, geography, gsd_file, jupedsim, lammps_data, lammps_dump, numbers, xyz)
+from . import (aa_sipp, ais, boxes, bluesky, dynamo, geography, gsd_file, jupedsim, lammps_data, lammps_dump, mapf,
+               numbers, polynomials, skybrush, xyz)
 
 BAD_INPUT, INTERNAL, MEMORY, INTERRUPTED = 2, 4, 5, 6  # as the program's
 
@@ -80,18 +81,24 @@ READERS = {
     jupedsim: ("SQLite trajectories of JuPedSim", ["radius"]),
     bluesky: ("scenarios of BlueSky (.scn)", ["radius", "origin", "until"]),
     ais: ("tables of AIS messages", ["radius", "columns", "origin", "longest_gap", "until"]),
+    mapf: ("schedules of libMultiRobotPlanning (YAML)", ["radius"]),
+    aa_sipp: ("logs of AA-SIPP(m) (XML)", ["radius"]),
+    polynomials: ("polynomials of Crazyswarm and uav_trajectories, a file a drone", ["radius"]),
+    skybrush: ("compiled shows of Skybrush (.skyc)", ["radius"]),
 }
+SEVERAL = {polynomials}  # those that make one table of several files
 
 
 def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(
         prog="python3 -m voroproof.importers", allow_abbrev=False,
-        description="Make tables of waypoints, which voroproof clearance and convert read, of other programs' files, "
+        description="Make tables of paths, which voroproof clearance reads, of other programs' files, "
         "or scenes and histories, which voroproof certify reads. What the file cannot say is said, and stands in them.")
     formats = top.add_subparsers(metavar="FORMAT", required=True)
     for module, (what, options) in READERS.items():
         one = formats.add_parser(module.NAME, help=what, description=what, allow_abbrev=False)
-        one.add_argument("file", metavar="FILE", help='"-" is standard input, where the format is text')
+        one.add_argument("files", metavar="FILE", nargs="+" if module in SEVERAL else 1,
+                         help='"-" is standard input, where the format is text')
         one.add_argument("-o", "--output", required=True, metavar="OUT", help='"-" is standard output')
         for name in options:
             spelled = "atom-style" if name == "style" else name.replace("_", "-")
@@ -102,8 +109,8 @@ def parser() -> argparse.ArgumentParser:
 
 def require_apart(given: argparse.Namespace) -> None:
     """No file is written that is read, or written twice."""
-    read = [given.file, getattr(given, "events", None)]
-    if read == ["-", "-"]:
+    read = [*given.files, getattr(given, "events", None)]
+    if read.count("-") > 1:
         raise OutputError("-: would be read twice")
     written = list(filter(None, [given.output, getattr(given, "history", None)]))
     for name in filter(os.path.exists, written):
@@ -117,7 +124,7 @@ def run(arguments: List[str]) -> int:
     given = parser().parse_args(arguments)
     require_apart(given)
     reader: Callable[..., Any] = given.read
-    made = reader(given.file, **{name: getattr(given, name) for name in given.options})
+    made = reader(*given.files, **{name: getattr(given, name) for name in given.options})
     made.write(given.output)
     beside = sys.stderr if "-" in (given.output, getattr(given, "history", None)) else sys.stdout
     print("\n".join(made.summary()), file=beside)
