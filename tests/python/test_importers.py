@@ -51,7 +51,7 @@ def test_a_dump_of_lammps(given, tmp_path):
 def test_coordinates_are_unwrapped_and_unscaled(given, tmp_path, columns, atoms):
     rows, remarks = imported("lammps-dump", given(periodic_dump(columns, *atoms)), tmp_path, periodic="unwrap")
     assert rows == {"7": [(0, Fraction(5, 2), 4), (1, Fraction(7, 2), -4)]}
-    assert told(remarks, "missing: the box is periodic, and the periodic images")
+    assert not told(remarks, "missing:") and "# periodic: 4,8\n" in (tmp_path / "table.csv").read_text()
 
 
 def test_a_data_file_of_lammps(given, tmp_path):
@@ -222,8 +222,11 @@ def test_images_across_a_periodic_side_may_be_near(given, tmp_path):
     path = given("".join(f"ITEM: TIMESTEP\n{t}\n{head}1 0.2 5 0.25\n2 9.9 5 0.25\n" for t in (0, 1000)))
     assert command("lammps-dump", path, "--periodic", "as-is", "-o", tmp_path / "a.csv").returncode == 0
     judged = program("clearance", tmp_path / "a.csv", "--required", "0")
-    assert judged.returncode == 3 and "c missing: the box is periodic" in judged.stdout
-    assert judged.stdout.endswith("s UNDECIDED\n")
+    assert judged.returncode == 1 and "c least gap -0.2 (they overlap), of 1 2[-1,0] at t = 0\n" in judged.stdout
+    assert command("lammps-dump", given(path.read_text().replace("0 10\n", "0 11\n", 1)), "--periodic", "as-is", "-o",
+                   tmp_path / "a.csv").returncode == 0
+    judged = program("clearance", tmp_path / "a.csv", "--required", "0")
+    assert judged.returncode == 3 and "c missing: the periodic images of the disks: the box is not" in judged.stdout
 
 
 def test_importers_need_no_compiled_module(given, tmp_path):

@@ -52,7 +52,7 @@ def test_heights_of_dumps(given, tmp_path):
 def test_heights_are_unwrapped_as_the_rest_is(given, tmp_path, columns, atoms):
     rows, remarks = imported("lammps-dump", given(periodic_dump(columns, *atoms)), tmp_path, periodic="unwrap")
     assert rows == {"7": [(0, Fraction(5, 2), 4, Fraction(-1, 2)), (1, Fraction(7, 2), -4, Fraction(-3, 2))]}
-    assert told(remarks, "missing: the box is periodic")
+    assert not told(remarks, "missing:") and "# periodic: 4,8,2\n" in (tmp_path / "table.csv").read_text()
 
 
 @pytest.mark.parametrize("columns, atoms, treatment, reason", [
@@ -106,7 +106,8 @@ def test_extended_xyz(given, tmp_path):
     tenth = Fraction(1, 10)
     assert rows == {"7": [(half, 3 * half, -2, tenth, half), (3 * quarter, 3 * half, -7 * quarter, tenth, half)],
                     "3": [(half, 4, quarter, -tenth, quarter), (3 * quarter, 9 * half, quarter, 3 * tenth, quarter)]}
-    assert told(remarks, "missing: the box is periodic") and not told(remarks, "no ids")
+    assert not told(remarks, "missing:") and not told(remarks, "no ids")
+    assert "# periodic: 10,none,6\n" in (tmp_path / "table.csv").read_text()
     assert imported("xyz", given(EXTENDED), tmp_path, periodic="as-is", radius=Fraction(1))[0]["3"][0][4] == 1
     assert len(imported("xyz", given(EXTENDED), tmp_path, periodic="as-is", flatten=True)[0]["7"][0]) == 4
     # Spellings: other capitals, blanks about "=", names as ids, no box, the plane, bzip2.

@@ -35,6 +35,7 @@ class _Reader:
         self.treatment = periodic
         self.heights = boxes.Heights(flatten)
         self.count: Optional[int] = None
+        self.images = boxes.Images()
 
     def read(self) -> Table:
         frames = _open(self.path)
@@ -49,7 +50,7 @@ class _Reader:
             for k in range(len(frames)):
                 self.frame(table, frames, k)
         table.remarks += self.remarks()
-        table.missing.append(boxes.MISSING)
+        self.images.tell(table)
         return table
 
     def require_plausible(self, frames: Any, k: int) -> None:
@@ -93,6 +94,8 @@ class _Reader:
             fail(self.path, 0, field, "a tilted box; only boxes along the axes are read")
         if min(lengths[:2]) <= 0 or lengths[2] < 0:
             fail(self.path, 0, field, "no positive length")
+        for axis, length in enumerate(lengths):
+            self.images.take(axis, length != 0, length)
         return lengths
 
     def particle(self, table: Table, particles: Any, i: int, k: int, t: Fraction, lengths: List[Fraction],

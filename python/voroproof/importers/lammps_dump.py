@@ -46,7 +46,7 @@ class _Reader:
         self.frames = 0
         self.has_time = False
         self.units = ""
-        self.any_periodic = False
+        self.images = boxes.Images()
 
     def fail(self, field: str, reason: str) -> NoReturn:
         self.lines.fail(field, reason)
@@ -77,8 +77,7 @@ class _Reader:
             self.lines.number = 0
             self.fail("", "no frame: this is no dump of LAMMPS")
         self.table.remarks += self.remarks()
-        if self.any_periodic:
-            self.table.missing.append(boxes.MISSING)
+        self.images.tell(self.table)
         return self.table
 
     def head(self, item: str) -> _Frame:
@@ -156,6 +155,8 @@ class _Reader:
             if axis is None and name != "z":
                 self.fail("ATOMS", f"no column of {name}: one of {name}, {name}s, {name}u, {name}su")
             if axis is not None:
+                low, high = frame.bounds[len(found)]
+                self.images.take(len(found), frame.periodic[len(found)], high - low)
                 if name != "z":
                     self.side(frame, axis, len(found))
                 found.append(axis)
@@ -168,7 +169,6 @@ class _Reader:
         except ValueError as error:
             self.fail("BOX BOUNDS", str(error))
         if frame.periodic[k] is not False:
-            self.any_periodic = True
             if self.treatment == boxes.UNWRAP and not axis.unwrapped and axis.image is None:
                 self.fail("ATOMS", f"no column {axis.name}u or i{axis.name}, by which {axis.name} could be unwrapped")
 

@@ -32,6 +32,8 @@ class Paths:
         self.remarks: List[str] = []
         # Who and what may come near and is not in the table: nobody may call it free of approaches.
         self.missing: List[str] = []
+        # Of a box whose images all disks have, by axis; None where the axis is not periodic.
+        self.sides: List[Optional[Fraction]] = [None] * 3
 
     def __len__(self) -> int:
         return len(self._disks)
@@ -79,6 +81,10 @@ class Paths:
     def _own_remarks(self) -> Iterator[str]:
         raise NotImplementedError
 
+    def dimension(self) -> int:
+        """The number of coordinates of a place, as the table is written."""
+        return len(self._axes)
+
     def _columns(self) -> List[str]:
         """Between the name and the radius."""
         raise NotImplementedError
@@ -94,6 +100,9 @@ class Paths:
         """
         heading = "".join(f"# {printable(said, 1000)}\n" for said in [
             *(f"remark: {remark}" for remark in self._remarks()), *self._missing()])
+        sides = self.sides[:self.dimension()]
+        if any(sides):
+            heading += "# periodic: " + ",".join(numbers.text(side) if side else "none" for side in sides) + "\n"
         heading += ",".join(["disk", *self._columns(), *(["radius"] if self._with_radius else [])]) + "\n"
         try:
             if output == "-":
@@ -157,8 +166,11 @@ class Table(Paths):
         length = float(sum((now - before)**2 for now, before in zip(at, known.at)))**0.5
         self._farthest = max(self._farthest, (length, name, known.t), key=lambda leg: leg[0])
 
+    def dimension(self) -> int:
+        return 2 if self._flat else super().dimension()
+
     def _columns(self) -> List[str]:
-        return ["t", *(self._axes[:2] if self._flat else self._axes)]
+        return ["t", *self._axes[:self.dimension()]]
 
     def _written(self) -> Iterator[str]:
         self._rows.seek(0)
@@ -171,6 +183,8 @@ class Table(Paths):
             yield chunk
 
     def _own_remarks(self) -> Iterator[str]:
+        if self._flat and self.sides[2]:
+            yield "all heights are one, and images above and below are left out"
         if self._longest[1]:
             yield ("between its waypoints each disk is taken to move uniformly: at most for a time of "
                    f"{_short(self._longest[0])} (disk {self._longest[1]}, from t = {_short(self._longest[2])}), "

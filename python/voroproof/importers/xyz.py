@@ -58,7 +58,7 @@ class _Reader:
         self.species: List[str] = []  # where atoms have no ids
         self.frames = 0
         self.timed: Optional[str] = None  # by what frames have times
-        self.missing = ""
+        self.images = boxes.Images()
 
     def fail(self, field: str, reason: str) -> NoReturn:
         self.lines.fail(field, reason)
@@ -92,8 +92,7 @@ class _Reader:
             self.lines.number = 0
             self.fail("", "no frame: this is no xyz file")
         self.table.remarks += self.remarks()
-        if self.missing:
-            self.table.missing.append(self.missing)
+        self.images.tell(self.table)
         return self.table
 
     def head(self, atoms: int, comment: str) -> _Frame:
@@ -171,12 +170,8 @@ class _Reader:
 
     def side(self, frame: _Frame, k: int) -> None:
         """Refuses a periodic side of the box with which nothing is to be done."""
-        if frame.periodic[k] is False:
+        if frame.periodic[k] is False or frame.sides is None:
             return
-        if frame.sides is None:
-            self.missing = boxes.PERHAPS_MISSING
-            return
-        self.missing = boxes.MISSING
         if frame.sides[k] <= 0:
             self.fail("Lattice", "no positive length")
         if self.treatment == boxes.UNWRAP:
@@ -188,6 +183,8 @@ class _Reader:
 
     def atoms(self, frame: _Frame) -> None:
         dimension = frame.columns.named["pos"].count
+        for k in range(dimension):
+            self.images.take(k, frame.periodic[k], frame.sides[k] if frame.sides else None)
         for k in range(2):
             self.side(frame, k)
         if self.table is None:
