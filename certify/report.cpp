@@ -110,6 +110,13 @@ std::string coarse_times_line(const Rational& tolerance, const Rational& horizon
          number_text(ulp) + " allows for it";
 }
 
+// Where the tolerance is as long as the time that is judged, so that no event had to be claimed.
+// Else empty.
+std::string long_tolerance_line(const Rational& tolerance, const Rational& horizon) {
+  if (horizon == 0 || tolerance < horizon) return {};
+  return "the tolerance is as long as the time that is judged: no event of it had to be claimed";
+}
+
 std::string horizon_line(const Rational& horizon, const Rational& of_scene) {
   return "horizon " + exact_text(horizon) + " of the scene's " + exact_text(of_scene);
 }
@@ -181,7 +188,8 @@ VerdictWords words_of(const CertifyOptions& options, const Rational& horizon,
                                  std::string(l.words));
   }
   for (const std::string& line :
-       {horizon_line(c), coarse_times_line(options.tolerance, horizon), scope_line(options, c)}) {
+       {horizon_line(c), coarse_times_line(options.tolerance, horizon),
+        long_tolerance_line(options.tolerance, horizon), scope_line(options, c)}) {
     if (!line.empty()) words.reservations.push_back(line);
   }
   return words;
@@ -193,8 +201,10 @@ VerdictWords words_of_world(Verdict verdict, const Rational& horizon, const Rati
   words.verdict = verdict_line(verdict).substr(2);
   words.about = "all events of a world, " + up_to_line(horizon, tolerance);
   if (horizon != of_scene) words.reservations.push_back(horizon_line(horizon, of_scene));
-  const std::string coarse = coarse_times_line(tolerance, horizon);
-  if (!coarse.empty()) words.reservations.push_back(coarse);
+  for (const std::string& line :
+       {coarse_times_line(tolerance, horizon), long_tolerance_line(tolerance, horizon)}) {
+    if (!line.empty()) words.reservations.push_back(line);
+  }
   return words;
 }
 
@@ -244,6 +254,10 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
   if (options.truth == Truth::exact) {
     j["time_error_ulps"] = {
         {"max", c.ulps_max}, {"max_line", c.ulps_max_line}, {"mean", c.ulps_mean}};
+  }
+  if (run.least) {
+    j["least_tolerances"] = {{"times", run.least->times.get_str()},
+                             {"velocities", run.least->velocities.get_str()}};
   }
   for (const auto& [field, said] : run.second) j[field] = said;
   j["highest_bits"] = c.highest_bits;

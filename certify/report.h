@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,6 +12,11 @@
 #include "certify/options.h"
 
 namespace voroproof::internal {
+
+// The least tolerances under which a history is certified, as powers of ten.
+struct LeastTolerances {
+  Rational times, velocities;
+};
 
 // The facts of a report about the run, besides the certificate.
 struct CertificationRun {
@@ -22,6 +28,7 @@ struct CertificationRun {
   int disks = 0;
   Rational horizon;
   std::string evidence{};  // on a refutation: whether its witness was checked, and by what
+  std::optional<LeastTolerances> least{};  // where they were asked for, and there are any
   // The words of each second checker that was asked, by the name of its field.
   std::vector<std::pair<std::string, std::string>> second{};
 };

@@ -11,6 +11,7 @@
 #include "apps/cli/progress.h"
 #include "apps/run/begun_certificate.h"
 #include "apps/run/checkpoints.h"
+#include "apps/run/least_tolerances.h"
 #include "apps/run/limited_history.h"
 #include "apps/run/second_checker.h"
 #include "apps/run/told_certificate.h"
@@ -188,6 +189,12 @@ SecondWords ask(const std::vector<SecondChecker>& seconds, const CertifyRequest&
   return words;
 }
 
+// The least tolerances are found by reading the history several times.
+void require_whole_file(const CertifyRequest& request) {
+  if (request.least_tolerances && (is_stream(request.history) || request.max_events > 0))
+    throw UsageError("--least-tolerances: only of a whole file, which is read several times");
+}
+
 // Scenes of version 2 are certified whole, in their own ways.
 void require_plain(const CertifyRequest& request, const std::string& known) {
   if (request.order != "format" || request.kernel || request.proved || request.resume ||
@@ -200,17 +207,31 @@ void require_plain(const CertifyRequest& request, const std::string& known) {
 ExitCode certify_files_of_world(const CertifyRequest& request) {
   const std::string known = "a world is certified with --tolerance, --max-events and --quiet";
   require_plain(request, known);
-  if (request.events != "all" || !request.report.empty()) throw UsageError(known + " only");
+  if (request.events != "all" || !request.report.empty() || request.least_tolerances)
+    throw UsageError(known + " only");
   return certify_world(request);
 }
 
 ExitCode certify_files_of_billiard(const CertifyRequest& request) {
   const std::string known =
       "a billiard is certified with --truth recorded, --events, --tolerance, --law-tolerance, "
-      "--max-events, --report and --quiet";
+      "--max-events, --report, --least-tolerances and --quiet";
   require_plain(request, known);
   if (request.truth != "recorded") throw UsageError("--truth: " + known + " only");
   return certify_billiard(request);
+}
+
+// The certificate of the same bytes under other options.
+Certificate judge_anew(const CertifyRequest& request, const CertificationRun& run,
+                       const CertifyOptions& options) {
+  Claim claim = open_claim(request.scene, request.history);
+  claim.history->keep_digest();
+  Certificate certificate = certify(claim.scene, *claim.history, options);
+  claim.history->require_unchanged();
+  if (claim.scene.sha256 != run.scene_sha256 ||
+      claim.history->content_sha256() != run.history_sha256)
+    throw InputError(request.history, 0, "", "changes while it is read");
+  return certificate;
 }
 
 ExitCode certify_files(CertifyRequest& request) {
@@ -247,7 +268,7 @@ ExitCode certify_files(CertifyRequest& request) {
     tell(words_beside({request.report}), *done, {}, name_of_shard(request, *done), request.quiet);
     return exit_code(done->shard.certificate.verdict);
   }
-  const bool hashed = report_file || !seconds.empty();
+  const bool hashed = report_file || !seconds.empty() || request.least_tolerances;
   if (hashed) claim.history->keep_digest();
   std::optional<Progress> progress;
   progress.emplace(round_nearest(header.horizon), request.quiet);
@@ -260,6 +281,11 @@ ExitCode certify_files(CertifyRequest& request) {
   claim.history->require_unchanged();
   Certificate& certificate = file.shard.certificate;
   if (hashed && !file.shard.end) file.run.history_sha256 = claim.history->content_sha256();
+  if (request.least_tolerances && judged) {
+    add_least_tolerances(file, interruption, [&](const CertifyOptions& other) {
+      return judge_anew(request, file.run, other);
+    });
+  }
   const SecondWords second = ask(seconds, request, interruption, file);
   interruption.wind_up();
   file.run.evidence = checked_evidence(certificate, request.scene, request.history);
@@ -306,6 +332,7 @@ void add_certify(Verb& program) {
         return certify_diagram_files(request->diagram);
       }
       if (!request->shards.empty()) return merge_files(*request);
+      require_whole_file(*request);
       if (is_billiard_file(request->scene)) return certify_files_of_billiard(*request);
       return is_world_file(request->scene) ? certify_files_of_world(*request)
                                            : certify_files(*request);

@@ -7,8 +7,10 @@
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
 #include "apps/cli/progress.h"
+#include "apps/run/least_tolerances.h"
 #include "apps/run/told_certificate.h"
 #include "certify/billiards/billiard_certifier.h"
+#include "history/error.h"
 #include "history/event_limit.h"
 #include "history/output_file.h"
 #include "library/certification.h"
@@ -74,6 +76,15 @@ ExitCode certify_billiard(const CertifyRequest& request) {
     certificate.other_horizon = std::array{history.header().horizon, billiard.horizon};
   if (report) file.run.history_sha256 = history.content_sha256();
   if (certificate.divergence) file.run.evidence = "none";
+  if (request.least_tolerances) {
+    add_least_tolerances(file, interruption, [&](const CertifyOptions& other) {
+      BilliardHistoryReader again(request.history, &billiard);
+      Certificate anew = internal::certify_billiard(billiard, request.scene, again, other);
+      if (again.content_sha256() != history.content_sha256())
+        throw InputError(request.history, 0, "", "changes while it is read");
+      return anew;
+    });
+  }
   interruption.wind_up();
   if (report) {
     report->write(report_text(file.run, file.options, certificate));

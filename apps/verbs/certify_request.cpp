@@ -43,6 +43,10 @@ Verb& add_certify_options(Verb& program, const std::shared_ptr<CertifyRequest>& 
             "the horizon is less.");
   verb.text("--law-tolerance", request->law_tolerance, "RATIO",
             "How far claimed velocities may be off, relative to the speeds that meet; at most 1.");
+  verb.flag("--least-tolerances", request->least_tolerances,
+            "Judge the history anew under other tolerances, and say the least powers of ten that "
+            "certify it: whether events are wrong, or numbers only.")
+      .excludes({"--merge", "--part", "--resume"});
   verb.flag("--strict", request->options.strict,
             "Refute claims that are out of order, however near they are, quadruplets without "
             "orientation, and a horizon other than the scene's.");

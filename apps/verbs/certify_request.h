@@ -19,7 +19,7 @@ struct CertifyRequest {
   DiagramRequest diagram;
   CertifyOptions options;
   std::uint64_t max_events = 0, checkpoint = 10;
-  bool quiet = false, kernel = false, proved = false, resume = false;
+  bool quiet = false, least_tolerances = false, kernel = false, proved = false, resume = false;
 };
 
 // Reads the tolerances asked for, which must mean something for a history with that horizon. Throws

@@ -24,23 +24,34 @@ Foot foot(Offset a, Offset b) {
   return {x * x + y * y, part};
 }
 
-}  // namespace
-
-Conjunctions::Conjunctions(const PlanTask& task)
-    : task_(task), clearance_(round_nearest(task.clearance)) {
+// The exponent of the largest length of the task, 0 where all are zero.
+int exponent_of(const PlanTask& task) {
   double extent = 0;
   for (const Vehicle& v : task.vehicles) {
-    const Vec start{round_nearest(v.start.x), round_nearest(v.start.y)};
-    const Vec goal{round_nearest(v.goal.x), round_nearest(v.goal.y)};
-    ways_.push_back({start, {goal.x - start.x, goal.y - start.y}});
-    radii_.push_back(round_nearest(v.radius));
-    for (const double x : {start.x, start.y, goal.x, goal.y})
-      extent = std::max(extent, std::fabs(x));
-    extent = std::max(extent, radii_.back() + clearance_);
+    for (const Rational& x : {v.start.x, v.start.y, v.goal.x, v.goal.y, v.radius})
+      extent = std::max(extent, std::fabs(round_nearest(x)));
   }
-  // Coordinates are right to some units of 1e-16 of the extent.
-  doubt_ = 1e-12 * extent * extent;
-  margin_ = 1e-6 * extent;
+  extent = std::max(extent, round_nearest(task.clearance));
+  return extent == 0 ? 0 : std::ilogb(extent);
+}
+
+}  // namespace
+
+Conjunctions::Conjunctions(const PlanTask& task) : task_(task) {
+  // A power of two is the unit of length here, so that no product of lengths leaves the range of
+  // doubles, and all are at most 2.
+  const int unit = exponent_of(task);
+  const auto length = [&](const Rational& x) { return std::ldexp(round_nearest(x), -unit); };
+  clearance_ = length(task.clearance);
+  for (const Vehicle& v : task.vehicles) {
+    const Vec start{length(v.start.x), length(v.start.y)};
+    const Vec goal{length(v.goal.x), length(v.goal.y)};
+    ways_.push_back({start, {goal.x - start.x, goal.y - start.y}});
+    radii_.push_back(length(v.radius));
+  }
+  // Coordinates are right to some units of 1e-16.
+  doubt_ = 1e-11;
+  margin_ = 1e-5;
   const int n = static_cast<int>(ways_.size());
   neighbors_.resize(ways_.size());
   for (int i = 0; i < n; ++i) {

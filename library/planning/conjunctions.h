@@ -27,7 +27,8 @@ class Conjunctions {
   int count(int i, const Timetable& timetable, const std::vector<Timetable>& all, int enough) const;
 
   // The square of the least distance while the two progress linearly, i from a to b and j from c to
-  // d parts of its way, less the square of what they have to keep; and at which part of the time.
+  // d parts of its way, less the square of what they have to keep, in a unit of length of the task;
+  // and at which part of the time.
   struct Nearest {
     double excess, part;
   };

@@ -140,6 +140,25 @@ TEST(Planner, OneOfTwoGivesWay) {
   check_plan(result);
 }
 
+// The unit of length does not matter, up to the limits of scenes.
+TEST(Planner, AnyUnit) {
+  const auto timetables = [](int exponent) {
+    const Rational unit =
+        exponent < 0 ? Rational(1) / (Integer(1) << -exponent) : Rational(Integer(1) << exponent);
+    PlanTask task = plan_preset("square-to-circle");
+    for (Rational* x : {&task.container_center.x, &task.container_center.y, &task.container_radius,
+                        &task.clearance})
+      *x *= unit;
+    for (Vehicle& v : task.vehicles) {
+      for (Rational* x : {&v.radius, &v.start.x, &v.start.y, &v.goal.x, &v.goal.y}) *x *= unit;
+    }
+    return make_plan(task).plan.timetables;
+  };
+  const std::vector<Timetable> one = timetables(0);
+  for (const int exponent : {-320, -180, 180, 320})
+    EXPECT_EQ(timetables(exponent), one) << exponent;
+}
+
 // Exactly the clearance is enough; a little more is not to be had.
 TEST(Planner, TheClearanceIsExact) {
   const auto side_by_side = [](const Rational& clearance) {

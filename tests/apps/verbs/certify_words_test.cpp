@@ -1,6 +1,7 @@
 // What certify says besides the verdict, and of which bytes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -57,10 +58,12 @@ TEST_F(CertifyCli, LeniencyIsSaidQuietly) {
   });
   const Result out = must({"certify", small, empty, "--truth", "recorded", "--tolerance", "12",
                            "--quiet", "--report", file("r.json")});
-  EXPECT_EQ(out.out,
-            "c all events, recorded truth, up to t = 12, times within 12, velocities within 1e-9\n"
-            "c leniency: 1 events within the tolerance of the horizon that are not claimed\n"
-            "s CERTIFIED\n");
+  EXPECT_EQ(
+      out.out,
+      "c all events, recorded truth, up to t = 12, times within 12, velocities within 1e-9\n"
+      "c leniency: 1 events within the tolerance of the horizon that are not claimed\n"
+      "c the tolerance is as long as the time that is judged: no event of it had to be claimed\n"
+      "s CERTIFIED\n");
   const Json words = json("r.json")["words"];
   EXPECT_EQ(words["verdict"], "CERTIFIED");
   EXPECT_NE(words["reservations"][0].get<std::string>().find("not claimed"), std::string::npos);
@@ -85,6 +88,55 @@ TEST_F(CertifyCli, ToleranceBelowAnUlp) {
         must({"certify", late, path, "--truth", truth, "--tolerance", "0.0001220703125"});
     EXPECT_EQ(wide.out.find("apart"), std::string::npos) << wide.out;
   }
+}
+
+// Numbers that are off, and an event that is: wider tolerances tell them apart.
+TEST_F(CertifyCli, LeastTolerances) {
+  const std::string small = scene("20", disk("-6,0", "1", "1,0") + "," + disk("4,0", "1", "0,0"));
+  const std::string whole = history(small);  // one collision, at t = 8
+  const auto judged = [&](const std::string& path, const char* truth) {
+    return run({"certify", small, path, "--truth", truth, "--least-tolerances", "--report",
+                file("r.json")});
+  };
+  const auto collision = [](std::vector<std::string>& lines) -> std::string& {
+    return *std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
+      return line.find("collide") != std::string::npos;
+    });
+  };
+  const std::string late =
+      edited(whole, [&](auto& lines) { collision(lines).replace(0, 7, R"({"t":8.00003)"); });
+  for (const char* truth : {"exact", "recorded"}) {
+    Result out = judged(whole, truth);
+    EXPECT_EQ(out.code, 0);
+    EXPECT_NE(out.out.find("c the least powers of ten that certify the history are times within "),
+              std::string::npos)
+        << out.out;
+    out = judged(late, truth);
+    EXPECT_EQ(out.code, 1);
+    EXPECT_NE(out.out.find("c all events are right, and numbers leave the tolerances from t = "),
+              std::string::npos)
+        << out.out;
+    EXPECT_EQ(json("r.json")["least_tolerances"]["times"], "1/10000");
+    EXPECT_EQ(verdict({small, late, "--truth", truth, "--tolerance", "1e-4", "--law-tolerance",
+                       json("r.json")["least_tolerances"]["velocities"].get<std::string>()}),
+              "s CERTIFIED");
+  }
+  const std::string missing = edited(whole, [&](auto& lines) {
+    lines.erase(std::find(lines.begin(), lines.end(), collision(lines)));
+    lines.back() = R"({"end":{"t":20,"flips":)" + std::to_string(lines.size() - 2) +
+                   R"(,"collisions":0,"maneuvers":0}})";
+  });
+  for (const char* truth : {"exact", "recorded"}) {
+    const Result out = judged(missing, truth);
+    EXPECT_EQ(out.code, 1);
+    EXPECT_NE(out.out.find("c no wider tolerances certify the history: an event is wrong"),
+              std::string::npos)
+        << out.out;
+    EXPECT_FALSE(json("r.json").contains("least_tolerances"));
+  }
+  refused({"certify", small, whole, "--least-tolerances", "--max-events", "1"},
+          "--least-tolerances");
+  refused({"certify", small, "-", "--least-tolerances"}, "--least-tolerances");
 }
 
 }  // namespace
