@@ -104,7 +104,7 @@ TEST_F(CertifyCli, LeastTolerances) {
     });
   };
   const std::string late =
-      edited(whole, [&](auto& lines) { collision(lines).replace(0, 7, R"({"t":8.00003)"); });
+      edited(whole, [&](auto& lines) { collision(lines).replace(0, 6, R"({"t":8.00003)"); });
   for (const char* truth : {"exact", "recorded"}) {
     Result out = judged(whole, truth);
     EXPECT_EQ(out.code, 0);
