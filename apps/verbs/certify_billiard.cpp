@@ -58,7 +58,7 @@ ExitCode certify_billiard(const CertifyRequest& request) {
   BilliardHistoryReader history(request.history, &billiard);
   ShardFile file;
   file.options = request.options;
-  file.options.truth = Truth::recorded;
+  file.options.truth = request.truth == "exact" ? Truth::exact : Truth::recorded;
   file.options.motion.filters = filters_wanted();
   file.options.events = EventKinds::collisions;
   read_tolerances(request, history.header().horizon, file.options);

@@ -1,25 +1,8 @@
 // The certifier of billiards: whether the collisions and maneuvers of a history are those of its
-// recorded paths (docs/claim.md, section 9).
+// recorded paths, or those of the true motion of the scene (docs/claim.md, section 9).
 //
-// Every disk starts as the scene says and turns at the claimed times to the velocities claimed
-// there, so that the files determine all paths exactly. Each claim is held against the law of
-// collision. Then each pair that may meet, images and walls included, is followed from turn to
-// turn:
-//
-//  1. Who may meet. In a window of time the boxes that contain two disks of a pair at all times do
-//     not meet: then the two do not touch, and no entry nor episode of theirs begins, goes on or
-//     ends in it. All other pairs are followed, and those with a claim in the window, and those
-//     with an overlap in progress.
-//  2. Life of a pair. On lines that both keep the sign of the gap is that of a polynomial of degree
-//     at most 4 (filtered/billiards/billiard_gaps.h). Where it is certainly positive in doubles,
-//     nothing happens. Else its real roots are isolated, and its signs around them are exact, so
-//     that all entries and exits are found, and which overlaps are deeper than the rounding.
-//  3. A claim is answered by exactly one entry, or near approach (PairWatch::answers).
-//  4. An episode that is deeper than the rounding is answered in time, and ends in time, or the
-//     history is refuted for it (PairWatch::expire, PairWatch::close).
-//
-// Gaps are continuous in time, paths being so: an episode that is in progress at the end of a life
-// or window is in progress at the beginning of the next. Windows and doubles change no verdict.
+// The claims are read in windows of time. Each is held against the truth, and then all pairs that
+// may meet are followed through the window (billiard_truth.h).
 #pragma once
 
 #include <string>
@@ -30,8 +13,8 @@
 
 namespace voroproof::internal {
 
-// Judges the history to its end. Options: tolerances, the monitor, and whether doubles decide where
-// they can; the truth is the recorded one and all events are judged. Throws InputError, naming
+// Judges the history to its end. Options: the truth, tolerances, the monitor, the bits of numbers,
+// and whether doubles decide where they can; all events are judged. Throws InputError, naming
 // `scene_file`, where disks of the scene overlap or leave the frame, and CertificationInterrupted.
 Certificate certify_billiard(const Billiard& billiard, const std::string& scene_file,
                              BilliardHistoryReader& history, const CertifyOptions& options);

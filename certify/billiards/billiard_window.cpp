@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "certify/billiards/true_path.h"
 #include "filtered/motion/options.h"
 
 namespace voroproof::internal {
@@ -16,22 +17,28 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 MeetingPairs::MeetingPairs(const Billiard& billiard, const BilliardGaps<DoubleBall>& gaps)
     : billiard_(billiard), gaps_(gaps), lines_(billiard, gaps), near_(billiard) {}
 
-SweptBox MeetingPairs::box_of(GenId disk, const BilliardPath& path, const BilliardTime& from,
+template <class Path>
+SweptBox MeetingPairs::box_of(GenId disk, const Path& path, const BilliardTime& from,
                               const BilliardTime& to) const {
   SweptBox box = LineBoxes::empty();
+  const auto is_before = [](const DoubleBall& x, const DoubleBall& y) {
+    return sign(x - y) == Sign::negative;
+  };
   for (std::size_t k = 0; k < path.size(); ++k) {
-    const BilliardTime& begin = path[k].from.exact < from.exact ? from : path[k].from;
-    const bool ends_before = k + 1 < path.size() && path[k + 1].from.exact < to.exact;
-    const BilliardTime& end = ends_before ? path[k + 1].from : to;
-    if (end.exact < begin.exact || to.exact < begin.exact) continue;
-    lines_.extend(box, disk, path[k].near, begin.near, end.near);
+    const DoubleBall &start = path[k].near.t0,
+                     &begin = is_before(start, from.near) ? from.near : start;
+    const bool ends_before = k + 1 < path.size() && !is_before(to.near, path[k + 1].near.t0);
+    const DoubleBall& end = ends_before ? path[k + 1].near.t0 : to.near;
+    if (is_before(end, begin) || is_before(to.near, begin)) continue;
+    lines_.extend(box, disk, path[k].near, begin, end);
   }
   lines_.require_near(disk, box, to.near.mid);
   return box;
 }
 
 // How long the disks take, on the mean, for a part of the way between neighbours.
-void MeetingPairs::measure(const std::vector<BilliardPath>& paths, const BilliardTime& to) {
+template <class Path>
+void MeetingPairs::measure(const std::vector<Path>& paths, const BilliardTime& to) {
   double speeds = 0, moving = 0, fastest = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     Vector3<DoubleBall> v = gaps_.velocity(static_cast<GenId>(i), paths[i].back().near, to.near);
@@ -77,7 +84,8 @@ void MeetingPairs::adapt(std::size_t pairs) {
   }
 }
 
-void MeetingPairs::make_boxes(const std::vector<BilliardPath>& paths, const BilliardTime& from,
+template <class Path>
+void MeetingPairs::make_boxes(const std::vector<Path>& paths, const BilliardTime& from,
                               const BilliardTime& to) {
   boxes_.clear();
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -86,7 +94,8 @@ void MeetingPairs::make_boxes(const std::vector<BilliardPath>& paths, const Bill
 }
 
 // The pairs of disks that may meet. A window in which disks run past many images is split.
-void MeetingPairs::add_disks(const std::vector<BilliardPath>& paths, const BilliardTime& from,
+template <class Path>
+void MeetingPairs::add_disks(const std::vector<Path>& paths, const BilliardTime& from,
                              const BilliardTime& to, int splits, std::vector<BilliardPair>& pairs) {
   make_boxes(paths, from, to);
   splits_ = splits > 0;
@@ -102,8 +111,9 @@ void MeetingPairs::add_disks(const std::vector<BilliardPath>& paths, const Billi
   add_disks(paths, middle, to, splits + 1, pairs);
 }
 
-std::vector<BilliardPair> MeetingPairs::in(const std::vector<BilliardPath>& paths,
-                                           const BilliardTime& from, const BilliardTime& to) {
+template <class Path>
+std::vector<BilliardPair> MeetingPairs::in(const std::vector<Path>& paths, const BilliardTime& from,
+                                           const BilliardTime& to) {
   std::vector<BilliardPair> pairs;
   good_length_ = infinity;
   if (billiard_.last_wall() == 0 && paths.size() < 2) return pairs;
@@ -121,5 +131,10 @@ std::vector<BilliardPair> MeetingPairs::in(const std::vector<BilliardPath>& path
   measure(paths, to);
   return pairs;
 }
+
+template std::vector<BilliardPair> MeetingPairs::in(const std::vector<BilliardPath>&,
+                                                    const BilliardTime&, const BilliardTime&);
+template std::vector<BilliardPair> MeetingPairs::in(const std::vector<TruePath>&,
+                                                    const BilliardTime&, const BilliardTime&);
 
 }  // namespace voroproof::internal

@@ -14,8 +14,10 @@ class MeetingPairs {
   MeetingPairs(const Billiard& billiard, const BilliardGaps<DoubleBall>& gaps);
 
   // All pairs of disks that may meet in the window, and all of a wall and a disk, in order. Throws
-  // Undecided where a disk is farther out than images are counted.
-  std::vector<BilliardPair> in(const std::vector<BilliardPath>& paths, const BilliardTime& from,
+  // Undecided where a disk is farther out than images are counted. A path is a sequence of lines,
+  // of which it takes `near`; a line ends where the next begins.
+  template <class Path>
+  std::vector<BilliardPair> in(const std::vector<Path>& paths, const BilliardTime& from,
                                const BilliardTime& to);
 
   // How long the next window is to be: as long as disks take for about the way between neighbours;
@@ -27,13 +29,16 @@ class MeetingPairs {
   void adapt(std::size_t pairs);
 
  private:
-  void make_boxes(const std::vector<BilliardPath>& paths, const BilliardTime& from,
-                  const BilliardTime& to);
-  void add_disks(const std::vector<BilliardPath>& paths, const BilliardTime& from,
-                 const BilliardTime& to, int splits, std::vector<BilliardPair>& pairs);
-  SweptBox box_of(GenId disk, const BilliardPath& path, const BilliardTime& from,
+  template <class Path>
+  void make_boxes(const std::vector<Path>& paths, const BilliardTime& from, const BilliardTime& to);
+  template <class Path>
+  void add_disks(const std::vector<Path>& paths, const BilliardTime& from, const BilliardTime& to,
+                 int splits, std::vector<BilliardPair>& pairs);
+  template <class Path>
+  SweptBox box_of(GenId disk, const Path& path, const BilliardTime& from,
                   const BilliardTime& to) const;
-  void measure(const std::vector<BilliardPath>& paths, const BilliardTime& to);
+  template <class Path>
+  void measure(const std::vector<Path>& paths, const BilliardTime& to);
 
   const Billiard& billiard_;
   const BilliardGaps<DoubleBall>& gaps_;

@@ -35,7 +35,8 @@ PairWatch::PairWatch(const Billiard& billiard, const Rational& horizon, const Ra
       tolerance_up_(round_up(tolerance)),
       filters_(filters),
       exact_(billiard),
-      near_(billiard) {}
+      near_(billiard),
+      images_(billiard, exact_) {}
 
 std::string PairWatch::name(const BilliardPair& pair) const { return name_of(billiard_, pair); }
 
@@ -215,7 +216,7 @@ void PairWatch::judge_life(const Life& life, Walk& walk) const {
 }
 
 void PairWatch::follow(const BilliardPair& pair, const BilliardPath& a, const BilliardPath& b,
-                       std::span<const BilliardClaim> claims, const Window& window,
+                       std::span<const BilliardClaim> claims, const BilliardWindow& window,
                        PairState& state, BilliardFindings& found) const {
   constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
   Walk walk{pair, window, state, found};

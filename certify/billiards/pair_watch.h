@@ -8,31 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "certify/billiards/billiard_path.h"
-#include "certify/certificate.h"
+#include "certify/billiards/billiard_truth.h"
+#include "certify/billiards/near_images.h"
 #include "exact/algebraic.h"
 
 namespace voroproof::internal {
-
-// A fault of the history. The one of the smallest line is told, of one line the earliest.
-struct BilliardFault {
-  Fault kind;
-  std::int64_t line;
-  double t;
-  std::string truth;
-  std::optional<std::pair<GenId, GenId>> contact{};  // which two touch, or are said to
-};
-
-// The faults found so far, and the counts.
-struct BilliardFindings {
-  std::vector<BilliardFault> faults;
-  std::int64_t pair_lives = 0, grazes = 0, rounding_overlaps = 0, left_out = 0;
-};
-
-struct BilliardClaim {
-  std::int64_t number, line;  // counted from 0 in the history
-  BilliardTime t;
-};
 
 // base + u, u an algebraic number.
 struct EntryTime {
@@ -69,29 +49,16 @@ class PairWatch {
   PairWatch(const Billiard& billiard, const Rational& horizon, const Rational& tolerance,
             const Rational& extent, bool filters);
 
-  // The window [from, to] of time, at whose end the claims up to `to` have been read. The history
-  // tells what happens up to `until`: the horizon, or where it stops. `last`: no claim comes any
-  // more.
-  struct Window {
-    BilliardTime from, to;
-    Rational until;
-    bool last;
-    const std::vector<BilliardTime>* times;  // its claims', in order
-    std::int64_t first_line;                 // its first claim's, or that of what follows it
-  };
-
   // Follows the pair through the window. `a` is ignored for a wall. `claims`: those of this pair,
   // in order.
   void follow(const BilliardPair& pair, const BilliardPath& a, const BilliardPath& b,
-              std::span<const BilliardClaim> claims, const Window& window, PairState& state,
+              std::span<const BilliardClaim> claims, const BilliardWindow& window, PairState& state,
               BilliardFindings& found) const;
 
   const BilliardGaps<Rational>& exact() const { return exact_; }
   const BilliardGaps<DoubleBall>& near() const { return near_; }
 
-  // The image of the pair's second disk that is nearest to the first one at t.
-  LatticeImage nearest_image(const BilliardPair& pair, const Flight<Rational>& a,
-                             const Flight<Rational>& b, const Rational& t) const;
+  const NearImages& images() const { return images_; }
 
   // "disks 0 and 1", "disk 3 and wall -2", with the image where it is another than the disk itself.
   std::string name(const BilliardPair& pair) const;
@@ -117,19 +84,13 @@ class PairWatch {
   // The pair on its way through a window.
   struct Walk {
     const BilliardPair& pair;
-    const Window& window;
+    const BilliardWindow& window;
     PairState& state;
     BilliardFindings& found;
 
     // The line of the first claim after that time.
     std::int64_t line_after(const EntryTime& x) const {
-      const auto& times = *window.times;
-      std::int64_t line = window.first_line;
-      for (const BilliardTime& t : times) {
-        if ((x <=> t.value()) < 0) break;
-        ++line;
-      }
-      return line;
+      return window.line_after([&](const BilliardTime& t) { return (x <=> t.value()) < 0; });
     }
   };
 
@@ -142,8 +103,6 @@ class PairWatch {
   bool answers(const Life& life, const BilliardClaim& claim, Walk& walk) const;
   bool comes_near(const Life& life, const Rational& t, Walk& walk) const;
   BilliardFault fault_of(const Life& life, const BilliardClaim& claim) const;
-  std::vector<LatticeImage> images_near(const BilliardPair& pair, const Flight<Rational>& a,
-                                        const Flight<Rational>& b, const Rational& t) const;
   std::optional<LatticeImage> touching_image(const Life& life, const Rational& t) const;
   bool is_deeper_in(const Life& life, const Rational& depth, const Rational& lo,
                     const Rational& hi) const;
@@ -162,6 +121,7 @@ class PairWatch {
   bool filters_;
   BilliardGaps<Rational> exact_;
   BilliardGaps<DoubleBall> near_;
+  NearImages images_;
 };
 
 }  // namespace voroproof::internal

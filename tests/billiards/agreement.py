@@ -1,11 +1,12 @@
 """The certifier of billiards and the brute-force judge, on the histories of an engine in doubles and on wrong ones.
 
-    agreement.py PROGRAM [FIRST_SEED] [SCENES]
+    agreement.py PROGRAM [FIRST_SEED] [SCENES] [recorded|exact]
 
-For each seed: a scene and its right history, which both must certify, and one mutant of each kind. Where the judge
-refutes, so must the program; where it certifies, so must the program. The history that the program simulates must be
-certified by both, and begin as that of the engine in doubles. The verdict and its line are the same without filters,
-and after exact transformations. Counts by kind on standard output; exit code 1 after a disagreement.
+For each seed: a scene and its history, and one mutant of each kind. Where the judge of that truth refutes, so must the
+program; where it certifies, so must the program. Under the recorded truth both must certify the history; under the
+exact one its roundings may have grown too large. The history that the program simulates must be certified by both, and
+begin as that of the engine in doubles. The verdict and its line are the same without filters, and after exact
+transformations. Counts by kind on standard output; exit code 1 after a disagreement.
 """
 
 import collections
@@ -22,6 +23,7 @@ from engine import history_bytes, make
 from judge import judge
 from mutants import KINDS, mutate
 from transforms import TRANSFORMS
+from truth import Tie, TrueJudge, TrueMotion
 
 WORDS = {0: "CERTIFIED", 1: "REFUTED", 2: "INVALID", 3: "UNDECIDED"}
 
@@ -31,9 +33,9 @@ def write(path, data):
         file.write(data)
 
 
-def told(program, scene, history, tolerance="1e-6", filters="on"):
+def told(program, truth, scene, history, tolerance="1e-6", filters="on"):
     """The program's word, and the line that it names."""
-    run = subprocess.run([program, "certify", scene, history, "--truth", "recorded", "--quiet",
+    run = subprocess.run([program, "certify", scene, history, "--truth", truth, "--quiet",
                           "--tolerance", tolerance], env=dict(os.environ, VOROPROOF_FILTERS=filters),
                          capture_output=True, text=True, timeout=300, check=False)
     words = run.stderr.split("line ", 1)
@@ -41,14 +43,25 @@ def told(program, scene, history, tolerance="1e-6", filters="on"):
     return WORDS.get(run.returncode, f"exit {run.returncode}"), line, run.stderr.strip()
 
 
-def judged(scene, rows):
+def recorded_judge(scene):
+    return lambda history: judge(scene, history)
+
+
+def exact_judge(scene):
+    return TrueJudge(scene, TrueMotion(scene)).verdict
+
+
+JUDGES = {"recorded": recorded_judge, "exact": exact_judge}
+
+
+def judged(verdict, scene, rows):
     try:
-        return judge(scene, History(history_bytes(rows), scene))
+        return verdict(History(history_bytes(rows), scene))
     except Malformed as fault:
         return fault.line, fault.reason
 
 
-def stays(program, folder, scene, rows, said):
+def stays(program, truth, folder, scene, rows, said):
     """The first transformation after which something else is said; None where nothing changes."""
     for name, transform in TRANSFORMS.items():
         data, other, time = transform(scene, rows)
@@ -58,25 +71,25 @@ def stays(program, folder, scene, rows, said):
         write(paths[0], raw)
         write(paths[1], history_bytes(other))
         tolerance = Fraction(1, 10 ** 6) * time
-        if told(program, *paths, f"{tolerance.numerator}/{tolerance.denominator}")[:2] != said[:2]:
+        if told(program, truth, *paths, f"{tolerance.numerator}/{tolerance.denominator}")[:2] != said[:2]:
             return name
     return None
 
 
-def compare(program, folder, scene, scene_path, name, rows, counts):
+def compare(program, truth, verdict, folder, scene, scene_path, name, rows, counts):
     """Whether the two agree; a disagreement is told."""
     history_path = os.path.join(folder, "history.jsonl")
     write(history_path, history_bytes(rows))
-    said = word, line, words = told(program, scene_path, history_path)
-    if told(program, scene_path, history_path, filters="off")[:2] != said[:2]:
+    said = word, line, words = told(program, truth, scene_path, history_path)
+    if told(program, truth, scene_path, history_path, filters="off")[:2] != said[:2]:
         print(f"{name}: without filters another verdict than {said}")
         return False
     with open(scene_path, encoding="utf-8") as file:
-        changed = stays(program, folder, json.load(file), rows, said)
+        changed = stays(program, truth, folder, json.load(file), rows, said)
     if changed:
         print(f"{name}: {changed}, another verdict than {said}")
         return False
-    fault = judged(scene, rows)
+    fault = judged(verdict, scene, rows)
     counts[name, word] += 1
     if word == "REFUTED" and fault and line != fault[0]:
         counts[name, "at another line"] += 1
@@ -113,6 +126,7 @@ def main():
     program = sys.argv[1]
     first = int(sys.argv[2]) if len(sys.argv) > 2 else 0
     scenes = int(sys.argv[3]) if len(sys.argv) > 3 else 100
+    truth = sys.argv[4] if len(sys.argv) > 4 else "recorded"
     counts, disagreements = collections.Counter(), 0
     with tempfile.TemporaryDirectory() as folder:
         scene_path = os.path.join(folder, "scene.json")
@@ -120,13 +134,19 @@ def main():
             raw, rows = make(seed)
             write(scene_path, raw)
             scene = Scene(raw)
+            try:
+                verdict = JUDGES[truth](scene)
+            except Tie:
+                counts["all", "not told"] += 1
+                continue
             own = simulated(program, folder, scene_path)
             if own and not begin_alike(own, rows):
                 print(f"simulate tells otherwise than the engine in doubles\n  seed {seed}")
                 disagreements += 1
-            histories = [("right", rows), ("simulated", own)] + [(kind, mutate(scene, rows, seed, kind)) for kind in KINDS]
+            histories = [("right", rows), ("simulated", own)]
+            histories += [(kind, mutate(scene, rows, seed, kind)) for kind in KINDS]
             for name, altered in histories:
-                if altered and not compare(program, folder, scene, scene_path, f"{name}", altered, counts):
+                if altered and not compare(program, truth, verdict, folder, scene, scene_path, name, altered, counts):
                     print(f"  seed {seed}")
                     disagreements += 1
     for (name, word), count in sorted(counts.items()):

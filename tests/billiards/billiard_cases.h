@@ -18,6 +18,7 @@ struct BilliardCase {
   int collisions = 0, maneuvers = 0;
   Rational tolerance{1, 1000000};
   std::string last{};  // the last line, where it is not that of a history that ends
+  Truth truth = Truth::recorded;
 
   std::string scene() const {
     return R"({"format":"voroproof-scene","version":2,"contacts":"bounce","horizon":)" + horizon +
@@ -38,7 +39,8 @@ struct BilliardCase {
     text += (last.empty() ? end : last) + "\n";
     BilliardHistoryReader history(folder.write("a.history.jsonl", text), &billiard);
     CertifyOptions options;
-    options.truth = Truth::recorded;
+    options.truth = truth;
+    options.motion.max_bits = 2048;
     options.tolerance = tolerance;
     return certify_billiard(billiard, scene_file, history, options);
   }
@@ -58,6 +60,15 @@ inline void expect_certified(const BilliardCase& c) {
   const Certificate certificate = c.judge();
   EXPECT_EQ(certificate.verdict, Verdict::certified)
       << (certificate.divergence ? certificate.divergence->truth : certificate.reason);
+}
+
+inline void expect_refuted(const BilliardCase& c, Fault fault, std::int64_t line) {
+  const Certificate certificate = c.judge();
+  ASSERT_EQ(certificate.verdict, Verdict::refuted) << certificate.reason;
+  EXPECT_EQ(fault_names[static_cast<int>(certificate.divergence->fault)],
+            fault_names[static_cast<int>(fault)])
+      << certificate.divergence->truth;
+  EXPECT_EQ(certificate.divergence->line, line) << certificate.divergence->truth;
 }
 
 }  // namespace voroproof::internal::testing

@@ -9,15 +9,6 @@
 namespace voroproof::internal::testing {
 namespace {
 
-void expect_refuted(const BilliardCase& c, Fault fault, std::int64_t line) {
-  const Certificate certificate = c.judge();
-  ASSERT_EQ(certificate.verdict, Verdict::refuted) << certificate.reason;
-  EXPECT_EQ(fault_names[static_cast<int>(certificate.divergence->fault)],
-            fault_names[static_cast<int>(fault)])
-      << certificate.divergence->truth;
-  EXPECT_EQ(certificate.divergence->line, line) << certificate.divergence->truth;
-}
-
 TEST(BilliardCertifier, HeadOn) {
   BilliardCase c = head_on();
   expect_certified(c);
