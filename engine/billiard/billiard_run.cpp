@@ -346,10 +346,16 @@ BilliardOutcome run_billiard(const Billiard& billiard, const BilliardOptions& op
                              const std::function<void(const BilliardEvent&)>& tell) {
   BilliardOutcome outcome;
   std::uint64_t told = 0;
-  if (run_once<Rational>(billiard, 0, options, told, tell, outcome)) return outcome;
-  for (int bits = options.start_bits;; bits *= 2) {
-    if (run_once<Ball>(billiard, bits, options, told, tell, outcome)) return outcome;
-  }
+  double last = 0;  // the rounded time of the last event, which an enclosure's middle may precede
+  const auto tell_on = [&](const BilliardEvent& event) {
+    last = round_nearest(Rational(event.t));
+    tell(event);
+  };
+  bool ended = run_once<Rational>(billiard, 0, options, told, tell_on, outcome);
+  for (int bits = options.start_bits; !ended; bits *= 2)
+    ended = run_once<Ball>(billiard, bits, options, told, tell_on, outcome);
+  outcome.t = std::max(outcome.t, last);
+  return outcome;
 }
 
 }  // namespace voroproof::internal

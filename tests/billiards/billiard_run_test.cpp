@@ -144,5 +144,19 @@ TEST(BilliardRun, StopsWithAReason) {
             (BilliardPair{0, 1, {-1, 0, 0}}));
 }
 
+// Two pairs collide at an irrational instant, the middle of whose enclosure is less than its
+// rounding; then two ties are not told.
+TEST(BilliardRun, StopsNoSoonerThanItsLastEvent) {
+  const ToldRun stopped = run(billiard("20", R"("frame":"none","disks":[
+      {"center":[0,0],"radius":1,"velocity":[1,0]},{"center":[8,1],"radius":1,"velocity":[0,0]},
+      {"center":[8,-1],"radius":1,"velocity":[0,0]},
+      {"center":[0,30],"radius":1,"velocity":[2,0]},{"center":[5,31],"radius":1,"velocity":[0,0]},
+      {"center":[0,50],"radius":1,"velocity":[1,0]},{"center":[4,51],"radius":1,"velocity":[0,0]},
+      {"center":[0,10],"radius":1,"velocity":[1,0]},{"center":[4,11],"radius":1,"velocity":[0,0]}])"));
+  EXPECT_EQ(stopped.outcome.kind, BilliardOutcome::Kind::stopped);
+  ASSERT_FALSE(stopped.events.empty());
+  EXPECT_EQ(CompactRational(stopped.outcome.t), stopped.events.back().t) << stopped.text();
+}
+
 }  // namespace
 }  // namespace voroproof::internal::testing
