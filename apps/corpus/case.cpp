@@ -8,6 +8,7 @@
 #include "history/file_bytes.h"
 #include "history/format_version.h"
 #include "history/json_reader.h"
+#include "history/scene.h"
 
 namespace voroproof::internal {
 namespace {
@@ -165,6 +166,17 @@ void select(std::vector<CorpusCase>& cases, const std::vector<std::string>& word
   });
 }
 
+// Whether a number of the scene is exact text, such as "1/3".
+bool has_exact_number(const CorpusCase& c) {
+  const std::string scene = file_bytes(c.scene(), max_scene_bytes);
+  for (std::size_t k = scene.find('"'); k != std::string::npos; k = scene.find('"', k + 1)) {
+    if (k + 1 < scene.size() &&
+        std::string_view("+-.0123456789").find(scene[k + 1]) != std::string_view::npos)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string corpus_beside_program() {
@@ -192,6 +204,7 @@ std::vector<CorpusCase> find_cases(const std::string& root, const CaseSelection&
   select(cases, selection.families, "of the family", is_of);
   select(cases, selection.tags, "with the tag", has_tag);
   select(cases, selection.names, "named", is_named);
+  if (selection.doubles) std::erase_if(cases, has_exact_number);
   return cases;
 }
 

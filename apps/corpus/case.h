@@ -42,6 +42,7 @@ struct CorpusCase {
 // Which cases are wanted; an empty list asks for all.
 struct CaseSelection {
   std::vector<std::string> families, tags, names;  // a name is NAME or FAMILY/NAME
+  bool doubles = false;  // only scenes all of whose numbers are JSON numbers, no exact text
 };
 
 // The corpus that comes with the program, found beside it: corpus/cases of the source tree that it

@@ -78,7 +78,7 @@ class Search {
   int least_times_, most_times_;
 };
 
-// What they say of a history with that certificate, in one line.
+// Says in one line how good a history with that certificate is.
 std::string line_of(const std::optional<LeastTolerances>& least, const Certificate& certificate) {
   if (!least) {
     return certificate.verdict == Verdict::refuted

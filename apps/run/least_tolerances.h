@@ -18,8 +18,8 @@ using JudgeAnew = std::function<Certificate(const CertifyOptions&)>;
 
 // Finds the least powers of ten by judging anew, from the tolerances of the certificate in the file
 // on: those of times up to a tenth of the horizon and down to the rounding of its times, those of
-// velocities from 1e-16 to 1/10; the least of times first. Adds them to the file's run, and a remark
-// about them to its certificate. Throws Interrupted.
+// velocities from 1e-16 to 1/10; the least of times first. Adds them to the file's run, and a
+// remark about them to its certificate. Throws Interrupted.
 void add_least_tolerances(ShardFile& file, const CooperativeInterruption& interruption,
                           const JudgeAnew& judge);
 

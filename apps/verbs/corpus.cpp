@@ -24,6 +24,7 @@ namespace {
 struct Request {
   std::string root;  // empty: the corpus beside the program
   CaseSelection selection;
+  std::string numbers = "all";
   // The options of `corpus run`.
   ProgramRun program;
   std::string json, html;
@@ -35,7 +36,9 @@ std::vector<CorpusCase> cases_of(const Request& request) {
     throw UsageError("no corpus beside this program: name the folder of its cases (--corpus)");
   }
   try {
-    return find_cases(root, request.selection);
+    CaseSelection selection = request.selection;
+    selection.doubles = request.numbers == "doubles";
+    return find_cases(root, selection);
   } catch (const CorpusError& error) {
     throw UsageError(error.what());
   }
@@ -138,6 +141,9 @@ void add_corpus_folder(Verb& verb, Request& request) {
 void add_selection(Verb& verb, Request& request) {
   verb.list("--family", request.selection.families, "NAME", "Only cases of this family.");
   verb.list("--tag", request.selection.tags, "NAME", "Only cases with this tag.");
+  verb.choice("--numbers", {"all", "doubles"}, request.numbers,
+              "All scenes, or those whose numbers are all JSON numbers, for engines that read no "
+              "exact text such as \"1/3\".");
 }
 
 void add_list(Verb& corpus) {

@@ -35,7 +35,7 @@ class Images:
         self._missing: Dict[int, str] = {}  # by axis
 
     def take(self, axis: int, periodic: Optional[bool], length: Optional[Fraction]) -> None:
-        """Of one frame. `periodic` or `length` None: the file does not say."""
+        """Takes one frame. `periodic` or `length` None: the file does not say."""
         if periodic is None or (periodic and length is None):
             self._missing[axis] = PERHAPS_MISSING
         side = length if periodic else None

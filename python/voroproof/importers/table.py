@@ -32,7 +32,7 @@ class Paths:
         self.remarks: List[str] = []
         # Who and what may come near and is not in the table: nobody may call it free of approaches.
         self.missing: List[str] = []
-        # Of a box whose images all disks have, by axis; None where the axis is not periodic.
+        # The sides of a box whose images all disks have, by axis; None where the axis is not periodic.
         self.sides: List[Optional[Fraction]] = [None] * 3
 
     def __len__(self) -> int:

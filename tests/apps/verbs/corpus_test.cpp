@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <regex>
 #include <string>
 
 #include "tests/apps/verbs/corpus_cli.h"
@@ -31,6 +33,28 @@ TEST_F(CorpusCli, ListsAndShows) {
     EXPECT_NE(shown.find("refuted: missing event"), std::string::npos) << shown;
     EXPECT_NE(shown.find("diagram-0.diagram.json at t = \"1/3\""), std::string::npos) << shown;
   }
+}
+
+// For engines that read no exact text.
+TEST_F(CorpusCli, ScenesInPlainDoubles) {
+  const auto listed = [&](const std::string& numbers) {
+    return must({"corpus", "list", "--corpus", VOROPROOF_CASES, "--numbers", numbers}).out;
+  };
+  const std::string all = listed("all"), doubles = listed("doubles");
+  std::size_t exact = 0, plain = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(VOROPROOF_CASES)) {
+    if (entry.path().filename() != "scene.scene.json") continue;
+    const fs::path of = entry.path().parent_path();
+    const std::string id = of.parent_path().filename().string() + "/" + of.filename().string();
+    std::ifstream in(entry.path(), std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const bool is_plain = !std::regex_search(text, std::regex("\"[-+.0-9]"));
+    EXPECT_NE(all.find(id), std::string::npos) << id;
+    EXPECT_EQ((doubles + "\n").find(id + " ") != std::string::npos, is_plain) << id;
+    ++(is_plain ? plain : exact);
+  }
+  EXPECT_GT(exact, 20u);
+  EXPECT_GT(plain, 20u);
 }
 
 TEST_F(CorpusCli, ExamplesInHelpTextsNameCasesThatExist) {
