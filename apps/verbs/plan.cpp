@@ -55,14 +55,17 @@ void print_summary(std::ostream& out, const PlanResult& result) {
   out << '\n';
 }
 
-ExitCode report(const PlanResult& result) {
+ExitCode report(const Request& request, const PlanResult& result) {
   if (result.impossible) {
     std::cerr << "voroproof: no plan exists: too near at the ends: "
               << described(*result.impossible) << '\n';
     return ExitCode::refuted;
   }
   if (result.unsolved) {
-    std::cerr << "voroproof: no plan found: too near: " << described(*result.unsolved) << '\n';
+    std::cerr << "voroproof: no plan found: too near: " << described(*result.unsolved)
+              << (request.assignment == "given"
+                      ? "; the goals are as given, and --assignment optimal exchanges them\n"
+                      : "\n");
     return ExitCode::undecided;
   }
   return ExitCode::ok;
@@ -109,7 +112,7 @@ ExitCode plan(const Request& request) {
   if (!request.quiet && result.found()) {
     print_summary(words_beside({request.scene, request.report, request.picture}), result);
   }
-  return report(result);
+  return report(request, result);
 }
 
 }  // namespace

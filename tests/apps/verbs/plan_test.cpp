@@ -141,6 +141,7 @@ TEST_F(PlanCli, SaysWhereThereIsNoPlan) {
   EXPECT_NE(result.err.find("no plan found: too near: vehicles 0 and 1 at t = 5, gap -2"),
             std::string::npos)
       << result.err;
+  EXPECT_NE(result.err.find("--assignment optimal"), std::string::npos);
   EXPECT_THROW(json("a.scene.json"), std::exception);  // no scene was written
   // With the goals exchanged nobody moves.
   must({"plan", swap, "-o", scene, "--assignment", "optimal"});
