@@ -85,12 +85,13 @@ std::string line_of(const std::optional<LeastTolerances>& least, const Certifica
                ? "no wider tolerances certify the history: an event is wrong, and not only a number"
                : "the least tolerances are not known";
   }
-  const std::string tolerances = "times within " + number_text(least->times) +
-                                 " and velocities within " + number_text(least->velocities);
+  const std::string tolerances = "times within " + number_text(round_nearest(least->times)) +
+                                 " and velocities within " +
+                                 number_text(round_nearest(least->velocities));
   if (certificate.verdict != Verdict::refuted)
     return "the least powers of ten that certify the history are " + tolerances;
   return "all events are right, and numbers leave the tolerances from t = " +
-         number_text(certificate.prefix_t) + " on: with " + tolerances +
+         number_text(certificate.divergence->t) + " on: with " + tolerances +
          " the history is certified";
 }
 

@@ -113,7 +113,7 @@ TEST_F(CertifyCli, LeastTolerances) {
         << out.out;
     out = judged(late, truth);
     EXPECT_EQ(out.code, 1);
-    EXPECT_NE(out.out.find("c all events are right, and numbers leave the tolerances from t = "),
+    EXPECT_NE(out.out.find("c all events are right, and numbers leave the tolerances from t = 8"),
               std::string::npos)
         << out.out;
     EXPECT_EQ(json("r.json")["least_tolerances"]["times"], "1/10000");
