@@ -5,6 +5,7 @@
 
 #include "certify/billiards/ball_roots.h"
 #include "certify/billiards/pair_signs.h"
+#include "exact/simplest.h"
 #include "filtered/billiards/line_boxes.h"
 
 namespace voroproof::internal {
@@ -163,10 +164,12 @@ std::optional<TrueTime> BilliardMotion::exact_contact(const PairLines& on, const
     fall = fall_of(f[0], f[1] / 2, f[2], bits_);
   } else if (auto root = first_fall(polynomial, Rational(0), length)) {
     root->refine(length >> static_cast<unsigned long>(bits_));
-    if (root->is_point()) {
-      fall.exact = root->interval().lo;
+    const auto [lo, hi] = root->interval();
+    // A root that is a fraction is the simplest one of a short interval.
+    const Rational simplest = lo == hi || lo == 0 ? lo : simplest_between(lo, hi);
+    if (sgn(polynomial.evaluate(simplest)) == 0) {
+      fall.exact = simplest;
     } else {
-      const auto& [lo, hi] = root->interval();
       fall.ball.emplace(Rational((lo + hi) / 2), bits_);
       fall.ball->widen(Magnitude::of(round_up(Rational(hi - lo))));
     }
@@ -312,9 +315,19 @@ void BilliardMotion::forget_before(const Rational& t) {
 }
 
 void BilliardMotion::refine(const std::string& reason) {
+  const std::vector<TruePath> paths = paths_;
+  const std::vector<std::size_t> dropped = dropped_;
+  const int bits = bits_;
   for (bool done = false; !done;) {
-    if (bits_ >= max_bits_)
-      throw Undecided(reason + " with " + std::to_string(bits_) + " bits (--max-bits)", 0, 0);
+    if (bits_ >= max_bits_ || is_spent_) {
+      // What is known in fewer bits stays, whole.
+      paths_ = paths;
+      dropped_ = dropped;
+      bits_ = bits;
+      ball_ = BilliardGaps<Ball>(billiard_, bits_);
+      is_spent_ = true;
+      throw Undecided(reason + " with " + std::to_string(max_bits_) + " bits (--max-bits)", 0, 0);
+    }
     bits_ = std::min(2 * bits_, max_bits_);
     ball_ = BilliardGaps<Ball>(billiard_, bits_);
     try {

@@ -76,7 +76,7 @@ class BilliardMotion {
   void forget_before(const Rational& t);
 
   // Computes all anew with twice the bits. Throws Undecided, with the reason, where there are no
-  // more.
+  // more; all stays as it is then, and is not tried again.
   void refine(const std::string& reason);
 
  private:
@@ -109,6 +109,7 @@ class BilliardMotion {
   const Billiard& billiard_;
   Rational horizon_;
   int bits_, max_bits_;
+  bool is_spent_ = false;  // as many bits have been tried as there are
   BilliardGaps<Rational> exact_;
   BilliardGaps<DoubleBall> near_;
   BilliardGaps<Ball> ball_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "certify/vectors.h"
+#include "certify/wording.h"
 #include "filtered/motion/options.h"
 #include "history/json_text.h"
 
@@ -128,7 +129,7 @@ std::string BounceLaw::law_fault(const Meeting& m, const BilliardCollision& clai
     return "by the law of collision the velocity of " + std::to_string(disk) + " is " +
            text(law[static_cast<std::size_t>(side)], billiard_.dimension) +
            ", and the claimed one is off by " +
-           number_text(round_nearest(speed == 0 ? length(off) : Rational(length(off) / speed))) +
+           about(speed == 0 ? length(off) : Rational(length(off) / speed)) +
            " of the speeds that meet, where " + number_text(round_nearest(law_tolerance_)) +
            " is allowed (--law-tolerance)";
   }
@@ -147,7 +148,7 @@ std::string BounceLaw::fault_of_place(GenId disk, const BilliardPath& path, cons
   if (dot(off, off) <= allowed * allowed) return {};
   return "the centre of " + std::to_string(disk) + " is then " +
          text(true_place, billiard_.dimension) + ", and the claimed one is off by " +
-         number_text(round_nearest(length(off)));
+         about(length(off));
 }
 
 std::string BounceLaw::fault(const Meeting& m, const BilliardCollision& claim) const {

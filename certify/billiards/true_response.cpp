@@ -5,16 +5,23 @@
 
 #include "certify/billiards/billiard_path.h"
 #include "certify/vectors.h"
+#include "certify/wording.h"
 #include "history/json_text.h"
 
 namespace voroproof::internal {
 namespace {
 
-// Upper bounds, good to a part in 10^12.
+// An upper bound, good to a part in 10^12 where doubles hold the vector.
 Rational length(const Vector3<Ball>& v) {
   double sum = 0;
   for (const DoubleBall& x : enclosed(v)) sum = std::hypot(sum, std::fabs(x.mid) + x.rad);
-  return to_rational(sum * (1 + 0x1p-45));
+  if (std::isfinite(sum)) return to_rational(sum * (1 + 0x1p-45));
+  Rational all;
+  for (const Ball& x : v) {
+    const auto [lo, hi] = x.rational_interval();
+    all += std::max<Rational>(abs(lo), abs(hi));
+  }
+  return all;
 }
 
 std::string text(const Vector3<Ball>& v, int dimension) {
@@ -79,8 +86,8 @@ std::string TrueResponse::fault_of_velocity(GenId disk, const Vec3& claimed,
   if (is_within(off, allowed + (length(truth) >> 51))) return {};
   return "the velocity of " + std::to_string(disk) + " just after is " +
          text(truth, billiard_.dimension) + ", and the claimed one is off by " +
-         number_text(round_nearest(length(off))) + ", where " +
-         number_text(round_nearest(allowed)) + " is allowed (--tolerance, --law-tolerance)";
+         about(length(off)) + ", where " + about(allowed) +
+         " is allowed (--tolerance, --law-tolerance)";
 }
 
 std::string TrueResponse::fault_of_place(GenId disk, const Vec3& claimed,
@@ -90,7 +97,7 @@ std::string TrueResponse::fault_of_place(GenId disk, const Vec3& claimed,
   const Vector3<Ball> off = off_by(claimed, truth);
   if (is_within(off, tolerance_ * speeds + (units >> 50))) return {};
   return "the centre of " + std::to_string(disk) + " is then " + text(truth, billiard_.dimension) +
-         ", and the claimed one is off by " + number_text(round_nearest(length(off)));
+         ", and the claimed one is off by " + about(length(off));
 }
 
 std::string TrueResponse::fault(const BilliardPair& pair, const TrueTime& t,

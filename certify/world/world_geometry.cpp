@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "exact/ball.h"
+#include "exact/simplest.h"
 
 namespace voroproof::internal {
 
@@ -51,14 +52,6 @@ Sign rough_sign(const Poly& f, const WorldTime& t) {
 }
 
 }  // namespace
-
-Rational simplest_between(const Rational& lo, const Rational& hi) {
-  const Integer whole = lo.get_num() / lo.get_den();
-  if (Rational(whole) == lo) return lo;
-  if (Rational(whole + 1) <= hi) return whole + 1;
-  const Rational a = hi - whole, b = lo - whole;  // in (0,1)
-  return whole + 1 / simplest_between(1 / a, 1 / b);
-}
 
 Row world_row(const WorldCourses& motion, GenId base, GenId g) {
   if (g < 0 && !motion.has_circle()) return {{}, {}, {}, Poly{Rational(1)}};

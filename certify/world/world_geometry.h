@@ -97,7 +97,4 @@ bool coincide_at(const WorldCourses& motion, GenId g, GenId h, const LazyTime& t
 std::vector<WorldTime> roots_after(const WorldPolynomial& f, const WorldTime& after,
                                    const Rational& until);
 
-// The rational of least denominator in [lo, hi], 0 < lo < hi.
-Rational simplest_between(const Rational& lo, const Rational& hi);
-
 }  // namespace voroproof::internal

@@ -6,6 +6,7 @@
 
 #include "certify/world/world_cells.h"
 #include "exact/patience.h"
+#include "exact/simplest.h"
 
 namespace voroproof::internal {
 
