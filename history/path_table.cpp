@@ -54,6 +54,22 @@ Vec3 place_on(const Curve& curve, const Rational& s) {
   return at;
 }
 
+// No place of the path is further from zero along the axis.
+Rational farthest(const GivenPath& path, std::size_t axis) {
+  Rational most;
+  for (const Waypoint& w : path.waypoints) most = std::max<Rational>(most, abs(w.at[axis]));
+  for (std::size_t k = 0; k < path.curves.size(); ++k) {
+    const Rational duration = path.waypoints[k + 1].t - path.waypoints[k].t;
+    Rational sum, power = 1;
+    for (const Vec3& c : path.curves[k]) {
+      sum += abs(c[axis]) * power;
+      power *= duration;
+    }
+    most = std::max<Rational>(most, sum);
+  }
+  return most;
+}
+
 class TableReader {
  public:
   TableReader(const std::string& path, const std::optional<Rational>& radius)
@@ -110,10 +126,8 @@ class TableReader {
       if (sgn(*side) <= 0) refuse("a side is not positive");
       read_.sides[axis] = *side;
       for (const GivenPath& path : read_.paths) {
-        for (const Waypoint& w : path.waypoints) {
-          if (abs(w.at[axis]) <= most_sides * *side) continue;
+        if (farthest(path, axis) > most_sides * *side)
           refuse("disk " + printable(path.name) + " is more than 1e8 sides away");
-        }
       }
     }
   }

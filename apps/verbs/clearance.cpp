@@ -1,4 +1,5 @@
 // voroproof clearance: how near disks come to each other on given paths.
+#include <algorithm>
 #include <memory>
 #include <ostream>
 
@@ -49,10 +50,15 @@ ClearanceQuestion question_of(const Request& request, const GivenPaths& given) {
   question.touching = request.may_touch ? Touching::is_allowed : Touching::is_too_near;
   question.rules.at_waypoints = request.frames_only;
   question.rules.height = distance("--height", request.height);
+  Rational radius;
+  for (const GivenPath& path : given.paths) radius = std::max(radius, path.radius);
   for (const Rational& side : given.sides) {
-    if (side != 0 && question.below && *question.below > 1000 * side)
-      throw UsageError("--below: more than 1000 sides of the periodic box");
+    if (side != 0 && question.below && *question.below + 2 * radius > 1000 * side)
+      throw UsageError("--below: with the radii more than 1000 sides of the periodic box");
   }
+  if (question.below && question.rules.height && given.sides[2] != 0 &&
+      *question.rules.height > 1000 * given.sides[2])
+    throw UsageError("--height: more than 1000 sides of the periodic box");
   if (question.rules.height && *question.rules.height == 0)
     throw UsageError("--height: 0 is given, a positive number is wanted");
   if (question.rules.height && !given.in_space)

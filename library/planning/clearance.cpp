@@ -113,23 +113,23 @@ std::optional<Approach> minimum_gap(const Plan& plan) {
 namespace {
 
 // Whether a distance, whose square is given, is what is asked for.
-bool is_enough(const Rational& distance2, const Rational& reach, const Rational& clearance,
+bool is_enough(const Approach& approach, const Rational& distance2, const Rational& clearance,
                Touching touching) {
-  const Rational apart = reach + clearance;
+  const Rational apart = approach.reach + clearance;
   if (apart < 0) return true;
-  return clearance == 0 && touching == Touching::is_too_near ? distance2 > apart * apart
-                                                             : distance2 >= apart * apart;
+  const bool may_be_equal =
+      clearance != 0 || touching == Touching::is_allowed || !approach.is_reached;
+  return may_be_equal ? distance2 >= apart * apart : distance2 > apart * apart;
 }
 
 }  // namespace
 
 bool keeps_clear(const Approach& approach, const Rational& clearance, Touching touching) {
-  return is_enough(approach.distance2, approach.reach, clearance, touching);
+  return is_enough(approach, approach.distance2, clearance, touching);
 }
 
 bool falls_short(const Approach& approach, const Rational& clearance, Touching touching) {
-  return !is_enough(approach.distance2 + approach.distance2_width, approach.reach, clearance,
-                    touching);
+  return !is_enough(approach, approach.distance2 + approach.distance2_width, clearance, touching);
 }
 
 // sqrt(d) - r against sqrt(e) - s is sqrt(d) against w = sqrt(e) + c with c = r - s: w's sign
@@ -174,7 +174,8 @@ std::pair<Rational, Rational> gap_of(const Approach& a) {
 
 Approach nearer_of(const Approach& a, const Approach& b) {
   const auto rank = [](const Approach& c) { return std::tie(c.t, c.i, c.j, c.image); };
-  const Approach& first = rank(b) < rank(a) ? b : a;
+  Approach first = rank(b) < rank(a) ? b : a;
+  first.is_reached = a.is_reached || b.is_reached;
   if (a.is_exact() && b.is_exact()) {
     const auto order = compare_gaps(a, b);
     return order < 0 ? a : order > 0 ? b : first;
@@ -183,13 +184,17 @@ Approach nearer_of(const Approach& a, const Approach& b) {
   const auto [b_lo, b_hi] = gap_of(b);
   if (a_hi < b_lo) return a;
   if (b_hi < a_lo) return b;
-  Approach both = first;
   const Rational least = std::max<Rational>(std::min(a_lo, b_lo) + first.reach, 0);
-  if (least * least < both.distance2) {
-    both.distance2_width += both.distance2 - least * least;
-    both.distance2 = least * least;
-  }
-  return both;
+  const Rational most = std::min(a_hi, b_hi) + first.reach;
+  const auto above = [&](const Approach& c) -> Rational {
+    return c.reach == first.reach ? Rational(c.distance2 + c.distance2_width) : most * most;
+  };
+  const Rational lower = std::min<Rational>(first.distance2, least * least),
+                 upper = a.is_reached == b.is_reached ? std::min(above(a), above(b))
+                                                      : above(a.is_reached ? a : b);
+  first.distance2 = lower;
+  first.distance2_width = upper - lower;
+  return first;
 }
 
 Enclosure gap(const Approach& approach) {

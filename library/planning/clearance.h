@@ -24,6 +24,9 @@ struct Approach {
   // algebraic numbers.
   Rational t_width{}, distance2_width{};
   LatticeImage image{};  // the one of j, in a periodic box
+  // Not at an instant at which they just do not count as near, so that gaps only come as near to
+  // this one as one likes.
+  bool is_reached = true;
 
   bool is_exact() const { return t_width == 0 && distance2_width == 0; }
 };

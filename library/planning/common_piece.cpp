@@ -78,8 +78,9 @@ CommonPiece::CommonPiece(CommonTime time, const Curve& offset,
 }
 
 // A polynomial differs from its value at one end of an interval by no more than its length times
-// the greatest derivative, for which the sum of the coefficients' magnitudes stands.
-Approach CommonPiece::approach_at(const RootInterval& s) const {
+// the greatest derivative, for which the sum of the coefficients' magnitudes stands; and from that
+// at a root of its derivative by half of the square of the length times the greatest second one.
+Approach CommonPiece::approach_at(const RootInterval& s, bool is_stationary) const {
   const Rational length = time_.to - time_.from;
   Approach approach{time_.i,
                     time_.j,
@@ -91,9 +92,13 @@ Approach CommonPiece::approach_at(const RootInterval& s) const {
                     time_.image};
   if (s.is_point()) return approach;
   approach.t_width = (s.hi - s.lo) * length;
-  Rational steepest;
-  for (int k = 1; k <= distance2_.degree(); ++k) steepest += k * abs(distance2_[k]);
-  const Rational error = (s.hi - s.lo) * steepest;
+  const Rational width = s.hi - s.lo;
+  Rational steepest, bent;
+  for (int k = 1; k <= distance2_.degree(); ++k) {
+    steepest += k * abs(distance2_[k]);
+    bent += k * (k - 1) * abs(distance2_[k]);
+  }
+  const Rational error = width * (is_stationary ? Rational(width * bent / 2) : steepest);
   const Rational lowest = std::max<Rational>(approach.distance2 - error, 0);
   approach.distance2_width = approach.distance2 + error - lowest;
   approach.distance2 = lowest;
@@ -106,11 +111,20 @@ const std::vector<RootInterval>& CommonPiece::stationary() const {
 }
 
 Approach CommonPiece::nearest_on(const Span& span, const std::set<GivenContact>& contacts) const {
-  Approach nearest = approach_at(span.begin);
+  Approach nearest = approach_at(span.begin, false), last = approach_at(span.end, false);
+  // A constant distance is that of all instants between them, too.
+  const bool is_constant = distance2_.degree() < 1;
+  nearest.is_reached = is_constant || (span.begin.hi == 0 && is_near_at_begin_);
+  last.is_reached = is_constant || (span.end.lo == 1 && is_near_at_end_);
+  const auto is_same = [](const RootInterval& a, const RootInterval& b) {
+    return a.is_point() && b.is_point() && a.lo == b.lo;
+  };
   for (const RootInterval& s : stationary()) {
-    if (s.hi >= span.begin.lo && s.lo <= span.end.hi) nearest = nearer_of(nearest, approach_at(s));
+    if (s.hi >= span.begin.lo && s.lo <= span.end.hi && !is_same(s, span.begin) &&
+        !is_same(s, span.end))
+      nearest = nearer_of(nearest, approach_at(s, true));
   }
-  nearest = nearer_of(nearest, approach_at(span.end));
+  nearest = nearer_of(nearest, last);
   if (!contacts.empty() && contacts.contains({time_.i, time_.j, nearest.t}))
     nearest.distance2 = time_.reach * time_.reach;
   return nearest;
@@ -141,12 +155,14 @@ std::vector<SpellPart> CommonPiece::below(const Rational& distance,
   for (const Span& span : spans_) {
     std::vector<RootInterval> places{span.begin};
     for (const RootInterval& root : roots) {
-      if (root.lo > span.begin.hi && root.hi < span.end.lo) places.push_back(root);
+      const bool is_end = root.is_point() && (root.lo == span.begin.hi || root.lo == span.end.lo);
+      if (root.lo >= span.begin.hi && root.hi <= span.end.lo && !is_end) places.push_back(root);
     }
     places.push_back(span.end);
     for (std::size_t k = 0; k + 1 < places.size(); ++k) {
       const Span here{places[k], places[k + 1]};
-      if (!(here.begin.hi < here.end.lo) || !is_below((here.begin.hi + here.end.lo) / 2)) continue;
+      // Two that are enclosed may share an end, which is neither of them.
+      if (here.begin.hi > here.end.lo || !is_below((here.begin.hi + here.end.lo) / 2)) continue;
       Approach nearest = nearest_on(here, contacts);
       // At a contact the rounded places may be nearer than the disks.
       if (nearest.distance2 >= limit2) continue;

@@ -62,7 +62,8 @@ class CommonPiece {
   struct Span {
     RootInterval begin, end;
   };
-  Approach approach_at(const RootInterval& s) const;
+  // `is_stationary`: at a root of the derivative of the distance's square.
+  Approach approach_at(const RootInterval& s, bool is_stationary) const;
   Approach nearest_on(const Span& span, const std::set<GivenContact>& contacts) const;
   const std::vector<RootInterval>& stationary() const;
   Enclosure time_at(const RootInterval& s) const;

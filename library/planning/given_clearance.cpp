@@ -203,7 +203,8 @@ void GivenClearance::each_image(const Leg& a, const Leg& b, const std::optional<
     const double side = sides_above_[axis];
     if (side == 0) continue;
     // Within half a side lies the nearest; one more on each side allows for all roundings.
-    const double reach = near ? *near / side : 0.5;
+    const bool by_height = near && axis == 2 && rules_.height;
+    const double reach = by_height ? round_up(*rules_.height) / side : near ? *near / side : 0.5;
     const double low = (b.low[axis] - a.high[axis]) / side,
                  high = (b.high[axis] - a.low[axis]) / side;
     first[axis] = static_cast<int>(std::floor(-reach - high - 1e-6));
@@ -211,8 +212,8 @@ void GivenClearance::each_image(const Leg& a, const Leg& b, const std::optional<
   }
   LatticeImage image;
   for (image[0] = first[0]; image[0] <= last[0]; ++image[0]) {
-    if (!go_on_()) throw Interrupted();
     for (image[1] = first[1]; image[1] <= last[1]; ++image[1]) {
+      if (!go_on_()) throw Interrupted();
       for (image[2] = first[2]; image[2] <= last[2]; ++image[2]) visit(a, b, image);
     }
   }
@@ -253,6 +254,14 @@ std::optional<CommonPiece> GivenClearance::common(const Leg& a, const Leg& b,
     return leg.first > 0 && first.t == to && first.t < last.t;
   };
   if (goes_on(a, a_first, a_last) || goes_on(b, b_first, b_last)) return std::nullopt;
+  // Where one jumps the other jumps, too, if it does so at that time.
+  const auto jumps_next = [&](const Leg& leg, const Waypoint& first, const Waypoint& last) {
+    const std::vector<Waypoint>& w = given_.paths[static_cast<std::size_t>(leg.path)].waypoints;
+    return first.t < last.t && leg.first + 2 < w.size() && w[leg.first + 2].t == to;
+  };
+  if ((a_first.t == a_last.t && jumps_next(b, b_first, b_last)) ||
+      (b_first.t == b_last.t && jumps_next(a, a_first, a_last)))
+    return std::nullopt;
   Curve offset = course(b, from, to);
   const Curve of_a = course(a, from, to);
   offset.resize(std::max(offset.size(), of_a.size()));
