@@ -79,8 +79,10 @@ ExitCode tell_clearance(const Request& request) {
   const CooperativeInterruption interruption;
   const EventLimit limit(request.options.max_events);
   const GivenPaths given = paths_of(request);
-  const ClearanceAnswer told = answer_clearance(question_of(request, given), given,
-                                                [&] { return !interruption.requested(); });
+  const ClearanceAnswer told = answer_clearance(question_of(request, given), given, [&] {
+    interruption.check();
+    return true;
+  });
   if (is_table(request.output)) {
     write_output(request.output, told.table);
     words_beside({request.output}) << told.answer.table;

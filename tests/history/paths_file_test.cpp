@@ -176,6 +176,9 @@ TEST_F(PathsFile, PeriodicBoxes) {
   refused("# periodic: 10,ten\ndisk,t,x,y\n", 1, "periodic");
   refused("# periodic: 1,1\n# periodic: 1,1\ndisk,t,x,y\n", 2, "periodic");
   refused("# periodic: 1,none\ndisk,t,x,y\na,0,1e9,0\n", 1, "periodic");
+  // A curve that leaves the box between its waypoints.
+  refused("# periodic: 1,none\ndisk,t,duration,x^0,x^1,x^2,y^0\na,0,1,1/2,1e60,-1e60,0\n", 1,
+          "periodic");
 }
 
 TEST_F(PathsFile, SectionsOfAPlanFollowEachOther) {

@@ -170,6 +170,32 @@ TEST(CurvedClearance, AnAlgebraicTimeIsEnclosed) {
   EXPECT_EQ(GivenClearance(given, always).spells_below(2).size(), 1u);
 }
 
+// Two ends of a spell that are less than 2^-120 apart.
+TEST(CurvedClearance, AShortSpell) {
+  GivenPaths given;
+  given.paths = {straight("still", 0, {{0, {0, 0}}, {1, {0, 0}}}),
+                 GivenPath{"p", 0, {{0, {Rational(5, 4), 0}}, {1, {Rational(5, 4), 0}}}, {}}};
+  given.paths[1].curves = {{{Rational(5, 4), 0, 0}, {-1, 0, 0}, {1, 0, 0}}};
+  const Rational little = Rational(1) / (Integer(1) << 244);
+  EXPECT_EQ(GivenClearance(given, always).spells_below(1 + little).size(), 1u);
+  EXPECT_TRUE(GivenClearance(given, always).spells_below(1).empty());
+}
+
+// A least gap that is only neared, where the heights come to differ by enough, is not reached.
+TEST(CurvedClearance, LimitsThatAreNotReached) {
+  GivenPaths given;
+  given.in_space = true;
+  given.paths = {straight("a", Rational(1, 2), {{0, {0, 0, 0}}, {1, {0, 0, 0}}}),
+                 straight("b", Rational(1, 2), {{0, {1, 0, 1}}, {1, {2, 0, 0}}})};
+  const auto least = GivenClearance(given, always, {false, 1}).least();
+  ASSERT_TRUE(least);
+  EXPECT_EQ(least->distance2, 1);
+  EXPECT_TRUE(keeps_clear(*least, 0, Touching::is_too_near));
+  given.paths[1].waypoints = {{0, {1, 0, 0}}, {1, {2, 0, 1}}};
+  EXPECT_FALSE(
+      keeps_clear(*GivenClearance(given, always, {false, 1}).least(), 0, Touching::is_too_near));
+}
+
 // A straight way told as a curve gives the same exact answers.
 TEST(CurvedClearance, StraightCurvesAreExact) {
   RandomPieces pieces(3);

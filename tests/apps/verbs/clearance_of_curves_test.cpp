@@ -67,6 +67,7 @@ TEST_F(CertifyCli, ClearanceAcrossASide) {
   EXPECT_EQ(read_file(out_csv), "first,second,image_x,image_y,from,to,gap,t\na,b,-1,0,0,1,0,0\n");
   refused({"clearance", table, "--radius", "1", "-o", file("o.csv")}, "--below");
   refused({"clearance", table, "--radius", "1", "--below", "10001"}, "1000 sides");
+  refused({"clearance", table, "--radius", "1e12", "--below", "1"}, "1000 sides");
   refused({"convert", table, "--radius", "1", "-o", file("p.scene.json")}, "no images");
 }
 
