@@ -11,7 +11,7 @@
 namespace voroproof::internal {
 
 // A number for a person, rounded.
-inline std::string about(const Rational& q) {
+inline std::string rounded_text(const Rational& q) {
   const double x = round_nearest(q);
   return std::isfinite(x) ? number_text(x) : "more than 1e308";
 }

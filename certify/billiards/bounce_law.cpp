@@ -129,7 +129,7 @@ std::string BounceLaw::law_fault(const Meeting& m, const BilliardCollision& clai
     return "by the law of collision the velocity of " + std::to_string(disk) + " is " +
            text(law[static_cast<std::size_t>(side)], billiard_.dimension) +
            ", and the claimed one is off by " +
-           about(speed == 0 ? length(off) : Rational(length(off) / speed)) +
+           rounded_text(speed == 0 ? length(off) : Rational(length(off) / speed)) +
            " of the speeds that meet, where " + number_text(round_nearest(law_tolerance_)) +
            " is allowed (--law-tolerance)";
   }
@@ -148,7 +148,7 @@ std::string BounceLaw::fault_of_place(GenId disk, const BilliardPath& path, cons
   if (dot(off, off) <= allowed * allowed) return {};
   return "the centre of " + std::to_string(disk) + " is then " +
          text(true_place, billiard_.dimension) + ", and the claimed one is off by " +
-         about(length(off));
+         rounded_text(length(off));
 }
 
 std::string BounceLaw::fault(const Meeting& m, const BilliardCollision& claim) const {

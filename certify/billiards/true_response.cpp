@@ -86,7 +86,7 @@ std::string TrueResponse::fault_of_velocity(GenId disk, const Vec3& claimed,
   if (is_within(off, allowed + (length(truth) >> 51))) return {};
   return "the velocity of " + std::to_string(disk) + " just after is " +
          text(truth, billiard_.dimension) + ", and the claimed one is off by " +
-         about(length(off)) + ", where " + about(allowed) +
+         rounded_text(length(off)) + ", where " + rounded_text(allowed) +
          " is allowed (--tolerance, --law-tolerance)";
 }
 
@@ -97,7 +97,7 @@ std::string TrueResponse::fault_of_place(GenId disk, const Vec3& claimed,
   const Vector3<Ball> off = off_by(claimed, truth);
   if (is_within(off, tolerance_ * speeds + (units >> 50))) return {};
   return "the centre of " + std::to_string(disk) + " is then " + text(truth, billiard_.dimension) +
-         ", and the claimed one is off by " + about(length(off));
+         ", and the claimed one is off by " + rounded_text(length(off));
 }
 
 std::string TrueResponse::fault(const BilliardPair& pair, const TrueTime& t,

@@ -208,6 +208,61 @@ TEST(ExactBilliard, UnderGravity) {
   EXPECT_EQ(floor.judge().verdict, Verdict::undecided);
 }
 
+// Times of degree 4 that are fractions are found to be so, at the horizon and at a maneuver.
+TEST(ExactBilliard, FractionsAmongRootsOfDegreeFour) {
+  BilliardCase c = exact({R"("frame":"none","gravity":[0,-18],"disks":[
+    {"center":[0,0],"radius":1,"fixed":true},{"center":[0,3],"radius":1,"velocity":[0,0]}])",
+                          "1",
+                          {R"({"t":0.3333333333333333,"collide":[0,1],"v":[null,[0,6]]})",
+                           R"({"t":1,"collide":[0,1],"v":[null,[0,6]],"p":[null,[0,2]]})"},
+                          2});
+  expect_certified(c);
+  c.events.pop_back();
+  c.collisions = 1;
+  expect_refuted(c, Fault::missing_event, 3);
+  BilliardCase turned = exact({R"("frame":"none","gravity":[0,-8],"disks":[
+    {"center":[0,0],"radius":1,"fixed":true},{"center":[0,3],"radius":1,"velocity":[0,0]}],
+    "maneuvers":[{"t":0.5,"disk":1,"velocity":[5,0]}])",
+                               "0.75",
+                               {R"({"t":0.5,"collide":[0,1],"v":[null,[0,4]]})",
+                                R"({"t":0.5,"maneuver":1,"v":[5,0],"p":[0,2]})"},
+                               1,
+                               1});
+  expect_certified(turned);
+}
+
+// A claim that cannot be told does not make others wrong: the last one, of two disks far away, is
+// within less than 2^-300 of its tolerance.
+TEST(ExactBilliard, WhatCannotBeToldRefutesNothing) {
+  BilliardCase c = exact(
+      {R"("frame":"none","gravity":[0,-18],"disks":[
+    {"center":[0,0],"radius":1,"fixed":true},{"center":[0,3],"radius":1,"velocity":[0,0]},
+    {"center":[100,0],"radius":1,"velocity":[1,0]},
+    {"center":["1028319/10000",0],"radius":1,"velocity":[0,0]},
+    {"center":[0,11],"radius":1,"velocity":[0,0]},
+    {"center":[200,0],"radius":1,"velocity":[1,0]},
+    {"center":["506410127/2500000",1],"radius":1,"velocity":[0,0]}])",
+       R"("5/6")",
+       {R"({"t":"997/3000","collide":[0,1]})", R"({"t":"2497/3000","collide":[1,4]})",
+        R"({"t":"333/400","collide":[2,3]})",
+        R"({"t":"83299999243112270647255365849412763305719474618961937194419202054806698309119996291885381324275142432437385858459329697/100000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000","collide":[5,6]})"},
+       4});
+  c.tolerance = Rational(1, 1000);
+  EXPECT_NE(c.judge().verdict, Verdict::refuted) << c.judge().divergence->truth;
+}
+
+// Numbers near the end of the range are off, and said to be.
+TEST(ExactBilliard, FarClaims) {
+  for (const Truth truth : {Truth::exact, Truth::recorded}) {
+    BilliardCase c = head_on();
+    c.truth = truth;
+    c.events = {R"({"t":2,"collide":[0,1],"v":[[1.7e308,1.7e308],[1.7e308,0]]})"};
+    expect_refuted(c, Fault::wrong_response, 2);
+    c.events = {R"({"t":2,"collide":[0,1],"v":[[0,0],[1,0]],"p":[[1.7e308,1.7e308],[4,0]]})"};
+    expect_refuted(c, Fault::wrong_response, 2);
+  }
+}
+
 TEST(ExactBilliard, Maneuvers) {
   BilliardCase c = exact({R"("frame":"none","disks":[
     {"center":[0,0],"radius":1,"velocity":[1,0]},{"center":[4,0],"radius":1,"velocity":[0,0]}],
