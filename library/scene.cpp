@@ -120,9 +120,8 @@ std::string scene_text(const Scene& scene) {
 }
 
 void write_scene(const std::string& path, const Scene& scene) {
-  with_public_errors([&] {
-    internal::write_output(path, internal::text_of(internal::checked_scene(scene)));
-  });
+  with_public_errors(
+      [&] { internal::write_output(path, internal::text_of(internal::checked_scene(scene))); });
 }
 
 std::string scene_sha256(const Scene& scene) {

@@ -320,7 +320,7 @@ void BilliardMotion::refine(const std::string& reason) {
   const int bits = bits_;
   for (bool done = false; !done;) {
     if (bits_ >= max_bits_ || is_spent_) {
-      // What is known in fewer bits stays, whole.
+      // All that is known in fewer bits stays, whole.
       paths_ = paths;
       dropped_ = dropped;
       bits_ = bits;
