@@ -230,11 +230,12 @@ class ExactBilliard final : public BilliardTruth {
   // The instants up to the end of a window at which several touch; one at its end is of the next.
   void judge_instants(const BilliardTime& to, bool is_end) {
     while (!touches_.empty()) {
-      const auto& [t, pairs] = *touches_.begin();
+      const auto first = touches_.begin();
+      const Rational& t = first->first;
       if (t > to.value() || (t == to.value() && !is_end)) return;
-      auto fault = told([&] { return TrueInstant(billiard_, motion_, t, pairs).fault(); });
+      auto fault = told([&] { return TrueInstant(billiard_, motion_, t, first->second).fault(); });
       if (fault) found_.faults.push_back(*std::move(fault));
-      touches_.erase(touches_.begin());
+      touches_.erase(first);
     }
   }
 
