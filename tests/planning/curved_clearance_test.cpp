@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "library/planning/given_clearance.h"
 
@@ -140,7 +141,14 @@ INSTANTIATE_TEST_SUITE_P(Worlds, CurvedClearance,
                                          World{7, false, false, 0}, World{3, true, false, 0},
                                          World{1, true, false, 5}, World{3, true, false, 5},
                                          World{1, true, true, 0}, World{2, false, true, 0},
-                                         World{3, true, true, 0}));
+                                         World{3, true, true, 0}),
+                         [](const auto& info) {
+                           const World& w = info.param;
+                           return "Degree" + std::to_string(w.degree) +
+                                  (w.in_space ? "Space" : "Plane") +
+                                  (w.is_periodic ? "Periodic" : "") +
+                                  (w.height > 0 ? "Height" + std::to_string(w.height) : "");
+                         });
 
 GivenPath straight(const char* name, Rational radius, std::vector<Waypoint> waypoints) {
   return {name, radius, std::move(waypoints)};
