@@ -48,12 +48,6 @@ std::vector<std::string> cells(std::string_view line) {
   }
 }
 
-Vec3 place_on(const Curve& curve, const Rational& s) {
-  Vec3 at{};
-  for (std::size_t k = curve.size(); k-- > 0;) at = at * s + curve[k];
-  return at;
-}
-
 // No place of the path is further from zero along the axis.
 Rational farthest(const GivenPath& path, std::size_t axis) {
   Rational most;

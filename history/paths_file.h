@@ -33,6 +33,13 @@ inline Vec3 velocity(const Waypoint& a, const Waypoint& b) {
 // A place as a polynomial: its coefficients, the constant one first.
 using Curve = std::vector<Vec3>;
 
+// Where it leads at s.
+inline Vec3 place_on(const Curve& curve, const Rational& s) {
+  Vec3 at{};
+  for (std::size_t k = curve.size(); k-- > 0;) at = at * s + curve[k];
+  return at;
+}
+
 // A disk is there from the time of its first waypoint to that of its last.
 struct GivenPath {
   std::string name;  // as in the file

@@ -20,12 +20,6 @@ Vec3 place_on(const Waypoint& a, const Waypoint& b, const Rational& t) {
   return a.at + (b.at - a.at) * Rational((t - a.t) / (b.t - a.t));
 }
 
-Vec3 place_on(const Curve& curve, const Rational& s) {
-  Vec3 at{};
-  for (std::size_t k = curve.size(); k-- > 0;) at = at * s + curve[k];
-  return at;
-}
-
 // The curve from one time to another, by s from 0 to 1.
 Curve cut(Curve curve, const Rational& from, const Rational& to) {
   const std::size_t n = curve.size();

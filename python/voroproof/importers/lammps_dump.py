@@ -4,11 +4,11 @@ Read are the styles `atom` and `custom` with a column `id`, and one of x, xs, xu
 """
 
 from fractions import Fraction
-from typing import Dict, Iterator, List, NamedTuple, NoReturn, Optional, Tuple
+from typing import Dict, Iterator, List, NamedTuple, Optional, Tuple
 
 from . import boxes, numbers
 from .faults import Refused, printable
-from .lines import Lines
+from .lines import Frames
 from .table import Table
 
 NAME = "lammps-dump"
@@ -32,11 +32,10 @@ class _Frame(NamedTuple):
     periodic: List[Optional[bool]]
 
 
-class _Reader:
+class _Reader(Frames):
     def __init__(self, path: str, radius: Optional[Fraction], timestep: Optional[Fraction],
                  periodic: Optional[str], flatten: bool):
-        self.lines = Lines(path)
-        self.rest = iter(self.lines)
+        super().__init__(path)
         self.radius = radius
         self.timestep = timestep
         self.treatment = periodic
@@ -47,27 +46,6 @@ class _Reader:
         self.has_time = False
         self.units = ""
         self.images = boxes.Images()
-
-    def fail(self, field: str, reason: str) -> NoReturn:
-        self.lines.fail(field, reason)
-
-    def line(self, field: str) -> str:
-        line = next(self.rest, None)
-        if line is None:
-            self.fail(field, "the file ends within a frame")
-        return line
-
-    def number(self, text: str, field: str) -> Fraction:
-        try:
-            return numbers.decimal(text)
-        except ValueError as error:
-            self.fail(field, str(error))
-
-    def integer(self, text: str, field: str) -> int:
-        try:
-            return numbers.integer(text.strip())
-        except ValueError as error:
-            self.fail(field, str(error))
 
     def read(self) -> Table:
         for item in self.rest:

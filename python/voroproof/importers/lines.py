@@ -6,8 +6,10 @@ import gzip
 import io
 import sys
 import zlib
+from fractions import Fraction
 from typing import BinaryIO, Iterator, NoReturn
 
+from . import numbers
 from .faults import fail
 
 LONGEST_LINE = 1 << 16
@@ -60,3 +62,35 @@ class Lines:
     def fail(self, field: str, reason: str) -> NoReturn:
         """Raises InputError for the last line."""
         fail(self.path, self.number, field, reason)
+
+
+class Frames:
+    """The lines, the numbers and the errors of a reader of frames in text.
+
+    All members raise InputError.
+    """
+
+    def __init__(self, path: str):
+        self.lines = Lines(path)
+        self.rest = iter(self.lines)
+
+    def fail(self, field: str, reason: str) -> NoReturn:
+        self.lines.fail(field, reason)
+
+    def line(self, field: str) -> str:
+        line = next(self.rest, None)
+        if line is None:
+            self.fail(field, "the file ends within a frame")
+        return line
+
+    def number(self, text: str, field: str) -> Fraction:
+        try:
+            return numbers.decimal(text)
+        except ValueError as error:
+            self.fail(field, str(error))
+
+    def integer(self, text: str, field: str) -> int:
+        try:
+            return numbers.integer(text.strip())
+        except ValueError as error:
+            self.fail(field, str(error))

@@ -6,11 +6,11 @@ the names of properties are read in capitals and small letters alike. Without Pr
 
 import re
 from fractions import Fraction
-from typing import Dict, Iterator, List, NamedTuple, NoReturn, Optional, Tuple
+from typing import Dict, Iterator, List, NamedTuple, Optional, Tuple
 
 from . import boxes, numbers
 from .faults import Refused, printable
-from .lines import Lines
+from .lines import Frames
 from .table import Table
 
 NAME = "xyz"
@@ -43,12 +43,11 @@ class _Frame(NamedTuple):
     periodic: List[Optional[bool]]
 
 
-class _Reader:
+class _Reader(Frames):
 
     def __init__(self, path: str, radius: Optional[Fraction], timestep: Optional[Fraction], periodic: Optional[str],
                  flatten: bool):
-        self.lines = Lines(path)
-        self.rest = iter(self.lines)
+        super().__init__(path)
         self.radius = radius
         self.timestep = timestep
         self.treatment = periodic
@@ -59,27 +58,6 @@ class _Reader:
         self.frames = 0
         self.timed: Optional[str] = None  # by what frames have times
         self.images = boxes.Images()
-
-    def fail(self, field: str, reason: str) -> NoReturn:
-        self.lines.fail(field, reason)
-
-    def line(self, field: str) -> str:
-        line = next(self.rest, None)
-        if line is None:
-            self.fail(field, "the file ends within a frame")
-        return line
-
-    def number(self, text: str, field: str) -> Fraction:
-        try:
-            return numbers.decimal(text)
-        except ValueError as error:
-            self.fail(field, str(error))
-
-    def integer(self, text: str, field: str) -> int:
-        try:
-            return numbers.integer(text.strip())
-        except ValueError as error:
-            self.fail(field, str(error))
 
     def read(self) -> Table:
         for line in self.rest:
