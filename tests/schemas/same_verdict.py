@@ -10,6 +10,7 @@ usage: same_verdict.py PROGRAM
 """
 
 import copy
+import itertools
 import json
 import pathlib
 import re
@@ -216,8 +217,10 @@ OTHERS = [
     ("space.jsonl", 2, (), {"t": 0, "flip": [0, 1, 2, 3]}),
 ]
 
-# The part of a message before the reason: file, line and field.
-REASON = re.compile(r"^.*?\.jsonl?(:\d+)?: ([^ :]*: )?")
+# A message of `validate`: the file, and the reason behind line and field.
+MESSAGE = re.compile(r"^voroproof: (.*?\.jsonl?)(?::\d+)?: (?:[^ :]*: )?(.*)$")
+# As many files are given to one `validate`.
+BATCH = 500
 
 
 def places(value, path=()):
@@ -281,6 +284,25 @@ def is_of_another_kind(files, text):
     return any(all(files.schema("history", name).fault(line) for name in LINES[kind]) for line in lines)
 
 
+def batches(all_texts):
+    """Lists of at most BATCH of them."""
+    while batch := list(itertools.islice(all_texts, BATCH)):
+        yield batch
+
+
+def refusals(program, folder, name, batch):
+    """What `validate` says of each text of a batch: None where it is valid, else the reason."""
+    paths = [folder / f"{index}.{name}" for index in range(len(batch))]
+    for path, (_, text) in zip(paths, batch):
+        path.write_text(text)
+    run = subprocess.run([program, "validate", *paths], capture_output=True, text=True)
+    reasons = dict(MESSAGE.match(line).groups() for line in run.stderr.splitlines())
+    valid = {line.split(": ")[0] for line in run.stdout.splitlines()}
+    if run.returncode != (2 if reasons else 0) or valid ^ {*reasons} != {str(path) for path in paths}:
+        sys.exit(f"{name}: validate: {run.returncode}, {len(valid)} and {len(reasons)} of {len(batch)} files")
+    return [reasons.get(str(path)) for path in paths]
+
+
 def main():
     program = sys.argv[1]
     files = Files()
@@ -288,19 +310,15 @@ def main():
     seen = set()
     with tempfile.TemporaryDirectory() as folder:
         for name, documents in FILES.items():
-            path = pathlib.Path(folder) / name
-            for what, text in texts(name, documents):
-                path.write_text(text)
-                run = subprocess.run([program, "validate", path], capture_output=True, text=True)
-                fault = files.fault(text)
-                said = REASON.sub("", run.stderr.strip())
-                judged += 1
-                if run.returncode not in (0, 2) or (run.returncode == 0 and fault is not None):
-                    print(f"{name}: {what}: validate: {run.returncode} {said}; schema: {fault}")
-                    failed += 1
-                elif what == "as it is" and fault is not None:
-                    failed += 1
-                elif run.returncode == 2 and fault is None:
+            for batch in batches(texts(name, documents)):
+                for (what, text), said in zip(batch, refusals(program, pathlib.Path(folder), name, batch)):
+                    fault = files.fault(text)
+                    judged += 1
+                    if fault is not None and (said is None or what == "as it is"):
+                        print(f"{name}: {what}: validate: {said}; schema: {fault}")
+                        failed += 1
+                    if fault is not None or said is None:
+                        continue
                     kinds = [kind for kind, phrases in UNSAYABLE.items() if any(p in said for p in phrases)]
                     if not kinds and is_of_another_kind(files, text):
                         kinds = [OF_ANOTHER_KIND]

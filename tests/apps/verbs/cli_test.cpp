@@ -223,11 +223,13 @@ TEST_F(Cli, RendersAndValidates) {
   EXPECT_EQ(lines[0].rfind(scene + ": scene: 20 disks", 0), 0u) << lines[0];
   EXPECT_EQ(lines[1].rfind(file("a.history.jsonl") + ": history: ", 0), 0u) << lines[1];
   EXPECT_EQ(lines[2].rfind(file("a.diagram.json") + ": diagram: 20 disks", 0), 0u) << lines[2];
-  // The first that is not valid ends it.
-  const Result mixed = run({"validate", scene, file("a.svg"), file("a.history.jsonl")});
+  // Those behind one that is not valid are checked, too.
+  const Result mixed = run({"validate", scene, file("a.svg"), file("none"), file("a.history.jsonl")});
   EXPECT_EQ(mixed.code, 2);
-  EXPECT_EQ(lines_of(mixed.out).size(), 1u);
+  EXPECT_EQ(lines_of(mixed.out).size(), 2u);
+  EXPECT_EQ(lines_of(mixed.err).size(), 2u);
   EXPECT_NE(mixed.err.find("a.svg:1: "), std::string::npos);
+  EXPECT_NE(mixed.err.find("none: cannot read"), std::string::npos);
 }
 
 TEST_F(Cli, OutputThatNobodyTakesIsAnError) {
