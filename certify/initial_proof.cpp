@@ -1,9 +1,5 @@
 #include "certify/initial_proof.h"
 
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -11,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "certify/on_threads.h"
 #include "exact/names.h"
 #include "filtered/search/collapse.h"
 #include "filtered/search/instant_predicates.h"
@@ -115,16 +112,7 @@ class InitialProof {
         if (!signs) blocks[b].unproved.push_back(k);
       }
     };
-    if (threads_ == 1 || blocks.size() < 2) {
-      for (std::size_t b = 0; b < blocks.size(); ++b) work(b);
-    } else {
-      namespace tbb = oneapi::tbb;
-      // As many threads are allowed as are asked for, also more than the machine has.
-      const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                        static_cast<std::size_t>(threads_));
-      tbb::task_arena(threads_).execute(
-          [&] { tbb::parallel_for(std::size_t{0}, blocks.size(), work); });
-    }
+    on_threads(blocks.size(), threads_, work);
     std::vector<int> all;
     for (const Block& block : blocks) {
       all.insert(all.end(), block.unproved.begin(), block.unproved.end());

@@ -22,6 +22,15 @@ void set(Integer& z, long long x) {
   z = static_cast<long>(x);
 }
 
+// Numbers that are needed for the length of a call: these keep their memory.
+struct Scratch {
+  Integer passed, way, other;
+};
+Scratch& scratch() {
+  thread_local Scratch numbers;
+  return numbers;
+}
+
 // a - b in units of 2^exponent, of which both are whole numbers.
 void set_difference(Integer& z, double a, double b, int& exponent) {
   if (a == 0 || b == 0) {
@@ -38,7 +47,7 @@ void set_difference(Integer& z, double a, double b, int& exponent) {
   }
   const Dyadic first(a), second(b);
   exponent = std::min(first.exponent, second.exponent);
-  Integer other;
+  Integer& other = scratch().other;
   set(z, first.units);
   set(other, second.units);
   z <<= static_cast<unsigned long>(first.exponent - exponent);
@@ -78,7 +87,9 @@ void ExactPlace::add(std::size_t axis, const Integer& units, long exponent) {
   if (exponent == exponent_) {
     units_[axis] += units;
   } else {
-    units_[axis] += Integer(units << static_cast<unsigned long>(exponent - exponent_));
+    Integer& shifted = scratch().other;
+    shifted = units << static_cast<unsigned long>(exponent - exponent_);
+    units_[axis] += shifted;
   }
 }
 
@@ -90,7 +101,7 @@ void ExactPlace::move(const CompactVec3& velocity, const CompactRational& from,
     const Rational passed = to.value() - from.value();
     return move(value_of(velocity) * passed);
   }
-  Integer passed, way;
+  auto& [passed, way, other] = scratch();
   int exponent = 0;
   set_difference(passed, to.leading(), from.leading(), exponent);
   if (passed == 0) return;

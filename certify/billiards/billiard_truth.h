@@ -29,6 +29,15 @@ struct BilliardFindings {
   std::int64_t pair_lives = 0, grazes = 0, rounding_overlaps = 0, left_out = 0;
   std::int64_t computed_velocities = 0, at_horizon = 0, swaps = 0;
   int highest_bits = 0;
+
+  // Those of a pair, which come after these.
+  void add(const BilliardFindings& later) {
+    faults.insert(faults.end(), later.faults.begin(), later.faults.end());
+    pair_lives += later.pair_lives;
+    grazes += later.grazes;
+    rounding_overlaps += later.rounding_overlaps;
+    left_out += later.left_out;
+  }
 };
 
 struct BilliardClaim {

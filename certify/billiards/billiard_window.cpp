@@ -19,8 +19,8 @@ MeetingPairs::MeetingPairs(const Billiard& billiard, const BilliardGaps<DoubleBa
 
 template <class Path>
 SweptBox MeetingPairs::box_of(GenId disk, const Path& path, const BilliardTime& from,
-                              const BilliardTime& to) const {
-  SweptBox box = LineBoxes::empty();
+                              const BilliardTime& to) {
+  SweptBox box = empty_box();
   const auto is_before = [](const DoubleBall& x, const DoubleBall& y) {
     return sign(x - y) == Sign::negative;
   };
@@ -29,8 +29,10 @@ SweptBox MeetingPairs::box_of(GenId disk, const Path& path, const BilliardTime& 
                      &begin = is_before(start, from.near) ? from.near : start;
     const bool ends_before = k + 1 < path.size() && !is_before(to.near, path[k + 1].near.t0);
     const DoubleBall& end = ends_before ? path[k + 1].near.t0 : to.near;
+    SweptBox& of_line = line_boxes_.emplace_back(empty_box());
     if (is_before(end, begin) || is_before(to.near, begin)) continue;
-    lines_.extend(box, disk, path[k].near, begin, end);
+    lines_.extend(of_line, disk, path[k].near, begin, end);
+    extend(box, of_line);
   }
   lines_.require_near(disk, box, to.near.mid);
   return box;
@@ -48,13 +50,8 @@ void MeetingPairs::measure(const std::vector<Path>& paths, const BilliardTime& t
     moving += speed > 0;
     fastest = std::max(fastest, speed);
   }
-  SweptBox all = LineBoxes::empty();
-  for (const SweptBox& box : boxes_) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      all.lo[k] = std::min(all.lo[k], box.lo[k]);
-      all.hi[k] = std::max(all.hi[k], box.hi[k]);
-    }
-  }
+  SweptBox all = empty_box();
+  for (const SweptBox& box : boxes_) extend(all, box);
   double volume = 1, least_side = infinity;
   const int dimension = billiard_.dimension;
   for (int k = 0; k < dimension; ++k) {
@@ -88,7 +85,12 @@ template <class Path>
 void MeetingPairs::make_boxes(const std::vector<Path>& paths, const BilliardTime& from,
                               const BilliardTime& to) {
   boxes_.clear();
+  line_boxes_.clear();
+  first_line_.clear();
+  from_ = from.near.mid - from.near.rad;
+  to_ = to.near.mid + to.near.rad;
   for (std::size_t i = 0; i < paths.size(); ++i) {
+    first_line_.push_back(line_boxes_.size());
     boxes_.push_back(box_of(static_cast<GenId>(i), paths[i], from, to));
   }
 }
@@ -99,7 +101,7 @@ void MeetingPairs::add_disks(const std::vector<Path>& paths, const BilliardTime&
                              const BilliardTime& to, int splits, std::vector<BilliardPair>& pairs) {
   make_boxes(paths, from, to);
   splits_ = splits > 0;
-  const auto found = near_.pairs(boxes_, from.near.mid - from.near.rad, to.near.mid + to.near.rad);
+  const auto found = near_.pairs(boxes_, from_, to_);
   if (found) {
     pairs.insert(pairs.end(), found->begin(), found->end());
     return;
@@ -111,6 +113,15 @@ void MeetingPairs::add_disks(const std::vector<Path>& paths, const BilliardTime&
   add_disks(paths, middle, to, splits + 1, pairs);
 }
 
+bool MeetingPairs::may_meet(const BilliardPair& pair, std::size_t line_a,
+                            std::size_t line_b) const {
+  if (pair.a < 0) return true;
+  const SweptBox& a = line_boxes_[first_line_[static_cast<std::size_t>(pair.a)] + line_a];
+  SweptBox b = line_boxes_[first_line_[static_cast<std::size_t>(pair.b)] + line_b];
+  near_.shift(b, pair.image, from_, to_);
+  return meet(a, b);
+}
+
 template <class Path>
 std::vector<BilliardPair> MeetingPairs::in(const std::vector<Path>& paths, const BilliardTime& from,
                                            const BilliardTime& to) {
@@ -119,10 +130,9 @@ std::vector<BilliardPair> MeetingPairs::in(const std::vector<Path>& paths, const
   if (billiard_.last_wall() == 0 && paths.size() < 2) return pairs;
   if (paths.size() > 1) add_disks(paths, from, to, 0, pairs);
   if (paths.size() < 2 || splits_) make_boxes(paths, from, to);
-  const double begin = from.near.mid - from.near.rad, end = to.near.mid + to.near.rad;
   for (GenId wall = billiard_.last_wall(); wall < 0; ++wall) {
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      if (lines_.may_meet_wall(wall, boxes_[i], begin, end))
+      if (lines_.may_meet_wall(wall, boxes_[i], from_, to_))
         pairs.push_back({wall, static_cast<GenId>(i)});
     }
   }

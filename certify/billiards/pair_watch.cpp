@@ -118,8 +118,10 @@ void PairWatch::close(const EntryTime& exit, Walk& walk) const {
   }
 }
 
-void PairWatch::expire(const Rational& now, Walk& walk) const {
+void PairWatch::expire(const BilliardTime& at, Walk& walk) const {
   PairState& state = walk.state;
+  if (!state.open && state.ended.empty()) return;
+  const Rational now = at.value();
   if (state.open && state.open->deep && !state.open->told) {
     if (state.open->answer && *state.open->answer + tolerance_ < now) {
       const OverlapEpisode episode = *state.open;
@@ -217,9 +219,10 @@ void PairWatch::judge_life(const Life& life, Walk& walk) const {
 
 void PairWatch::follow(const BilliardPair& pair, const BilliardPath& a, const BilliardPath& b,
                        std::span<const BilliardClaim> claims, const BilliardWindow& window,
-                       PairState& state, BilliardFindings& found) const {
+                       const MeetingPairs& meeting, PairState& state,
+                       BilliardFindings& found) const {
   constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
-  Walk walk{pair, window, state, found};
+  Walk walk{pair, window, meeting, state, found};
   std::size_t ia = 0, ib = 0;
   const BilliardTime* now = &window.from;
   const auto turn_of = [](const BilliardPath& path, std::size_t i) {
@@ -237,13 +240,13 @@ void PairWatch::follow(const BilliardPair& pair, const BilliardPath& a, const Bi
     Life life{pair, pair.a < 0 ? b : a, b, pair.a < 0 ? ib : ia, ib, *now, to};
     live(life, claim, walk);
     if (turn == never) break;
-    if (!state.is_empty()) expire(to.value(), walk);
+    expire(to, walk);
     if (claim) claims = claims.subspan(1);
     if (turn == turn_a) ++ia;
     if (turn == turn_b) ++ib;
     now = &to;
   }
-  if (!state.is_empty()) expire(window.to.value(), walk);
+  expire(window.to, walk);
   if (window.last) finish(walk);
 }
 
@@ -251,6 +254,9 @@ void PairWatch::follow(const BilliardPair& pair, const BilliardPath& a, const Bi
 void PairWatch::live(Life& life, const BilliardClaim* claim, Walk& walk) const {
   PairState& state = walk.state;
   ++walk.found.pair_lives;
+  if (filters_ && !claim && state.is_empty() &&
+      !walk.meeting.may_meet(life.pair, life.index_a, life.index_b))
+    return;
   life.near = near_.form(life.pair, life.a().near, life.b().near, life.from.near, DoubleBall(0));
   const DoubleBall length = life.to.near - life.from.near;
   life.length_up = std::max(0.0, up(length));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "certify/billiards/billiard_truth.h"
+#include "certify/billiards/billiard_window.h"
 #include "certify/billiards/near_images.h"
 #include "exact/algebraic.h"
 
@@ -49,11 +50,11 @@ class PairWatch {
   PairWatch(const Billiard& billiard, const Rational& horizon, const Rational& tolerance,
             const Rational& extent, bool filters);
 
-  // Follows the pair through the window. `a` is ignored for a wall. `claims`: those of this pair,
-  // in order.
+  // Follows the pair through the window, for which `meeting` has been asked. `a` is ignored for a
+  // wall. `claims`: those of this pair, in order.
   void follow(const BilliardPair& pair, const BilliardPath& a, const BilliardPath& b,
-              std::span<const BilliardClaim> claims, const BilliardWindow& window, PairState& state,
-              BilliardFindings& found) const;
+              std::span<const BilliardClaim> claims, const BilliardWindow& window,
+              const MeetingPairs& meeting, PairState& state, BilliardFindings& found) const;
 
   const BilliardGaps<Rational>& exact() const { return exact_; }
   const BilliardGaps<DoubleBall>& near() const { return near_; }
@@ -85,6 +86,7 @@ class PairWatch {
   struct Walk {
     const BilliardPair& pair;
     const BilliardWindow& window;
+    const MeetingPairs& meeting;
     PairState& state;
     BilliardFindings& found;
 
@@ -109,7 +111,7 @@ class PairWatch {
   void settle(const Life& life, Walk& walk) const;
   void open(const EntryTime& entry, Walk& walk) const;
   void close(const EntryTime& exit, Walk& walk) const;
-  void expire(const Rational& now, Walk& walk) const;
+  void expire(const BilliardTime& at, Walk& walk) const;
   void finish(Walk& walk) const;
   void miss(const OverlapEpisode& episode, Walk& walk) const;
   Polynomial<Rational> form(const Life& life, const Rational& depth) const;

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "certify/billiards/billiard_window.h"
 #include "certify/billiards/bounce_law.h"
 #include "certify/billiards/pair_watch.h"
+#include "certify/on_threads.h"
+#include "filtered/motion/options.h"
 
 namespace voroproof::internal {
 namespace {
@@ -37,6 +42,7 @@ class RecordedBilliard final : public BilliardTruth {
   RecordedBilliard(const Billiard& billiard, const Rational& horizon, const CertifyOptions& options)
       : billiard_(billiard),
         near_horizon_(Rational(horizon - options.tolerance)),
+        threads_(options.threads),
         extent_(extent_of(billiard)),
         watch_(billiard, horizon, options.tolerance, extent_, options.motion.filters),
         law_(billiard, watch_.exact(), watch_.near(), options.tolerance, options.law_tolerance,
@@ -114,14 +120,7 @@ class RecordedBilliard final : public BilliardTruth {
     std::inplace_merge(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(meeting),
                        pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    std::vector<BilliardClaim> own;
-    std::size_t next = 0;
-    for (const BilliardPair& pair : pairs) {
-      own.clear();
-      for (; next < claims_.size() && claims_[next].first == pair; ++next)
-        own.push_back(claims_[next].second);
-      follow(pair, own, window);
-    }
+    follow(pairs, window);
     claims_.clear();
     for (BilliardPath& path : paths_) path.forget_all_but_last();
   }
@@ -138,21 +137,62 @@ class RecordedBilliard final : public BilliardTruth {
     found_.faults.push_back({kind, at.line, at.t.near.mid, std::move(truth), contact});
   }
 
-  void follow(const BilliardPair& pair, const std::vector<BilliardClaim>& claims,
-              const BilliardWindow& window) {
-    const auto known = states_.empty() ? states_.end() : states_.find(pair);
-    PairState state = known == states_.end() ? PairState{} : std::move(known->second);
-    const BilliardPath& b = paths_[static_cast<std::size_t>(pair.b)];
-    watch_.follow(pair, pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)], b, claims,
-                  window, state, found_);
-    if (!state.is_empty())
-      states_[pair] = std::move(state);
-    else if (known != states_.end())
-      states_.erase(known);
+  // Pairs that one thread follows, and what it finds.
+  struct Block {
+    BilliardFindings found;
+    std::vector<std::pair<BilliardPair, PairState>> states;  // of those whose state is another now
+    std::optional<Undecided> undecided;                      // by a pair: the rest is not followed
+  };
+
+  // What is found is that of one pair after another, whatever the number of threads.
+  void follow(const std::vector<BilliardPair>& pairs, const BilliardWindow& window) {
+    constexpr std::size_t least = 256;
+    const std::size_t most = threads_ == 1 ? 1 : 4 * static_cast<std::size_t>(threads_);
+    std::vector<Block> blocks(std::clamp<std::size_t>(pairs.size() / least, 1, most));
+    on_threads(blocks.size(), threads_, [&](std::size_t b) {
+      const auto at = [&](std::size_t k) {
+        return pairs.data() + pairs.size() * k / blocks.size();
+      };
+      try {
+        follow({at(b), at(b + 1)}, window, blocks[b]);
+      } catch (const Undecided& why) {
+        blocks[b].undecided = why;
+      }
+    });
+    for (Block& block : blocks) {
+      found_.add(block.found);
+      if (block.undecided) throw Undecided(*block.undecided);
+      for (auto& [pair, state] : block.states) {
+        if (state.is_empty())
+          states_.erase(pair);
+        else
+          states_[pair] = std::move(state);
+      }
+    }
+  }
+
+  void follow(std::span<const BilliardPair> pairs, const BilliardWindow& window,
+              Block& block) const {
+    if (pairs.empty()) return;
+    auto claim = std::lower_bound(claims_.begin(), claims_.end(), pairs.front(),
+                                  [](const auto& x, const BilliardPair& y) { return x.first < y; });
+    std::vector<BilliardClaim> own;
+    for (const BilliardPair& pair : pairs) {
+      own.clear();
+      for (; claim != claims_.end() && claim->first == pair; ++claim) own.push_back(claim->second);
+      const auto known = states_.empty() ? states_.end() : states_.find(pair);
+      PairState state = known == states_.end() ? PairState{} : known->second;
+      const BilliardPath& b = paths_[static_cast<std::size_t>(pair.b)];
+      watch_.follow(pair, pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)], b, own, window,
+                    meeting_, state, block.found);
+      if (known != states_.end() || !state.is_empty())
+        block.states.emplace_back(pair, std::move(state));
+    }
   }
 
   const Billiard& billiard_;
   CompactRational near_horizon_;  // by the tolerance
+  int threads_;
   Rational extent_;
   PairWatch watch_;
   BounceLaw law_;

@@ -74,7 +74,7 @@ class BilliardEngine {
   }
 
   void box(GenId i, const DoubleBall& from, const DoubleBall& to) {
-    body(i).box = LineBoxes::empty();
+    body(i).box = empty_box();
     lines_.extend(body(i).box, i, body(i).near, from, to);
     lines_.require_near(i, body(i).box, to.mid);
   }

@@ -26,13 +26,6 @@ LineBoxes::LineBoxes(const Billiard& billiard, const BilliardGaps<DoubleBall>& g
   for (const BilliardDisk& disk : billiard.disks) fall_alike_ = fall_alike_ && !disk.fixed;
 }
 
-SweptBox LineBoxes::empty() {
-  SweptBox box;
-  box.lo.fill(infinity);
-  box.hi.fill(-infinity);
-  return box;
-}
-
 void LineBoxes::extend(SweptBox& box, GenId disk, const Flight<DoubleBall>& flight,
                        const DoubleBall& from, const DoubleBall& to) const {
   const double radius = std::max(upper(gaps_.radius(disk, from)), upper(gaps_.radius(disk, to)));
@@ -120,7 +113,7 @@ std::optional<BilliardPair> find_overlap_at_start(const Billiard& billiard) {
   std::vector<SweptBox> boxes;
   for (std::size_t i = 0; i < billiard.disks.size(); ++i) {
     const auto disk = static_cast<GenId>(i);
-    SweptBox box = LineBoxes::empty();
+    SweptBox box = empty_box();
     lines.extend(box, disk, {start, enclosed(billiard.disks[i].center), {}}, start, start);
     lines.require_near(disk, box, 0);
     boxes.push_back(box);

@@ -13,9 +13,6 @@ class LineBoxes {
   // Both must outlive it.
   LineBoxes(const Billiard& billiard, const BilliardGaps<DoubleBall>& gaps);
 
-  // A box that contains nothing.
-  static SweptBox empty();
-
   // Makes the box contain the disk on that flight from `from` to `to` >= from.
   void extend(SweptBox& box, GenId disk, const Flight<DoubleBall>& flight, const DoubleBall& from,
               const DoubleBall& to) const;

@@ -11,13 +11,6 @@ namespace {
 // More than what moving a box by a few sides rounds away.
 constexpr double share = 0x1p-48;
 
-bool meet(const SweptBox& a, const SweptBox& b) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (a.lo[k] > b.hi[k] || b.lo[k] > a.hi[k]) return false;
-  }
-  return true;
-}
-
 LatticeImage plus(const LatticeImage& a, const LatticeImage& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
@@ -31,8 +24,7 @@ NearBoxes::NearBoxes(const Billiard& billiard)
   for (std::size_t k = 0; k < 3; ++k) sides_[k] = billiard.lattice.sides[k].get_d();
 }
 
-// Moves it by so many sides, by as much as that is at any time of the window.
-void NearBoxes::shift(Copy& copy, const LatticeImage& by, double from, double to) const {
+void NearBoxes::shift(SweptBox& box, const LatticeImage& by, double from, double to) const {
   for (std::size_t k = 0; k < axes_; ++k) {
     double lo = by[k] * sides_[k], hi = lo, size = std::fabs(lo);
     if (k == 0 && by[1] != 0 && drift_ != 0) {
@@ -42,11 +34,14 @@ void NearBoxes::shift(Copy& copy, const LatticeImage& by, double from, double to
       size += std::fabs(a) + std::fabs(b);
     }
     if (lo == 0 && hi == 0) continue;
-    const double pad =
-        share * (size + std::fabs(copy.box.lo[k]) + std::fabs(copy.box.hi[k]) + sides_[k]);
-    copy.box.lo[k] += lo - pad;
-    copy.box.hi[k] += hi + pad;
+    const double pad = share * (size + std::fabs(box.lo[k]) + std::fabs(box.hi[k]) + sides_[k]);
+    box.lo[k] += lo - pad;
+    box.hi[k] += hi + pad;
   }
+}
+
+void NearBoxes::shift(Copy& copy, const LatticeImage& by, double from, double to) const {
+  shift(copy.box, by, from, to);
   copy.image = plus(copy.image, by);
 }
 
@@ -73,13 +68,8 @@ void NearBoxes::fold(const std::vector<SweptBox>& boxes, double from, double to)
     copies_.push_back(copy);
   }
   folded_ = copies_.size();
-  all_ = copies_.empty() ? SweptBox{} : copies_.front().box;
-  for (const Copy& copy : copies_) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      all_.lo[k] = std::min(all_.lo[k], copy.box.lo[k]);
-      all_.hi[k] = std::max(all_.hi[k], copy.box.hi[k]);
-    }
-  }
+  all_ = empty_box();
+  for (const Copy& copy : copies_) extend(all_, copy.box);
 }
 
 // All images, but the folded disk itself, that meet the box of all. The first axis comes last:

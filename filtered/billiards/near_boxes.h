@@ -1,9 +1,11 @@
 // Which disks of a billiard may meet in a window of time: those whose boxes meet, images included.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,6 +17,29 @@ namespace voroproof::internal {
 struct SweptBox {
   std::array<double, 3> lo, hi;
 };
+
+// Contains nothing.
+inline SweptBox empty_box() {
+  SweptBox box;
+  box.lo.fill(std::numeric_limits<double>::infinity());
+  box.hi.fill(-std::numeric_limits<double>::infinity());
+  return box;
+}
+
+// Makes `all` contain the other one.
+inline void extend(SweptBox& all, const SweptBox& other) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    all.lo[k] = std::min(all.lo[k], other.lo[k]);
+    all.hi[k] = std::max(all.hi[k], other.hi[k]);
+  }
+}
+
+inline bool meet(const SweptBox& a, const SweptBox& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (a.lo[k] > b.hi[k] || b.lo[k] > a.hi[k]) return false;
+  }
+  return true;
+}
 
 class NearBoxes {
  public:
@@ -29,6 +54,9 @@ class NearBoxes {
   // The pairs of one disk in that window, looked for among all.
   std::vector<BilliardPair> partners(GenId disk, const std::vector<SweptBox>& boxes, double from,
                                      double to) const;
+
+  // Moves the box by so many sides, by as much as that is at any time of the window.
+  void shift(SweptBox& box, const LatticeImage& by, double from, double to) const;
 
   // How many boxes the last call has compared.
   std::size_t compared() const { return compared_; }
