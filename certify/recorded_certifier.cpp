@@ -68,17 +68,18 @@ void complete(Certificate& c, const std::optional<std::array<Rational, 2>>& othe
 
 }  // namespace
 
-std::optional<std::array<Rational, 2>> other_horizon(const Scene& scene,
+std::optional<std::array<Rational, 2>> other_horizon(const Rational& of_scene,
                                                      const HistoryHeader& header) {
-  if (abs(Rational(header.horizon - scene.horizon)) <= header.horizon_error) return std::nullopt;
-  return std::array{header.horizon, scene.horizon};
+  if (abs(Rational(header.horizon - of_scene)) <= header.horizon_error) return std::nullopt;
+  return std::array{header.horizon, of_scene};
 }
 
 Certificate certify_by(
     const Scene& scene, HistorySource& history, const CertifyOptions& asked,
     const std::function<Certificate(const MotionInput&, const CertifyOptions&)>& prove) {
   const CertifyOptions options = options_for(history, asked);
-  const std::optional<std::array<Rational, 2>> other = other_horizon(scene, history.header());
+  const std::optional<std::array<Rational, 2>> other =
+      other_horizon(scene.horizon, history.header());
   if (other && asked.strict) return refuted_for(*other);
   Certificate c = prove(motion_input(scene), options);
   complete(c, other, history, options);
@@ -103,7 +104,8 @@ Shard certify_shard(const Scene& scene, HistorySource& history, const CertifyOpt
     throw std::invalid_argument("shards are of the recorded truth, and of all events");
   }
   const CertifyOptions options = options_for(history, asked);
-  const std::optional<std::array<Rational, 2>> other = other_horizon(scene, history.header());
+  const std::optional<std::array<Rational, 2>> other =
+      other_horizon(scene.horizon, history.header());
   const MotionInput input = motion_input(scene);
   if (other && asked.strict) {
     return {start_of(scene, input, history, options), std::nullopt, refuted_for(*other)};

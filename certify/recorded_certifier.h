@@ -16,7 +16,7 @@ namespace voroproof::internal {
 
 // The history's horizon and the scene's, where they differ by more than the file can say: what a
 // certificate tells of them (Certificate::other_horizon).
-std::optional<std::array<Rational, 2>> other_horizon(const Scene& scene,
+std::optional<std::array<Rational, 2>> other_horizon(const Rational& of_scene,
                                                      const HistoryHeader& header);
 
 // Does what certify() does (certify/certifier.h) for options.truth == Truth::recorded.

@@ -49,16 +49,17 @@ struct BilliardHistoryReader::Line {
   std::optional<std::variant<HistoryEnd, HistoryStop>> ending;
 };
 
-BilliardHistoryReader::BilliardHistoryReader(const std::string& path, const Billiard* billiard)
+BilliardHistoryReader::BilliardHistoryReader(const std::string& path, const Billiard* billiard,
+                                             std::optional<std::string_view> text)
     : path_(path),
       billiard_(billiard),
       dimension_(billiard ? static_cast<std::size_t>(billiard->dimension) : 0),
-      lines_(path_) {
+      lines_(path_, text) {
   lines_.keep_digest();
-  const auto text = lines_.next(max_header_line);
-  if (!text) throw InputError(path_, 1, "", "empty file");
+  const auto first = lines_.next(max_header_line);
+  if (!first) throw InputError(path_, 1, "", "empty file");
   of_this_version(
-      *text, path_, "voroproof-history", [&] { read_header(*text); }, world_version);
+      *first, path_, "voroproof-history", [&] { read_header(*first); }, world_version);
 }
 
 void BilliardHistoryReader::read_header(std::string_view text) {

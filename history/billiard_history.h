@@ -22,8 +22,10 @@ namespace voroproof::internal {
 class BilliardHistoryReader {
  public:
   // If the billiard is known: it must outlive the reader, and the history be one of it. Else the
-  // first vector tells the dimension.
-  explicit BilliardHistoryReader(const std::string& path, const Billiard* billiard = nullptr);
+  // first vector tells the dimension. With a text that is read, and the path is a name for
+  // messages.
+  explicit BilliardHistoryReader(const std::string& path, const Billiard* billiard = nullptr,
+                                 std::optional<std::string_view> text = {});
 
   const HistoryHeader& header() const { return header_; }
 

@@ -14,30 +14,27 @@ std::string ids_text(GenId a, GenId b) {
 
 }  // namespace
 
-BilliardHistoryWriter::BilliardHistoryWriter(const std::string& path, int dimension)
-    : path_(path), file_(path), dimension_(static_cast<std::size_t>(dimension)) {}
-
-void BilliardHistoryWriter::header(const std::string& scene_sha256, const Rational& horizon,
-                                   const std::string& producer) {
+std::string BilliardHistoryLines::header(const std::string& scene_sha256, const Rational& horizon,
+                                         const std::string& producer) {
   horizon_ = number_text(horizon);
-  file_.write("{\"format\":\"voroproof-history\",\"version\":2,\"scene_sha256\":" +
-              string_text(scene_sha256) + ",\"horizon\":" + horizon_ +
-              ",\"producer\":" + string_text(producer) + "}\n");
+  return "{\"format\":\"voroproof-history\",\"version\":2,\"scene_sha256\":" +
+         string_text(scene_sha256) + ",\"horizon\":" + horizon_ +
+         ",\"producer\":" + string_text(producer) + "}\n";
 }
 
-std::string BilliardHistoryWriter::vector_text(const CompactVec3& v) const {
+std::string BilliardHistoryLines::vector_text(const CompactVec3& v) const {
   std::string text = "[";
   for (std::size_t k = 0; k < dimension_; ++k) text += (k ? "," : "") + number(v[k]);
   return text + ']';
 }
 
-std::string BilliardHistoryWriter::pair_text(
+std::string BilliardHistoryLines::pair_text(
     const std::array<std::optional<CompactVec3>, 2>& pair) const {
   const auto text = [&](int side) { return pair[side] ? vector_text(*pair[side]) : "null"; };
   return '[' + text(0) + ',' + text(1) + ']';
 }
 
-void BilliardHistoryWriter::write(const BilliardEvent& event) {
+std::string BilliardHistoryLines::event(const BilliardEvent& event) {
   std::string line = "{\"t\":" + number(event.t);
   if (const auto* turn = std::get_if<BilliardTurn>(&event.what)) {
     ++counts_.maneuvers;
@@ -54,21 +51,19 @@ void BilliardHistoryWriter::write(const BilliardEvent& event) {
         line += (k ? "," : "") + std::to_string((*collision.image)[k]);
       line += ']';
     }
-    line += ",\"v\":" + pair_text(collision.v) + ",\"p\":" + pair_text(collision.p);
+    if (collision.v[0] || collision.v[1]) line += ",\"v\":" + pair_text(collision.v);
+    if (collision.p[0] || collision.p[1]) line += ",\"p\":" + pair_text(collision.p);
   }
-  file_.write(line + "}\n");
+  return line + "}\n";
 }
 
-void BilliardHistoryWriter::end() {
-  complete_ = true;
-  file_.write("{\"end\":{\"t\":" + horizon_ +
-              ",\"collisions\":" + std::to_string(counts_.collisions) +
-              ",\"maneuvers\":" + std::to_string(counts_.maneuvers) + "}}\n");
+std::string BilliardHistoryLines::end() const {
+  return "{\"end\":{\"t\":" + horizon_ + ",\"collisions\":" + std::to_string(counts_.collisions) +
+         ",\"maneuvers\":" + std::to_string(counts_.maneuvers) + "}}\n";
 }
 
-void BilliardHistoryWriter::stopped(double t, const std::string& reason) {
-  file_.write("{\"stopped\":{\"t\":" + number_text(t) + ",\"reason\":" + string_text(reason) +
-              "}}\n");
+std::string BilliardHistoryLines::stopped(double t, const std::string& reason) const {
+  return "{\"stopped\":{\"t\":" + number_text(t) + ",\"reason\":" + string_text(reason) + "}}\n";
 }
 
 std::string BilliardHistoryWriter::close_beside_complete() {

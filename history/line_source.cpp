@@ -17,7 +17,16 @@ constexpr std::size_t kStep = 1 << 17;
 
 }  // namespace
 
-LineSource::LineSource(const std::string& path) : path_(path), source_(path), buffer_(2 * kStep) {}
+LineSource::LineSource(const std::string& path, std::optional<std::string_view> text)
+    : path_(path) {
+  if (text) {
+    buffer_.assign(text->begin(), text->end());
+    end_ = buffer_.size();
+  } else {
+    source_.emplace(path);
+    buffer_.resize(2 * kStep);
+  }
+}
 
 std::optional<std::string_view> LineSource::next(std::size_t limit) {
   std::size_t searched = 0;
@@ -51,7 +60,7 @@ std::optional<std::string_view> LineSource::next(std::size_t limit) {
 
 bool LineSource::skip_to(std::int64_t offset, std::int64_t number, std::optional<Sha256> digest) {
   // The byte before shows whether a line ends there.
-  if (!source_.skip_to(offset - 1)) return false;
+  if (!source_ || !source_->skip_to(offset - 1)) return false;
   digest_.reset();
   begin_ = end_ = 0;
   if (!fill() || buffer_[0] != '\n') {
@@ -101,10 +110,14 @@ void LineSource::drop_given() {
 }
 
 bool LineSource::fill() {
+  if (!source_) {
+    ended_ = true;
+    return false;
+  }
   drop_given();
   if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
   const std::size_t got =
-      source_.read(buffer_.data() + end_, std::min(buffer_.size() - end_, kStep));
+      source_->read(buffer_.data() + end_, std::min(buffer_.size() - end_, kStep));
   end_ += got;
   ended_ = got == 0;
   return got > 0;

@@ -1,4 +1,4 @@
-// The lines of an input of any length, in bounded memory.
+// The lines of an input of any length, in bounded memory, or of a text.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,9 @@ namespace voroproof::internal {
 
 class LineSource {
  public:
-  // Throws InputError where the file cannot be opened.
-  explicit LineSource(const std::string& path);
+  // Throws InputError where the file cannot be opened. With a text its lines are given, and the
+  // path is a name for messages.
+  explicit LineSource(const std::string& path, std::optional<std::string_view> text = {});
 
   // The next line without its end, or nothing after the last. Text after the last line end is a
   // line too. The view holds until the next call. Throws InputError where the line has more than
@@ -57,7 +58,7 @@ class LineSource {
   void drop_given();
 
   std::string path_;
-  ByteSource source_;
+  std::optional<ByteSource> source_;  // none of a text, which is in the buffer
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // bytes read and not yet given
   std::int64_t number_ = 0, offset_ = 0;

@@ -11,6 +11,23 @@
 #include "history/sha256.h"
 
 namespace voroproof::internal {
+namespace {
+
+template <class Scene>
+CertificationRun run_of(const std::string& producer, const std::string& scene_path,
+                        const std::string& history_path, const Scene& scene,
+                        const HistoryHeader& header) {
+  return {.producer = producer,
+          .scene_file = scene_path,
+          .history_file = history_path,
+          .scene_sha256 = scene.sha256,
+          .history_sha256 = {},
+          .history_producer = header.producer,
+          .disks = static_cast<int>(scene.disks.size()),
+          .horizon = header.certain_horizon()};
+}
+
+}  // namespace
 
 void require_meaningful(const CertifyOptions& options, const Rational& horizon) {
   static const Rational always_meaningful(1, 1'000'000);
@@ -58,16 +75,16 @@ bool has_other_bytes(const std::string& path, const std::string& sha256) {
 CertificationRun certification_run(const std::string& producer, const std::string& scene_path,
                                    const std::string& history_path, const Claim& claim,
                                    const std::string& evidence) {
-  const HistoryHeader& header = claim.history->header();
-  return {.producer = producer,
-          .scene_file = scene_path,
-          .history_file = history_path,
-          .scene_sha256 = claim.scene.sha256,
-          .history_sha256 = {},
-          .history_producer = header.producer,
-          .disks = static_cast<int>(claim.scene.disks.size()),
-          .horizon = header.certain_horizon(),
-          .evidence = evidence};
+  CertificationRun run =
+      run_of(producer, scene_path, history_path, claim.scene, claim.history->header());
+  run.evidence = evidence;
+  return run;
+}
+
+CertificationRun certification_run(const std::string& producer, const std::string& scene_path,
+                                   const std::string& history_path, const Billiard& billiard,
+                                   const HistoryHeader& header) {
+  return run_of(producer, scene_path, history_path, billiard, header);
 }
 
 }  // namespace voroproof::internal

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "certify/report.h"
+#include "exact/billiard.h"
 #include "history/claim.h"
 
 namespace voroproof::internal {
@@ -33,5 +34,8 @@ bool has_other_bytes(const std::string& path, const std::string& sha256);
 CertificationRun certification_run(const std::string& producer, const std::string& scene_path,
                                    const std::string& history_path, const Claim& claim,
                                    const std::string& evidence);
+CertificationRun certification_run(const std::string& producer, const std::string& scene_path,
+                                   const std::string& history_path, const Billiard& billiard,
+                                   const HistoryHeader& header);
 
 }  // namespace voroproof::internal

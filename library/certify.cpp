@@ -2,10 +2,12 @@
 
 #include <utility>
 
+#include "certify/billiards/billiard_certifier.h"
 #include "certify/certifier.h"
+#include "certify/recorded_certifier.h"
 #include "certify/report.h"
 #include "history/claim.h"
-#include "history/error.h"
+#include "library/billiard_values.h"
 #include "library/certification.h"
 #include "library/explanation.h"
 #include "library/values.h"
@@ -58,17 +60,10 @@ voroproof::Divergence divergence_value(const Divergence& d) {
   return out;
 }
 
-voroproof::Report judged(Claim&& claim, const std::string& scene_name,
-                         const std::string& history_name, const voroproof::CertifyOptions& asked) {
-  const CertifyOptions options = options_of(asked);
-  require_meaningful(options, claim.history->header().horizon);
-  claim.history->keep_digest();
-  Certificate c = certify(claim.scene, *claim.history, options);
-  claim.history->require_unchanged();
-  c.remarks.insert(c.remarks.begin(), claim.remarks.begin(), claim.remarks.end());
-
+voroproof::Report report_value(CertificationRun run, const CertifyOptions& options,
+                               const Certificate& c) {
   voroproof::Report out;
-  out.evidence = checked_evidence(c, scene_name, history_name);
+  out.evidence = run.evidence = checked_evidence(c, run.scene_file, run.history_file);
   out.verdict = verdict_value(c.verdict);
   out.reason = reason_line(c);
   if (c.divergence) out.divergence = divergence_value(*c.divergence);
@@ -83,15 +78,44 @@ voroproof::Report judged(Claim&& claim, const std::string& scene_name,
   }
   if (c.other_horizon) out.leniency.push_back({"other_horizon", horizon_line(c), 1});
   out.remarks = c.remarks;
-  CertificationRun run = certification_run("voroproof " VOROPROOF_VERSION, scene_name, history_name,
-                                           claim, out.evidence);
-  run.history_sha256 = claim.history->content_sha256();
   VerdictWords words = words_of(options, run.horizon, c);
   out.words = std::move(words.verdict);
   out.about = std::move(words.about);
   out.reservations = std::move(words.reservations);
   out.json = report_text(run, options, c);
   return out;
+}
+
+voroproof::Report judged(Claim&& claim, const std::string& scene_name,
+                         const std::string& history_name, const voroproof::CertifyOptions& asked) {
+  const CertifyOptions options = options_of(asked);
+  require_meaningful(options, claim.history->header().horizon);
+  claim.history->keep_digest();
+  Certificate c = certify(claim.scene, *claim.history, options);
+  claim.history->require_unchanged();
+  c.remarks.insert(c.remarks.begin(), claim.remarks.begin(), claim.remarks.end());
+  CertificationRun run =
+      certification_run("voroproof " VOROPROOF_VERSION, scene_name, history_name, claim, {});
+  run.history_sha256 = claim.history->content_sha256();
+  return report_value(std::move(run), options, c);
+}
+
+// `text`: the history where no file holds it.
+voroproof::Report judged(const Billiard& billiard, const std::string& scene_name,
+                         const std::string& history_name, std::optional<std::string_view> text,
+                         const voroproof::CertifyOptions& asked) {
+  if (asked.strict) throw std::invalid_argument("strict: not for billiards");
+  if (asked.any_order) throw std::invalid_argument("order: only \"format\" for billiards");
+  CertifyOptions options = options_of(asked);
+  options.events = EventKinds::collisions;
+  BilliardHistoryReader history(history_name, &billiard, text);
+  require_meaningful(options, history.header().horizon);
+  Certificate c = certify_billiard(billiard, scene_name, history, options);
+  c.other_horizon = other_horizon(billiard.horizon, history.header());
+  CertificationRun run = certification_run("voroproof " VOROPROOF_VERSION, scene_name, history_name,
+                                           billiard, history.header());
+  run.history_sha256 = history.content_sha256();
+  return report_value(std::move(run), options, c);
 }
 
 }  // namespace
@@ -120,8 +144,20 @@ Report certify(const Scene& scene, const History& history, const CertifyOptions&
 Report certify_files(const std::string& scene_path, const std::string& history_path,
                      const CertifyOptions& options) {
   return with_public_errors([&] {
+    if (internal::is_billiard_file(scene_path)) {
+      return internal::judged(internal::read_billiard(scene_path), scene_path, history_path, {},
+                              options);
+    }
     return internal::judged(internal::open_claim(scene_path, history_path), scene_path,
                             history_path, options);
+  });
+}
+
+Report certify(const Billiard& billiard, const BilliardHistory& history,
+               const CertifyOptions& options) {
+  return with_public_errors([&] {
+    return internal::judged(billiard.read(), "scene", internal::history_in_memory,
+                            internal::history_text(history), options);
   });
 }
 

@@ -3,8 +3,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/billiard/billiard_run.h"
 #include "engine/engine.h"
 #include "history/scene_motion.h"
+#include "library/billiard_values.h"
 #include "library/maneuver_input.h"
 #include "library/values.h"
 #include "voroproof/version.h"
@@ -55,6 +57,13 @@ class Forwarding final : public EventSink {
   voroproof::EventSink& sink_;
 };
 
+template <class Outcome>
+voroproof::Ending ending_of(const Outcome& outcome) {
+  using Kind = decltype(outcome.kind);
+  if (outcome.kind == Kind::complete) return {true, outcome.t, {}};
+  return {false, outcome.t, outcome.kind == Kind::interrupted ? "interrupted" : outcome.reason};
+}
+
 voroproof::Ending run(const Scene& scene, voroproof::EventSink& sink,
                       const voroproof::SimulateOptions& options) {
   if (options.threads < 1) throw std::invalid_argument("threads: less than 1");
@@ -64,10 +73,17 @@ voroproof::Ending run(const Scene& scene, voroproof::EventSink& sink,
   settings.monitor = options.monitor;
   Forwarding forwarding(sink);
   Engine engine(motion_input(scene), maneuver_input(scene), std::move(settings));
-  const Outcome outcome = engine.run(forwarding);
-  if (outcome.kind == Outcome::Kind::complete) return {true, outcome.t, {}};
-  return {false, outcome.t,
-          outcome.kind == Outcome::Kind::interrupted ? "interrupted" : outcome.reason};
+  return ending_of(engine.run(forwarding));
+}
+
+voroproof::Ending run(const Billiard& billiard, voroproof::BilliardHistory& history,
+                      const voroproof::SimulateOptions& options) {
+  BilliardOptions settings;
+  settings.max_bits = motion_options(options.max_bits).max_bits;
+  settings.max_events = options.max_events;
+  settings.monitor = options.monitor;
+  return ending_of(run_billiard(billiard, settings,
+                                [&](const BilliardEvent& event) { append(history, event); }));
 }
 
 }  // namespace
@@ -87,6 +103,18 @@ History simulate(const Scene& scene, const SimulateOptions& options) {
     history.producer = "voroproof " VOROPROOF_VERSION;
     internal::Collecting sink(history);
     history.ending = internal::run(checked, sink, options);
+    return history;
+  });
+}
+
+BilliardHistory simulate(const Billiard& billiard, const SimulateOptions& options) {
+  return internal::with_public_errors([&] {
+    BilliardHistory history;
+    history.scene_sha256 = billiard.sha256();
+    history.dimension = billiard.dimension();
+    history.horizon = billiard.horizon();
+    history.producer = "voroproof " VOROPROOF_VERSION;
+    history.ending = internal::run(billiard.read(), history, options);
     return history;
   });
 }

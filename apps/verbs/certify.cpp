@@ -86,7 +86,8 @@ std::optional<ShardFile> finished_certificate(const CertifyRequest& request, con
                                               const ShardFile& wanted) {
   if (!request.resume || request.part.empty()) return std::nullopt;
   ShardFile whole = wanted;
-  whole.shard.certificate.other_horizon = other_horizon(claim.scene, claim.history->header());
+  whole.shard.certificate.other_horizon =
+      other_horizon(claim.scene.horizon, claim.history->header());
   return finished_shard(request.report, whole, request.history);
 }
 
@@ -139,7 +140,7 @@ bool certify_claim(const CertifyRequest& request, Claim& claim, const CertifyOpt
                    const CooperativeInterruption& interruption,
                    std::optional<BegunCertificate>& begun, ShardFile& file) {
   Certificate& certificate = file.shard.certificate;
-  certificate.other_horizon = other_horizon(claim.scene, claim.history->header());
+  certificate.other_horizon = other_horizon(claim.scene.horizon, claim.history->header());
   certificate.remarks = claim.remarks;
   try {
     if (begun || !request.part.empty()) {

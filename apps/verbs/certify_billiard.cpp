@@ -10,6 +10,7 @@
 #include "apps/run/least_tolerances.h"
 #include "apps/run/told_certificate.h"
 #include "certify/billiards/billiard_certifier.h"
+#include "certify/recorded_certifier.h"
 #include "history/error.h"
 #include "history/event_limit.h"
 #include "history/output_file.h"
@@ -62,20 +63,13 @@ ExitCode certify_billiard(const CertifyRequest& request) {
   file.options.motion.filters = filters_wanted();
   file.options.events = EventKinds::collisions;
   read_tolerances(request, history.header().horizon, file.options);
-  file.run = {.producer = producer(),
-              .scene_file = request.scene,
-              .history_file = request.history,
-              .scene_sha256 = billiard.sha256,
-              .history_sha256 = {},
-              .history_producer = history.header().producer,
-              .disks = static_cast<int>(billiard.disks.size()),
-              .horizon = history.header().horizon};
+  file.run =
+      certification_run(producer(), request.scene, request.history, billiard, history.header());
   Certificate& certificate = file.shard.certificate;
   certificate = judge(request, billiard, history, file.options, interruption);
-  if (history.header().horizon != billiard.horizon)
-    certificate.other_horizon = std::array{history.header().horizon, billiard.horizon};
+  certificate.other_horizon = other_horizon(billiard.horizon, history.header());
   if (report) file.run.history_sha256 = history.content_sha256();
-  if (certificate.divergence) file.run.evidence = "none";
+  file.run.evidence = checked_evidence(certificate, request.scene, request.history);
   if (request.least_tolerances) {
     add_least_tolerances(file, interruption, [&](const CertifyOptions& other) {
       BilliardHistoryReader again(request.history, &billiard);

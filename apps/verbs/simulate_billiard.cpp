@@ -1,6 +1,5 @@
 #include "apps/verbs/simulate_billiard.h"
 
-#include <algorithm>
 #include <iostream>
 
 #include "apps/cli/command_line.h"
@@ -8,8 +7,8 @@
 #include "apps/cli/limits.h"
 #include "apps/cli/progress.h"
 #include "apps/run/told_run.h"
+#include "certify/billiards/billiard_certifier.h"
 #include "engine/billiard/billiard_run.h"
-#include "filtered/billiards/line_boxes.h"
 #include "history/billiard.h"
 #include "history/billiard_history_writer.h"
 #include "history/error.h"
@@ -24,7 +23,6 @@ BilliardOutcome run(const WorldRequest& request, const Billiard& billiard, int m
   Progress progress(round_nearest(billiard.horizon), request.quiet);
   BilliardOptions options;
   options.max_bits = max_bits;
-  options.start_bits = std::min(options.start_bits, max_bits);
   options.max_events = request.max_events;
   options.monitor = [&](double t, std::uint64_t events) {
     progress.report(t, events);
@@ -50,10 +48,7 @@ ExitCode simulate_billiard(const WorldRequest& request, int max_bits) {
       throw UsageError("--horizon: later than that of the scene, up to which it is checked");
     billiard.horizon = *request.horizon;
   }
-  if (const auto pair = find_overlap_at_start(billiard)) {
-    const auto [field, why] = placement_fault(billiard, *pair);
-    throw InputError(request.scene, 0, field, why);
-  }
+  require_placement(billiard, request.scene);
   BilliardHistoryWriter writer(request.history, billiard.dimension);
   const BilliardOutcome outcome = run(request, billiard, max_bits, writer, interruption);
   if (!writer.is_stream()) interruption.wind_up();
@@ -61,8 +56,7 @@ ExitCode simulate_billiard(const WorldRequest& request, int max_bits) {
   if (complete) {
     writer.end();
   } else {
-    writer.stopped(outcome.t,
-                   outcome.kind == BilliardOutcome::Kind::stopped ? outcome.reason : "interrupted");
+    writer.stopped(outcome.t, outcome.reason);
   }
   close_history(writer, request.history, request.replace);
   if (!request.quiet) {

@@ -8,6 +8,7 @@
 
 #include "certify/billiards/exact_billiard.h"
 #include "certify/billiards/recorded_billiard.h"
+#include "exact/patience.h"
 #include "filtered/billiards/line_boxes.h"
 #include "filtered/motion/options.h"
 #include "history/error.h"
@@ -37,9 +38,23 @@ class BilliardCertification {
         next_maneuver_(billiard.disks.size()) {}
 
   Certificate run() {
+    std::optional<Patience> patience;
+    if (options_.monitor)
+      patience.emplace([this] { return options_.monitor(now_.near.mid, number_); });
+    try {
+      judge();
+    } catch (const GivenUp&) {
+      throw CertificationInterrupted{proved_, now_.near.mid};
+    }
+    conclude();
+    return std::move(certificate_);
+  }
+
+ private:
+  void judge() {
     start();
     try {
-      require_placement();
+      require_placement(billiard_, scene_file_);
       truth_->begin();
       bool more = true;
       while (more && found_.faults.empty()) more = window();
@@ -52,13 +67,9 @@ class BilliardCertification {
       }
     }
     // The rest is read for its form.
-    while (history_.next()) {
-    }
-    conclude();
-    return std::move(certificate_);
+    while (history_.next()) Patience::ask();
   }
 
- private:
   void start() {
     for (std::size_t m = 0; m < billiard_.maneuvers.size(); ++m) {
       const BilliardManeuver& maneuver = billiard_.maneuvers[m];
@@ -68,14 +79,6 @@ class BilliardCertification {
     undone_line_.assign(billiard_.maneuvers.size(), 0);
     if (horizon_ > billiard_.horizon)
       throw InputError(scene_file_, 0, "horizon", "the history goes beyond it");
-  }
-
-  // No two overlap at the start, and all are in the frame.
-  void require_placement() const {
-    const auto pair = find_overlap_at_start(billiard_);
-    if (!pair) return;
-    const auto [field, why] = placement_fault(billiard_, *pair);
-    throw InputError(scene_file_, 0, field, why);
   }
 
   std::optional<BilliardEvent> take() {
@@ -135,10 +138,11 @@ class BilliardCertification {
     if (untold && found_.faults.empty()) throw Undecided(*untold);
     if (!found_.faults.empty()) miss_maneuvers(to.value() - options_.tolerance);
     now_ = to;
-    const auto is_past = [&](const BilliardTime& t) { return !(now_.exact < t.exact); };
+    const BilliardTime settled = settled_at(now_);
+    const auto is_past = [&](const BilliardTime& t) { return !(settled.exact < t.exact); };
     times_.erase(times_.begin(), std::find_if_not(times_.begin(), times_.end(), is_past));
-    if (options_.monitor && !options_.monitor(now_.near.mid, number_))
-      throw CertificationInterrupted{number_, now_.near.mid};
+    proved_ = number_ - static_cast<std::int64_t>(times_.size());
+    Patience::ask_now();
     return !last;
   }
 
@@ -158,6 +162,7 @@ class BilliardCertification {
   }
 
   void claim(const BilliardEvent& event) {
+    Patience::ask();
     const BilliardTime t(event.t);
     times_.push_back(t);
     for (; later_ < billiard_.maneuvers.size() && billiard_.maneuvers[later_].t < t.value();
@@ -236,7 +241,7 @@ class BilliardCertification {
     certificate_.at_horizon = found_.at_horizon;
     certificate_.swaps = found_.swaps;
     certificate_.highest_bits = found_.highest_bits;
-    certificate_.prefix_events = number_;
+    certificate_.prefix_events = certificate_.verdict == Verdict::certified ? number_ : proved_;
     certificate_.prefix_t = now_.near.mid;
     if (found_.faults.empty()) return;
     const BilliardFault& first = *std::min_element(
@@ -265,7 +270,9 @@ class BilliardCertification {
   BilliardTime now_{Rational(0)};
   std::optional<BilliardEvent> ahead_;
   std::int64_t line_ = 1, number_ = 0;  // the claim's that was read last; how many were read
-  std::vector<BilliardTime> times_;     // the claims' that have been read and are later than now
+  std::int64_t proved_ = 0;             // how many of them have their truth before now
+  // The claims' that have been read and whose truth may be later than now.
+  std::vector<BilliardTime> times_;
   // By disk: those that are not claimed yet.
   std::vector<std::deque<std::size_t>> next_maneuver_;
   std::vector<std::int64_t> undone_line_;  // by maneuver: the first claim's after it; 0: none yet
@@ -274,6 +281,13 @@ class BilliardCertification {
 };
 
 }  // namespace
+
+void require_placement(const Billiard& billiard, const std::string& scene_file) {
+  const auto pair = find_overlap_at_start(billiard);
+  if (!pair) return;
+  const auto [field, why] = placement_fault(billiard, *pair);
+  throw InputError(scene_file, 0, field, why);
+}
 
 Certificate certify_billiard(const Billiard& billiard, const std::string& scene_file,
                              BilliardHistoryReader& history, const CertifyOptions& options) {

@@ -13,9 +13,13 @@
 
 namespace voroproof::internal {
 
+// Throws InputError, naming `scene_file`, where disks overlap at the start or leave the frame, and
+// Undecided where there are too many images to tell.
+void require_placement(const Billiard& billiard, const std::string& scene_file);
+
 // Judges the history to its end. Options: the truth, tolerances, the monitor, the bits of numbers,
-// and whether doubles decide where they can; all events are judged. Throws InputError, naming
-// `scene_file`, where disks of the scene overlap or leave the frame, and CertificationInterrupted.
+// and whether doubles decide where they can; all events are judged. Throws what
+// require_placement() does, and CertificationInterrupted.
 Certificate certify_billiard(const Billiard& billiard, const std::string& scene_file,
                              BilliardHistoryReader& history, const CertifyOptions& options);
 

@@ -52,7 +52,7 @@ struct BilliardWindow {
   BilliardTime from, to;
   Rational until;
   bool last;
-  const std::vector<BilliardTime>* times;  // the claims' after `from`, in order
+  const std::vector<BilliardTime>* times;  // the claims' whose truth may be after `from`, in order
   std::int64_t first_line;                 // the first one's, or that of what follows them
 
   // The line of the first claim for which `is_later` holds.

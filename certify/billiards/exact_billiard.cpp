@@ -10,6 +10,7 @@
 #include "certify/billiards/true_instant.h"
 #include "certify/billiards/true_lives.h"
 #include "certify/billiards/true_response.h"
+#include "exact/patience.h"
 #include "filtered/billiards/line_boxes.h"
 #include "history/json_text.h"
 
@@ -128,6 +129,7 @@ class ExactBilliard final : public BilliardTruth {
     Touches touches;
     std::int64_t lives = 0;
     const auto t = told([&] {
+      Patience::ask();
       touches.clear();
       lives = 0;
       return lives_.find_contact(pair, window.from, window.to, is_end, touches, lives);

@@ -11,6 +11,7 @@
 #include "certify/billiards/bounce_law.h"
 #include "certify/billiards/pair_watch.h"
 #include "certify/on_threads.h"
+#include "exact/patience.h"
 #include "filtered/motion/options.h"
 
 namespace voroproof::internal {
@@ -178,6 +179,7 @@ class RecordedBilliard final : public BilliardTruth {
                                   [](const auto& x, const BilliardPair& y) { return x.first < y; });
     std::vector<BilliardClaim> own;
     for (const BilliardPair& pair : pairs) {
+      Patience::ask();
       own.clear();
       for (; claim != claims_.end() && claim->first == pair; ++claim) own.push_back(claim->second);
       const auto known = states_.empty() ? states_.end() : states_.find(pair);

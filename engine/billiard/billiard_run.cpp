@@ -9,6 +9,7 @@
 
 #include "engine/billiard/meeting_time.h"
 #include "engine/billiard/told_value.h"
+#include "exact/patience.h"
 #include "filtered/billiards/line_boxes.h"
 #include "filtered/motion/options.h"
 
@@ -37,19 +38,18 @@ class BilliardEngine {
     }
   }
 
-  // False where it was interrupted.
-  bool run() {
+  void run() {
     length_ = billiard_.horizon.get_d() / 16;
     Rational from = 0;
     do {
       const auto [pairs, to] = next_window(from);
-      if (!window(pairs, from, to)) return false;
+      window(pairs, from, to);
       from = to;
     } while (from < billiard_.horizon);
-    return true;
   }
 
   double time() const { return enclosed(now_).mid; }
+  std::uint64_t events() const { return events_; }
 
  private:
   struct Body {
@@ -141,6 +141,7 @@ class BilliardEngine {
   }
 
   void predict(const BilliardPair& pair) {
+    Patience::ask();
     if (pair.a >= 0 && fixed(pair.a) && fixed(pair.b)) return;
     Body& b = body(pair.b);
     Body& a = pair.a < 0 ? b : body(pair.a);
@@ -184,7 +185,7 @@ class BilliardEngine {
     return ordered < 0 || (ordered == 0 && is_last_) ? &first : nullptr;
   }
 
-  bool window(const std::vector<BilliardPair>& pairs, const Rational& from, const Rational& to) {
+  void window(const std::vector<BilliardPair>& pairs, const Rational& from, const Rational& to) {
     now_ = of_kind<T>(from, bits_);
     end_ = of_kind<T>(to, bits_);
     near_end_ = enclosed(end_);
@@ -194,8 +195,8 @@ class BilliardEngine {
     for (;;) {
       const Meeting* meeting = next_meeting();
       const BilliardManeuver* maneuver = next_maneuver(to);
-      if (meeting == nullptr && maneuver == nullptr) return true;
-      if (options_.monitor && !options_.monitor(time(), events_)) return false;
+      if (meeting == nullptr && maneuver == nullptr) return;
+      Patience::ask_now();
       if (maneuver != nullptr) {
         const T t = of_kind<T>(maneuver->t, bits_);
         // Collisions come first.
@@ -315,17 +316,22 @@ class BilliardEngine {
   std::uint64_t events_ = 0;
 };
 
-// Runs once; false where it was interrupted.
+// Runs once; false where it is to be repeated with more bits.
 template <class T>
 bool run_once(const Billiard& billiard, int bits, const BilliardOptions& options,
               std::uint64_t& told, const std::function<void(const BilliardEvent&)>& tell,
               BilliardOutcome& outcome) {
   outcome.bits = bits;
   BilliardEngine<T> engine(billiard, bits, options, told, tell);
+  std::optional<Patience> patience;
+  if (options.monitor)
+    patience.emplace([&] { return options.monitor(engine.time(), engine.events()); });
   try {
-    const bool complete = engine.run();
-    outcome.kind = complete ? BilliardOutcome::Kind::complete : BilliardOutcome::Kind::interrupted;
-    outcome.t = complete ? round_nearest(billiard.horizon) : engine.time();
+    engine.run();
+    outcome.kind = BilliardOutcome::Kind::complete;
+    outcome.t = round_nearest(billiard.horizon);
+  } catch (const GivenUp&) {
+    outcome = {BilliardOutcome::Kind::interrupted, engine.time(), "interrupted", bits};
   } catch (const MoreBits& at) {
     if (bits >= options.max_bits) {
       outcome = {BilliardOutcome::Kind::stopped, engine.time(), at.what(), bits};
@@ -352,7 +358,7 @@ BilliardOutcome run_billiard(const Billiard& billiard, const BilliardOptions& op
     tell(event);
   };
   bool ended = run_once<Rational>(billiard, 0, options, told, tell_on, outcome);
-  for (int bits = options.start_bits; !ended; bits *= 2)
+  for (int bits = std::min(options.start_bits, options.max_bits); !ended; bits *= 2)
     ended = run_once<Ball>(billiard, bits, options, told, tell_on, outcome);
   outcome.t = std::max(outcome.t, last);
   return outcome;

@@ -19,14 +19,15 @@ namespace voroproof::internal {
 struct BilliardOptions {
   int start_bits = 256, max_bits = 32768;
   std::uint64_t max_events = 0;  // a run of more stops; 0: no limit
-  // Called now and then with the time and the number of events; false interrupts.
+  // Called now and then, also within a long decision, with the time and the number of events; false
+  // interrupts.
   std::function<bool(double t, std::uint64_t events)> monitor;
 };
 
 struct BilliardOutcome {
   enum class Kind { complete, stopped, interrupted } kind = Kind::complete;
   double t = 0;        // up to which all events were told
-  std::string reason;  // where it stopped
+  std::string reason;  // why it is not complete
   int bits = 0;        // that the run took; 0: fractions
 };
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "voroproof/history.h"
@@ -35,6 +36,21 @@ inline pybind11::array_t<std::int32_t> array_of(const std::vector<Edge>& edges) 
     to(k, 3) = edges[k].e;
   }
   return out;
+}
+
+// The rows themselves, for reading; the array keeps their owner.
+template <class Row>
+pybind11::array rows_of(const std::vector<Row>& rows, const pybind11::object& owner) {
+  pybind11::array_t<Row> view(static_cast<pybind11::ssize_t>(rows.size()), rows.data(), owner);
+  view.attr("flags").attr("writeable") = false;
+  return view;
+}
+
+// The rows of an array of events, copied. Throws std::invalid_argument for another shape.
+template <class Row>
+std::vector<Row> rows_in(const pybind11::array_t<Row, pybind11::array::c_style>& events) {
+  if (events.ndim() != 1) throw std::invalid_argument("events: not an array of one dimension");
+  return {events.data(), events.data() + events.size()};
 }
 
 }  // namespace voroproof::python

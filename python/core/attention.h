@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "voroproof/error.h"
+#include "voroproof/simulate.h"
 
 namespace voroproof::python {
 
@@ -75,5 +76,16 @@ class Attention {
   std::chrono::steady_clock::time_point next_{};
   std::optional<pybind11::error_already_set> raised_;
 };
+
+// The attention must outlive the options.
+inline SimulateOptions simulate_options(int threads, int max_bits, std::uint64_t max_events,
+                                        Attention& attention) {
+  SimulateOptions options;
+  options.threads = threads;
+  options.max_bits = max_bits;
+  options.max_events = max_events;
+  options.monitor = [&](double t, std::uint64_t events) { return attention(t, events); };
+  return options;
+}
 
 }  // namespace voroproof::python

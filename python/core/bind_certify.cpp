@@ -5,6 +5,7 @@
 #include "python/core/events.h"
 #include "python/core/frame.h"
 #include "python/core/number_caster.h"
+#include "voroproof/billiard.h"
 #include "voroproof/certify.h"
 #include "voroproof/certify_diagram.h"
 
@@ -78,16 +79,24 @@ CertifyOptions options_of(const std::string& truth, const std::string& events,
   return options;
 }
 
-template <class Judge>
-py::dict judged(py::object progress, const std::string& truth, const std::string& events,
-                const Number& tolerance, const Number& law_tolerance, const std::string& order,
-                bool strict, int threads, int max_bits, Judge judge) {
-  Attention attention(std::move(progress));
-  const CertifyOptions options = options_of(truth, events, tolerance, law_tolerance, order, strict,
-                                            threads, max_bits, attention);
-  const Report report = attention.spend([&] { return judge(options); });
-  attention.report(report.prefix_t, report.prefix_events);
-  return dict_of(report);
+// Adds a function that certifies: judge(scene, history, options).
+template <class Subject, class Claims, class Judge>
+void bind_judge(py::module_& module, const char* name, Judge judge) {
+  module.def(
+      name,
+      [judge](const Subject& scene, const Claims& history, py::object progress,
+              const std::string& truth, const std::string& events, const Number& tolerance,
+              const Number& law_tolerance, const std::string& order, bool strict, int threads,
+              int max_bits) {
+        Attention attention(std::move(progress));
+        const CertifyOptions options = options_of(truth, events, tolerance, law_tolerance, order,
+                                                  strict, threads, max_bits, attention);
+        const Report report = attention.spend([&] { return judge(scene, history, options); });
+        attention.report(report.prefix_t, report.prefix_events);
+        return dict_of(report);
+      },
+      "scene"_a, "history"_a, "progress"_a, "truth"_a, "events"_a, "tolerance"_a, "law_tolerance"_a,
+      "order"_a, "strict"_a, "threads"_a, "max_bits"_a);
 }
 
 using Vertices = std::tuple<std::vector<std::array<int, 3>>, std::vector<Vector>,
@@ -127,32 +136,17 @@ py::dict judged_diagram(const std::vector<Vector>& centers, const std::vector<do
 }  // namespace
 
 void bind_certify(py::module_& module) {
-  module.def(
-      "certify",
-      [](const Scene& scene, const EventTable& history, py::object progress,
-         const std::string& truth, const std::string& events, const Number& tolerance,
-         const Number& law_tolerance, const std::string& order, bool strict, int threads,
-         int max_bits) {
-        return judged(std::move(progress), truth, events, tolerance, law_tolerance, order, strict,
-                      threads, max_bits, [&](const CertifyOptions& options) {
-                        return certify(scene, history.history(), options);
-                      });
-      },
-      "scene"_a, "history"_a, "progress"_a, "truth"_a, "events"_a, "tolerance"_a, "law_tolerance"_a,
-      "order"_a, "strict"_a, "threads"_a, "max_bits"_a);
-  module.def(
-      "certify_files",
-      [](const std::string& scene, const std::string& history, py::object progress,
-         const std::string& truth, const std::string& events, const Number& tolerance,
-         const Number& law_tolerance, const std::string& order, bool strict, int threads,
-         int max_bits) {
-        return judged(std::move(progress), truth, events, tolerance, law_tolerance, order, strict,
-                      threads, max_bits, [&](const CertifyOptions& options) {
-                        return certify_files(scene, history, options);
-                      });
-      },
-      "scene"_a, "history"_a, "progress"_a, "truth"_a, "events"_a, "tolerance"_a, "law_tolerance"_a,
-      "order"_a, "strict"_a, "threads"_a, "max_bits"_a);
+  bind_judge<Scene, EventTable>(
+      module, "certify",
+      [](const Scene& scene, const EventTable& history, const CertifyOptions& options) {
+        return certify(scene, history.history(), options);
+      });
+  bind_judge<Billiard, BilliardHistory>(
+      module, "certify",
+      [](const Billiard& billiard, const BilliardHistory& history, const CertifyOptions& options) {
+        return certify(billiard, history, options);
+      });
+  bind_judge<std::string, std::string>(module, "certify_files", &certify_files);
   module.def("certify_diagram", &judged_diagram, "centers"_a, "radii"_a, "frame"_a, "hosts"_a,
              "edges"_a, "neighbours"_a, "vertices"_a, "tolerance"_a, "threads"_a);
   module.def("explain", [](const std::string& json) {

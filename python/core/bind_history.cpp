@@ -17,11 +17,7 @@ namespace {
 EventTable simulated(const Scene& scene, py::object progress, int threads, int max_bits,
                      std::uint64_t max_events) {
   Attention attention(std::move(progress));
-  SimulateOptions options;
-  options.threads = threads;
-  options.max_bits = max_bits;
-  options.max_events = max_events;
-  options.monitor = [&](double t, std::uint64_t events) { return attention(t, events); };
+  const SimulateOptions options = simulate_options(threads, max_bits, max_events, attention);
   EventTable table = attention.spend([&] {
     EventTable made;
     made.head.scene_sha256 = scene_sha256(scene);
@@ -33,14 +29,6 @@ EventTable simulated(const Scene& scene, py::object progress, int threads, int m
   });
   attention.report(table.head.ending.t, table.rows.size());
   return table;
-}
-
-// The rows themselves, for reading; the array keeps them.
-py::array rows_of(const py::object& self) {
-  const EventTable& table = self.cast<const EventTable&>();
-  py::array_t<EventRow> view(static_cast<py::ssize_t>(table.rows.size()), table.rows.data(), self);
-  view.attr("flags").attr("writeable") = false;
-  return view;
 }
 
 EventTable made(const std::string& scene_sha256, const Number& horizon, const std::string& producer,
@@ -55,8 +43,7 @@ EventTable made(const std::string& scene_sha256, const Number& horizon, const st
     table.head.initial.emplace();
     for (const auto& q : *initial) table.head.initial->push_back({q[0], q[1], q[2], q[3]});
   }
-  if (rows.ndim() != 1) throw std::invalid_argument("events: not an array of one dimension");
-  table.rows.assign(rows.data(), rows.data() + rows.size());
+  table.rows = rows_in(rows);
   for (const EventRow& row : table.rows) event_of(row);
   return table;
 }
@@ -77,7 +64,9 @@ void bind_history(py::module_& module) {
   py::class_<EventTable>(module, "EventTable")
       .def(py::init(&made), "scene_sha256"_a, "horizon"_a, "producer"_a, "initial"_a, "rows"_a,
            "ending"_a)
-      .def_property_readonly("rows", &rows_of)
+      .def_property_readonly(
+          "rows",
+          [](const py::object& self) { return rows_of(self.cast<const EventTable&>().rows, self); })
       .def_property_readonly("scene_sha256",
                              [](const EventTable& h) { return h.head.scene_sha256; })
       .def_property_readonly("horizon", [](const EventTable& h) { return h.head.horizon; })

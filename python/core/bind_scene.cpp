@@ -1,8 +1,8 @@
 #include <pybind11/stl.h>
 
 #include "python/core/bind.h"
+#include "python/core/made_text.h"
 #include "python/core/number_caster.h"
-#include "voroproof/error.h"
 #include "voroproof/generators.h"
 #include "voroproof/scene.h"
 
@@ -66,15 +66,10 @@ using Source = std::optional<std::pair<std::string, std::string>>;
 // The scene of a text that was made of values in memory: errors name no line, and without a source
 // its identity is that of the file that would be written.
 Scene made_scene(const std::string& text, const Source& source) {
-  try {
-    Scene scene = parse_scene(text);
-    scene.source.reset();
-    if (source) scene.source = {source->first, source->second};
-    return scene;
-  } catch (const InputError& e) {
-    const std::string field = e.field().empty() ? "" : e.field() + ": ";
-    throw InputError("scene: " + field + e.reason(), e.file(), 0, e.field(), e.reason());
-  }
+  Scene scene = without_lines([&] { return parse_scene(text); });
+  scene.source.reset();
+  if (source) scene.source = {source->first, source->second};
+  return scene;
 }
 
 Source source_of(const Scene& scene) {

@@ -9,6 +9,7 @@ PYBIND11_MODULE(_core, module) {
   bind_errors(module);
   bind_scene(module);
   bind_history(module);
+  bind_billiard(module);
   bind_certify(module);
   bind_diagram(module);
   bind_movie(module);

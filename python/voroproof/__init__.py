@@ -16,9 +16,11 @@ from .errors import Error, InputError, Interrupted, OutputError, Undecided
 
 try:
     from ._core import version as __version__
+    from .billiard import Billiard, BilliardHistory, billiard_event_dtype
     from .diagram import Diagram
+    from .events import COLLISION, FLIP, MANEUVER, Ending
     from .free_space import Critical, OffsetArc, OffsetPoint, Opening, Place, Tunnel, Vanishing, Void, VoidLife
-    from .history import COLLISION, CONTAINER, FLIP, MANEUVER, Ending, History, event_dtype, simulate
+    from .history import CONTAINER, History, event_dtype, simulate
     from .motion import LeastGap, Neighbourhood
     from .plan import Approach, Plan, Vehicle, plan
     from .queries import Closest, Instant, NearDisk, Neighbour
@@ -34,11 +36,11 @@ except ImportError as error:  # the importers need neither the compiled part nor
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 __all__ = [
-    "COLLISION", "CONTAINER", "FLIP", "MANEUVER", "Approach", "Closest", "Critical", "Diagram",
+    "COLLISION", "CONTAINER", "FLIP", "MANEUVER", "Approach", "Billiard", "BilliardHistory", "Closest", "Critical", "Diagram",
     "DiagramReport", "Disk", "Divergence", "EmptyCircle", "Ending", "Error", "History", "InputError", "Instant",
     "Interrupted", "LeastGap", "Leniency", "Maneuver", "NearDisk", "Neighbour", "Neighbourhood",
     "OffsetArc", "OffsetPoint", "Opening", "OutputError", "Place", "Plan", "Report", "Scene",
     "StaticDiagram", "Tunnel", "Undecided", "Vanishing", "Vehicle", "Void", "VoidLife", "Witness",
-    "WitnessMotion", "__version__", "certify", "certify_diagram", "certify_files", "event_dtype", "plan", "simulate",
+    "WitnessMotion", "__version__", "billiard_event_dtype", "certify", "certify_diagram", "certify_files", "event_dtype", "plan", "simulate",
     "voronoi",
 ]

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Callable, Iterable, NamedTuple, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Optional, Sequence, overload
 
 import numpy as np
 
 from . import _core
+from .events import Ending, Events, core_ending
 from .files import write_whole
 from .free_space import Opening, VoidLife, life_of
 from .motion import LeastGap, Neighbourhood, least_gap_of
@@ -18,12 +19,11 @@ if TYPE_CHECKING:
     import pandas
     from matplotlib.axes import Axes
 
+    from .billiard import Billiard, BilliardHistory
     from .diagram import Diagram
     from .report import Report
 
 CONTAINER = -1
-FLIP, COLLISION, MANEUVER = 0, 1, 2
-KINDS = ("flip", "collision", "maneuver")
 
 #: The items of `History.events`: time `t`; `kind` (FLIP, COLLISION, MANEUVER); `ids`, shape (4,): l, r, s, e
 #: of a flip, i, j of a collision, the disk of a maneuver, -2 for nothing; `velocity` just after and
@@ -33,15 +33,7 @@ event_dtype: np.dtype = _core.event_dtype
 Progress = Callable[[float, int], Optional[bool]]
 
 
-class Ending(NamedTuple):
-    """How a history ends: complete up to its horizon t, or right before t only, and why."""
-
-    complete: bool
-    t: float
-    reason: str
-
-
-class History:
+class History(Events):
     """A history of a scene; it does not change.
 
     Made by `simulate`, by `History.read`, or of arrays of an engine of your own by the constructor.
@@ -65,10 +57,8 @@ class History:
         end = scene.horizon if horizon is None else horizon
         rows = np.ascontiguousarray(events, dtype=event_dtype)
         edges = None if initial is None else np.asarray(initial, dtype=int).reshape(-1, 4).tolist()
-        if ending is None:
-            ending = Ending(True, float(Fraction(end)), "")
         self._scene: Optional[Scene] = scene
-        self._core = _core.EventTable(scene.sha256, end, producer, edges, rows, _core.Ending(*ending))
+        self._core = _core.EventTable(scene.sha256, end, producer, edges, rows, core_ending(ending, end))
         self._motion_made: Optional[_core.RecordedMotion] = None
 
     @classmethod
@@ -92,15 +82,6 @@ class History:
                              reason)
         return cls._of(core, scene)
 
-    def write(self, path: Path) -> None:
-        """Writes a history file, whole or not at all. Raises OutputError and InputError."""
-        self._core.write(os.fspath(path))
-
-    @property
-    def events(self) -> np.ndarray:
-        """The events, shape (k,), dtype `event_dtype`: the memory itself, for reading only."""
-        return self._core.rows
-
     def with_events(self, events: Any) -> "History":
         """The same history with other events, such as `np.delete(h.events, 5)`."""
         return History(self.scene, events, initial=self.initial, horizon=self.horizon,
@@ -108,16 +89,7 @@ class History:
 
     def to_pandas(self) -> "pandas.DataFrame":
         """The events as a frame: t, kind, ids and coordinates in columns of their own."""
-        import pandas
-
-        e = self.events
-        columns = {"t": e["t"], "kind": pandas.Categorical.from_codes(e["kind"], KINDS)}
-        columns.update({f"id{k}": e["ids"][:, k] for k in range(4)})
-        for name, field in (("v", "velocity"), ("", "center")):
-            for side in range(2):
-                for axis, letter in enumerate("xy"):
-                    columns[f"{name}{letter}{side}"] = e[field][:, side, axis]
-        return pandas.DataFrame(columns)
+        return self._frame("xy")
 
     @property
     def scene(self) -> Scene:
@@ -134,33 +106,6 @@ class History:
     def initial(self) -> Optional[np.ndarray]:
         """The edges just after 0 as l, r, s, e, shape (m, 4), or None."""
         return self._core.initial
-
-    @property
-    def horizon(self) -> Fraction:
-        """Up to which it claims to tell."""
-        return self._core.horizon
-
-    @property
-    def ending(self) -> Ending:
-        end = self._core.ending
-        return Ending(end.complete, end.t, end.reason)
-
-    @property
-    def producer(self) -> str:
-        return self._core.producer
-
-    @property
-    def rounded(self) -> int:
-        """How many events of the file state numbers that no binary64 equals: here they are rounded."""
-        return self._core.rounded
-
-    def __len__(self) -> int:
-        return len(self.events)
-
-    def counts(self) -> "dict[str, int]":
-        """How many events there are of each kind."""
-        counts = np.bincount(self.events["kind"], minlength=len(KINDS))
-        return {kind: int(count) for kind, count in zip(KINDS, counts)}
 
     # Answers from the recorded paths.
 
@@ -289,22 +234,25 @@ class History:
         from .notebook import history_html
         return history_html(self)
 
-    def __repr__(self) -> str:
-        counts = self.counts()
-        told = ", ".join(f"{count} {kind}s" for kind, count in counts.items())
-        end = self.ending
-        how = f"complete up to {end.t:g}" if end.complete else f"stopped at {end.t:g}: {end.reason}"
-        return f"<History: {told}; {how}>"
 
-
-def simulate(scene: Scene, *, progress: Optional[Progress] = None, threads: int = 1,
-             max_bits: int = 32768, max_events: int = 0) -> History:
-    """Computes the history of a scene, every decision exact.
+@overload
+def simulate(scene: Scene, *, progress: Optional[Progress] = ..., threads: int = ...,
+             max_bits: int = ..., max_events: int = ...) -> History: ...
+@overload
+def simulate(scene: "Billiard", *, progress: Optional[Progress] = ..., threads: int = ...,
+             max_bits: int = ..., max_events: int = ...) -> "BilliardHistory": ...
+def simulate(scene: Any, *, progress: Optional[Progress] = None, threads: int = 1,
+             max_bits: int = 32768, max_events: int = 0) -> Any:
+    """Computes the history of a scene or a billiard, every decision exact.
 
     Other threads of Python run meanwhile. `progress(t, events)` is called several times a second and
     once at the end; where it returns False the history ends there, and its `ending` says so. Ctrl-C
     raises KeyboardInterrupt. `max_bits` bounds the numbers from which decisions are taken, `max_events`
     the events (0: no bound): a history that would need more stops, and is right up to there.
-    Every number of `threads` gives the same history; from a few hundred disks on more are faster.
+    Every number of `threads` gives the same history; from a few hundred disks on more are faster, but for billiards.
     """
-    return History._of(_core.simulate(scene._core, progress, threads, max_bits, max_events), scene)
+    core = _core.simulate(scene._core, progress, threads, max_bits, max_events)
+    if isinstance(scene, Scene):
+        return History._of(core, scene)
+    from .billiard import BilliardHistory
+    return BilliardHistory._of(core, scene)

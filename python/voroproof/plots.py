@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Optional, Sequence
 import numpy as np
 
 from .colours import INK, cell_colour, disk_colour
-from .history import COLLISION, KINDS, History
+from .events import COLLISION, KINDS
+from .history import History
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,12 +6,15 @@ import json
 import os
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple, Union
 
 from . import _core
 from .files import write_whole
 from .history import History, Progress
 from .scene import Number, Path, Scene
+
+if TYPE_CHECKING:
+    from .billiard import Billiard, BilliardHistory
 
 #: Two Fractions with the number between them; equal where it is given exactly.
 Bounds = Tuple[Fraction, Fraction]
@@ -142,9 +145,9 @@ def _report(fields: Dict[str, Any]) -> Report:
     return Report(**fields)
 
 
-def certify(scene: Scene, history: History, *, truth: str = "exact", events: str = "all",
-            tolerance: Number = 1e-6, law_tolerance: Number = 1e-9, order: str = "format", strict: bool = False, threads: int = 1,
-            max_bits: int = 32768, progress: Optional[Progress] = None) -> Report:
+def certify(scene: "Union[Scene, Billiard]", history: "Union[History, BilliardHistory]", *, truth: str = "exact",
+            events: str = "all", tolerance: Number = 1e-6, law_tolerance: Number = 1e-9, order: str = "format",
+            strict: bool = False, threads: int = 1, max_bits: int = 32768, progress: Optional[Progress] = None) -> Report:
     """Proves the history of the scene, refutes it with evidence, or says what it cannot decide.
 
     `truth` is "exact", the true motion of the scene, or "recorded", the motion that the history's
@@ -154,7 +157,8 @@ def certify(scene: Scene, history: History, *, truth: str = "exact", events: str
     instant may come in any order in which every collision is of two that touch and approach then,
     and no such pair is left (exact truth). With `strict` swaps, other orders, unoriented edges
     and another horizon are refuted. `progress(t, events)` is called several times a second and once at the end.
-    Ctrl-C raises KeyboardInterrupt.
+    Ctrl-C raises KeyboardInterrupt. A billiard has collisions and maneuvers only, and neither `strict` nor
+    another order.
 
     Raises InputError where the history is none or not of this scene, Interrupted where `progress`
     returns False, and ValueError for tolerances without meaning.

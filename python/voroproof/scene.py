@@ -6,7 +6,7 @@ import json
 import os
 from decimal import Decimal
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Optional, Sequence, TypeVar, Union
 
 import numpy as np
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 Number = Union[int, float, Fraction, Decimal, str]
 Path = Union[str, "os.PathLike[str]"]
+Kind = TypeVar("Kind", bound="SceneFile")
 
 
 class Disk(NamedTuple):
@@ -40,24 +41,75 @@ class Maneuver(NamedTuple):
     vy: Fraction
 
 
-def _json_value(value: Any) -> Any:
+def json_value(value: Any) -> Any:
     """The value as scene files have it: floats as numbers, exact ones as text."""
     if isinstance(value, Mapping):
-        return {str(key): _json_value(inner) for key, inner in value.items()}
+        return {str(key): json_value(inner) for key, inner in value.items()}
     if isinstance(value, np.generic):
         # float32 and so on: the number that it is.
-        return _json_value(value.item())
+        return json_value(value.item())
     if isinstance(value, (Fraction, Decimal)):
         numerator, denominator = value.as_integer_ratio()
         return f"{numerator}/{denominator}"
     if value is None or isinstance(value, (str, bool, int, float)):
         return value
     if isinstance(value, (Sequence, np.ndarray)):
-        return [_json_value(inner) for inner in value]
+        return [json_value(inner) for inner in value]
     raise TypeError(f"{type(value).__name__} is nothing that a scene holds")
 
 
-class Scene:
+class SceneFile:
+    """A scene, whatever its disks do: it is made of a file, and makes one."""
+
+    _core: Any
+
+    def __init__(self, fields: Mapping[str, Any]):
+        raise NotImplementedError
+
+    @classmethod
+    def _of(cls: "type[Kind]", core: Any) -> "Kind":
+        scene = cls.__new__(cls)
+        scene._core = core
+        return scene
+
+    def write(self, path: Path) -> None:
+        """Writes a scene file, whole or not at all. Raises OutputError."""
+        self._core.write(os.fspath(path))
+
+    @property
+    def text(self) -> str:
+        """The text of the scene's file."""
+        return self._core.text()
+
+    def to_dict(self) -> dict:
+        """The fields of the scene's file; numbers that no binary64 equals are text."""
+        return json.loads(self.text)
+
+    def replace(self: "Kind", **fields: Any) -> "Kind":
+        """The scene with other fields, such as `horizon=5`."""
+        return type(self)({**self.to_dict(), **fields})
+
+    @property
+    def sha256(self) -> str:
+        """The hash by which histories name the scene: 64 hexadecimal digits."""
+        return self._core.sha256()
+
+    @property
+    def horizon(self) -> Fraction:
+        """Histories cover [0, horizon]."""
+        return self._core.horizon
+
+    def __len__(self) -> int:
+        return self._core.size()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, type(self)) and self.text == other.text
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+
+class Scene(SceneFile):
     """A scene, checked, which does not change.
 
     `Scene(mapping)` takes the fields of a scene file (docs/formats.md, section 4); `format` and
@@ -73,13 +125,7 @@ class Scene:
     def __init__(self, fields: Mapping[str, Any]):
         whole = {"format": "voroproof-scene", "version": 1, **fields}
         # NaN is no JSON, and refused by the reader with the name of its field.
-        self._core = _core.make_scene(json.dumps(_json_value(whole)), None)
-
-    @classmethod
-    def _of(cls, core: _core.Scene) -> "Scene":
-        scene = cls.__new__(cls)
-        scene._core = core
-        return scene
+        self._core = _core.make_scene(json.dumps(json_value(whole)), None)
 
     @classmethod
     def read(cls, path: Path) -> "Scene":
@@ -116,28 +162,6 @@ class Scene:
         """n equal disks fly from a lattice to a circle and stop there at half the horizon."""
         return cls._of(_core.swarm_scene(n, seed, spacing, radius, horizon))
 
-    def write(self, path: Path) -> None:
-        """Writes a scene file, whole or not at all. Raises OutputError."""
-        self._core.write(os.fspath(path))
-
-    @property
-    def text(self) -> str:
-        """The text of the scene's file in the one form that is written."""
-        return self._core.text()
-
-    def to_dict(self) -> dict:
-        """The fields of the scene's file; numbers that no binary64 equals are text."""
-        return json.loads(self.text)
-
-    def replace(self, **fields: Any) -> "Scene":
-        """The scene with other fields, such as `horizon=5`."""
-        return Scene({**self.to_dict(), **fields})
-
-    @property
-    def sha256(self) -> str:
-        """The hash by which histories name the scene: 64 hexadecimal digits."""
-        return self._core.sha256()
-
     @property
     def disks(self) -> "list[Disk]":
         return [Disk(*fields) for fields in self._core.disks()]
@@ -172,20 +196,12 @@ class Scene:
         return self._core.restitution
 
     @property
-    def horizon(self) -> Fraction:
-        """Histories cover [0, horizon]."""
-        return self._core.horizon
-
-    @property
     def name(self) -> str:
         return self._core.name
 
     @property
     def comment(self) -> str:
         return self._core.comment
-
-    def __len__(self) -> int:
-        return self._core.size()
 
     def diagram(self, t: Number, *, max_bits: int = 32768) -> "Diagram":
         """The diagram just after all events at t >= 0, by the engine; t may be beyond the horizon.
@@ -199,12 +215,6 @@ class Scene:
         """The true motion just after all events at t >= 0, to be asked often."""
         from .queries import Instant
         return Instant(_core.Instant(self._core, t, max_bits))
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Scene) and self.text == other.text
-
-    def __hash__(self) -> int:
-        return hash(self.text)
 
     def __reduce__(self):
         return _restored, (self.text, self._core.source())

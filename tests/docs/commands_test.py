@@ -70,8 +70,8 @@ NOT_RUN = {
 }
 
 
-# The mark of a block that takes the Python module.
-PYTHON = "python3 -m voroproof"
+# The marks of blocks that take the Python module.
+PYTHON = ("python3 -m voroproof", "import voroproof")
 
 
 def check_named(name, blocks):
@@ -116,7 +116,7 @@ def check(program, document, python):
         (folder / "build").symlink_to(program.parent)
         if python is not None:
             environment["PATH"] = f"{make_python(folder / '.python', python)}{os.pathsep}{environment['PATH']}"
-        run, passed = run_blocks(name, blocks, ("sh",), folder, environment, PYTHON if python is None else None)
+        run, passed = run_blocks(name, blocks, ("sh",), folder, environment, PYTHON if python is None else ())
         check_pictures(name, document, folder)
     print(f"{name}: {run} blocks" + (f", {passed} passed over: no Python module" if passed else ""))
 

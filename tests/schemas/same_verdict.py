@@ -291,7 +291,7 @@ def batches(all_texts):
 
 
 def refusals(program, folder, name, batch):
-    """What `validate` says of each text of a batch: None where it is valid, else the reason."""
+    """By text of a batch, the reason for which `validate` refuses it; None where it is valid."""
     paths = [folder / f"{index}.{name}" for index in range(len(batch))]
     for path, (_, text) in zip(paths, batch):
         path.write_text(text)

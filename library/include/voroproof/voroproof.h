@@ -1,6 +1,7 @@
 // All of the library.
 #pragma once
 
+#include "voroproof/billiard.h"
 #include "voroproof/certify.h"
 #include "voroproof/certify_diagram.h"
 #include "voroproof/diagram.h"
