@@ -141,11 +141,11 @@ class RecordedBilliard final : public BilliardTruth {
   // Pairs that one thread follows, and what it finds.
   struct Block {
     BilliardFindings found;
-    std::vector<std::pair<BilliardPair, PairState>> states;  // of those whose state is another now
+    std::vector<std::pair<BilliardPair, PairState>> states;  // as they are now, where they changed
     std::optional<Undecided> undecided;                      // by a pair: the rest is not followed
   };
 
-  // What is found is that of one pair after another, whatever the number of threads.
+  // Finds the same as one pair after another would, whatever the number of threads.
   void follow(const std::vector<BilliardPair>& pairs, const BilliardWindow& window) {
     constexpr std::size_t least = 256;
     const std::size_t most = threads_ == 1 ? 1 : 4 * static_cast<std::size_t>(threads_);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -32,14 +33,14 @@ class BilliardEngine {
         near_(billiard),
         now_(of_kind<T>(0, bits)) {
     for (const BilliardDisk& d : billiard.disks) {
-      Body body{{now_, of_kind<T>(d.center, bits), of_kind<T>(d.velocity, bits)}, {}, {}, 0};
+      Body body{{now_, of_kind<T>(d.center, bits), of_kind<T>(d.velocity, bits)}, {}, {}};
       bodies_.push_back(std::move(body));
       refresh(bodies_.back());
     }
   }
 
   void run() {
-    length_ = billiard_.horizon.get_d() / 16;
+    length_ = billiard_.horizon.get_d() * 0x1p-30;  // it grows soon
     Rational from = 0;
     do {
       const auto [pairs, to] = next_window(from);
@@ -56,17 +57,23 @@ class BilliardEngine {
     Flight<T> flight;
     Flight<DoubleBall> near;
     SweptBox box;
-    std::int64_t turns = 0;
   };
   struct Meeting {
     T t;
     DoubleBall near;
     BilliardPair pair;
-    std::int64_t turns_a, turns_b;
   };
+  // By time, and at one time by pair.
+  struct IsEarlier {
+    bool operator()(const Meeting& x, const Meeting& y) const {
+      if (x.pair == y.pair) return false;
+      const int ordered = order(x.t, x.near, y.t, y.near);
+      return ordered != 0 ? ordered < 0 : x.pair < y.pair;
+    }
+  };
+  using Meetings = std::set<Meeting, IsEarlier>;
 
   Body& body(GenId i) { return bodies_[static_cast<std::size_t>(i)]; }
-  std::int64_t turns_of(GenId i) const { return bodies_[static_cast<std::size_t>(i)].turns; }
   bool fixed(GenId i) const { return billiard_.disks[static_cast<std::size_t>(i)].fixed; }
 
   static void refresh(Body& body) {
@@ -77,6 +84,11 @@ class BilliardEngine {
     body(i).box = empty_box();
     lines_.extend(body(i).box, i, body(i).near, from, to);
     lines_.require_near(i, body(i).box, to.mid);
+  }
+
+  static double speed(const Body& body) {
+    const auto& v = body.near.v;
+    return std::hypot(v[0].mid, v[1].mid, v[2].mid);
   }
 
   // The pairs of the window that begins then, and its end. It is halved while too many pairs are in
@@ -102,9 +114,15 @@ class BilliardEngine {
   std::optional<std::vector<BilliardPair>> pairs_in(const Rational& from, const Rational& to) {
     const DoubleBall begin = enclosed(from), end = enclosed(to);
     boxes_.clear();
+    double all = 0;  // the sum of the speeds
+    for (const Body& body : bodies_) all += speed(body);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       box(static_cast<GenId>(i), begin, end);
-      boxes_.push_back(bodies_[i].box);
+      // After a collision it will hardly be faster than this.
+      const double fast = 2 * speed(bodies_[i]) + all / static_cast<double>(bodies_.size());
+      SweptBox reserved = bodies_[i].box;
+      widen(reserved, fixed(static_cast<GenId>(i)) ? 0 : fast * (end.mid - begin.mid));
+      boxes_.push_back(is_bounded(reserved) ? reserved : bodies_[i].box);
     }
     auto pairs = near_.pairs(boxes_, begin.mid - begin.rad, end.mid + end.rad);
     if (!pairs) return pairs;
@@ -124,20 +142,13 @@ class BilliardEngine {
   }
 
   // -1, 0, 1: whether x is earlier than y, the same, or later.
-  int order(const T& x, const DoubleBall& near_x, const T& y, const DoubleBall& near_y) const {
+  static int order(const T& x, const DoubleBall& near_x, const T& y, const DoubleBall& near_y) {
     const Sign rough = sign(near_x - near_y);
     if (is_certain(rough)) return rough == Sign::negative ? -1 : 1;
     const Sign exact = sign(T(x - y));
     if (exact == Sign::unknown)
       throw MoreBits("which of two events comes first is not told: they may be simultaneous");
     return static_cast<int>(exact);
-  }
-
-  bool earlier(const Meeting& x, const Meeting& y) const {
-    // One meeting may have been found from either side.
-    if (x.pair == y.pair && x.turns_a == y.turns_a && x.turns_b == y.turns_b) return false;
-    const int ordered = order(x.t, x.near, y.t, y.near);
-    return ordered != 0 ? ordered < 0 : x.pair < y.pair;
   }
 
   void predict(const BilliardPair& pair) {
@@ -162,25 +173,28 @@ class BilliardEngine {
     T t = now_ + *u;
     const DoubleBall near = enclosed(t);
     if (sign(near - near_end_) == Sign::positive) return;
-    meetings_.push_back({std::move(t), near, pair, pair.a < 0 ? 0 : a.turns, b.turns});
-    std::push_heap(meetings_.begin(), meetings_.end(), later_);
+    const auto [meeting, is_new] = meetings_.insert({std::move(t), near, pair});
+    if (!is_new) return;  // it has been found from the other disk
+    for (const GenId i : {pair.a, pair.b}) {
+      if (i >= 0) meetings_of_[static_cast<std::size_t>(i)].push_back(meeting);
+    }
   }
 
-  bool is_stale(const Meeting& m) const {
-    return m.turns_b != turns_of(m.pair.b) || (m.pair.a >= 0 && m.turns_a != turns_of(m.pair.a));
-  }
-
-  // Meetings of disks that have turned since are gone before others are found: one that is found
-  // anew may be at the same time.
-  void drop_stale() {
-    std::erase_if(meetings_, [&](const Meeting& m) { return is_stale(m); });
-    std::make_heap(meetings_.begin(), meetings_.end(), later_);
+  // The meetings of a disk that turns are gone before others are found: one that is found anew may
+  // be at the same time.
+  void drop_meetings(GenId i) {
+    for (const auto meeting : meetings_of_[static_cast<std::size_t>(i)]) {
+      const GenId other = meeting->pair.a == i ? meeting->pair.b : meeting->pair.a;
+      if (other >= 0) std::erase(meetings_of_[static_cast<std::size_t>(other)], meeting);
+      meetings_.erase(meeting);
+    }
+    meetings_of_[static_cast<std::size_t>(i)].clear();
   }
 
   // The next meeting in the window, which stays the first one.
   const Meeting* next_meeting() const {
     if (meetings_.empty()) return nullptr;
-    const Meeting& first = meetings_.front();
+    const Meeting& first = *meetings_.begin();
     const int ordered = order(first.t, first.near, end_, near_end_);
     return ordered < 0 || (ordered == 0 && is_last_) ? &first : nullptr;
   }
@@ -191,7 +205,12 @@ class BilliardEngine {
     near_end_ = enclosed(end_);
     is_last_ = to == billiard_.horizon;
     meetings_.clear();
-    for (const BilliardPair& pair : pairs) predict(pair);
+    meetings_of_.assign(bodies_.size(), {});
+    near_pairs_.assign(bodies_.size(), {});
+    for (const BilliardPair& pair : pairs) {
+      if (pair.a >= 0) add_near(pair);
+      predict(pair);
+    }
     for (;;) {
       const Meeting* meeting = next_meeting();
       const BilliardManeuver* maneuver = next_maneuver(to);
@@ -230,19 +249,31 @@ class BilliardEngine {
   void set(GenId i, const T& t, const Vector3<T>& x, const Vector3<T>& v) {
     Body& body = this->body(i);
     body.flight = {t, x, v};
-    ++body.turns;
     refresh(body);
   }
 
-  // All that a disk may meet in the rest of the window.
+  void add_near(const BilliardPair& pair) {
+    for (const GenId i : {pair.a, pair.b}) near_pairs_[static_cast<std::size_t>(i)].push_back(pair);
+  }
+
+  // All that a disk may meet in the rest of the window. One that leaves the place that was reserved
+  // for it gets more, and is looked for among all.
   void predict_all(GenId i) {
     const DoubleBall from = enclosed(now_);
     box(i, from, near_end_);
-    boxes_[static_cast<std::size_t>(i)] = body(i).box;
-    std::vector<BilliardPair> pairs =
-        near_.partners(i, boxes_, from.mid - from.rad, near_end_.mid + near_end_.rad);
-    add_walls(i, from, near_end_, pairs);
-    for (const BilliardPair& pair : pairs) predict(pair);
+    SweptBox& reserved = boxes_[static_cast<std::size_t>(i)];
+    auto& near = near_pairs_[static_cast<std::size_t>(i)];
+    if (!contains(reserved, body(i).box)) {
+      extend(reserved, body(i).box);
+      for (const BilliardPair& pair :
+           near_.partners(i, boxes_, from.mid - from.rad, near_end_.mid + near_end_.rad)) {
+        if (std::find(near.begin(), near.end(), pair) == near.end()) add_near(pair);
+      }
+    }
+    for (const BilliardPair& pair : near) predict(pair);
+    std::vector<BilliardPair> walls;
+    add_walls(i, from, near_end_, walls);
+    for (const BilliardPair& pair : walls) predict(pair);
   }
 
   void turn(const BilliardManeuver& maneuver, const T& t) {
@@ -253,13 +284,13 @@ class BilliardEngine {
     tell({CompactRational(told_value(t, std::fabs(enclosed(t).mid))), 0,
           BilliardTurn{i, told_value(v), told_value(x)}});
     set(i, t, x, v);
-    drop_stale();
+    drop_meetings(i);
     ++maneuvers_;
     predict_all(i);
   }
 
   void collide(const Meeting& due) {
-    const auto& [t, near, pair, turns_a, turns_b] = due;
+    const auto& [t, near, pair] = due;
     now_ = t;
     std::array<Vector3<T>, 2> x, v;
     for (const int side : {0, 1}) {
@@ -282,9 +313,10 @@ class BilliardEngine {
     tell({CompactRational(told_value(t, std::fabs(near.mid))), 0, std::move(told)});
     for (const int side : {0, 1}) {
       const GenId i = side == 0 ? pair.a : pair.b;
-      if (i >= 0 && !fixed(i)) set(i, t, x[side], v[side]);
+      if (i < 0 || fixed(i)) continue;
+      set(i, t, x[side], v[side]);
+      drop_meetings(i);
     }
-    drop_stale();
     parting_ = pair;
     for (const GenId i : {pair.a, pair.b}) {
       if (i >= 0 && !fixed(i)) predict_all(i);
@@ -302,11 +334,12 @@ class BilliardEngine {
   LineBoxes lines_;
   NearBoxes near_;
   std::vector<Body> bodies_;
+  // The places that are reserved for the disks in the window, and by disk all pairs of these that
+  // meet.
   std::vector<SweptBox> boxes_;
-  // A heap, the first meeting at its front.
-  std::vector<Meeting> meetings_;
-  std::function<bool(const Meeting&, const Meeting&)> later_ =
-      [this](const Meeting& x, const Meeting& y) { return earlier(y, x); };
+  std::vector<std::vector<BilliardPair>> near_pairs_;
+  Meetings meetings_;
+  std::vector<std::vector<typename Meetings::iterator>> meetings_of_;  // by disk
   T now_, end_{};
   DoubleBall near_end_;
   std::optional<BilliardPair> parting_;  // the two that have just collided

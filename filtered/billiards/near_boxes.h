@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -32,6 +33,28 @@ inline void extend(SweptBox& all, const SweptBox& other) {
     all.lo[k] = std::min(all.lo[k], other.lo[k]);
     all.hi[k] = std::max(all.hi[k], other.hi[k]);
   }
+}
+
+// Moves all sides outwards by that.
+inline void widen(SweptBox& box, double by) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.lo[k] -= by;
+    box.hi[k] += by;
+  }
+}
+
+inline bool is_bounded(const SweptBox& box) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!std::isfinite(box.lo[k]) || !std::isfinite(box.hi[k])) return false;
+  }
+  return true;
+}
+
+inline bool contains(const SweptBox& all, const SweptBox& box) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (box.lo[k] < all.lo[k] || box.hi[k] > all.hi[k]) return false;
+  }
+  return true;
 }
 
 inline bool meet(const SweptBox& a, const SweptBox& b) {

@@ -19,6 +19,7 @@ struct BilliardCase {
   Rational tolerance{1, 1000000};
   std::string last{};  // the last line, where it is not that of a history that ends
   Truth truth = Truth::recorded;
+  int threads = 1;
 
   std::string scene() const {
     return R"({"format":"voroproof-scene","version":2,"contacts":"bounce","horizon":)" + horizon +
@@ -42,6 +43,7 @@ struct BilliardCase {
     options.truth = truth;
     options.motion.max_bits = 2048;
     options.tolerance = tolerance;
+    options.threads = threads;
     return certify_billiard(billiard, scene_file, history, options);
   }
 };

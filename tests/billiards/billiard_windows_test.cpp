@@ -108,5 +108,52 @@ TEST(BilliardWindows, LongWaits) {
                     {}});
 }
 
+// Rows of disks around a box: each bounces between its neighbours, all at once.
+BilliardCase rows_of_beads(int side) {
+  BilliardCase c{"", "1", {}};
+  const auto text = [](int x) { return std::to_string(x); };
+  for (int k = 0; k < side * side; ++k) {
+    c.members += (k ? "," : "") + (R"({"center":[)" + text(k % side) + "," + text(k / side)) +
+                 R"(],"radius":0.25,"velocity":[)" + text(k % 2 ? -1 : 1) + ",0]}";
+  }
+  c.members = R"("frame":{"periodic":[)" + text(side) + "," + text(side) + R"(]},"disks":[)" +
+              c.members + "]";
+  for (const bool first : {true, false}) {
+    for (int k = first ? 0 : 1; k < side * side; k += 2) {
+      const bool last = k % side == side - 1;  // it meets the first of its row beyond the border
+      const int left = last ? k - side + 1 : k, right = last ? k : k + 1;
+      c.events.push_back(R"({"t":)" + std::string(first ? "0.25" : "0.75") + R"(,"collide":[)" +
+                         text(left) + "," + text(right) + R"(],"image":[)" + text(last ? -1 : 0) +
+                         R"(,0],"v":[[)" + text(last ? 1 : -1) + R"(,0],[)" + text(last ? -1 : 1) +
+                         ",0]]}");
+      ++c.collisions;
+    }
+  }
+  return c;
+}
+
+TEST(BilliardWindows, ThreadsChangeNothing) {
+  constexpr int side = 40;
+  const BilliardCase right = rows_of_beads(side);
+  std::vector<BilliardCase> cases{right};
+  for (const int left_out : {0, 500, 1000, 1599}) {
+    BilliardCase wrong = right;
+    wrong.events.erase(wrong.events.begin() + left_out);
+    if (left_out == 1000) wrong.events.erase(wrong.events.begin() + 100);
+    cases.push_back(std::move(wrong));
+  }
+  for (BilliardCase& c : cases) {
+    const Certificate one = c.judge();
+    EXPECT_EQ(one.verdict, &c == cases.data() ? Verdict::certified : Verdict::refuted);
+    c.threads = 3;
+    const Certificate several = c.judge();
+    EXPECT_EQ(several.verdict, one.verdict);
+    EXPECT_EQ(several.pair_lives, one.pair_lives);
+    if (!one.divergence || !several.divergence) continue;
+    EXPECT_EQ(several.divergence->line, one.divergence->line);
+    EXPECT_EQ(several.divergence->truth, one.divergence->truth);
+  }
+}
+
 }  // namespace
 }  // namespace voroproof::internal::testing
