@@ -6,6 +6,7 @@
 // (docs/others.md).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -14,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "exact/billiard.h"
 #include "exact/generators.h"
 #include "exact/vector3.h"
 #include "history/scene.h"
@@ -43,34 +45,38 @@ inline Vec3 place_on(const Curve& curve, const Rational& s) {
 // A disk is there from the time of its first waypoint to that of its last.
 struct GivenPath {
   std::string name;  // as in the file
-  Rational radius;
+  Rational radius;   // at time 0
   // One at least, of increasing times. Two have one time where the disk jumps.
   std::vector<Waypoint> waypoints;
   // How it moves from each waypoint to the next, by the time since then; none where all ways are
   // straight. A jump is a straight way that takes no time.
   std::vector<Curve> curves{};
-};
+  Rational growth{};  // by how much the radius grows in a unit of time
 
-// Two disks, or the container (-1) and a disk, i < j, touch at t, whatever rounded waypoints say.
-struct GivenContact {
-  GenId i, j;
-  Rational t;
-  bool operator<(const GivenContact& other) const {
-    return std::tie(i, j, t) < std::tie(other.i, other.j, other.t);
+  Rational radius_at(const Rational& t) const { return radius + growth * t; }
+  // From the first waypoint to the last.
+  Rational greatest_radius() const {
+    return std::max(radius_at(waypoints.front().t), radius_at(waypoints.back().t));
   }
 };
 
-// All paths are in it, where a file has one.
-struct GivenContainer {
-  Point2 center;
-  Rational radius;
+// Two disks, or the container or a wall (-1, -2, ...) and a disk, i < j, touch at t, whatever
+// rounded waypoints say.
+struct GivenContact {
+  GenId i, j;
+  Rational t;
+  LatticeImage image{};  // the one of j, in a periodic box
+  bool operator<(const GivenContact& other) const {
+    return std::tie(i, j, t, image) < std::tie(other.i, other.j, other.t, other.image);
+  }
 };
 
 struct GivenPaths {
   std::vector<GivenPath> paths;  // in the order of their first lines
   std::set<GivenContact> contacts;
-  std::optional<GivenContainer> container;
-  bool in_space = false;  // else all third coordinates are zero
+  std::optional<RoundFrame> container;  // all paths are in it, where a file has one
+  std::vector<BilliardWall> walls{};    // or before these: -1, -2, ... in this order
+  bool in_space = false;                // else all third coordinates are zero
   // Sides of the box whose images the disks have; zero where an axis is not periodic.
   Vec3 sides{};
   std::vector<std::string> remarks;    // facts that the file cannot tell, and assumptions

@@ -16,39 +16,39 @@ class Teller {
   explicit Teller(const GivenPaths& given) : given_(given) {}
 
   OrderedJson json(const Approach& a) const {
-    OrderedJson json =
-        json_at(a, a.t_width == 0 ? internal::json_of(a.t) : internal::json_of(time_of(a)));
-    json["disks"] =
-        OrderedJson::array({disk_json(a.i, a.t, a.is_exact()), disk_json(a.j, a.t, a.is_exact())});
-    if (given_.is_periodic()) json["image"] = image_of(a);
-    if (a.distance2_width != 0) {
-      json["distance_squared"] = internal::json_of(
-          Enclosure{round_down(a.distance2), round_up(Rational(a.distance2 + a.distance2_width))});
+    OrderedJson json{{"t", a.t_width == 0 ? internal::json_of(a.t) : internal::json_of(time_of(a))},
+                     {"disks", OrderedJson::array()}};
+    if (a.i >= 0) json["disks"].push_back(disk_json(a.i, a.t, a.is_exact()));
+    json["disks"].push_back(disk_json(a.j, a.t, a.is_exact()));
+    if (is_at_flat_wall(a)) {
+      json["wall"] = a.i;
+    } else {
+      json["distance_squared"] =
+          a.distance2_width == 0
+              ? internal::json_of(a.distance2)
+              : internal::json_of(Enclosure{round_down(a.distance2),
+                                            round_up(Rational(a.distance2 + a.distance2_width))});
     }
-    return json;
-  }
-  OrderedJson json(const WallApproach& a) const {
-    OrderedJson json = json_at(a, internal::json_of(a.t));
-    json["disks"] = OrderedJson::array({disk_json(a.disk, a.t, true)});
+    json["gap"] = internal::json_of(gap(a));
+    if (a.i >= 0 && given_.is_periodic()) json["image"] = image_of(a);
     return json;
   }
 
   std::string names(const Approach& a) const {
+    if (a.i < 0) return name(a.j) + " " + wall_name(a);
     std::string image;
     if (a.image != LatticeImage{}) image = image_of(a).dump();
     return name(a.i) + " " + name(a.j) + image;
   }
-  std::string names(const WallApproach& a) const { return name(a.disk) + " wall"; }
 
   // The same for a table of comma-separated values.
   std::string cells(const Approach& a) const {
-    std::string cells = name(a.i) + "," + name(a.j);
+    std::string cells = a.i < 0 ? name(a.j) + "," + wall_name(a) : name(a.i) + "," + name(a.j);
     if (!given_.is_periodic()) return cells;
     for (std::size_t axis = 0; axis < dimension(); ++axis)
       cells += "," + std::to_string(a.image[axis]);
     return cells;
   }
-  std::string cells(const WallApproach& a) const { return name(a.disk) + ",wall"; }
   std::string heading() const {
     std::string images;
     if (given_.is_periodic())
@@ -59,17 +59,15 @@ class Teller {
   static Enclosure time_of(const Approach& a) {
     return {round_down(a.t), round_up(Rational(a.t + a.t_width))};
   }
-  static Enclosure time_of(const WallApproach& a) { return enclosure(a.t); }
 
   // Adds the spells, of the smallest gap first, to the list and to both tables.
-  template <class Spell>
-  void add(std::vector<Spell> spells, OrderedJson& list,
+  void add(std::vector<NearSpell> spells, OrderedJson& list,
            std::vector<std::vector<std::string>>& rows, std::string& table) const {
-    std::stable_sort(spells.begin(), spells.end(), [](const Spell& a, const Spell& b) {
+    std::stable_sort(spells.begin(), spells.end(), [](const NearSpell& a, const NearSpell& b) {
       return gap(a.nearest).lo < gap(b.nearest).lo;
     });
     list = OrderedJson::array();
-    for (const Spell& s : spells) {
+    for (const NearSpell& s : spells) {
       list.push_back({{"from", internal::json_of(s.from)},
                       {"to", internal::json_of(s.to)},
                       {"least", json(s.nearest)}});
@@ -82,17 +80,39 @@ class Teller {
     }
   }
 
-  template <class Nearest>
-  std::string line(const char* what, const Nearest& least) const {
+  std::string line(const Approach& least) const {
     const bool overlap = gap(least).hi < 0;
+    const char* what = least.i >= 0           ? ""
+                       : given_.walls.empty() ? "to the container "
+                                              : "to the walls ";
     return std::string("c least gap ") + what + short_text(gap(least)) +
            (overlap ? " (they overlap)" : "") + ", of " + names(least) +
            " at t = " + short_text(time_of(least)) + "\n";
   }
 
+  // The container or the walls.
+  void add_frame(OrderedJson& json) const {
+    if (given_.container) {
+      json["container"] = {{"center", place(given_.container->center, true)},
+                           {"radius", internal::json_of(given_.container->radius)}};
+    }
+    for (const BilliardWall& wall : given_.walls) {
+      json["walls"].push_back({{"normal", place(wall.normal, true)},
+                               {"offset", internal::json_of(wall.offset)},
+                               {"speed", internal::json_of(wall.speed)}});
+    }
+  }
+
  private:
   std::string name(int g) const {
     return printable(given_.paths[static_cast<std::size_t>(g)].name);
+  }
+
+  bool is_at_flat_wall(const Approach& a) const { return a.i < 0 && !given_.container; }
+
+  // The container needs no number.
+  std::string wall_name(const Approach& a) const {
+    return is_at_flat_wall(a) ? "wall " + std::to_string(a.i) : "wall";
   }
 
   // Exactly, or rounded where the time is enclosed.
@@ -115,17 +135,11 @@ class Teller {
 
   OrderedJson disk_json(int g, const Rational& t, bool is_exact) const {
     const GivenPath& path = given_.paths[static_cast<std::size_t>(g)];
+    const Rational radius = path.radius_at(t);
     return {{"disk", path.name},
             {"center", place(place_at(path, t), is_exact)},
-            {"radius", internal::json_of(path.radius)}};
-  }
-
-  template <class Nearest>
-  static OrderedJson json_at(const Nearest& a, OrderedJson t) {
-    return {{"t", std::move(t)},
-            {"disks", nullptr},
-            {"distance_squared", internal::json_of(a.distance2)},
-            {"gap", internal::json_of(gap(a))}};
+            {"radius", is_exact || path.growth == 0 ? internal::json_of(radius)
+                                                    : internal::json_of(round_nearest(radius))}};
   }
 
   const GivenPaths& given_;
@@ -176,7 +190,7 @@ ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenP
                                  const std::function<bool()>& go_on) {
   const GivenClearance clearance(given, go_on, question.rules);
   std::optional<WallClearance> wall;
-  if (given.container) wall.emplace(given, go_on);
+  if (given.container || !given.walls.empty()) wall.emplace(given, go_on);
   const Teller teller(given);
   ClearanceAnswer told;
   OrderedJson& json = told.answer.json;
@@ -191,18 +205,12 @@ ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenP
 
   const std::optional<Approach> least = clearance.least();
   if (least) json["least"] = teller.json(*least);
-  std::optional<WallApproach> at_wall;
-  if (wall) {
-    json["container"] = {
-        {"center", OrderedJson::array({internal::json_of(given.container->center.x),
-                                       internal::json_of(given.container->center.y)})},
-        {"radius", internal::json_of(given.container->radius)}};
-    at_wall = wall->least();
-  }
-  if (least) lines += teller.line("", *least);
+  teller.add_frame(json);
+  const std::optional<Approach> at_wall = wall ? wall->least() : std::nullopt;
+  if (least) lines += teller.line(*least);
   if (at_wall) {
     json["least_to_container"] = teller.json(*at_wall);
-    lines += teller.line("to the container ", *at_wall);
+    lines += teller.line(*at_wall);
   } else if (!least) {
     lines += question.rules.height ? "c no two disks are near each other in height at one time\n"
                                    : "c no two disks are there at one time\n";
@@ -224,8 +232,9 @@ ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenP
   if (question.required) {
     const Rational& required = *question.required;
     const bool refuted = (least && falls_short(*least, required, question.touching)) ||
-                         (at_wall && !keeps_clear(*at_wall, required, question.touching));
-    const bool is_told = !least || keeps_clear(*least, required, question.touching);
+                         (at_wall && falls_short(*at_wall, required, question.touching));
+    const bool is_told = (!least || keeps_clear(*least, required, question.touching)) &&
+                         (!at_wall || keeps_clear(*at_wall, required, question.touching));
     const bool is_whole = given.missing.empty() && (least || at_wall);
     told.freedom = refuted               ? Freedom::refuted
                    : is_whole && is_told ? Freedom::free

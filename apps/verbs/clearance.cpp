@@ -3,6 +3,7 @@
 #include <memory>
 #include <ostream>
 
+#include "apps/answers/billiard_paths.h"
 #include "apps/answers/clearance_answer.h"
 #include "apps/answers/history_paths.h"
 #include "apps/cli/command_line.h"
@@ -10,6 +11,7 @@
 #include "apps/cli/limits.h"
 #include "apps/verbs/verbs.h"
 #include "filtered/motion/options.h"
+#include "history/billiard.h"
 #include "history/error.h"
 #include "history/event_limit.h"
 #include "history/output_file.h"
@@ -39,7 +41,12 @@ GivenPaths paths_of(const Request& request) {
   if (request.stay || request.vanish) {
     throw UsageError("--stay, --vanish: the disks of a scene are there all the time");
   }
+  if (request.frames_only) throw UsageError("--frames-only: a history has no frames");
+  if (!request.height.empty())
+    throw UsageError("--height: the disks of a scene are near each other at all heights");
   require_order(request.paths, request.history);
+  if (is_billiard_file(request.paths))
+    return billiard_paths(read_billiard(request.paths), request.paths, request.history);
   return history_paths(read_scene(request.paths), request.history, request.options);
 }
 
@@ -51,7 +58,7 @@ ClearanceQuestion question_of(const Request& request, const GivenPaths& given) {
   question.rules.at_waypoints = request.frames_only;
   question.rules.height = distance("--height", request.height);
   Rational radius;
-  for (const GivenPath& path : given.paths) radius = std::max(radius, path.radius);
+  for (const GivenPath& path : given.paths) radius = std::max(radius, path.greatest_radius());
   for (const Rational& side : given.sides) {
     if (side != 0 && question.below && *question.below + 2 * radius > 1000 * side)
       throw UsageError("--below: with the radii more than 1000 sides of the periodic box");
@@ -63,8 +70,6 @@ ClearanceQuestion question_of(const Request& request, const GivenPaths& given) {
     throw UsageError("--height: 0 is given, a positive number is wanted");
   if (question.rules.height && !given.in_space)
     throw UsageError("--height: the file has no column z, which is the height");
-  if (question.rules.at_waypoints && given.container)
-    throw UsageError("--frames-only: a history has no frames");
   return question;
 }
 

@@ -19,25 +19,6 @@ namespace {
 
 CompactVec3 compact(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
-// The size of the scene at time 0, to which roundings of coordinates are in proportion.
-Rational extent_of(const Billiard& billiard) {
-  Rational extent;
-  for (const BilliardDisk& disk : billiard.disks) {
-    for (const Rational& x : disk.center) {
-      extent = std::max<Rational>(extent, abs(x) + disk.radius);
-    }
-  }
-  Rational frame;
-  if (billiard.round) {
-    for (const Rational& x : billiard.round->center) frame = std::max<Rational>(frame, abs(x));
-    frame += billiard.round->radius;
-  }
-  for (const BilliardWall& wall : billiard.walls)
-    frame = std::max<Rational>(frame, abs(wall.offset));
-  for (const Rational& side : billiard.lattice.sides) extent += side;
-  return extent + frame;
-}
-
 class RecordedBilliard final : public BilliardTruth {
  public:
   RecordedBilliard(const Billiard& billiard, const Rational& horizon, const CertifyOptions& options)
@@ -207,6 +188,24 @@ class RecordedBilliard final : public BilliardTruth {
 };
 
 }  // namespace
+
+Rational extent_of(const Billiard& billiard) {
+  Rational extent;
+  for (const BilliardDisk& disk : billiard.disks) {
+    for (const Rational& x : disk.center) {
+      extent = std::max<Rational>(extent, abs(x) + disk.radius);
+    }
+  }
+  Rational frame;
+  if (billiard.round) {
+    for (const Rational& x : billiard.round->center) frame = std::max<Rational>(frame, abs(x));
+    frame += billiard.round->radius;
+  }
+  for (const BilliardWall& wall : billiard.walls)
+    frame = std::max<Rational>(frame, abs(wall.offset));
+  for (const Rational& side : billiard.lattice.sides) extent += side;
+  return extent + frame;
+}
 
 std::unique_ptr<BilliardTruth> recorded_billiard(const Billiard& billiard, const Rational& horizon,
                                                  const CertifyOptions& options) {

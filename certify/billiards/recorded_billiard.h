@@ -27,6 +27,9 @@
 
 namespace voroproof::internal {
 
+// The size of the scene at time 0, to which roundings of coordinates are in proportion.
+Rational extent_of(const Billiard& billiard);
+
 // Both must outlive it. `horizon`: the history's.
 std::unique_ptr<BilliardTruth> recorded_billiard(const Billiard& billiard, const Rational& horizon,
                                                  const CertifyOptions& options);

@@ -112,29 +112,45 @@ std::optional<Approach> minimum_gap(const Plan& plan) {
 
 namespace {
 
+bool is_at_wall(const Approach& approach) { return approach.i < 0; }
+
 // Whether a distance, whose square is given, is what is asked for.
 bool is_enough(const Approach& approach, const Rational& distance2, const Rational& clearance,
                Touching touching) {
-  const Rational apart = approach.reach + clearance;
-  if (apart < 0) return true;
   const bool may_be_equal =
       clearance != 0 || touching == Touching::is_allowed || !approach.is_reached;
+  if (is_at_wall(approach)) {
+    const Rational room = approach.reach - clearance;
+    if (room < 0) return false;
+    return may_be_equal ? distance2 <= room * room : distance2 < room * room;
+  }
+  const Rational apart = approach.reach + clearance;
+  if (apart < 0) return true;
   return may_be_equal ? distance2 >= apart * apart : distance2 > apart * apart;
+}
+
+// The squares of the distance for which the gap is least, and greatest.
+Rational worst_square(const Approach& a) {
+  return is_at_wall(a) ? Rational(a.distance2 + a.distance2_width) : a.distance2;
+}
+Rational best_square(const Approach& a) {
+  return is_at_wall(a) ? a.distance2 : Rational(a.distance2 + a.distance2_width);
 }
 
 }  // namespace
 
 bool keeps_clear(const Approach& approach, const Rational& clearance, Touching touching) {
-  return is_enough(approach, approach.distance2, clearance, touching);
+  return is_enough(approach, worst_square(approach), clearance, touching);
 }
 
 bool falls_short(const Approach& approach, const Rational& clearance, Touching touching) {
-  return !is_enough(approach, approach.distance2 + approach.distance2_width, clearance, touching);
+  return !is_enough(approach, best_square(approach), clearance, touching);
 }
 
 // sqrt(d) - r against sqrt(e) - s is sqrt(d) against w = sqrt(e) + c with c = r - s: w's sign
-// first, then the squares, d - e - c^2 against 2 c sqrt(e).
-std::strong_ordering compare_gaps(const Approach& a, const Approach& b) {
+// first, then the squares, d - e - c^2 against 2 c sqrt(e). Gaps to walls are the negatives.
+std::strong_ordering compare_gaps(const Approach& of_a, const Approach& of_b) {
+  const Approach &a = is_at_wall(of_a) ? of_b : of_a, &b = is_at_wall(of_a) ? of_a : of_b;
   const Rational c = a.reach - b.reach;
   const auto ordering = [](Sign s) { return static_cast<int>(s) <=> 0; };
   const Sign w =
@@ -166,8 +182,10 @@ namespace {
 
 // Bounds of the gap.
 std::pair<Rational, Rational> gap_of(const Approach& a) {
-  return {root_bounds(a.distance2).first - a.reach,
-          root_bounds(a.distance2 + a.distance2_width).second - a.reach};
+  const Rational low = root_bounds(a.distance2).first,
+                 high = root_bounds(a.distance2 + a.distance2_width).second;
+  if (is_at_wall(a)) return {a.reach - high, a.reach - low};
+  return {low - a.reach, high - a.reach};
 }
 
 }  // namespace
@@ -184,6 +202,13 @@ Approach nearer_of(const Approach& a, const Approach& b) {
   const auto [b_lo, b_hi] = gap_of(b);
   if (a_hi < b_lo) return a;
   if (b_hi < a_lo) return b;
+  if (is_at_wall(first)) {
+    const Rational near = std::max<Rational>(first.reach - std::min(a_hi, b_hi), 0),
+                   far = first.reach - std::min(a_lo, b_lo);
+    first.distance2 = near * near;
+    first.distance2_width = far * far - near * near;
+    return first;
+  }
   const Rational least = std::max<Rational>(std::min(a_lo, b_lo) + first.reach, 0);
   const Rational most = std::min(a_hi, b_hi) + first.reach;
   const auto above = [&](const Approach& c) -> Rational {
@@ -200,11 +225,6 @@ Approach nearer_of(const Approach& a, const Approach& b) {
 Enclosure gap(const Approach& approach) {
   const auto [lo, hi] = gap_of(approach);
   return {round_down(lo), round_up(hi)};
-}
-
-Enclosure root_less(const Rational& square, const Rational& less) {
-  const auto [lo, hi] = root_bounds(square);
-  return {round_down(Rational(lo - less)), round_up(Rational(hi - less))};
 }
 
 }  // namespace voroproof::internal

@@ -14,12 +14,13 @@
 
 namespace voroproof::internal {
 
-// The nearest that two vehicles, or disks, come: gap = sqrt(distance2) - reach.
+// The nearest that two vehicles, or disks, come: gap = sqrt(distance2) - reach. Or a disk j and the
+// container or a wall, i < 0: gap = reach - sqrt(distance2).
 struct Approach {
   int i, j;            // i < j; equal for a disk and an image of itself
   Rational t;          // the first such time
-  Rational distance2;  // squared, between the centres
-  Rational reach;      // the sum of the radii
+  Rational distance2;  // squared, between the centres; zero at a wall
+  Rational reach;      // the sum of the radii, their difference, or the gap to a wall
   // By how much the true time and square may be greater: zero but for curves, where both are
   // algebraic numbers.
   Rational t_width{}, distance2_width{};
@@ -52,12 +53,12 @@ bool keeps_clear(const Approach& approach, const Rational& clearance,
 // Whether it is proved not to be that. The one or the other holds of an exact approach.
 bool falls_short(const Approach& approach, const Rational& clearance, Touching touching);
 
-// Compares two exact approaches by their gaps.
+// Compares two exact approaches by their gaps, both of disks or both to walls.
 std::strong_ordering compare_gaps(const Approach& a, const Approach& b);
 
-// The one with the smaller gap; of equal ones the first in time, then by disks and image. Gaps that
-// differ by less than about 2^-80 of the distance may count as equal where one is not exact; what
-// comes back encloses both of them then.
+// The one with the smaller gap of two of one kind; of equal ones the first in time, then by disks
+// and image. Gaps that differ by less than about 2^-80 of the distance may count as equal where one
+// is not exact; what comes back encloses both of them then.
 Approach nearer_of(const Approach& a, const Approach& b);
 
 // The nearest to the origin on the segment from a to b: the first point of it that is as near, as a
@@ -66,9 +67,6 @@ std::pair<Rational, Rational> nearest_to_origin(const Point2& a, const Point2& b
 
 // Bounds of the root of `square` >= 0, about 2^-80 of it apart, or equal where it is rational.
 std::pair<Rational, Rational> root_bounds(const Rational& square);
-// The root of `square` >= 0 less `less`, to about 2^-80 of the root, rounded outwards.
-Enclosure root_less(const Rational& square, const Rational& less);
-
 // The gap to about 2^-80 of the distance, rounded outwards.
 Enclosure gap(const Approach& approach);
 

@@ -55,8 +55,9 @@ CommonPiece::CommonPiece(CommonTime time, const Curve& offset,
   const Polynomial<Rational> x = coordinate(offset, 0), y = coordinate(offset, 1),
                              z = coordinate(offset, 2);
   distance2_ = x * x + y * y;
+  if (!height && !z.is_zero()) distance2_ = distance2_ + z * z;
+  is_constant_ = distance2_.degree() < 1 && time_.reach.degree() < 1;
   if (!height) {
-    if (!z.is_zero()) distance2_ = distance2_ + z * z;
     spans_.push_back({point(0), point(1)});
     return;
   }
@@ -86,48 +87,78 @@ Approach CommonPiece::approach_at(const RootInterval& s, bool is_stationary) con
                     time_.j,
                     Rational(time_.from + s.lo * length),
                     distance2_.evaluate(s.lo),
-                    time_.reach,
+                    time_.reach.evaluate(s.lo),
                     {},
                     {},
                     time_.image};
   if (s.is_point()) return approach;
-  approach.t_width = (s.hi - s.lo) * length;
   const Rational width = s.hi - s.lo;
-  Rational steepest, bent;
+  approach.t_width = width * length;
+  Rational steepest, bent, growth;
   for (int k = 1; k <= distance2_.degree(); ++k) {
     steepest += k * abs(distance2_[k]);
     bent += k * (k - 1) * abs(distance2_[k]);
   }
+  for (int k = 1; k <= time_.reach.degree(); ++k) growth += k * abs(time_.reach[k]);
   const Rational error = width * (is_stationary ? Rational(width * bent / 2) : steepest);
   const Rational lowest = std::max<Rational>(approach.distance2 - error, 0);
-  approach.distance2_width = approach.distance2 + error - lowest;
+  Rational highest = approach.distance2 + error;
+  if (growth != 0) {
+    // The greatest reach stands for all, and a greater distance for the others.
+    approach.reach += width * growth;
+    const Rational root = root_bounds(highest).second + 2 * width * growth;
+    highest = root * root;
+  }
+  approach.distance2_width = highest - lowest;
   approach.distance2 = lowest;
   return approach;
 }
 
+// The gap's derivative is zero where that of the distance's square, D', is 2 sqrt(D) times the
+// reach's, r': at roots of D'^2 - 4 r'^2 D, some of which are others. Where that is zero throughout
+// D is a square, and the gap is bent at its root alone.
 const std::vector<RootInterval>& CommonPiece::stationary() const {
-  if (!stationary_) stationary_ = roots_of(distance2_.derivative());
+  if (stationary_) return *stationary_;
+  const Polynomial<Rational> slope = distance2_.derivative(), growth = time_.reach.derivative();
+  if (growth.is_zero()) return stationary_.emplace(roots_of(slope));
+  if (distance2_.is_zero()) return stationary_.emplace(roots_of(growth));
+  const Polynomial<Rational> steady = slope * slope - Rational(4) * growth * growth * distance2_;
+  stationary_ = roots_of(steady.is_zero() ? slope : steady);
+  for (RootInterval& root : *stationary_) {
+    if (!root.is_point()) refine(steady, root, narrow);
+  }
   return *stationary_;
+}
+
+Approach CommonPiece::at_contact(Approach approach, const std::set<GivenContact>& contacts) const {
+  if (contacts.empty() || !contacts.contains({time_.i, time_.j, approach.t, time_.image}))
+    return approach;
+  if (is_at_wall() && distance2_.is_zero())
+    approach.reach = 0;
+  else
+    approach.distance2 = approach.reach * approach.reach;
+  return approach;
 }
 
 Approach CommonPiece::nearest_on(const Span& span, const std::set<GivenContact>& contacts) const {
   Approach nearest = approach_at(span.begin, false), last = approach_at(span.end, false);
-  // A constant distance is that of all instants between them, too.
-  const bool is_constant = distance2_.degree() < 1;
-  nearest.is_reached = is_constant || (span.begin.hi == 0 && is_near_at_begin_);
-  last.is_reached = is_constant || (span.end.lo == 1 && is_near_at_end_);
+  // On a straight way a disk sticks out of its frame by a convex function, which is greatest at an
+  // end.
+  if (is_at_wall() && distance2_.degree() <= 2 && time_.reach.degree() <= 1)
+    return nearer_of(at_contact(std::move(nearest), contacts),
+                     at_contact(std::move(last), contacts));
+  // A constant gap is that of all instants between them, too.
+  nearest.is_reached = is_constant_ || (span.begin.hi == 0 && is_near_at_begin_);
+  last.is_reached = is_constant_ || (span.end.lo == 1 && is_near_at_end_);
   const auto is_same = [](const RootInterval& a, const RootInterval& b) {
     return a.is_point() && b.is_point() && a.lo == b.lo;
   };
   for (const RootInterval& s : stationary()) {
     if (s.hi >= span.begin.lo && s.lo <= span.end.hi && !is_same(s, span.begin) &&
         !is_same(s, span.end))
-      nearest = nearer_of(nearest, approach_at(s, true));
+      nearest = nearer_of(nearest, approach_at(s, time_.reach.degree() < 1));
   }
-  nearest = nearer_of(nearest, last);
-  if (!contacts.empty() && contacts.contains({time_.i, time_.j, nearest.t}))
-    nearest.distance2 = time_.reach * time_.reach;
-  return nearest;
+  return at_contact(nearer_of(nearest, last), contacts);
 }
 
 std::optional<Approach> CommonPiece::nearest(const std::set<GivenContact>& contacts) const {
@@ -145,12 +176,31 @@ Enclosure CommonPiece::time_at(const RootInterval& s) const {
           round_up(Rational(time_.from + s.hi * length))};
 }
 
+Polynomial<Rational> CommonPiece::limit(const Rational& distance) const {
+  return time_.reach + Polynomial<Rational>{is_at_wall() ? Rational(-distance) : distance};
+}
+
+// Where the limit is negative a disk is as near to a wall as that whatever its place, so that roots
+// there end nothing. Nor do those of the limit itself: on both sides of one the disk is as near,
+// unless it is in the container's centre then, and that is a root of the excess.
+std::vector<RootInterval> CommonPiece::ends_below(const Rational& distance) const {
+  const Polynomial<Rational> limit = this->limit(distance), excess = distance2_ - limit * limit;
+  if (!is_at_wall()) return roots_of(excess);
+  if (distance2_.is_zero() || excess.is_zero()) return roots_of(limit);
+  std::vector<RootInterval> roots = roots_of(excess);
+  std::erase_if(roots, [&](const RootInterval& s) {
+    return limit.evaluate(s.lo) < 0 && limit.evaluate(s.hi) < 0;
+  });
+  return roots;
+}
+
 std::vector<SpellPart> CommonPiece::below(const Rational& distance,
                                           const std::set<GivenContact>& contacts) const {
-  const Rational limit = time_.reach + distance, limit2 = limit * limit;
-  const Polynomial<Rational> excess = distance2_ - Polynomial<Rational>{limit2};
-  const auto is_below = [&](const Rational& s) { return excess.evaluate(s) < 0; };
-  const std::vector<RootInterval> roots = roots_of(excess);
+  const Polynomial<Rational> limit = this->limit(distance), excess = distance2_ - limit * limit;
+  const auto is_below = [&](const Rational& s) {
+    return is_at_wall() ? limit.evaluate(s) < 0 || excess.evaluate(s) > 0 : excess.evaluate(s) < 0;
+  };
+  const std::vector<RootInterval> roots = ends_below(distance);
   std::vector<SpellPart> parts;
   for (const Span& span : spans_) {
     std::vector<RootInterval> places{span.begin};
@@ -165,7 +215,7 @@ std::vector<SpellPart> CommonPiece::below(const Rational& distance,
       if (here.begin.hi > here.end.lo || !is_below((here.begin.hi + here.end.lo) / 2)) continue;
       Approach nearest = nearest_on(here, contacts);
       // At a contact the rounded places may be nearer than the disks.
-      if (nearest.distance2 >= limit2) continue;
+      if (keeps_clear(nearest, distance, Touching::is_allowed)) continue;
       parts.push_back({here.begin.hi == 0 && is_near_at_begin_ && is_below(0),
                        here.end.lo == 1 && is_near_at_end_ && is_below(1),
                        {time_at(here.begin), time_at(here.end), std::move(nearest)}});
@@ -174,11 +224,41 @@ std::vector<SpellPart> CommonPiece::below(const Rational& distance,
   return parts;
 }
 
-bool CommonPiece::is_plainly_beyond(const Rational& distance2) const {
-  // The least of a square is found as fast as that.
-  return distance2_.degree() > 2 && distance2_.evaluate(0) > distance2 &&
-         is_plainly_rootless(distance2_ - Polynomial<Rational>{distance2}, Rational(0),
-                             Rational(1));
+// The least of a square of degree 2 is found as fast as that where radii are constant.
+bool CommonPiece::is_plainly_beyond(const Rational& gap) const {
+  const Polynomial<Rational> limit = this->limit(gap), excess = distance2_ - limit * limit;
+  return (excess.degree() > 2 || time_.reach.degree() > 0) && excess.evaluate(0) > 0 &&
+         is_plainly_rootless(excess, Rational(0), Rational(1));
+}
+
+void SpellsBelow::add(const CommonPiece& piece) {
+  const CommonTime& time = piece.time();
+  for (SpellPart& part : piece.below(distance_, contacts_))
+    parts_[{time.i, time.j, time.image}].push_back({time.from, time.to, std::move(part)});
+}
+
+std::vector<NearSpell> SpellsBelow::spells() {
+  std::vector<NearSpell> spells;
+  for (auto& [pair, parts] : parts_) join(parts, spells);
+  return spells;
+}
+
+// The parts of one pair, in order of time.
+void SpellsBelow::join(std::vector<PiecePart>& parts, std::vector<NearSpell>& spells) {
+  std::stable_sort(parts.begin(), parts.end(), [](const PiecePart& a, const PiecePart& b) {
+    return std::tie(a.begin, a.end) < std::tie(b.begin, b.end);
+  });
+  const PiecePart* last = nullptr;
+  for (const PiecePart& p : parts) {
+    if (last != nullptr && last->part.at_end && p.part.at_begin && last->end == p.begin) {
+      NearSpell& open = spells.back();
+      open.to = p.part.spell.to;
+      open.nearest = nearer_of(open.nearest, p.part.spell.nearest);
+    } else {
+      spells.push_back(p.part.spell);
+    }
+    last = &p;
+  }
 }
 
 }  // namespace voroproof::internal

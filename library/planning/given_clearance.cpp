@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <tuple>
 
 #include "exact/patience.h"
 #include "filtered/numbers/next_double.h"
@@ -50,28 +48,8 @@ std::vector<Vec3> control_points(const Curve& curve) {
   return points;
 }
 
-// A part of a spell of one pair, within the common time of two legs.
-struct LegPart {
-  Rational begin, end;  // times of the legs
-  SpellPart part;
-};
-
-// The parts of one pair in order of time, put together where one goes on in the next.
-void join(std::vector<LegPart>& parts, std::vector<NearSpell>& spells) {
-  std::stable_sort(parts.begin(), parts.end(), [](const LegPart& a, const LegPart& b) {
-    return std::tie(a.begin, a.end) < std::tie(b.begin, b.end);
-  });
-  const LegPart* last = nullptr;
-  for (const LegPart& p : parts) {
-    if (last != nullptr && last->part.at_end && p.part.at_begin && last->end == p.begin) {
-      NearSpell& open = spells.back();
-      open.to = p.part.spell.to;
-      open.nearest = nearer_of(open.nearest, p.part.spell.nearest);
-    } else {
-      spells.push_back(p.part.spell);
-    }
-    last = &p;
-  }
+Vector3<double> each_of(const Vec3& v, double (*rounded)(const Rational&)) {
+  return {rounded(v[0]), rounded(v[1]), rounded(v[2])};
 }
 
 }  // namespace
@@ -87,13 +65,27 @@ Vec3 place_at(const GivenPath& path, const Rational& t) {
   return place_on(w[leg], *next, t);
 }
 
+Curve course_of(const GivenPath& path, std::size_t leg, const Rational& from, const Rational& to) {
+  const Waypoint &a = path.waypoints[leg], &b = path.waypoints[leg + 1];
+  if (leg < path.curves.size() && !path.curves[leg].empty())
+    return cut(path.curves[leg], from - a.t, to - a.t);
+  if (a.t == b.t) return {a.at, b.at - a.at};
+  const Vec3 start = place_on(a, b, from);
+  return {start, place_on(a, b, to) - start};
+}
+
+Polynomial<Rational> radius_of(const GivenPath& path, const Rational& from, const Rational& to) {
+  return {path.radius_at(from), Rational(path.growth * (to - from))};
+}
+
 GivenClearance::GivenClearance(const GivenPaths& given, std::function<bool()> go_on,
                                ClearanceRules rules)
-    : given_(given), go_on_(std::move(go_on)), rules_(std::move(rules)) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    sides_below_[axis] = round_down(given.sides[axis]);
-    sides_above_[axis] = round_up(given.sides[axis]);
-  }
+    : given_(given),
+      go_on_(std::move(go_on)),
+      rules_(std::move(rules)),
+      sides_below_(each_of(given.sides, round_down)),
+      sides_above_(each_of(given.sides, round_up)),
+      images_(sides_above_, rules_.height, go_on_) {
   for (std::size_t g = 0; g < given.paths.size(); ++g) {
     const std::size_t count = given.paths[g].waypoints.size();
     const bool instants = rules_.at_waypoints || count == 1;
@@ -107,7 +99,14 @@ GivenClearance::GivenClearance(const GivenPaths& given, std::function<bool()> go
 
 void GivenClearance::add_leg(int path, std::size_t first, std::size_t last) {
   const std::vector<Waypoint>& w = given_.paths[static_cast<std::size_t>(path)].waypoints;
-  Leg leg{path, first, round_down(w[first].t), round_up(w[last].t), {}, {}};
+  const GivenPath& own = given_.paths[static_cast<std::size_t>(path)];
+  Leg leg{path,
+          first,
+          round_down(w[first].t),
+          round_up(w[last].t),
+          {},
+          {},
+          round_up(std::max(own.radius_at(w[first].t), own.radius_at(w[last].t)))};
   leg.low.fill(infinity);
   leg.high.fill(-infinity);
   const auto take = [&](const Vec3& at) {
@@ -131,11 +130,8 @@ GivenClearance::Motion GivenClearance::motion_of(const Leg& leg) const {
     return Ball3{ball_of(v[0]), ball_of(v[1]), ball_of(v[2])};
   };
   const auto [a, b] = ends(leg);
-  Motion motion{ball_of(a.t),
-                ball3(a.at),
-                {},
-                ball_of(given_.paths[static_cast<std::size_t>(leg.path)].radius),
-                curve_of(leg) == nullptr && (b.t > a.t || b.at == a.at)};
+  Motion motion{
+      ball_of(a.t), ball3(a.at), {}, curve_of(leg) == nullptr && (b.t > a.t || b.at == a.at)};
   if (motion.is_straight && b.t > a.t) {
     const DoubleBall time = ball_of(b.t - a.t);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -158,14 +154,10 @@ const Curve* GivenClearance::curve_of(const Leg& leg) const {
   return &curves[leg.first];
 }
 
-// The leg's way from one of its times to another, by s from 0 to 1. What takes no time is gone at
-// one pace.
 Curve GivenClearance::course(const Leg& leg, const Rational& from, const Rational& to) const {
   const auto [a, b] = ends(leg);
-  if (const Curve* curve = curve_of(leg)) return cut(*curve, from - a.t, to - a.t);
-  if (a.t == b.t) return {a.at, b.at - a.at};
-  const Vec3 start = place_on(a, b, from);
-  return {start, place_on(a, b, to) - start};
+  if (&a == &b) return {a.at};
+  return course_of(given_.paths[static_cast<std::size_t>(leg.path)], leg.first, from, to);
 }
 
 // Calls visit(a, b, image) for all pairs of legs of two disks that may be there at one time, and
@@ -192,25 +184,32 @@ void GivenClearance::each_image(const Leg& a, const Leg& b, const std::optional<
     visit(a, b, LatticeImage{});
     return;
   }
-  LatticeImage first{}, last{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double side = sides_above_[axis];
-    if (side == 0) continue;
-    // Within half a side lies the nearest; one more on each side allows for all roundings.
-    const bool by_height = near && axis == 2 && rules_.height;
-    const double reach = by_height ? round_up(*rules_.height) / side : near ? *near / side : 0.5;
-    const double low = (b.low[axis] - a.high[axis]) / side,
-                 high = (b.high[axis] - a.low[axis]) / side;
-    first[axis] = static_cast<int>(std::floor(-reach - high - 1e-6));
-    last[axis] = static_cast<int>(std::ceil(reach - low + 1e-6));
-  }
-  LatticeImage image;
-  for (image[0] = first[0]; image[0] <= last[0]; ++image[0]) {
-    for (image[1] = first[1]; image[1] <= last[1]; ++image[1]) {
-      if (!go_on_()) throw Interrupted();
-      for (image[2] = first[2]; image[2] <= last[2]; ++image[2]) visit(a, b, image);
-    }
-  }
+  const auto points = [&] {
+    std::vector<Ball3> balls;
+    const auto [from, to] = common_time(a, b);
+    if (from > to) return balls;
+    for (const Vec3& p : control_points(offset(a, b, from, to)))
+      balls.push_back({ball_of(p[0]), ball_of(p[1]), ball_of(p[2])});
+    return balls;
+  };
+  images_.each({b.low - a.high, b.high - a.low}, near, points,
+               [&](const LatticeImage& image) { visit(a, b, image); });
+}
+
+std::pair<Rational, Rational> GivenClearance::common_time(const Leg& a, const Leg& b) const {
+  const auto [a_first, a_last] = ends(a);
+  const auto [b_first, b_last] = ends(b);
+  return {std::max(a_first.t, b_first.t), std::min(a_last.t, b_last.t)};
+}
+
+// Where the second is from the first, by s from 0 to 1.
+Curve GivenClearance::offset(const Leg& a, const Leg& b, const Rational& from,
+                             const Rational& to) const {
+  Curve offset = course(b, from, to);
+  const Curve of_a = course(a, from, to);
+  offset.resize(std::max(offset.size(), of_a.size()));
+  for (std::size_t k = 0; k < of_a.size(); ++k) offset[k] = offset[k] - of_a[k];
+  return offset;
 }
 
 // Each disk with the next images of itself along the axes, from which it is always as far.
@@ -221,12 +220,8 @@ std::vector<CommonPiece> GivenClearance::own_images() const {
     const int disk = static_cast<int>(g);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (given_.sides[axis] == 0) continue;
-      CommonTime time{disk,
-                      disk,
-                      {},
-                      path.waypoints.front().t,
-                      path.waypoints.back().t,
-                      Rational(2 * path.radius)};
+      CommonTime time{disk, disk, {}, path.waypoints.front().t, path.waypoints.back().t, {}};
+      time.reach = Rational(2) * radius_of(path, time.from, time.to);
       time.image[axis] = 1;
       Vec3 offset{};
       offset[axis] = given_.sides[axis];
@@ -242,7 +237,8 @@ std::optional<CommonPiece> GivenClearance::common(const Leg& a, const Leg& b,
                                                   const LatticeImage& image) const {
   const auto [a_first, a_last] = ends(a);
   const auto [b_first, b_last] = ends(b);
-  const Rational from = std::max(a_first.t, b_first.t), to = std::min(a_last.t, b_last.t);
+  const std::pair<Rational, Rational> time = common_time(a, b);
+  const Rational &from = time.first, &to = time.second;
   if (from > to) return std::nullopt;
   const auto goes_on = [&](const Leg& leg, const Waypoint& first, const Waypoint& last) {
     return leg.first > 0 && first.t == to && first.t < last.t;
@@ -256,14 +252,12 @@ std::optional<CommonPiece> GivenClearance::common(const Leg& a, const Leg& b,
   if ((a_first.t == a_last.t && jumps_next(b, b_first, b_last)) ||
       (b_first.t == b_last.t && jumps_next(a, a_first, a_last)))
     return std::nullopt;
-  Curve offset = course(b, from, to);
-  const Curve of_a = course(a, from, to);
-  offset.resize(std::max(offset.size(), of_a.size()));
-  for (std::size_t k = 0; k < of_a.size(); ++k) offset[k] = offset[k] - of_a[k];
-  for (std::size_t axis = 0; axis < 3; ++axis) offset[0][axis] += image[axis] * given_.sides[axis];
-  const Rational reach = given_.paths[static_cast<std::size_t>(a.path)].radius +
-                         given_.paths[static_cast<std::size_t>(b.path)].radius;
-  return CommonPiece({a.path, b.path, image, from, to, reach}, offset, rules_.height);
+  Curve way = offset(a, b, from, to);
+  for (std::size_t axis = 0; axis < 3; ++axis) way[0][axis] += image[axis] * given_.sides[axis];
+  const auto radius = [&](const Leg& leg) {
+    return radius_of(given_.paths[static_cast<std::size_t>(leg.path)], from, to);
+  };
+  return CommonPiece({a.path, b.path, image, from, to, radius(a) + radius(b)}, way, rules_.height);
 }
 
 // No distance is less than that of the boxes along an axis: a certain lower bound of it.
@@ -298,20 +292,23 @@ double GivenClearance::gap_above(const Leg& a, const Leg& b, const LatticeImage&
   };
   const double apart = least_distance(offset(DoubleBall::hull(from, next_above(from))),
                                       offset(DoubleBall::hull(next_below(to), to)));
-  return low(DoubleBall(apart) - (p.radius + q.radius));
+  return low(DoubleBall(apart) - (DoubleBall(a.radius) + DoubleBall(b.radius)));
 }
 
 // By how much two may be apart on their paths where the gap counts as zero: rounded up.
 double GivenClearance::largest_gap_at_contacts() const {
   double largest = 0;
   for (const GivenContact& contact : given_.contacts) {
-    if (contact.i == container_id) continue;
+    if (contact.i < 0) continue;
     const GivenPath &p = given_.paths[static_cast<std::size_t>(contact.i)],
                     &q = given_.paths[static_cast<std::size_t>(contact.j)];
     if (contact.t < p.waypoints.front().t || contact.t > p.waypoints.back().t) continue;
-    const Vec3 offset = place_at(p, contact.t) - place_at(q, contact.t);
+    Vec3 offset = place_at(q, contact.t) - place_at(p, contact.t);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      offset[axis] += contact.image[axis] * given_.sides[axis];
     const DoubleBall apart = sqrt(ball_of(dot(offset, offset)));
-    largest = std::max(largest, -low(ball_of(p.radius + q.radius) - apart));
+    const Rational reach = p.radius_at(contact.t) + q.radius_at(contact.t);
+    largest = std::max(largest, -low(ball_of(reach) - apart));
   }
   return largest;
 }
@@ -319,8 +316,6 @@ double GivenClearance::largest_gap_at_contacts() const {
 std::optional<Approach> GivenClearance::least() const {
   std::optional<Approach> least;
   double least_above = infinity;
-  std::vector<double> radii;
-  for (const GivenPath& p : given_.paths) radii.push_back(round_up(p.radius));
   const double at_contacts = largest_gap_at_contacts();
   // Whether gaps of so much and more are not the least, nor one that a contact makes zero.
   const auto is_more = [&](double gap) {
@@ -334,45 +329,32 @@ std::optional<Approach> GivenClearance::least() const {
   };
   for (const CommonPiece& piece : own_images()) take(piece);
   each_pair(std::nullopt, [&](const Leg& a, const Leg& b, const LatticeImage& image) {
-    const double reach = next_above(radii[static_cast<std::size_t>(a.path)] +
-                                    radii[static_cast<std::size_t>(b.path)]);
+    const double reach = next_above(a.radius + b.radius);
     if (is_more(next_below(apart_above(a, b, image) - reach)) || is_more(gap_above(a, b, image)))
       return;
     const std::optional<CommonPiece> piece = common(a, b, image);
     if (!piece) return;
-    // Further than the least gap that is known.
-    if (least && given_.contacts.empty()) {
-      const Rational beyond = piece->time().reach + to_rational(least_above);
-      if (beyond >= 0 && piece->is_plainly_beyond(beyond * beyond)) return;
-    }
+    // Further than the least gap that is known, and no contact.
+    const double beyond = least_above < 0 ? least_above : std::max(least_above, at_contacts);
+    if (least && piece->is_plainly_beyond(to_rational(beyond))) return;
     take(*piece);
   });
   return least;
 }
 
 std::vector<NearSpell> GivenClearance::spells_below(const Rational& distance) const {
-  std::map<std::tuple<int, int, LatticeImage>, std::vector<LegPart>> parts;
-  const auto take = [&](const CommonPiece& piece) {
-    const CommonTime& time = piece.time();
-    for (SpellPart& part : piece.below(distance, given_.contacts))
-      parts[{time.i, time.j, time.image}].push_back({time.from, time.to, std::move(part)});
-  };
-  std::vector<double> widths;  // a radius and half of the distance
+  SpellsBelow spells(distance, given_.contacts);
   double widest = 0;
-  for (const GivenPath& p : given_.paths) {
-    widths.push_back(round_up(Rational(p.radius + distance / 2)));
-    widest = std::max(widest, widths.back());
-  }
-  for (const CommonPiece& piece : own_images()) take(piece);
-  each_pair(next_above(2 * widest), [&](const Leg& a, const Leg& b, const LatticeImage& image) {
-    const double near = next_above(widths[static_cast<std::size_t>(a.path)] +
-                                   widths[static_cast<std::size_t>(b.path)]);
+  for (const Leg& leg : legs_) widest = std::max(widest, leg.radius);
+  const double beyond = round_up(distance);
+  for (const CommonPiece& piece : own_images()) spells.add(piece);
+  const double nearest = next_above(next_above(2 * widest) + beyond);
+  each_pair(nearest, [&](const Leg& a, const Leg& b, const LatticeImage& image) {
+    const double near = next_above(next_above(a.radius + b.radius) + beyond);
     if (apart_above(a, b, image) > near) return;
-    if (const std::optional<CommonPiece> piece = common(a, b, image)) take(*piece);
+    if (const std::optional<CommonPiece> piece = common(a, b, image)) spells.add(*piece);
   });
-  std::vector<NearSpell> spells;
-  for (auto& [pair, all] : parts) join(all, spells);
-  return spells;
+  return spells.spells();
 }
 
 }  // namespace voroproof::internal

@@ -11,6 +11,7 @@
 
 #include "history/paths_file.h"
 #include "library/planning/common_piece.h"
+#include "library/planning/image_search.h"
 #include "library/planning/least_distance.h"
 
 namespace voroproof::internal {
@@ -44,12 +45,12 @@ class GivenClearance {
     std::size_t first;          // waypoint; it ends at the next, or here where it is of one instant
     double from, to;            // times, rounded outwards
     Vector3<double> low, high;  // bounds of the centre, outwards
+    double radius;              // the greatest, rounded up
   };
   // A straight leg as it is from `t` on, with bounds of all errors.
   struct Motion {
     DoubleBall t;
     Ball3 at, velocity;
-    DoubleBall radius;
     bool is_straight;
   };
   void add_leg(int path, std::size_t first, std::size_t last);
@@ -57,6 +58,8 @@ class GivenClearance {
   std::pair<const Waypoint&, const Waypoint&> ends(const Leg& leg) const;
   const Curve* curve_of(const Leg& leg) const;
   Curve course(const Leg& leg, const Rational& from, const Rational& to) const;
+  std::pair<Rational, Rational> common_time(const Leg& a, const Leg& b) const;
+  Curve offset(const Leg& a, const Leg& b, const Rational& from, const Rational& to) const;
   template <class Visit>
   void each_pair(const std::optional<double>& near, Visit&& visit) const;
   template <class Visit>
@@ -72,11 +75,18 @@ class GivenClearance {
   std::function<bool()> go_on_;
   ClearanceRules rules_;
   Vector3<double> sides_below_, sides_above_;  // the sides of the box, rounded
-  std::vector<Leg> legs_;                      // by the time at which they begin
-  std::vector<Motion> motions_;                // theirs
+  ImageSearch images_;
+  std::vector<Leg> legs_;        // by the time at which they begin
+  std::vector<Motion> motions_;  // theirs
 };
 
 // Where the path is at a time from its first waypoint to its last.
 Vec3 place_at(const GivenPath& path, const Rational& t);
+
+// Its way from a waypoint to the next, between two of their times, by s from 0 to 1. What takes no
+// time is gone at one pace.
+Curve course_of(const GivenPath& path, std::size_t leg, const Rational& from, const Rational& to);
+// Its radius, in the same way.
+Polynomial<Rational> radius_of(const GivenPath& path, const Rational& from, const Rational& to);
 
 }  // namespace voroproof::internal

@@ -52,8 +52,11 @@ ORDER = {
     "certify": [CERTIFY, CORPUS, program("evidence_test"), CASES, program("adversary_test")],
     "filtered": [program("filtered_test"), program("carry_test"), program("symmetry_test"), CERTIFY,
                  CORPUS, program("engine_oracle_test"), CASES],
-    "library/planning": [("clearance_agreement", "voroproof",
-                          ["python3", "-B", "../tests/planning/agreement/agreement.py", "./voroproof", "0", "60"])],
+    "library/planning": [program("planning_test"),
+                         ("clearance_agreement", "voroproof",
+                          ["python3", "-B", "../tests/planning/agreement/agreement.py", "./voroproof", "0", "60"]),
+                         ("billiards_clearance", "voroproof",
+                          ["python3", "-B", "../tests/billiards/clearance.py", "./voroproof", "0", "24"])],
     "certify/kernel": [program("kernel_test"), program("kernel_corpus_test"), program("adversary_test")],
 }
 

@@ -18,7 +18,7 @@ const auto always = [] { return true; };
 GivenPaths one(std::vector<Waypoint> waypoints) {
   GivenPaths given;
   given.paths = {{"a", 1, std::move(waypoints)}};
-  given.container = GivenContainer{{1, 0}, 10};
+  given.container = RoundFrame{{1, 0}, 10};
   return given;
 }
 
@@ -40,7 +40,7 @@ TEST(WallClearance, ByHand) {
   EXPECT_TRUE(keeps_clear(*least, 1, Touching::is_too_near));
   EXPECT_FALSE(keeps_clear(*least, Rational(1000000001, 1000000000), Touching::is_too_near));
   // The gap is less than 3 where |x - 1| > 6.
-  const std::vector<WallSpell> spells = wall.spells_below(3);
+  const std::vector<NearSpell> spells = wall.spells_below(3);
   ASSERT_EQ(spells.size(), 3u);
   expect_encloses(spells[0].to, 0.5);
   expect_encloses(spells[1].from, 3.5);
@@ -63,14 +63,14 @@ TEST(WallClearance, Degenerate) {
     EXPECT_EQ(wall.spells_below(Rational(5)).size(), 1u);
   }
   GivenPaths none;
-  none.container = GivenContainer{{0, 0}, 1};
+  none.container = RoundFrame{{0, 0}, 1};
   EXPECT_FALSE(WallClearance(none, always).least());
   EXPECT_TRUE(WallClearance(none, always).spells_below(1).empty());
-  EXPECT_FALSE(
-      keeps_clear(WallApproach{0, 0, 81, 9}, 0, Touching::is_too_near));  // touching is not clear
+  EXPECT_FALSE(keeps_clear(Approach{container_id, 0, 0, 81, 9}, 0,
+                           Touching::is_too_near));  // touching is not clear
   // Along a chord whose middle is at the distance: the instant parts the spell.
   const GivenPaths chord = one({{0, {-3, 3}}, {8, {5, 3}}});
-  const std::vector<WallSpell> spells = WallClearance(chord, always).spells_below(6);
+  const std::vector<NearSpell> spells = WallClearance(chord, always).spells_below(6);
   ASSERT_EQ(spells.size(), 2u);
   expect_encloses(spells[0].to, 4);
   expect_encloses(spells[1].from, 4);
@@ -127,7 +127,7 @@ TEST(WallClearance, AsSamplingFinds) {
     const GivenPaths given = one(w);
     const WallClearance wall(given, always);
     const double limit = integer(0, 8);
-    const std::vector<WallSpell> spells = wall.spells_below(Rational(limit));
+    const std::vector<NearSpell> spells = wall.spells_below(Rational(limit));
     found += spells.size();
     const double end = w.back().t.get_d(), least = gap(*wall.least()).hi;
     double lowest = HUGE_VAL;
@@ -138,7 +138,7 @@ TEST(WallClearance, AsSamplingFinds) {
       lowest = std::min(lowest, here);
       EXPECT_GE(here, least - 1e-9);
       if (std::fabs(here - limit) < 1e-6) continue;
-      const auto covers = [&](const WallSpell& s) { return s.from.lo <= at && at <= s.to.hi; };
+      const auto covers = [&](const NearSpell& s) { return s.from.lo <= at && at <= s.to.hi; };
       const auto spell = std::find_if(spells.begin(), spells.end(), covers);
       EXPECT_EQ(spell != spells.end(), here < limit) << "round " << round << ", t = " << at;
       if (spell == spells.end()) continue;

@@ -26,6 +26,10 @@ CORPUS = ROOT / "corpus"
 ROOMS = ["apps", "certify", "history", "library", "planning"]
 
 # Two starts too near each other, and two that nobody separates: reports without a plan.
+BETWEEN_WALLS = {"format": "voroproof-scene", "version": 2, "contacts": "bounce", "horizon": 3, "gravity": [0, -1],
+                 "frame": {"periodic": [9, None], "walls": [{"normal": [0, 1], "offset": 0, "speed": "1/8"}]},
+                 "disks": [{"center": [1, 4], "radius": 1, "velocity": [-2, 0], "growth": "1/7"},
+                           {"center": [6, 4], "radius": 1, "velocity": [0, 0]}]}
 CROWDED = {"format": "voroproof-plan", "version": 1, "container": {"center": [0, 0], "radius": 50},
            "arrive": 10, "vehicles": [{"id": 0, "radius": 1, "start": [0, 0], "goal": [10, 0]},
                                       {"id": 1, "radius": 1, "start": [1, 0], "goal": [0, 10]}]}
@@ -79,6 +83,9 @@ def write_some(folder, program, example):
     go("clearance curves.csv --radius 0 --below 3 --required=-1/2 --height 2 --may-touch -o curves.clearance.json")
     go("clearance paths.csv --frames-only -o frames.clearance.json")
     go("clearance a.scene.json a.history.jsonl --below 5 --required 1/2 -o history.clearance.json")
+    (folder / "between.scene.json").write_text(json.dumps(BETWEEN_WALLS))
+    go("simulate between.scene.json -o between.history.jsonl")
+    go("clearance between.scene.json between.history.jsonl --below 5 --required 0 -o between.clearance.json")
     (folder / "disks.csv").write_text("0,0,1\n4,0,2\n4,1,0.5\n1,3,0\n40,0,1\n")
     go("diagram disks.csv -o plane.json")
     go("diagram disks.csv --frame 2,1,9 -o framed.json")
