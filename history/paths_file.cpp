@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "history/error.h"
 #include "history/file_bytes.h"
@@ -17,10 +18,12 @@ void stay(GivenPath& path, const Rational& begin, const Rational& end) {
   std::vector<Waypoint>& w = path.waypoints;
   const bool is_curved = !path.curves.empty();
   if (w.front().t > begin) {
+    path.stays_before = true;
     w.insert(w.begin(), {begin, Vec3(w.front().at)});
     if (is_curved) path.curves.insert(path.curves.begin(), Curve());
   }
   if (w.back().t < end) {
+    path.stays_after = true;
     w.push_back({end, Vec3(w.back().at)});
     if (is_curved) path.curves.emplace_back();
   }
@@ -85,6 +88,38 @@ std::optional<Rational> path_number(const std::string& text, std::string& reason
     return std::nullopt;
   }
   return value;
+}
+
+void note_missing_frames(GivenPaths& given) {
+  std::vector<const Rational*> frames;
+  for (const GivenPath& p : given.paths) {
+    for (const Waypoint& w : p.waypoints) frames.push_back(&w.t);
+  }
+  const auto is_less = [](const Rational* a, const Rational* b) { return *a < *b; };
+  std::sort(frames.begin(), frames.end(), is_less);
+  const auto is_same = [](const Rational* a, const Rational* b) { return *a == *b; };
+  frames.erase(std::unique(frames.begin(), frames.end(), is_same), frames.end());
+  std::size_t others = 0;
+  std::string first;
+  for (const GivenPath& p : given.paths) {
+    const std::size_t begin = p.stays_before ? 1 : 0,
+                      end = p.waypoints.size() - (p.stays_after ? 1 : 0);
+    auto frame = std::lower_bound(frames.begin(), frames.end(), &p.waypoints[begin].t, is_less);
+    for (std::size_t k = begin; k < end; ++k) {
+      if (k > begin && p.waypoints[k].t == p.waypoints[k - 1].t) continue;
+      if (p.waypoints[k].t == **frame) {
+        ++frame;
+        continue;
+      }
+      if (++others == 1)
+        first = "disk " + printable(p.name) + " at t = " + number_text(round_nearest(**frame));
+      break;
+    }
+  }
+  if (others == 0) return;
+  given.missing.push_back(std::to_string(others) + " of " + std::to_string(given.paths.size()) +
+                          " disks have no waypoint at an instant of others, " + first +
+                          " (--frames-only)");
 }
 
 std::pair<Rational, Rational> time_of(const std::vector<GivenPath>& paths) {

@@ -52,6 +52,9 @@ struct GivenPath {
   // straight. A jump is a straight way that takes no time.
   std::vector<Curve> curves{};
   Rational growth{};  // by how much the radius grows in a unit of time
+  // Whether its first waypoint, or its last, is none of the file: it is taken to stay until the
+  // next one, or from the one before.
+  bool stays_before = false, stays_after = false;
 
   Rational radius_at(const Rational& t) const { return radius + growth * t; }
   // From the first waypoint to the last.
@@ -104,6 +107,10 @@ inline constexpr std::size_t max_remarks = 100;
 // where that is unsaid and the paths do not all begin at one time and end at one time.
 GivenPaths read_paths(const std::string& path, const std::optional<Rational>& radius,
                       Beyond beyond);
+
+// Notes as missing the disks that have no waypoint at some time at which others have one, while
+// they are neither gone nor said to stay.
+void note_missing_frames(GivenPaths& given);
 
 // From the first waypoint of all paths to the last, of one path at least.
 std::pair<Rational, Rational> time_of(const std::vector<GivenPath>& paths);

@@ -11,6 +11,7 @@
 #include "history/billiard_history.h"
 #include "history/error.h"
 #include "history/json_text.h"
+#include "library/queries/paths.h"
 
 namespace voroproof::internal {
 namespace {
@@ -124,8 +125,7 @@ class RecordedPaths {
     claims.push_back({t, std::move(v)});
   }
 
-  // Whether the two touch at t, but for roundings. Roundings of a millionth of the scene, or of a
-  // quarter of the reach, explain nothing: a history could make them as large as it likes.
+  // Whether the two touch at t, but for roundings.
   bool touch(const BilliardPair& pair, const Rational& t) {
     const auto place = [&](GenId g) { return gaps_.place(g, flight(g), t); };
     Rational rounding = roundings_[static_cast<std::size_t>(pair.b)];
@@ -140,12 +140,12 @@ class RecordedPaths {
       rounding = (rounding + abs(wall.speed) * t) / (Rational(1) << 51);
       const Rational gap =
           dot(wall.normal, apart) - wall.offset - wall.speed * t - gaps_.radius(pair.b, t);
-      return rounding <= extent_ / (1 << 20) && abs(gap) <= rounding;
+      return may_explain(rounding, extent_, extent_) && abs(gap) <= rounding;
     }
     rounding /= Rational(1) << 51;
     const Rational reach = gaps_.reach(pair, t), low = std::max<Rational>(reach - rounding, 0),
                    high = reach + rounding, distance2 = dot(apart, apart);
-    return rounding <= extent_ / (1 << 20) && 4 * rounding <= reach && distance2 >= low * low &&
+    return may_explain(rounding, reach, extent_) && distance2 >= low * low &&
            distance2 <= high * high;
   }
 

@@ -32,10 +32,12 @@ std::optional<Rational> distance(const std::string& option, const std::string& t
 
 GivenPaths paths_of(const Request& request) {
   if (request.history.empty()) {
-    return read_paths(request.paths, distance("--radius", request.radius),
-                      request.stay     ? Beyond::stays
-                      : request.vanish ? Beyond::vanishes
-                                       : Beyond::unsaid);
+    GivenPaths given = read_paths(request.paths, distance("--radius", request.radius),
+                                  request.stay     ? Beyond::stays
+                                  : request.vanish ? Beyond::vanishes
+                                                   : Beyond::unsaid);
+    if (request.frames_only) note_missing_frames(given);
+    return given;
   }
   if (!request.radius.empty()) throw UsageError("--radius: the scene gives the radii");
   if (request.stay || request.vanish) {

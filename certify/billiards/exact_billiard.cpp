@@ -49,15 +49,12 @@ class ExactBilliard final : public BilliardTruth {
   void collide(const BilliardCollision& claim, const BilliardClaim& at) override {
     BilliardPair pair{claim.a, claim.b, claim.image ? *claim.image : LatticeImage{}};
     if (!claim.image && billiard_.lattice.is_periodic()) pair.image = nearest_image(pair, at);
-    if (motion_.is_fixed(pair.a) && motion_.is_fixed(pair.b)) {
-      blame(Fault::spurious_event, at, name_of(billiard_, pair) + " cannot move", pair);
-      return;
-    }
     const Rational latest = at.t.value() + tolerance_;
     std::string fault;
     const bool is_due = told([&] {
       const auto t = contact_in_time(pair, at, latest);
       if (!t) return false;
+      require_mover(pair);
       fault = response_.fault(pair, *t, claim);
       motion_.collide(pair, *t, latest, at.number, at.line);
       return true;
@@ -216,15 +213,19 @@ class ExactBilliard final : public BilliardTruth {
     }
   }
 
-  void miss(const BilliardPair& pair, const TrueTime& t, const BilliardWindow& window) {
-    const std::string name = name_of(billiard_, pair);
+  // Two that touch have to.
+  void require_mover(const BilliardPair& pair) const {
     if (motion_.is_fixed(pair.a) && motion_.is_fixed(pair.b))
-      throw Undecided(name + " touch, and cannot move", pair.a, pair.b);
+      throw Undecided(name_of(billiard_, pair) + " touch, and cannot move", pair.a, pair.b);
+  }
+
+  void miss(const BilliardPair& pair, const TrueTime& t, const BilliardWindow& window) {
+    require_mover(pair);
     const double near = t.near.mid;
     const std::int64_t line =
         window.line_after([&](const BilliardTime& claim) { return near < claim.near.mid; });
     found_.faults.push_back({Fault::missing_event, line, near,
-                             name + " touch at t = " + number_text(near) +
+                             name_of(billiard_, pair) + " touch at t = " + number_text(near) +
                                  " on their true lines; no collision of them is claimed",
                              std::pair(pair.a, pair.b)});
   }

@@ -126,7 +126,10 @@ BilliardFault PairWatch::fault_of(const Life& life, const BilliardClaim& claim) 
 }
 
 void PairWatch::judge_claim(const Life& life, const BilliardClaim& claim, Walk& walk) const {
-  if (answers(life, claim, walk)) return;
+  if (answers(life, claim, walk)) {
+    require_mover(life.pair);
+    return;
+  }
   PairState& state = walk.state;
   const BilliardFault fault = fault_of(life, claim);
   walk.found.faults.push_back(fault);

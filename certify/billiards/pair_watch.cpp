@@ -6,6 +6,7 @@
 #include "certify/billiards/pair_signs.h"
 #include "certify/vectors.h"
 #include "filtered/billiards/line_boxes.h"
+#include "filtered/motion/options.h"
 #include "history/json_text.h"
 
 namespace voroproof::internal {
@@ -85,7 +86,19 @@ bool PairWatch::certainly_regular(const Life& life, bool answered, bool claimed)
                             life.length_up + tolerance_up_);
 }
 
+bool PairWatch::has_mover(const BilliardPair& pair) const {
+  const auto moves = [&](GenId g) {
+    return g >= 0 && !billiard_.disks[static_cast<std::size_t>(g)].fixed;
+  };
+  return moves(pair.a) || moves(pair.b);
+}
+
+void PairWatch::require_mover(const BilliardPair& pair) const {
+  if (!has_mover(pair)) throw Undecided(name(pair) + " touch, and cannot move", pair.a, pair.b);
+}
+
 void PairWatch::open(const EntryTime& entry, Walk& walk) const {
+  require_mover(walk.pair);
   OverlapEpisode& episode = walk.state.open.emplace(OverlapEpisode{entry, false, false, {}, 0, 0});
   episode.line = walk.line_after(entry);
 }
@@ -215,6 +228,8 @@ void PairWatch::judge_life(const Life& life, Walk& walk) const {
     }
   }
   if (state.open) deepen(std::max<Rational>(begun, 0), length);
+  const bool ends_all = walk.window.last && &life.to == &walk.window.to;
+  if (ends_all && !state.open && first_fall(f, length, length)) ++walk.found.left_out;
 }
 
 void PairWatch::follow(const BilliardPair& pair, const BilliardPath& a, const BilliardPath& b,
@@ -261,7 +276,8 @@ void PairWatch::live(Life& life, const BilliardClaim* claim, Walk& walk) const {
   const DoubleBall length = life.to.near - life.from.near;
   life.length_up = std::max(0.0, up(length));
   life.length_down = std::max(0.0, down(length));
-  const bool plain = filters_ && !state.open && state.ended.empty();
+  const bool plain =
+      filters_ && !state.open && state.ended.empty() && (!claim || has_mover(life.pair));
   if (plain && certainly_regular(life, state.answered.has_value(), claim != nullptr)) {
     state.answered.reset();
     if (!claim) return;

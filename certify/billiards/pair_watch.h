@@ -109,6 +109,8 @@ class PairWatch {
   bool is_deeper_in(const Life& life, const Rational& depth, const Rational& lo,
                     const Rational& hi) const;
   void settle(const Life& life, Walk& walk) const;
+  bool has_mover(const BilliardPair& pair) const;
+  void require_mover(const BilliardPair& pair) const;  // for two that touch
   void open(const EntryTime& entry, Walk& walk) const;
   void close(const EntryTime& exit, Walk& walk) const;
   void expire(const BilliardTime& at, Walk& walk) const;

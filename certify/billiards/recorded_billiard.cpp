@@ -61,12 +61,6 @@ class RecordedBilliard final : public BilliardTruth {
     if (!claimed.image && billiard_.lattice.is_periodic())
       pair.image = watch_.images().nearest(pair, a.exact_last(), b.exact_last(), t.value());
     claims_.emplace_back(pair, at);
-    const auto is_fixed = [&](GenId g) {
-      return g < 0 || billiard_.disks[static_cast<std::size_t>(g)].fixed;
-    };
-    if (is_fixed(pair.a) && is_fixed(pair.b))
-      blame(Fault::spurious_event, at, watch_.name(pair) + " cannot move",
-            std::pair(pair.a, pair.b));
     const BounceLaw::Meeting meeting{pair, a, b, t};
     if (const std::string fault = law_.fault(meeting, claimed); !fault.empty())
       blame(Fault::wrong_response, at, fault, std::pair(pair.a, pair.b));
@@ -123,7 +117,7 @@ class RecordedBilliard final : public BilliardTruth {
   struct Block {
     BilliardFindings found;
     std::vector<std::pair<BilliardPair, PairState>> states;  // as they are now, where they changed
-    std::optional<Undecided> undecided;                      // by a pair: the rest is not followed
+    std::optional<Undecided> undecided;                      // the first pair's that is
   };
 
   // Finds the same as one pair after another would, whatever the number of threads.
@@ -135,15 +129,12 @@ class RecordedBilliard final : public BilliardTruth {
       const auto at = [&](std::size_t k) {
         return pairs.data() + pairs.size() * k / blocks.size();
       };
-      try {
-        follow({at(b), at(b + 1)}, window, blocks[b]);
-      } catch (const Undecided& why) {
-        blocks[b].undecided = why;
-      }
+      follow({at(b), at(b + 1)}, window, blocks[b]);
     });
+    std::optional<Undecided> undecided;  // a fault of another pair is one nevertheless
     for (Block& block : blocks) {
       found_.add(block.found);
-      if (block.undecided) throw Undecided(*block.undecided);
+      if (!undecided && block.undecided) undecided.emplace(*block.undecided);
       for (auto& [pair, state] : block.states) {
         if (state.is_empty())
           states_.erase(pair);
@@ -151,6 +142,7 @@ class RecordedBilliard final : public BilliardTruth {
           states_[pair] = std::move(state);
       }
     }
+    if (undecided && found_.faults.empty()) throw Undecided(*undecided);
   }
 
   void follow(std::span<const BilliardPair> pairs, const BilliardWindow& window,
@@ -166,8 +158,12 @@ class RecordedBilliard final : public BilliardTruth {
       const auto known = states_.empty() ? states_.end() : states_.find(pair);
       PairState state = known == states_.end() ? PairState{} : known->second;
       const BilliardPath& b = paths_[static_cast<std::size_t>(pair.b)];
-      watch_.follow(pair, pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)], b, own, window,
-                    meeting_, state, block.found);
+      try {
+        watch_.follow(pair, pair.a < 0 ? b : paths_[static_cast<std::size_t>(pair.a)], b, own,
+                      window, meeting_, state, block.found);
+      } catch (const Undecided& why) {
+        if (!block.undecided) block.undecided.emplace(why);
+      }
       if (known != states_.end() || !state.is_empty())
         block.states.emplace_back(pair, std::move(state));
     }

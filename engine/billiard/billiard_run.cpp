@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
+#include "engine/billiard/meeting_queue.h"
 #include "engine/billiard/meeting_time.h"
 #include "engine/billiard/told_value.h"
 #include "exact/patience.h"
@@ -58,21 +59,6 @@ class BilliardEngine {
     Flight<DoubleBall> near;
     SweptBox box;
   };
-  struct Meeting {
-    T t;
-    DoubleBall near;
-    BilliardPair pair;
-  };
-  // By time, and at one time by pair.
-  struct IsEarlier {
-    bool operator()(const Meeting& x, const Meeting& y) const {
-      if (x.pair == y.pair) return false;
-      const int ordered = order(x.t, x.near, y.t, y.near);
-      return ordered != 0 ? ordered < 0 : x.pair < y.pair;
-    }
-  };
-  using Meetings = std::set<Meeting, IsEarlier>;
-
   Body& body(GenId i) { return bodies_[static_cast<std::size_t>(i)]; }
   bool fixed(GenId i) const { return billiard_.disks[static_cast<std::size_t>(i)].fixed; }
 
@@ -134,26 +120,14 @@ class BilliardEngine {
 
   void add_walls(GenId i, const DoubleBall& from, const DoubleBall& to,
                  std::vector<BilliardPair>& pairs) {
-    if (fixed(i)) return;
     for (GenId wall = billiard_.last_wall(); wall < 0; ++wall) {
       if (lines_.may_meet_wall(wall, body(i).box, from.mid - from.rad, to.mid + to.rad))
         pairs.push_back({wall, i});
     }
   }
 
-  // -1, 0, 1: whether x is earlier than y, the same, or later.
-  static int order(const T& x, const DoubleBall& near_x, const T& y, const DoubleBall& near_y) {
-    const Sign rough = sign(near_x - near_y);
-    if (is_certain(rough)) return rough == Sign::negative ? -1 : 1;
-    const Sign exact = sign(T(x - y));
-    if (exact == Sign::unknown)
-      throw MoreBits("which of two events comes first is not told: they may be simultaneous");
-    return static_cast<int>(exact);
-  }
-
   void predict(const BilliardPair& pair) {
     Patience::ask();
-    if (pair.a >= 0 && fixed(pair.a) && fixed(pair.b)) return;
     Body& b = body(pair.b);
     Body& a = pair.a < 0 ? b : body(pair.a);
     const bool parting = parting_ == pair;
@@ -173,30 +147,15 @@ class BilliardEngine {
     T t = now_ + *u;
     const DoubleBall near = enclosed(t);
     if (sign(near - near_end_) == Sign::positive) return;
-    const auto [meeting, is_new] = meetings_.insert({std::move(t), near, pair});
-    if (!is_new) return;  // it has been found from the other disk
-    for (const GenId i : {pair.a, pair.b}) {
-      if (i >= 0) meetings_of_[static_cast<std::size_t>(i)].push_back(meeting);
-    }
-  }
-
-  // The meetings of a disk that turns are gone before others are found: one that is found anew may
-  // be at the same time.
-  void drop_meetings(GenId i) {
-    for (const auto meeting : meetings_of_[static_cast<std::size_t>(i)]) {
-      const GenId other = meeting->pair.a == i ? meeting->pair.b : meeting->pair.a;
-      if (other >= 0) std::erase(meetings_of_[static_cast<std::size_t>(other)], meeting);
-      meetings_.erase(meeting);
-    }
-    meetings_of_[static_cast<std::size_t>(i)].clear();
+    meetings_.add({std::move(t), near, pair});
   }
 
   // The next meeting in the window, which stays the first one.
-  const Meeting* next_meeting() const {
-    if (meetings_.empty()) return nullptr;
-    const Meeting& first = *meetings_.begin();
-    const int ordered = order(first.t, first.near, end_, near_end_);
-    return ordered < 0 || (ordered == 0 && is_last_) ? &first : nullptr;
+  const Meeting<T>* next_meeting() const {
+    const Meeting<T>* first = meetings_.first();
+    if (first == nullptr) return nullptr;
+    const int order = time_order(first->t, first->near, end_, near_end_);
+    return order < 0 || (order == 0 && is_last_) ? first : nullptr;
   }
 
   void window(const std::vector<BilliardPair>& pairs, const Rational& from, const Rational& to) {
@@ -204,27 +163,26 @@ class BilliardEngine {
     end_ = of_kind<T>(to, bits_);
     near_end_ = enclosed(end_);
     is_last_ = to == billiard_.horizon;
-    meetings_.clear();
-    meetings_of_.assign(bodies_.size(), {});
+    meetings_.clear(bodies_.size());
     near_pairs_.assign(bodies_.size(), {});
     for (const BilliardPair& pair : pairs) {
       if (pair.a >= 0) add_near(pair);
       predict(pair);
     }
     for (;;) {
-      const Meeting* meeting = next_meeting();
+      const Meeting<T>* meeting = next_meeting();
       const BilliardManeuver* maneuver = next_maneuver(to);
       if (meeting == nullptr && maneuver == nullptr) return;
       Patience::ask_now();
       if (maneuver != nullptr) {
         const T t = of_kind<T>(maneuver->t, bits_);
         // Collisions come first.
-        if (meeting == nullptr || order(t, enclosed(t), meeting->t, meeting->near) < 0) {
+        if (meeting == nullptr || time_order(t, enclosed(t), meeting->t, meeting->near) < 0) {
           turn(*maneuver, t);
           continue;
         }
       }
-      const Meeting due = *meeting;
+      const Meeting<T> due = *meeting;
       collide(due);
     }
   }
@@ -284,14 +242,28 @@ class BilliardEngine {
     tell({CompactRational(told_value(t, std::fabs(enclosed(t).mid))), 0,
           BilliardTurn{i, told_value(v), told_value(x)}});
     set(i, t, x, v);
-    drop_meetings(i);
+    meetings_.drop(i);
     ++maneuvers_;
     predict_all(i);
   }
 
-  void collide(const Meeting& due) {
+  // Two that touch can part, and not only for no time.
+  void require_way_out(const BilliardPair& pair, double t) {
+    const auto moves = [&](GenId i) { return i >= 0 && !fixed(i); };
+    if (!moves(pair.a) && !moves(pair.b))
+      throw BilliardStop(name_of(billiard_, pair) + " touch, and cannot move");
+    constexpr int most = 100'000;
+    if (t != instant_) meetings_then_.clear();
+    instant_ = t;
+    if (++meetings_then_[pair] > most)
+      throw BilliardStop(name_of(billiard_, pair) + " collide more than " + std::to_string(most) +
+                         " times at one instant: they are pressed together");
+  }
+
+  void collide(const Meeting<T>& due) {
     const auto& [t, near, pair] = due;
     now_ = t;
+    require_way_out(pair, near.mid);
     std::array<Vector3<T>, 2> x, v;
     for (const int side : {0, 1}) {
       const GenId i = side == 0 ? pair.a : pair.b;
@@ -315,7 +287,7 @@ class BilliardEngine {
       const GenId i = side == 0 ? pair.a : pair.b;
       if (i < 0 || fixed(i)) continue;
       set(i, t, x[side], v[side]);
-      drop_meetings(i);
+      meetings_.drop(i);
     }
     parting_ = pair;
     for (const GenId i : {pair.a, pair.b}) {
@@ -338,12 +310,13 @@ class BilliardEngine {
   // meet.
   std::vector<SweptBox> boxes_;
   std::vector<std::vector<BilliardPair>> near_pairs_;
-  Meetings meetings_;
-  std::vector<std::vector<typename Meetings::iterator>> meetings_of_;  // by disk
+  MeetingQueue<T> meetings_;
   T now_, end_{};
   DoubleBall near_end_;
   std::optional<BilliardPair> parting_;  // the two that have just collided
-  double length_ = 0;                    // a window's
+  double instant_ = -1;                  // rounded, and how often pairs have collided then
+  std::map<BilliardPair, int> meetings_then_;
+  double length_ = 0;  // a window's
   bool is_last_ = false;
   std::size_t maneuvers_ = 0;  // that have taken place
   std::uint64_t events_ = 0;

@@ -41,18 +41,31 @@ class Trial {
     }
   }
 
+  // Around a cell, the first half-edge that is wanted, and how many turns lead to it.
+  template <class IsWanted>
+  std::pair<HalfEdge, int> turn_to(const Diagram& diagram, HalfEdge from,
+                                   const IsWanted& is_wanted) const {
+    int turns = 0;
+    HalfEdge h = from;
+    for (; !is_wanted(h); h = diagram.rotate(h)) {
+      if (++turns > diagram.edges())
+        throw Undecided("a disk that touches another from inside is not beside it", g_, j_);
+    }
+    return {h, turns};
+  }
+
   // The cell, of two edges, passes vertices of that of j up to where it belongs.
   void move() {
     Diagram without = now_;
     HalfEdge here = 2 * without.remove(g_).front();
     if (without.org(here) != j_) here = Diagram::twin(here);
     const HalfEdge there = cell_exit(rows_, without, j_, g_, t_);
-    int left = 0, right = 0;
-    for (HalfEdge h = here; h != there; h = without.rotate(h)) ++left;
-    for (HalfEdge h = there; h != here; h = without.rotate(h)) ++right;
+    const auto is = [](HalfEdge wanted) { return [wanted](HalfEdge h) { return h == wanted; }; };
+    const int left = turn_to(without, here, is(there)).second,
+              right = turn_to(without, there, is(here)).second;
     for (int step = 0; step < std::min(left, right); ++step) {
-      HalfEdge to_g = now_.anchor(j_);
-      while (now_.dest(to_g) != g_) to_g = now_.rotate(to_g);
+      const HalfEdge to_g =
+          turn_to(now_, now_.anchor(j_), [&](HalfEdge h) { return now_.dest(h) == g_; }).first;
       const HalfEdge to_other = now_.rotate(Diagram::twin(to_g));
       flip(left <= right ? now_.rotate(to_g) : now_.next(Diagram::twin(to_g)));
       flip(to_other);
@@ -70,6 +83,8 @@ class Trial {
         if (MovingEdge(rows_, q).collapses_at(t_)) smallest = named;
       }
       if (!smallest) return;
+      if (flips_.size() > 64 + touched_.size() * touched_.size())
+        throw Undecided("the flips after a touch do not end", g_, j_);
       flip(smallest->second);
     }
   }

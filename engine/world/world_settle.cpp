@@ -61,8 +61,11 @@ void WorldSweep::absorb() {
 
 // Swaps, hides, appears, then flips; within each the smallest first (docs/formats.md, section 20).
 void WorldSweep::settle() {
+  std::size_t steps = 0;
   do {
     Patience::ask_now();
+    const auto edges = static_cast<std::size_t>(live_.diagram().edges());
+    if (++steps > 1000 + edges * edges) throw Undecided("the events of one instant do not end");
     absorb();
     examine_pairs();
   } while (swap_one() || hide_one() || appear_one() || touch_one() || flip_one());

@@ -1,7 +1,10 @@
 #include "library/planning/common_piece.h"
 
 #include <algorithm>
+#include <compare>
 #include <utility>
+
+#include "exact/algebraic.h"
 
 namespace voroproof::internal {
 
@@ -10,7 +13,27 @@ namespace {
 // To which part of a piece roots are narrowed.
 const Rational narrow = Rational(1) / (Integer(1) << 120);
 
-RootInterval point(const Rational& s) { return {s, s}; }
+Place point(const Rational& s) { return {{s, s}}; }
+
+AlgebraicNumber<Rational> number(const Place& place) {
+  if (place.s.is_point()) return place.s.lo;
+  return {*place.root_of, place.s};
+}
+
+// A root that is enclosed is at neither end of its enclosure.
+std::strong_ordering operator<=>(const Place& a, const Place& b) {
+  const bool are_points = a.s.is_point() && b.s.is_point();
+  if (are_points ? a.s.lo < b.s.lo : a.s.hi <= b.s.lo) return std::strong_ordering::less;
+  if (are_points ? b.s.lo < a.s.lo : b.s.hi <= a.s.lo) return std::strong_ordering::greater;
+  if (are_points) return std::strong_ordering::equal;
+  return compare(number(a), number(b));
+}
+
+// A fraction between two that differ.
+Rational between(const Place& a, const Place& b) {
+  if (a.s.hi <= b.s.lo) return (a.s.hi + b.s.lo) / 2;
+  return rational_between(number(a), number(b));
+}
 
 // The roots middle -+ sqrt(square) in [0, 1].
 std::vector<RootInterval> roots_around(const Rational& middle, const Rational& square) {
@@ -27,8 +50,7 @@ std::vector<RootInterval> roots_around(const Rational& middle, const Rational& s
   return roots;
 }
 
-// The roots in [0, 1], in order: exact, or narrowed. None of a constant.
-std::vector<RootInterval> roots_of(const Polynomial<Rational>& f) {
+std::vector<RootInterval> enclosures_of(const Polynomial<Rational>& f) {
   if (f.degree() < 1) return {};
   const Rational middle =
       f.degree() <= 2 ? Rational(-f[f.degree() - 1] / (f.degree() * f.leading())) : Rational(0);
@@ -39,6 +61,17 @@ std::vector<RootInterval> roots_of(const Polynomial<Rational>& f) {
     if (!root.is_point()) refine(f, root, narrow);
   }
   return roots;
+}
+
+// The roots in [0, 1], in order: exact, or narrowed. None of a constant.
+std::vector<Place> roots_of(const Polynomial<Rational>& f) {
+  std::vector<Place> places;
+  std::shared_ptr<const Polynomial<Rational>> shared;
+  for (RootInterval& root : enclosures_of(f)) {
+    if (!root.is_point() && !shared) shared = std::make_shared<const Polynomial<Rational>>(f);
+    places.push_back({root, root.is_point() ? nullptr : shared});
+  }
+  return places;
 }
 
 Polynomial<Rational> coordinate(const Curve& offset, std::size_t axis) {
@@ -62,17 +95,16 @@ CommonPiece::CommonPiece(CommonTime time, const Curve& offset,
     return;
   }
   // Between neighbours of these places z - height and z + height keep their signs.
-  std::vector<RootInterval> places{point(0)};
+  std::vector<Place> places{point(0), point(1)};
   for (const Rational& limit : {Rational(-*height), *height}) {
-    for (RootInterval& root : roots_of(z - Polynomial<Rational>{limit})) places.push_back(root);
+    for (Place& root : roots_of(z - Polynomial<Rational>{limit})) places.push_back(std::move(root));
   }
-  places.push_back(point(1));
   std::sort(places.begin(), places.end(),
-            [](const RootInterval& a, const RootInterval& b) { return a.lo < b.lo; });
+            [](const Place& a, const Place& b) { return (a <=> b) < 0; });
   const auto is_near = [&](const Rational& s) { return abs(z.evaluate(s)) < *height; };
   for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-    if (places[k].hi < places[k + 1].lo && is_near((places[k].hi + places[k + 1].lo) / 2))
-      spans_.push_back({places[k], places[k + 1]});
+    const Place &a = places[k], &b = places[k + 1];
+    if ((a <=> b) < 0 && is_near(between(a, b))) spans_.push_back({a, b});
   }
   is_near_at_begin_ = is_near(0);
   is_near_at_end_ = is_near(1);
@@ -117,15 +149,15 @@ Approach CommonPiece::approach_at(const RootInterval& s, bool is_stationary) con
 // The gap's derivative is zero where that of the distance's square, D', is 2 sqrt(D) times the
 // reach's, r': at roots of D'^2 - 4 r'^2 D, some of which are others. Where that is zero throughout
 // D is a square, and the gap is bent at its root alone.
-const std::vector<RootInterval>& CommonPiece::stationary() const {
+const std::vector<Place>& CommonPiece::stationary() const {
   if (stationary_) return *stationary_;
   const Polynomial<Rational> slope = distance2_.derivative(), growth = time_.reach.derivative();
   if (growth.is_zero()) return stationary_.emplace(roots_of(slope));
   if (distance2_.is_zero()) return stationary_.emplace(roots_of(growth));
   const Polynomial<Rational> steady = slope * slope - Rational(4) * growth * growth * distance2_;
   stationary_ = roots_of(steady.is_zero() ? slope : steady);
-  for (RootInterval& root : *stationary_) {
-    if (!root.is_point()) refine(steady, root, narrow);
+  for (Place& place : *stationary_) {
+    if (!place.s.is_point()) refine(*place.root_of, place.s, narrow);
   }
   return *stationary_;
 }
@@ -140,23 +172,23 @@ Approach CommonPiece::at_contact(Approach approach, const std::set<GivenContact>
   return approach;
 }
 
+bool CommonPiece::is_inside(const Place& place, const Span& span) {
+  return (place <=> span.begin) > 0 && (place <=> span.end) < 0;
+}
+
 Approach CommonPiece::nearest_on(const Span& span, const std::set<GivenContact>& contacts) const {
-  Approach nearest = approach_at(span.begin, false), last = approach_at(span.end, false);
+  Approach nearest = approach_at(span.begin.s, false), last = approach_at(span.end.s, false);
   // On a straight way a disk sticks out of its frame by a convex function, which is greatest at an
   // end.
   if (is_at_wall() && distance2_.degree() <= 2 && time_.reach.degree() <= 1)
     return nearer_of(at_contact(std::move(nearest), contacts),
                      at_contact(std::move(last), contacts));
   // A constant gap is that of all instants between them, too.
-  nearest.is_reached = is_constant_ || (span.begin.hi == 0 && is_near_at_begin_);
-  last.is_reached = is_constant_ || (span.end.lo == 1 && is_near_at_end_);
-  const auto is_same = [](const RootInterval& a, const RootInterval& b) {
-    return a.is_point() && b.is_point() && a.lo == b.lo;
-  };
-  for (const RootInterval& s : stationary()) {
-    if (s.hi >= span.begin.lo && s.lo <= span.end.hi && !is_same(s, span.begin) &&
-        !is_same(s, span.end))
-      nearest = nearer_of(nearest, approach_at(s, time_.reach.degree() < 1));
+  nearest.is_reached = is_constant_ || (span.begin.s.hi == 0 && is_near_at_begin_);
+  last.is_reached = is_constant_ || (span.end.s.lo == 1 && is_near_at_end_);
+  for (const Place& place : stationary()) {
+    if (is_inside(place, span))
+      nearest = nearer_of(nearest, approach_at(place.s, time_.reach.degree() < 1));
   }
   return at_contact(nearer_of(nearest, last), contacts);
 }
@@ -183,13 +215,13 @@ Polynomial<Rational> CommonPiece::limit(const Rational& distance) const {
 // Where the limit is negative a disk is as near to a wall as that whatever its place, so that roots
 // there end nothing. Nor do those of the limit itself: on both sides of one the disk is as near,
 // unless it is in the container's centre then, and that is a root of the excess.
-std::vector<RootInterval> CommonPiece::ends_below(const Rational& distance) const {
+std::vector<Place> CommonPiece::ends_below(const Rational& distance) const {
   const Polynomial<Rational> limit = this->limit(distance), excess = distance2_ - limit * limit;
   if (!is_at_wall()) return roots_of(excess);
   if (distance2_.is_zero() || excess.is_zero()) return roots_of(limit);
-  std::vector<RootInterval> roots = roots_of(excess);
-  std::erase_if(roots, [&](const RootInterval& s) {
-    return limit.evaluate(s.lo) < 0 && limit.evaluate(s.hi) < 0;
+  std::vector<Place> roots = roots_of(excess);
+  std::erase_if(roots, [&](const Place& place) {
+    return limit.evaluate(place.s.lo) < 0 && limit.evaluate(place.s.hi) < 0;
   });
   return roots;
 }
@@ -200,25 +232,23 @@ std::vector<SpellPart> CommonPiece::below(const Rational& distance,
   const auto is_below = [&](const Rational& s) {
     return is_at_wall() ? limit.evaluate(s) < 0 || excess.evaluate(s) > 0 : excess.evaluate(s) < 0;
   };
-  const std::vector<RootInterval> roots = ends_below(distance);
+  const std::vector<Place> roots = ends_below(distance);
   std::vector<SpellPart> parts;
   for (const Span& span : spans_) {
-    std::vector<RootInterval> places{span.begin};
-    for (const RootInterval& root : roots) {
-      const bool is_end = root.is_point() && (root.lo == span.begin.hi || root.lo == span.end.lo);
-      if (root.lo >= span.begin.hi && root.hi <= span.end.lo && !is_end) places.push_back(root);
+    std::vector<Place> places{span.begin};
+    for (const Place& root : roots) {
+      if (is_inside(root, span)) places.push_back(root);
     }
     places.push_back(span.end);
     for (std::size_t k = 0; k + 1 < places.size(); ++k) {
       const Span here{places[k], places[k + 1]};
-      // Two that are enclosed may share an end, which is neither of them.
-      if (here.begin.hi > here.end.lo || !is_below((here.begin.hi + here.end.lo) / 2)) continue;
+      if (!is_below(between(here.begin, here.end))) continue;
       Approach nearest = nearest_on(here, contacts);
       // At a contact the rounded places may be nearer than the disks.
       if (keeps_clear(nearest, distance, Touching::is_allowed)) continue;
-      parts.push_back({here.begin.hi == 0 && is_near_at_begin_ && is_below(0),
-                       here.end.lo == 1 && is_near_at_end_ && is_below(1),
-                       {time_at(here.begin), time_at(here.end), std::move(nearest)}});
+      parts.push_back({here.begin.s.hi == 0 && is_near_at_begin_ && is_below(0),
+                       here.end.s.lo == 1 && is_near_at_end_ && is_below(1),
+                       {time_at(here.begin.s), time_at(here.end.s), std::move(nearest)}});
     }
   }
   return parts;

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -34,6 +35,13 @@ struct NearSpell {
 struct SpellPart {
   bool at_begin, at_end;  // whether it has the piece's beginning and end
   NearSpell spell;
+};
+
+// A number from 0 to 1: a fraction, or the root of a polynomial that is enclosed. Enclosures of two
+// may overlap; their order is that of the numbers.
+struct Place {
+  RootInterval s;
+  std::shared_ptr<const Polynomial<Rational>> root_of{};  // null for a fraction
 };
 
 // The disks i and j, or the wall i < 0 and the disk j, from one time to another, or for an instant.
@@ -67,21 +75,22 @@ class CommonPiece {
   bool is_plainly_beyond(const Rational& gap) const;
 
  private:
-  // A part of the piece: ends between 0 and 1, each exact or enclosed.
+  // A part of the piece.
   struct Span {
-    RootInterval begin, end;
+    Place begin, end;
   };
   bool is_at_wall() const { return time_.i < 0; }
   // `is_stationary`: at a root of the derivative of the distance's square, radii being constant.
   Approach approach_at(const RootInterval& s, bool is_stationary) const;
   // The approach, with a gap of zero where the two are in contact then.
   Approach at_contact(Approach approach, const std::set<GivenContact>& contacts) const;
+  static bool is_inside(const Place& place, const Span& span);  // and at neither end
   Approach nearest_on(const Span& span, const std::set<GivenContact>& contacts) const;
-  const std::vector<RootInterval>& stationary() const;
+  const std::vector<Place>& stationary() const;
   // The distance at which the gap is that.
   Polynomial<Rational> limit(const Rational& distance) const;
   // Where the gap may come to be less than `distance`, or cease to be.
-  std::vector<RootInterval> ends_below(const Rational& distance) const;
+  std::vector<Place> ends_below(const Rational& distance) const;
   Enclosure time_at(const RootInterval& s) const;
 
   CommonTime time_;
@@ -89,7 +98,7 @@ class CommonPiece {
   bool is_constant_;         // the gap
   std::vector<Span> spans_;  // where they count as near; the ends may not
   bool is_near_at_begin_ = true, is_near_at_end_ = true;
-  mutable std::optional<std::vector<RootInterval>> stationary_;
+  mutable std::optional<std::vector<Place>> stationary_;
 };
 
 // The spells in which gaps are less than a distance >= 0, of pieces of all pairs.

@@ -87,10 +87,14 @@ GivenClearance::GivenClearance(const GivenPaths& given, std::function<bool()> go
       sides_above_(each_of(given.sides, round_up)),
       images_(sides_above_, rules_.height, go_on_) {
   for (std::size_t g = 0; g < given.paths.size(); ++g) {
-    const std::size_t count = given.paths[g].waypoints.size();
+    const GivenPath& path = given.paths[g];
+    const std::size_t count = path.waypoints.size();
     const bool instants = rules_.at_waypoints || count == 1;
-    for (std::size_t k = 0; k + (instants ? 0 : 1) < count; ++k)
-      add_leg(static_cast<int>(g), k, instants ? k : k + 1);
+    for (std::size_t k = 0; instants && k < count; ++k) add_leg(static_cast<int>(g), k, k);
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+      const bool stays = (k == 0 && path.stays_before) || (k + 2 == count && path.stays_after);
+      if (!instants || stays) add_leg(static_cast<int>(g), k, k + 1);
+    }
   }
   std::stable_sort(legs_.begin(), legs_.end(),
                    [](const Leg& a, const Leg& b) { return a.from < b.from; });
@@ -102,6 +106,7 @@ void GivenClearance::add_leg(int path, std::size_t first, std::size_t last) {
   const GivenPath& own = given_.paths[static_cast<std::size_t>(path)];
   Leg leg{path,
           first,
+          last,
           round_down(w[first].t),
           round_up(w[last].t),
           {},
@@ -142,8 +147,7 @@ GivenClearance::Motion GivenClearance::motion_of(const Leg& leg) const {
 
 std::pair<const Waypoint&, const Waypoint&> GivenClearance::ends(const Leg& leg) const {
   const std::vector<Waypoint>& w = given_.paths[static_cast<std::size_t>(leg.path)].waypoints;
-  const bool instant = rules_.at_waypoints || w.size() == 1;
-  return {w[leg.first], w[leg.first + (instant ? 0 : 1)]};
+  return {w[leg.first], w[leg.last]};
 }
 
 // Null where the leg is straight.

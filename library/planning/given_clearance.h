@@ -17,7 +17,9 @@
 namespace voroproof::internal {
 
 struct ClearanceRules {
-  bool at_waypoints = false;  // the instants of waypoints alone count, not the ways between
+  // The instants of waypoints alone count, not the ways between; a disk that is said to stay is
+  // there at those of all others.
+  bool at_waypoints = false;
   // Two that differ in height, the third coordinate, by at least that do not count as near, and a
   // gap is one of the other two coordinates.
   std::optional<Rational> height{};
@@ -42,7 +44,7 @@ class GivenClearance {
  private:
   struct Leg {
     int path;
-    std::size_t first;          // waypoint; it ends at the next, or here where it is of one instant
+    std::size_t first, last;    // waypoints: the next one, or the same where it is of one instant
     double from, to;            // times, rounded outwards
     Vector3<double> low, high;  // bounds of the centre, outwards
     double radius;              // the greatest, rounded up

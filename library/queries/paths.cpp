@@ -31,7 +31,8 @@ Rational squared_distance(const ExactVec2& a, const ExactVec2& b) {
   return x * x + y * y;
 }
 
-Paths::Paths(const Scene& scene, const HistoryCursor& history, const std::string& history_path) {
+Paths::Paths(const Scene& scene, const HistoryCursor& history, const std::string& history_path)
+    : extent_(abs(scene.cx) + abs(scene.cy) + scene.container_radius) {
   pieces_.push_back({{0, {scene.cx, scene.cy}, {0, 0}}});
   radii_.push_back(-scene.container_radius);
   for (const DiskInput& disk : scene.disks) {
@@ -42,11 +43,10 @@ Paths::Paths(const Scene& scene, const HistoryCursor& history, const std::string
   // A turn allows for what certify allows for (docs/claim.md, section 3: rounding of a pair), and
   // for times that are long for that: rounding its velocity v and the times of its ends to nearest
   // moves a piece up to t by at most 2^-52 |v| t.
-  const Rational extent = abs(scene.cx) + abs(scene.cy) + scene.container_radius;
   const auto turn = [&](GenId g, Rational t, ExactVec2 velocity) {
     std::vector<RecordedState>& pieces = pieces_[g + 1];
     const RecordedState& last = pieces.back();
-    roundings_[g + 1] += extent;
+    roundings_[g + 1] += extent_;
     if (t > last.since) roundings_[g + 1] += (abs(last.velocity[0]) + abs(last.velocity[1])) * t;
     ExactVec2 here = position_at(last, t);
     if (t == pieces.back().since) pieces.pop_back();
@@ -90,7 +90,8 @@ bool Paths::touch(GenId i, GenId j) const {
   const Rational reach = abs(signed_radius(i) + signed_radius(j));
   const Rational rounding = (roundings_[i + 1] + roundings_[j + 1]) / (Rational(1) << 51);
   const Rational low = std::max<Rational>(reach - rounding, 0), high = reach + rounding;
-  return distance2 >= low * low && distance2 <= high * high;
+  return may_explain(rounding, reach, extent_) && distance2 >= low * low &&
+         distance2 <= high * high;
 }
 
 const RecordedState& Paths::piece(GenId g, const Rational& t) const {

@@ -17,6 +17,12 @@
 
 namespace voroproof::internal {
 
+// Whether roundings of so much may explain why two with that reach do not touch, in a scene of that
+// size. A history could make them as large as it likes.
+inline bool may_explain(const Rational& rounding, const Rational& reach, const Rational& extent) {
+  return rounding <= extent / (1 << 20) && 4 * rounding <= reach;
+}
+
 class Paths {
  public:
   // A maneuver without `v` has the velocity that the scene schedules. Throws InputError where a
@@ -47,6 +53,7 @@ class Paths {
 
   std::vector<std::vector<RecordedState>> pieces_;
   std::vector<Rational> radii_;
+  Rational extent_;                  // the size of the scene
   std::vector<Rational> roundings_;  // 2^51 times how far they may have moved each by now
   std::set<GivenContact> contacts_;
   std::optional<GivenContact> collision_apart_;

@@ -279,6 +279,7 @@ TEST(BilliardCertifier, TheHorizon) {
   c.events.clear();
   c.collisions = 0;
   expect_certified(c);
+  EXPECT_EQ(c.judge().left_out, 1);
   c.horizon = "2.0000005";
   expect_certified(c);
   EXPECT_EQ(c.judge().left_out, 1);

@@ -139,6 +139,16 @@ TEST(BilliardRun, StopsWithAReason) {
       "gravity":[0,-1],"disks":[{"center":[0,1],"radius":1,"velocity":[0,0]}])"));
   EXPECT_EQ(rest.outcome.kind, BilliardOutcome::Kind::stopped);
   EXPECT_NE(rest.outcome.reason.find("pressed together"), std::string::npos);
+  const auto reason = [](const std::string& members) {
+    const ToldRun stopped = run(billiard("4", members));
+    return stopped.outcome.kind == BilliardOutcome::Kind::stopped ? stopped.outcome.reason : "";
+  };
+  const std::string walls = R"("frame":{"walls":[{"normal":[1,0],"offset":0},
+      {"normal":[-1,0],"offset":-4}]},"disks":[{"center":[2,0],"radius":1,"growth":"1/2",)";
+  EXPECT_EQ(reason(walls + R"("velocity":[0,0]}])"),
+            "disk 0 and wall -2 collide more than 100000 times at one instant: they are pressed "
+            "together");
+  EXPECT_EQ(reason(walls + R"("fixed":true}])"), "disk 0 and wall -2 touch, and cannot move");
   EXPECT_EQ(find_overlap_at_start(billiard("7", R"("frame":{"periodic":[8,8]},"disks":[
       {"center":[0.5,1],"radius":1,"velocity":[0,0]},{"center":[7.75,1],"radius":1,"velocity":[0,0]}])")),
             (BilliardPair{0, 1, {-1, 0, 0}}));

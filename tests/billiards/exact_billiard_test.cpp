@@ -251,6 +251,29 @@ TEST(ExactBilliard, WhatCannotBeToldRefutesNothing) {
   EXPECT_NE(c.judge().verdict, Verdict::refuted) << c.judge().divergence->truth;
 }
 
+// Neither truth has a law for it, and another fault is one nevertheless.
+TEST(ExactBilliard, TwoThatCannotMove) {
+  for (const Truth truth : {Truth::recorded, Truth::exact}) {
+    const auto scene = [](const std::string& x) {
+      return R"("frame":{"walls":[{"normal":[1,0],"offset":0}]},"disks":[
+        {"center":[2,0],"radius":1,"growth":"1/2","fixed":true},
+        {"center":[)" +
+             x + R"(,0],"radius":1,"velocity":[-1,0]}])";
+    };
+    BilliardCase c{scene("9"), "3", {}};
+    c.truth = truth;
+    EXPECT_EQ(c.judge().verdict, Verdict::undecided);
+    c.events = {R"({"t":2,"collide":[-1,0]})"};
+    c.collisions = 1;
+    EXPECT_EQ(c.judge().verdict, Verdict::undecided);
+    c.events = {R"({"t":1,"collide":[-1,0]})"};
+    EXPECT_EQ(c.judge().verdict, Verdict::refuted);
+    BilliardCase other{scene("6"), "3", {}};  // the second disk comes at t = 4/3
+    other.truth = truth;
+    expect_refuted(other, Fault::missing_event, 2);
+  }
+}
+
 // Numbers near the end of the range are off, and said to be.
 TEST(ExactBilliard, FarClaims) {
   for (const Truth truth : {Truth::exact, Truth::recorded}) {

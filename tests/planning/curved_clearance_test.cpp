@@ -204,6 +204,37 @@ TEST(CurvedClearance, LimitsThatAreNotReached) {
       keeps_clear(*GivenClearance(given, always, {false, 1}).least(), 0, Touching::is_too_near));
 }
 
+// Two of these radii, the second at `offset` from the first.
+CommonPiece between_heights(const Rational& radius, const Curve& offset) {
+  return {{0, 1, {}, 0, 1, {Rational(2 * radius)}}, offset, Rational(1)};
+}
+
+// The heights come to differ by enough, or cease to, at roots whose enclosures overlap others.
+TEST(CurvedClearance, RootsThatAreNear) {
+  // They are near for 1e-40 of the time.
+  const Rational steep = Rational(Integer("10000000000000000000000000000000000000000"));
+  const CommonPiece thin =
+      between_heights(1, {{0, 0, -steep / 2}, {0, 0, 0}, {0, 0, 0}, {0, 0, steep}});
+  ASSERT_TRUE(thin.nearest({}));
+  EXPECT_EQ(thin.nearest({})->distance2, 0);
+  EXPECT_EQ(thin.below(1, {}).size(), 1U);
+  // They are near from s = sqrt(1/2) on; s0 and s1 are 2^-81 from that. The least distance of all
+  // times is at s0, before it.
+  const Rational s0("1709679290002018430137083/2417851639229258349412352"),
+      s1 = s0 + Rational(1) / (Integer(1) << 80);
+  const CommonPiece before =
+      between_heights(Rational(1, 2), {{-s0, 1, Rational(3, 2)}, {1, 0, 0}, {0, 0, -1}});
+  ASSERT_TRUE(before.nearest({}));
+  EXPECT_FALSE(before.nearest({})->is_reached);
+  // The distance is less than 10 up to s1.
+  const CommonPiece brief =
+      between_heights(Rational(1, 2), {{10 - s1, 0, Rational(3, 2)}, {1, 0, 0}, {0, 0, -1}});
+  EXPECT_EQ(brief.below(9, {}).size(), 1U);
+  const CommonPiece none =
+      between_heights(Rational(1, 2), {{10 - s0, 0, Rational(3, 2)}, {1, 0, 0}, {0, 0, -1}});
+  EXPECT_TRUE(none.below(9, {}).empty());
+}
+
 // A straight way told as a curve gives the same exact answers.
 TEST(CurvedClearance, StraightCurvesAreExact) {
   RandomPieces pieces(3);

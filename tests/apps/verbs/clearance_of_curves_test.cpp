@@ -83,6 +83,22 @@ TEST_F(CertifyCli, ClearanceOfFrames) {
   ASSERT_EQ(json("o.json")["approaches"].size(), 2u);
   EXPECT_EQ(json("o.json")["approaches"][0]["least"]["t"], 1);
   EXPECT_EQ(json("o.json")["approaches"][1]["least"]["t"], 0);
+  // One that stays is there at the instants of others.
+  const std::string buoy =
+      written("s.csv", "disk,t,x,y\nbuoy,0,0,0\nship,0,-10,0\nship,5,0,0\nship,10,10,0\n");
+  const std::vector<std::string> stays{"clearance", buoy,         "--radius", "1",  "--frames-only",
+                                       "--stay",    "--required", "0",        "-o", out};
+  EXPECT_EQ(run(stays).code, 1);
+  EXPECT_EQ(json("o.json")["least"]["t"], 5);
+  // One that may move meanwhile is anywhere.
+  const std::string lacking = written(
+      "l.csv", "disk,t,x,y\nbuoy,0,0,9\nbuoy,10,0,9\nship,0,-10,0\nship,5,0,0\nship,10,10,0\n");
+  const Result undecided =
+      run({"clearance", lacking, "--radius", "1", "--frames-only", "--required", "0"});
+  EXPECT_EQ(undecided.code, 3);
+  EXPECT_NE(undecided.out.find(
+                "1 of 2 disks have no waypoint at an instant of others, disk buoy at t = 5"),
+            std::string::npos);
 }
 
 }  // namespace

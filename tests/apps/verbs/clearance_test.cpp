@@ -283,6 +283,23 @@ TEST_F(CertifyCli, ClaimedCollisionsHideNoOverlap) {
   }
 }
 
+// Roundings of an absurd speed would explain any overlap.
+TEST_F(CertifyCli, ClaimedSpeedsHideNoOverlap) {
+  const std::string scene = written("f.scene.json", R"({"format":"voroproof-scene","version":1,
+"horizon":3,"container":{"center":[0,0],"radius":100},"disks":[
+{"center":[0,0],"radius":1,"velocity":[0,0]},{"center":[2,0],"radius":1,"velocity":[0,0]},
+{"center":[0,40],"radius":1,"velocity":[0,0]}]})");
+  const std::string right = file("f.history.jsonl");
+  must({"simulate", scene, "-o", right});
+  const std::string wrong = written("g.history.jsonl", lines_of(read_file(right))[0] + R"(
+{"t":1,"collide":[0,1],"v":[[0,1e16],[0,0]]}
+{"t":1.0000000000000002,"collide":[0,1],"v":[[0,18.4],[0,0]]}
+{"t":3,"collide":[0,2],"v":[[0,0],[0,0]]}
+{"end":{"t":3,"flips":0,"collisions":3,"maneuvers":0}}
+)");
+  EXPECT_EQ(run({"clearance", scene, wrong, "--required", "0", "--may-touch"}).code, 1);
+}
+
 // The gap to the container is one to keep, too.
 TEST_F(CertifyCli, OneDiskOfAHistoryIsFree) {
   const std::string scene = written("l.scene.json", R"({"format":"voroproof-scene","version":1,

@@ -224,7 +224,8 @@ TEST_F(Cli, RendersAndValidates) {
   EXPECT_EQ(lines[1].rfind(file("a.history.jsonl") + ": history: ", 0), 0u) << lines[1];
   EXPECT_EQ(lines[2].rfind(file("a.diagram.json") + ": diagram: 20 disks", 0), 0u) << lines[2];
   // Those behind one that is not valid are checked, too.
-  const Result mixed = run({"validate", scene, file("a.svg"), file("none"), file("a.history.jsonl")});
+  const Result mixed =
+      run({"validate", scene, file("a.svg"), file("none"), file("a.history.jsonl")});
   EXPECT_EQ(mixed.code, 2);
   EXPECT_EQ(lines_of(mixed.out).size(), 2u);
   EXPECT_EQ(lines_of(mixed.err).size(), 2u);

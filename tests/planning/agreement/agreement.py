@@ -19,7 +19,7 @@ from fractions import Fraction
 from itertools import islice
 
 import scenes
-from judge import PairJudge, encloses, first_times
+from judge import PairJudge, encloses, first_times, lacks_frames
 from polynomials import value
 
 ZERO, HALF = Fraction(0), Fraction(1, 2)
@@ -156,10 +156,11 @@ def spell_faults(judge, told, below):
     for key in sorted(set(true) | set(lists)):
         own, others = true.get(key, []), sorted(lists.get(key, []), key=lambda s: (s[0], s[1]))
         if table.frames:
-            # Places at one instant have no order.
-            if key[0] < key[1] and {s[0][0].u for s in own} != {o[0][0] for o in others if o[0][0] == o[0][1]}:
-                if len(own) != len(others):
-                    yield f"frames: {key}"
+            # Two that both stay are near for a while.
+            instants, told_times = [s[0][0].u for s in own], [(o[0][0], o[1][1]) for o in others]
+            if key[0] < key[1] and not (all(any(a <= t <= b for a, b in told_times) for t in instants) and
+                                        all(any(a <= t <= b for t in instants) for a, b in told_times)):
+                yield f"frames: {key}"
             continue
         if len(own) != len(others):
             yield f"{len(others)} spells, not {len(own)}: {key}"
@@ -176,6 +177,10 @@ def spell_faults(judge, told, below):
 def verdict_faults(judge, told, required, may_touch):
     strict = required != 0 or may_touch
     is_free = judge.keeps(required, strict)
+    if judge.table.frames and lacks_frames(judge.table):
+        if told.verdict != ("s UNDECIDED" if is_free else "s REFUTED"):
+            yield f"{told.verdict}, and a disk lacks a frame"
+        return
     if told.verdict == "s FREE" and (not is_free or told.least is None):
         yield f"FREE, and a gap is not {float(required)}"
     if told.verdict == "s REFUTED" and is_free:

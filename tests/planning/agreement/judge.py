@@ -67,8 +67,10 @@ def ways(table, rows):
 
 
 def all_ways(table):
-    """Those of all disks, with what they do beyond their rows; of --frames-only their instants."""
-    result = [ways(table, rows) for _, _, rows in table.disks]
+    """Those of all disks, with what they do beyond their rows; of --frames-only the instants of their rows."""
+    of_rows = [ways(table, rows) for _, _, rows in table.disks]
+    result = [list(own) for own in of_rows]
+    frames = {t for own in result for way in own for t in (way.u, way.v)}
     begin, end = min(w[0].u for w in result), max(w[-1].v for w in result)
     for own in result if table.beyond == "stay" else []:
         first, last = own[0], own[-1]
@@ -80,18 +82,28 @@ def all_ways(table):
         if lone and len(own) > 1:
             own.remove(first)
     if table.frames:
-        return [instants(own) for own in result]
+        return [instants(own, rows, frames) for own, rows in zip(result, of_rows)]
     return result
 
 
-def instants(own):
+def instants(own, of_rows, frames):
+    """A disk is where its rows say, and before and after them at all instants of the file."""
+    first, last = of_rows[0].u, of_rows[-1].v
     places = []
     for way in own:
-        for t, s in ((way.u, ZERO), (way.v, ONE)):
-            place = (t, [value(p, s) for p in way.axes])
+        ends = {way.u: ZERO, way.v: ONE} if first <= way.u and way.v <= last else {t: ZERO for t in frames}
+        for t in sorted(t for t in ends if way.u <= t <= way.v):
+            place = (t, [value(p, ends[t]) for p in way.axes])
             if place not in places:
                 places.append(place)
     return [still(t, t, place) for t, place in places]
+
+
+def lacks_frames(table):
+    """Whether a disk has no row at an instant of others between its first row and its last."""
+    own = [{t for way in ways(table, rows) for t in (way.u, way.v)} for _, _, rows in table.disks]
+    frames = set.union(*own)
+    return any(t not in times for times in own for t in frames if min(times) <= t <= max(times))
 
 
 class CommonWay:
