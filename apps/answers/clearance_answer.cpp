@@ -136,7 +136,7 @@ class Teller {
   OrderedJson disk_json(int g, const Rational& t, bool is_exact) const {
     const GivenPath& path = given_.paths[static_cast<std::size_t>(g)];
     const Rational radius = path.radius_at(t);
-    return {{"disk", path.name},
+    return {{"disk", printable(path.name, 4096)},
             {"center", place(place_at(path, t), is_exact)},
             {"radius", is_exact || path.growth == 0 ? internal::json_of(radius)
                                                     : internal::json_of(round_nearest(radius))}};

@@ -27,7 +27,7 @@ int exponent_above(const Rational& x) {
   return exponent;
 }
 
-// Whether wider velocities may mend it; else wider times may.
+// Whether wider velocities may mend it.
 bool is_of_velocities(const Certificate& c) {
   return c.divergence && c.divergence->fault == Fault::wrong_response;
 }
@@ -47,9 +47,10 @@ class Search {
   bool widen(const Certificate& first) {
     Certificate c = first;
     while (c.verdict == Verdict::refuted) {
-      int& exponent = is_of_velocities(c) ? velocities_ : times_;
-      if (exponent >= (is_of_velocities(c) ? most_law : most_times_)) return false;
-      ++exponent;
+      // A response is wrong by its velocities, or by its centres, for which times count.
+      const bool widens_law = is_of_velocities(c) && velocities_ < most_law;
+      if (!widens_law && times_ >= most_times_) return false;
+      ++(widens_law ? velocities_ : times_);
       c = at(times_, velocities_);
     }
     return c.verdict == Verdict::certified;

@@ -88,6 +88,7 @@ class BilliardCertification {
 
   // Reads and judges the claims of one window; false after the last.
   bool window() {
+    require_progress();
     const BilliardTime from = now_;
     const std::int64_t first_line = line_ + 1 - static_cast<std::int64_t>(times_.size());
     const std::int64_t most =
@@ -144,6 +145,13 @@ class BilliardCertification {
     proved_ = number_ - static_cast<std::int64_t>(times_.size());
     Patience::ask_now();
     return !last;
+  }
+
+  // Windows are short where disks run past many images.
+  void require_progress() {
+    const auto disks = static_cast<std::int64_t>(billiard_.disks.size());
+    if (++windows_ > 100'000 + (std::int64_t{1} << 24) / (disks + 1) + 16 * number_)
+      throw Undecided("a disk runs past more images of others than are looked at");
   }
 
   // All claims have been read whose truth lies before that time, once those up to t have been.
@@ -270,7 +278,8 @@ class BilliardCertification {
   BilliardTime now_{Rational(0)};
   std::optional<BilliardEvent> ahead_;
   std::int64_t line_ = 1, number_ = 0;  // the claim's that was read last; how many were read
-  std::int64_t proved_ = 0;             // how many of them have their truth before now
+  std::int64_t windows_ = 0;
+  std::int64_t proved_ = 0;  // how many of them have their truth before now
   // The claims' that have been read and whose truth may be later than now.
   std::vector<BilliardTime> times_;
   // By disk: those that are not claimed yet.

@@ -26,7 +26,6 @@ bool PairWatch::answer_open(const Life& life, const Rational& t, Walk& walk) con
   const Rational earliest = t - tolerance_;
   const bool on_these_lines = (episode.entry <=> life.begin()) >= 0;
   if (on_these_lines && !episode.answer) return (episode.entry <=> earliest) >= 0;
-  if (have_parted(life)) return false;
   const Rational length = t - life.since();
   if (sign(form(life, 0).derivative().evaluate(length)) != Sign::negative) return false;
   if (!episode.deep) {
@@ -46,7 +45,6 @@ bool PairWatch::comes_near(const Life& life, const Rational& t, Walk& walk) cons
   const Polynomial<Rational> f = form(life, 0), slope = f.derivative();
   const Rational depth = rounding(life);
   if ((life.pair.a >= 0 || billiard_.round) && exact_.reach(life.pair, t) < 4 * depth) return false;
-  if (have_parted(life)) return false;
   if (is_negative_in(f, lo, hi)) return false;  // that would be an entry, and is not due
   for (const auto& root : roots_of(slope, lo, hi)) {
     const SignsAround signs = signs_around(slope, root);
@@ -62,6 +60,7 @@ bool PairWatch::comes_near(const Life& life, const Rational& t, Walk& walk) cons
 }
 
 bool PairWatch::answers(const Life& life, const BilliardClaim& claim, Walk& walk) const {
+  if (have_parted(life)) return false;
   PairState& state = walk.state;
   const Rational t = claim.t.value();
   if (state.open) {

@@ -176,8 +176,9 @@ class BilliardEngine {
       Patience::ask_now();
       if (maneuver != nullptr) {
         const T t = of_kind<T>(maneuver->t, bits_);
-        // Collisions come first.
-        if (meeting == nullptr || time_order(t, enclosed(t), meeting->t, meeting->near) < 0) {
+        // Collisions come first, and then all maneuvers of that time.
+        if (meeting == nullptr || turned_ == maneuver->t ||
+            time_order(t, enclosed(t), meeting->t, meeting->near) < 0) {
           turn(*maneuver, t);
           continue;
         }
@@ -244,6 +245,7 @@ class BilliardEngine {
     set(i, t, x, v);
     meetings_.drop(i);
     ++maneuvers_;
+    turned_ = maneuver.t;
     predict_all(i);
   }
 
@@ -318,7 +320,8 @@ class BilliardEngine {
   std::map<BilliardPair, int> meetings_then_;
   double length_ = 0;  // a window's
   bool is_last_ = false;
-  std::size_t maneuvers_ = 0;  // that have taken place
+  std::size_t maneuvers_ = 0;       // that have taken place
+  std::optional<Rational> turned_;  // when the last one did
   std::uint64_t events_ = 0;
 };
 

@@ -56,6 +56,10 @@ TEST(BilliardCertifier, RepeatedWithoutRestitution) {
   c.events.push_back(c.events.front());
   c.collisions = 2;
   EXPECT_EQ(c.judge().verdict, Verdict::refuted);
+  // Nor do they approach where the velocities are rounded.
+  c.events = {R"({"t":2,"collide":[0,1],"v":[[0.5,0],[0.49999999999999994,0]]})",
+              R"({"t":2.0000005,"collide":[0,1],"v":[[0.5,0],[0.49999999999999994,0]]})"};
+  EXPECT_EQ(c.judge().verdict, Verdict::refuted);
   // Claimed late, they stay in each other.
   c.events = {R"({"t":2.0000005,"collide":[0,1],"v":[[0.5,0],[0.5,0]]})"};
   c.collisions = 1;

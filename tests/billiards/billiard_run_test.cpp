@@ -84,6 +84,11 @@ TEST(BilliardRun, ACornerAndManeuvers) {
       "maneuvers":[{"t":4,"disk":0,"velocity":[2,0]},{"t":9,"disk":0,"velocity":[0,0]}])"));
   // Collisions come first, then the maneuver, which leads into the wall again.
   EXPECT_EQ(found.text(), "4 -2-0; 4 -1-0; 4 turn 0; 4 -1-0; 9 turn 0");
+  // All maneuvers of an instant come before the collisions that they lead to.
+  const ToldRun two = run(billiard("3", R"("frame":"none","disks":[
+      {"center":[0,0],"radius":1,"velocity":[0,0]},{"center":[2,0],"radius":1,"velocity":[0,0]}],
+      "maneuvers":[{"t":1,"disk":0,"velocity":[1,0]},{"t":1,"disk":1,"velocity":[3,0]}])"));
+  EXPECT_EQ(two.text(), "1 turn 0; 1 turn 1");
 }
 
 TEST(BilliardRun, ImagesAreNamed) {

@@ -205,7 +205,11 @@ TEST_F(PathsFile, BrokenPlans) {
   const auto path = [](const std::string& sections) {
     return log("<agent number='7'>\n<path duration='3'>\n" + sections + "</path></agent>");
   };
-  EXPECT_EQ(read(path(section("0", "1", "1") + section("1", "2", "1.9"))).paths.size(), 1u);
+  EXPECT_EQ(read(path(section("0", "1", "1") + section("1", "2", "1.99998"))).paths.size(), 1u);
+  EXPECT_NE(
+      read(path(section("0", "1", "1") + section("1", "2", "1.99998"))).remarks[0].find("2e-5"),
+      std::string::npos);
+  refused(path(section("0", "1", "1") + section("1", "2", "1.9")), 3, "duration");
   refused(path(section("0", "1", "1") + section("1", "2", "1")), 3, "duration");
   refused(path("<section number='1' start_i='0' start_j='0' goal_i='1' goal_j='0' duration='3'/>"),
           3, "number");

@@ -121,6 +121,17 @@ TEST_F(CertifyCli, LeastTolerances) {
                        json("r.json")["least_tolerances"]["velocities"].get<std::string>()}),
               "s CERTIFIED");
   }
+  // For a centre the tolerance of times counts.
+  const std::string aside = edited(whole, [&](auto& lines) {
+    const std::string centres = R"("p":[[)";
+    std::string& line = collision(lines);
+    const std::size_t begin = line.find(centres) + centres.size();
+    line.replace(begin, line.find(',', begin) - begin, "2.00003");
+  });
+  for (const char* truth : {"exact", "recorded"}) {
+    EXPECT_EQ(judged(aside, truth).code, 1);
+    EXPECT_EQ(json("r.json")["least_tolerances"]["times"], "1/10000");
+  }
   const std::string missing = edited(whole, [&](auto& lines) {
     lines.erase(std::find(lines.begin(), lines.end(), collision(lines)));
     lines.back() = R"({"end":{"t":20,"flips":)" + std::to_string(lines.size() - 2) +
