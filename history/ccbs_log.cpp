@@ -137,8 +137,8 @@ class LogReader {
     const Rational off = abs(Rational(path_.told - *path_.duration));
     off_ = std::max(off_, off);
     if (off * 100'000 <= *path_.duration) return;
-    fail("duration", "the path takes " + number_text(*path_.duration) + ", and its sections " +
-                         number_text(path_.told));
+    fail("duration", "the path takes " + number_text(round_nearest(*path_.duration)) +
+                         ", and its sections " + number_text(round_nearest(path_.told)));
   }
 
   static const char* attribute_if_any(const XML_Char** attributes, const char* name) {

@@ -150,7 +150,7 @@ class BilliardCertification {
   // Windows are short where disks run past many images.
   void require_progress() {
     const auto disks = static_cast<std::int64_t>(billiard_.disks.size());
-    if (++windows_ > 100'000 + (std::int64_t{1} << 24) / (disks + 1) + 16 * number_)
+    if (++windows_ > 10'000 + (std::int64_t{1} << 17) / (disks + 1) + 16 * number_)
       throw Undecided("a disk runs past more images of others than are looked at");
   }
 

@@ -102,6 +102,10 @@ BilliardFault PairWatch::fault_of(const Life& life, const BilliardClaim& claim) 
     fault.truth = name({life.pair.a, life.pair.b, *image}) + " touch, and not " + name(life.pair);
     return fault;
   }
+  if (have_parted(life)) {
+    fault.truth += " have just collided, and neither has turned since";
+    return fault;
+  }
   const Polynomial<Rational> f = form(life, 0);
   const Rational length = t - life.since();
   if (const auto entry = first_fall(f, 0, horizon_ - life.since())) {

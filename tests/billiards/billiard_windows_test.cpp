@@ -95,6 +95,19 @@ TEST(BilliardWindows, PastManyImages) {
   expect_certified(c);
 }
 
+// 10^99 images in a unit of time: no time is enough to look at all.
+TEST(BilliardWindows, PastTooManyImages) {
+  BilliardCase c{R"("frame":{"periodic":[1,null]},"disks":[
+    {"center":[0,0],"radius":"1/10","velocity":["1e99",0]},
+    {"center":[0,"1/4"],"radius":"1/10","velocity":[0,0]}])",
+                 "1",
+                 {}};
+  for (const Truth truth : {Truth::recorded, Truth::exact}) {
+    c.truth = truth;
+    EXPECT_EQ(c.judge().verdict, Verdict::undecided);
+  }
+}
+
 TEST(BilliardWindows, LongWaits) {
   expect_certified(
       {R"("frame":"none","disks":[{"center":[0,0],"radius":1e-6,"velocity":[1,0]}])", "1e12", {}});
