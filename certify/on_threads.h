@@ -10,8 +10,7 @@
 namespace voroproof::internal {
 
 // Calls work(k) for each k < parts, once, on so many threads; one thread does them in order. As
-// many threads are allowed as are asked for, also more than the machine has. What one
-// throws ends all.
+// many threads are allowed as are asked for, also more than the machine has. An exception ends all.
 template <class Work>
 void on_threads(std::size_t parts, int threads, const Work& work) {
   namespace tbb = oneapi::tbb;

@@ -2,6 +2,7 @@
 // (recorded_billiard.h) or the true motion (exact_billiard.h).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,13 +31,17 @@ struct BilliardFindings {
   std::int64_t computed_velocities = 0, at_horizon = 0, swaps = 0;
   int highest_bits = 0;
 
-  // Those of a pair, which come after these.
+  // Those that come after these.
   void add(const BilliardFindings& later) {
     faults.insert(faults.end(), later.faults.begin(), later.faults.end());
     pair_lives += later.pair_lives;
     grazes += later.grazes;
     rounding_overlaps += later.rounding_overlaps;
     left_out += later.left_out;
+    computed_velocities += later.computed_velocities;
+    at_horizon += later.at_horizon;
+    swaps += later.swaps;
+    highest_bits = std::max(highest_bits, later.highest_bits);
   }
 };
 

@@ -229,7 +229,10 @@ void PairWatch::judge_life(const Life& life, Walk& walk) const {
   }
   if (state.open) deepen(std::max<Rational>(begun, 0), length);
   const bool ends_all = walk.window.last && &life.to == &walk.window.to;
-  if (ends_all && !state.open && first_fall(f, length, length)) ++walk.found.left_out;
+  if (ends_all && !state.open && first_fall(f, length, length)) {
+    require_mover(walk.pair);
+    ++walk.found.left_out;
+  }
 }
 
 void PairWatch::follow(const BilliardPair& pair, const BilliardPath& a, const BilliardPath& b,

@@ -263,6 +263,9 @@ TEST(ExactBilliard, TwoThatCannotMove) {
     BilliardCase c{scene("9"), "3", {}};
     c.truth = truth;
     EXPECT_EQ(c.judge().verdict, Verdict::undecided);
+    c.horizon = "2";
+    EXPECT_EQ(c.judge().verdict, Verdict::undecided);
+    c.horizon = "3";
     c.events = {R"({"t":2,"collide":[-1,0]})"};
     c.collisions = 1;
     EXPECT_EQ(c.judge().verdict, Verdict::undecided);
