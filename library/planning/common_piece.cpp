@@ -176,21 +176,24 @@ bool CommonPiece::is_inside(const Place& place, const Span& span) {
   return (place <=> span.begin) > 0 && (place <=> span.end) < 0;
 }
 
+// A contact hides no other place: each is held against the contacts before they are compared.
 Approach CommonPiece::nearest_on(const Span& span, const std::set<GivenContact>& contacts) const {
-  Approach nearest = approach_at(span.begin.s, false), last = approach_at(span.end.s, false);
+  const auto approach = [&](const RootInterval& s, bool is_stationary) {
+    return at_contact(approach_at(s, is_stationary), contacts);
+  };
+  Approach nearest = approach(span.begin.s, false), last = approach(span.end.s, false);
   // On a straight way a disk sticks out of its frame by a convex function, which is greatest at an
   // end.
   if (is_at_wall() && distance2_.degree() <= 2 && time_.reach.degree() <= 1)
-    return nearer_of(at_contact(std::move(nearest), contacts),
-                     at_contact(std::move(last), contacts));
+    return nearer_of(nearest, last);
   // A constant gap is that of all instants between them, too.
   nearest.is_reached = is_constant_ || (span.begin.s.hi == 0 && is_near_at_begin_);
   last.is_reached = is_constant_ || (span.end.s.lo == 1 && is_near_at_end_);
   for (const Place& place : stationary()) {
     if (is_inside(place, span))
-      nearest = nearer_of(nearest, approach_at(place.s, time_.reach.degree() < 1));
+      nearest = nearer_of(nearest, approach(place.s, time_.reach.degree() < 1));
   }
-  return at_contact(nearer_of(nearest, last), contacts);
+  return nearer_of(nearest, last);
 }
 
 std::optional<Approach> CommonPiece::nearest(const std::set<GivenContact>& contacts) const {

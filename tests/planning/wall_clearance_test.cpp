@@ -111,6 +111,18 @@ TEST(WallClearance, ContactsOfDisks) {
   }
 }
 
+// An overlap that is less deep than the rounding at a contact of the same piece.
+TEST(WallClearance, AContactHidesNoOtherOverlap) {
+  const Rational deep(1, 1 << 30), less_deep(1, 1l << 31);
+  GivenPaths given = one({{0, {-1, 0}}, {4, {-1, 0}}});
+  given.paths.push_back({"b", 1, {{0, {5, 0}}, {2, {1 - deep, 0}}, {4, {1 - less_deep, 0}}}});
+  given.contacts = {{0, 1, 2}};
+  const auto least = GivenClearance(given, always).least();
+  ASSERT_TRUE(least);
+  EXPECT_EQ(least->t, 4);
+  expect_encloses(gap(*least), -0x1p-31);
+}
+
 TEST(WallClearance, AsSamplingFinds) {
   std::mt19937_64 random(7);
   const auto integer = [&](int low, int high) {
