@@ -228,11 +228,16 @@ void PairWatch::judge_life(const Life& life, Walk& walk) const {
     }
   }
   if (state.open) deepen(std::max<Rational>(begun, 0), length);
+}
+
+// Counts two that touch at the end of the last life and approach. That life may have no length.
+void PairWatch::count_left_out(const Life& life, Walk& walk) const {
   const bool ends_all = walk.window.last && &life.to == &walk.window.to;
-  if (ends_all && !state.open && first_fall(f, length, length)) {
-    require_mover(walk.pair);
-    ++walk.found.left_out;
-  }
+  if (!ends_all || walk.state.open) return;
+  const Rational length = life.length();
+  if (!first_fall(form(life, 0), length, length)) return;
+  require_mover(walk.pair);
+  ++walk.found.left_out;
 }
 
 void PairWatch::follow(const BilliardPair& pair, const BilliardPath& a, const BilliardPath& b,
@@ -290,6 +295,7 @@ void PairWatch::live(Life& life, const BilliardClaim* claim, Walk& walk) const {
   }
   settle(life, walk);
   if (life.from.exact < life.to.exact) judge_life(life, walk);
+  count_left_out(life, walk);
   if (claim) judge_claim(life, *claim, walk);
 }
 

@@ -99,6 +99,7 @@ class PairWatch {
   bool certainly_regular(const Life& life, bool answered, bool claimed) const;
   void live(Life& life, const BilliardClaim* claim, Walk& walk) const;
   void judge_life(const Life& life, Walk& walk) const;
+  void count_left_out(const Life& life, Walk& walk) const;
   void judge_claim(const Life& life, const BilliardClaim& claim, Walk& walk) const;
   bool have_parted(const Life& life) const;
   bool answer_open(const Life& life, const Rational& t, Walk& walk) const;
