@@ -8,69 +8,37 @@
 #include "history/file_format.h"
 #include "history/format_version.h"
 #include "history/json_reader.h"
-#include "history/scene_value.h"
+#include "history/scene_fields.h"
 #include "history/sha256.h"
 
 namespace voroproof::internal {
 namespace {
 
-constexpr auto bit = JsonReader::bit;
-
-class BilliardReader {
+class BilliardReader : SceneFields {
  public:
   BilliardReader(std::string_view bytes, const std::string& file)
-      : file_(file), json_(bytes, file) {}
+      : SceneFields(bytes, file, world_version) {}
 
   Billiard read() {
     static constexpr std::array<std::string_view, 13> names = {
         "format",    "version", "name",        "comment", "seed",  "horizon",  "contacts",
         "dimension", "frame",   "restitution", "gravity", "disks", "maneuvers"};
-    json_.array_is_next();
-    first_line_ = json_.line();
+    first_line_ = line_of_object();
     const std::uint32_t seen = json_.object(
         names, bit(format) | bit(version) | bit(horizon) | bit(contacts) | bit(frame) | bit(disks),
         [&](std::size_t member) { read_member(member); }, &dropped_);
     json_.finish();
+    billiard_.horizon = horizon_;
     if (!(seen & bit(dimension))) billiard_.dimension = 2;
     check();
     return std::move(billiard_);
   }
 
  private:
-  enum Member {
-    format,
-    version,
-    name,
-    comment,
-    seed,
-    horizon,
-    contacts,
-    dimension,
-    frame,
-    restitution,
-    gravity,
-    disks,
-    plan
-  };
+  enum Member { contacts = first_other, dimension, frame, restitution, gravity, disks, plan };
 
   void read_member(std::size_t member) {
     switch (member) {
-      case format:
-        if (json_.text() != "voroproof-scene") json_.fail("not \"voroproof-scene\"");
-        break;
-      case version:
-        read_version(json_, world_version);
-        break;
-      case name:
-      case comment:
-        json_.text();
-        break;
-      case seed:
-        read_seed(json_);
-        break;
-      case horizon:
-        read_time(billiard_.horizon);
-        break;
       case contacts:
         if (json_.text() != "bounce") json_.fail("not \"bounce\"");
         break;
@@ -91,19 +59,10 @@ class BilliardReader {
         break;
       case plan:
         json_.array([&](std::size_t i) { read_maneuver(i); });
+        break;
+      default:
+        read_common(member);
     }
-  }
-
-  Rational value() { return scene_value(json_); }
-
-  void read_time(Rational& t) {
-    t = value();
-    if (t < 0) json_.fail("negative");
-  }
-
-  void read_restitution(Rational& e) {
-    e = value();
-    if (e < 0 || e > 1) json_.fail("not in [0, 1]");
   }
 
   // The dimension may come later in the file: how many there are is checked at the end.
@@ -145,8 +104,7 @@ class BilliardReader {
           if (round.radius <= 0) json_.fail("not positive");
           break;
         case bounce:
-          read_restitution(round.restitution);
-          if (round.restitution == 0) json_.fail("not in (0, 1]");
+          read_positive_restitution(round.restitution);
           break;
         case walls:
           json_.array([&](std::size_t) { read_wall(); });
@@ -197,8 +155,7 @@ class BilliardReader {
           wall.speed = value();
           break;
         case bounce:
-          read_restitution(wall.restitution);
-          if (wall.restitution == 0) json_.fail("not in (0, 1]");
+          read_positive_restitution(wall.restitution);
       }
     });
     billiard_.walls.push_back(std::move(wall));
@@ -216,12 +173,10 @@ class BilliardReader {
   }
 
   void read_disk(std::size_t index) {
-    if (index >= max_disks) json_.fail("more than " + std::to_string(max_disks) + " disks");
+    begin_disk(index);
     enum { center, radius, velocity, growth, mass, fixed };
     static constexpr std::array<std::string_view, 6> names = {"center", "radius", "velocity",
                                                               "growth", "mass",   "fixed"};
-    json_.array_is_next();
-    disk_lines_.push_back(json_.line());
     BilliardDisk disk;
     const std::uint32_t seen = json_.object(
         names, bit(center) | bit(radius),
@@ -231,8 +186,7 @@ class BilliardReader {
               read_vector(disk.center);
               break;
             case radius:
-              disk.radius = value();
-              if (disk.radius < 0) json_.fail("negative");
+              read_radius(disk.radius);
               break;
             case velocity:
               read_vector(disk.velocity);
@@ -256,24 +210,19 @@ class BilliardReader {
   }
 
   void read_maneuver(std::size_t index) {
-    if (index >= max_maneuvers)
-      json_.fail("more than " + std::to_string(max_maneuvers) + " maneuvers");
+    begin_maneuver(index);
     enum { t, disk, velocity };
     static constexpr std::array<std::string_view, 3> names = {"t", "disk", "velocity"};
-    json_.array_is_next();
-    maneuver_lines_.push_back(json_.line());
     BilliardManeuver maneuver{};
     json_.object(
         names, bit(t) | bit(disk) | bit(velocity),
         [&](std::size_t member) {
           switch (member) {
             case t:
-              read_time(maneuver.t);
-              if (!billiard_.maneuvers.empty() && maneuver.t < billiard_.maneuvers.back().t)
-                json_.fail("earlier than the maneuver before it");
+              read_maneuver_time(maneuver.t, billiard_.maneuvers);
               break;
             case disk:
-              maneuver.disk = static_cast<int>(json_.integer(0, max_disks - 1));
+              maneuver.disk = read_maneuver_disk();
               break;
             case velocity:
               read_vector(maneuver.velocity);
@@ -281,15 +230,6 @@ class BilliardReader {
         },
         &dropped_);
     billiard_.maneuvers.push_back(std::move(maneuver));
-  }
-
-  [[noreturn]] void fail_in_disk(std::size_t i, const char* member, const std::string& why) const {
-    throw InputError(file_, disk_lines_[i], "disks[" + std::to_string(i) + "]." + member, why);
-  }
-  [[noreturn]] void fail_in_maneuver(std::size_t i, const char* member,
-                                     const std::string& why) const {
-    throw InputError(file_, maneuver_lines_[i], "maneuvers[" + std::to_string(i) + "]." + member,
-                     why);
   }
 
   void check() const {
@@ -311,30 +251,18 @@ class BilliardReader {
           fail_in_disk(i, "radius", "the disk reaches its own image up to the horizon");
       }
     }
-    check_maneuvers();
+    check_maneuvers(billiard_.maneuvers, billiard_.disks.size(),
+                    [this](std::size_t k, const BilliardManeuver& maneuver) {
+                      if (billiard_.disks[static_cast<std::size_t>(maneuver.disk)].fixed)
+                        fail_in_maneuver(k, "disk", "is fixed");
+                    });
   }
 
-  void check_maneuvers() const {
-    std::vector<const Rational*> last(billiard_.disks.size());  // when the disk's last one was
-    for (std::size_t i = 0; i < billiard_.maneuvers.size(); ++i) {
-      const auto& [t, id, velocity] = billiard_.maneuvers[i];
-      const auto index = static_cast<std::size_t>(id);
-      if (index >= billiard_.disks.size()) fail_in_maneuver(i, "disk", "no such disk");
-      if (billiard_.disks[index].fixed) fail_in_maneuver(i, "disk", "is fixed");
-      if (last[index] != nullptr && *last[index] == t)
-        fail_in_maneuver(i, "disk", "second maneuver of one disk at one time");
-      last[index] = &t;
-    }
-  }
-
-  const std::string& file_;
-  JsonReader json_;
   Billiard billiard_;
   Extensions dropped_;  // nothing is written back
   std::int64_t first_line_ = 0;
   std::size_t coordinates_ = 0;  // as many as the first vector has; 0 before it
   std::string coordinates_field_;
-  std::vector<std::int64_t> disk_lines_, maneuver_lines_;
 };
 
 }  // namespace

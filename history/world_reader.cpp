@@ -5,24 +5,22 @@
 #include "history/file_bytes.h"
 #include "history/file_format.h"
 #include "history/format_version.h"
-#include "history/json_reader.h"
 #include "history/json_text.h"
-#include "history/scene_value.h"
+#include "history/scene_fields.h"
 #include "history/sha256.h"
 #include "history/world.h"
 
 namespace voroproof::internal {
 namespace {
 
-constexpr auto bit = JsonReader::bit;
-
 constexpr const char* only_pass =
     "\"pass\" is wanted here; only simulate, certify and validate read billiards, whose disks "
     "bounce";
 
-class WorldReader {
+class WorldReader : SceneFields {
  public:
-  WorldReader(std::string_view bytes, const std::string& file) : file_(file), json_(bytes, file) {}
+  WorldReader(std::string_view bytes, const std::string& file)
+      : SceneFields(bytes, file, world_version) {}
 
   World read() {
     static constexpr std::array<std::string_view, 13> names = {
@@ -33,6 +31,8 @@ class WorldReader {
         names, bit(format) | bit(version) | bit(horizon) | bit(disks),
         [&](std::size_t member) { read_member(member); }, &world_.extensions);
     json_.finish();
+    give_title(world_);
+    world_.horizon = horizon_;
     if (!(seen & bit(contacts)))
       throw InputError(file_, first_line, "contacts", std::string("missing: ") + only_pass);
     if (!(seen & (bit(frame) | bit(container))))
@@ -41,48 +41,17 @@ class WorldReader {
     if ((seen & bit(frame)) && (seen & bit(container)))
       throw InputError(file_, circle_line_, "container", "a world has it or a frame, not both");
     check_circle();
-    check_maneuvers();
+    check_maneuvers(world_.maneuvers, world_.disks.size(),
+                    [this](std::size_t k, const WorldManeuver& m) { check_maneuver(k, m); });
     check_radii();
     return std::move(world_);
   }
 
  private:
-  enum Member {
-    format,
-    version,
-    name,
-    comment,
-    seed,
-    horizon,
-    contacts,
-    frame,
-    container,
-    disks,
-    plan,
-    restitution,
-    law
-  };
+  enum Member { contacts = first_other, frame, container, disks, plan, restitution, law };
 
   void read_member(std::size_t member) {
     switch (member) {
-      case format:
-        if (json_.text() != "voroproof-scene") json_.fail("not \"voroproof-scene\"");
-        break;
-      case version:
-        read_version(json_, world_version);
-        break;
-      case name:
-        world_.name = json_.text();
-        break;
-      case comment:
-        world_.comment = json_.text();
-        break;
-      case seed:
-        world_.seed = read_seed(json_);
-        break;
-      case horizon:
-        read_time(world_.horizon);
-        break;
       case contacts:
         if (json_.text() != "pass") json_.fail(only_pass);
         break;
@@ -101,32 +70,12 @@ class WorldReader {
       case restitution:
       case law:
         fail_as_bouncing();
+      default:
+        read_common(member);
     }
   }
 
-  Rational value() { return scene_value(json_); }
-
-  void read_time(Rational& t) {
-    t = value();
-    if (t < 0) json_.fail("negative");
-  }
-
-  void read_radius(Rational& radius) {
-    radius = value();
-    if (radius < 0) json_.fail("negative");
-  }
-
-  void read_pair(Rational& x, Rational& y) {
-    json_.array_of<2>([&](std::size_t i) { (i == 0 ? x : y) = value(); });
-  }
-
   void read_point(Point2& point) { read_pair(point.x, point.y); }
-
-  // Moves to the object that is next, for its line.
-  std::int64_t line_of_object() {
-    json_.array_is_next();
-    return json_.line();
-  }
 
   [[noreturn]] void fail_as_bouncing() const { json_.fail("disks that pass do not bounce"); }
 
@@ -163,11 +112,10 @@ class WorldReader {
   }
 
   void read_disk(std::size_t index) {
-    if (index >= max_disks) json_.fail("more than " + std::to_string(max_disks) + " disks");
+    begin_disk(index);
     enum { center, radius, velocity, growth, enter, leave, mass };
     static constexpr std::array<std::string_view, 7> names = {
         "center", "radius", "velocity", "growth", "enter", "leave", "mass"};
-    disk_lines_.push_back(line_of_object());
     WorldDisk& disk = world_.disks.emplace_back();
     GrowingDisk& state = disk.state;
     Extensions extensions;
@@ -203,12 +151,10 @@ class WorldReader {
   }
 
   void read_maneuver(std::size_t index) {
-    if (index >= max_maneuvers)
-      json_.fail("more than " + std::to_string(max_maneuvers) + " maneuvers");
+    begin_maneuver(index);
     enum { t, disk, center, radius, velocity, growth };
     static constexpr std::array<std::string_view, 6> names = {"t",      "disk",     "center",
                                                               "radius", "velocity", "growth"};
-    maneuver_lines_.push_back(line_of_object());
     WorldManeuver maneuver{};
     Extensions extensions;
     const std::uint32_t seen = json_.object(
@@ -216,12 +162,10 @@ class WorldReader {
         [&](std::size_t member) {
           switch (member) {
             case t:
-              read_time(maneuver.t);
-              if (!world_.maneuvers.empty() && maneuver.t < world_.maneuvers.back().t)
-                json_.fail("earlier than the maneuver before it");
+              read_maneuver_time(maneuver.t, world_.maneuvers);
               break;
             case disk:
-              maneuver.disk = static_cast<int>(json_.integer(0, max_disks - 1));
+              maneuver.disk = read_maneuver_disk();
               break;
             case center:
               read_point(maneuver.center.emplace());
@@ -233,7 +177,7 @@ class WorldReader {
               read_point(maneuver.velocity.emplace());
               break;
             case growth:
-              maneuver.growth = value();
+              maneuver.growth.emplace() = value();
           }
         },
         &extensions);
@@ -251,20 +195,12 @@ class WorldReader {
                        "the radius is not positive up to the horizon");
   }
 
-  void check_maneuvers() const {
-    std::vector<const Rational*> last(world_.disks.size());  // when the disk's last one was
-    for (std::size_t i = 0; i < world_.maneuvers.size(); ++i) {
-      const auto& [t, id, center, velocity, radius, growth] = world_.maneuvers[i];
-      const auto index = static_cast<std::size_t>(id);
-      if (index >= world_.disks.size()) fail_in_maneuver(i, "disk", "no such disk");
-      const WorldDisk& disk = world_.disks[index];
-      if (t < disk.enter || (t == disk.enter && t != 0))
-        fail_in_maneuver(i, "t", "not after the disk enters");
-      if (disk.leave && t >= *disk.leave) fail_in_maneuver(i, "t", "the disk has left");
-      if (last[index] != nullptr && *last[index] == t)
-        fail_in_maneuver(i, "disk", "second maneuver of one disk at one time");
-      last[index] = &t;
-    }
+  void check_maneuver(std::size_t k, const WorldManeuver& maneuver) const {
+    const WorldDisk& disk = world_.disks[static_cast<std::size_t>(maneuver.disk)];
+    const Rational& t = maneuver.t;
+    if (t < disk.enter || (t == disk.enter && t != 0))
+      fail_in_maneuver(k, "t", "not after the disk enters");
+    if (disk.leave && t >= *disk.leave) fail_in_maneuver(k, "t", "the disk has left");
   }
 
   void check_radii() const {
@@ -273,24 +209,13 @@ class WorldReader {
       for (const WorldPiece& piece : paths[i]) {
         const Rational& end = piece.to ? *piece.to : world_.horizon;
         if (after(piece.state, end - piece.from).radius >= 0) continue;
-        throw InputError(file_, disk_lines_[i], "disks[" + std::to_string(i) + ']',
-                         "its radius becomes negative before t = " + number_text(end));
+        fail_in_disk(i, "", "its radius becomes negative before t = " + number_text(end));
       }
     }
   }
 
-  [[noreturn]] void fail_in_maneuver(std::size_t index, const char* member,
-                                     const std::string& reason) const {
-    throw InputError(file_, maneuver_lines_[index],
-                     "maneuvers[" + std::to_string(index) + "]." + member, reason);
-  }
-
-  const std::string& file_;
-  JsonReader json_;
   World world_;
-  // Lines of the opening braces.
-  std::int64_t circle_line_ = 0;
-  std::vector<std::int64_t> disk_lines_, maneuver_lines_;
+  std::int64_t circle_line_ = 0;  // the line of its opening brace
 };
 
 }  // namespace
