@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Finds links that lead nowhere and documents that no contents list, and prints them: FILE:LINE: TARGET: what is wrong.
 
-usage: check-links.py                 all Markdown documents of the repository: relative links, pictures, anchors;
-                                      and whether the site's contents list each document
+usage: check-links.py                 all Markdown documents of the repository: relative links, pictures, anchors,
+                                      folders of "make -C"; and whether the site's contents list each document
        check-links.py --site FOLDER   all pages below FOLDER: links and anchors; and whatever a page
                                       would load from the network
 
@@ -89,7 +89,12 @@ def check_markdown():
                  if not name.startswith("docs/site/") and (ROOT / name).exists()]
     faults, count = [], 0
     for document in documents:
-        for line, target in markdown_links(document.read_text()):
+        text = document.read_text()
+        for match in re.finditer(r"make -C ([\w./-]+)", text):
+            if not (ROOT / match[1] / "Makefile").exists():
+                line = text.count("\n", 0, match.start()) + 1
+                faults.append(f"{document.relative_to(ROOT)}:{line}: {match[0]}: there is no such folder")
+        for line, target in markdown_links(text):
             if is_remote(target):
                 continue
             count += 1
