@@ -140,6 +140,15 @@ def test_american_tracks_of_ships(given, tmp_path):
     assert told(remarks, "missing: ships between the parts of their tracks")
 
 
+def test_a_part_of_a_track_has_no_other_ships_name(given, tmp_path):
+    tracks = [("a", (0, 100)), ("a/2", (0, 10)), ("b/2", (5,)), ("b", (0, 50, 99))]
+    rows = "\n".join(f"{name},52,4,{t}" for name, times in tracks for t in times)
+    columns = {"id": "ship", "time": "when"}
+    ships, _ = imported("ais", given(f"ship,lat,lon,when\n{rows}\n"), tmp_path, columns=columns, longest_gap=Fraction(20))
+    assert {name: [row[0] for row in rows] for name, rows in ships.items()} == {
+        "a": [0], "a/3": [100], "a/2": [0, 10], "b/2": [5], "b": [0], "b/3": [50], "b/4": [99]}
+
+
 def test_danish_and_other_tracks_of_ships(given, tmp_path):
     rows, _ = imported("ais", given(DANISH), tmp_path)
     assert [row[0] for row in rows["219000001"]] == [0, 10] and rows["2190068"][0][0] == 5

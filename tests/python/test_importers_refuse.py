@@ -234,6 +234,12 @@ def test_tracks_around_the_earth(tmp_path):
     assert "other side of the Earth" in refusal("ais", tmp_path / "a.csv").reason
 
 
+def test_a_line_end_in_a_name(tmp_path):
+    """Without it the name would be that of another ship."""
+    (tmp_path / "a.csv").write_text('mmsi,basedatetime,lat,lon\n12,1,0,0\n"1\n2",2,0,0\n')
+    assert "its name" in refusal("ais", tmp_path / "a.csv").reason
+
+
 def test_commands_leave_what_was_there(tmp_path):
     dump, table = tmp_path / "a\x1bb.dump", tmp_path / "t.csv"
     dump.write_text(DUMP.replace("2 1 9.1 -0.75", "2 1 9.1 x"))

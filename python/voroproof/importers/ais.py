@@ -73,9 +73,8 @@ class _Reader:
 
     def read(self) -> Table:
         columns: Optional[Dict[str, int]] = None
-        rows = csv.reader(self.lines, strict=True)
         try:
-            for row in rows:
+            for row in self.lines.rows():
                 if not row:
                     continue
                 if columns is None:
@@ -161,6 +160,8 @@ class _Reader:
                 continue
             if last is not None and self.longest_gap is not None and message.t - last.t > self.longest_gap:
                 part += 1
+                while f"{name}/{part}" in self.messages:  # another ship's name
+                    part += 1
                 self.cuts += 1
             last = message
             try:

@@ -2,12 +2,13 @@
 
 import bz2
 import contextlib
+import csv
 import gzip
 import io
 import sys
 import zlib
 from fractions import Fraction
-from typing import BinaryIO, Iterator, NoReturn
+from typing import BinaryIO, Iterator, List, NoReturn
 
 from . import numbers
 from .faults import fail
@@ -58,6 +59,13 @@ class Lines:
             if len(line) > LONGEST_LINE:
                 fail(self.path, self.number, "", f"a line of more than {LONGEST_LINE} characters")
             yield line.rstrip("\n")
+
+    def rows(self) -> Iterator[List[str]]:
+        """The lines as rows of comma-separated values, of which a line that ends within quotes goes on in the next one.
+
+        Raises csv.Error, too.
+        """
+        return csv.reader((line + "\n" for line in self), strict=True)
 
     def fail(self, field: str, reason: str) -> NoReturn:
         """Raises InputError for the last line."""

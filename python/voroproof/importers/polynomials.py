@@ -30,7 +30,7 @@ class _Reader:
             fail(self.lines.path, 0, printable(self.disk), "another file before has this name, which is the disk's")
         heading = False
         try:
-            for row in csv.reader(self.lines, strict=True):
+            for row in self.lines.rows():
                 cells = [cell.strip() for cell in row]
                 if cells and not cells[-1]:
                     del cells[-1]  # Crazyswarm's lines end with a comma
