@@ -43,17 +43,17 @@ class Search {
         least_times_(horizon == 0 ? times_ : exponent_above(horizon) - 17),
         most_times_(horizon == 0 ? times_ : exponent_above(horizon) - 2) {}
 
-  // Widens what the fault is of until the history is certified.
-  bool widen(const Certificate& first) {
+  // Widens what the fault is of until the history is not refuted, or no more is tried: the verdict.
+  Verdict widen(const Certificate& first) {
     Certificate c = first;
     while (c.verdict == Verdict::refuted) {
       // A response is wrong by its velocities, or by its centres, for which times count.
       const bool widens_law = is_of_velocities(c) && velocities_ < most_law;
-      if (!widens_law && times_ >= most_times_) return false;
+      if (!widens_law && times_ >= most_times_) break;
       ++(widens_law ? velocities_ : times_);
       c = at(times_, velocities_);
     }
-    return c.verdict == Verdict::certified;
+    return c.verdict;
   }
 
   void narrow() {
@@ -61,7 +61,8 @@ class Search {
     while (velocities_ > least_law && certifies(times_, velocities_ - 1)) --velocities_;
   }
 
-  LeastTolerances found() const { return {ten_to(times_), ten_to(velocities_)}; }
+  // The last ones that were tried.
+  LeastTolerances tolerances() const { return {ten_to(times_), ten_to(velocities_)}; }
 
  private:
   Certificate at(int times, int velocities) {
@@ -79,16 +80,15 @@ class Search {
   int least_times_, most_times_;
 };
 
-// Says in one line how good a history with that certificate is.
-std::string line_of(const std::optional<LeastTolerances>& least, const Certificate& certificate) {
-  if (!least) {
-    return certificate.verdict == Verdict::refuted
-               ? "no wider tolerances certify the history: an event is wrong, and not only a number"
-               : "the least tolerances are not known";
-  }
-  const std::string tolerances = "times within " + number_text(round_nearest(least->times)) +
+// Says in one line how good a history with that certificate is: with these tolerances, the last
+// that were tried, it has the verdict `last`.
+std::string line_of(const LeastTolerances& tried, Verdict last, const Certificate& certificate) {
+  const std::string tolerances = "times within " + number_text(round_nearest(tried.times)) +
                                  " and velocities within " +
-                                 number_text(round_nearest(least->velocities));
+                                 number_text(round_nearest(tried.velocities));
+  if (last == Verdict::undecided) return "the least tolerances are not known";
+  if (last == Verdict::refuted)
+    return "an event is wrong with " + tolerances + ", too, the widest that were tried";
   if (certificate.verdict != Verdict::refuted)
     return "the least powers of ten that certify the history are " + tolerances;
   return "all events are right, and numbers leave the tolerances from t = " +
@@ -105,11 +105,12 @@ void add_least_tolerances(ShardFile& file, const CooperativeInterruption& interr
   options.monitor = [&](double, std::int64_t) { return !interruption.requested(); };
   try {
     Search search(std::move(options), file.run.horizon, judge);
-    if (search.widen(certificate)) {
+    const Verdict last = search.widen(certificate);
+    if (last == Verdict::certified) {
       search.narrow();
-      file.run.least = search.found();
+      file.run.least = search.tolerances();
     }
-    certificate.remarks.push_back(line_of(file.run.least, certificate));
+    certificate.remarks.push_back(line_of(search.tolerances(), last, certificate));
   } catch (const CertificationInterrupted&) {
     if (!interruption.late()) throw Interrupted();
     certificate.remarks.push_back("the least tolerances are not known: " + time_limit_reason());
