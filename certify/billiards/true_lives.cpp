@@ -105,7 +105,7 @@ std::optional<TrueTime> TrueLives::find_contact(const Life& life, const Span& sp
     if (next != nullptr) end = motion_.earlier(end, next->from);
   }
   if (order(end, start) == Sign::negative) return std::nullopt;
-  note_touches(life, start, end, touches);
+  note_touches(life, span, start, end, touches);
   const bool ends_all = span.is_end && order(end, to) == Sign::zero;
   if (order(end, start) == Sign::zero && !ends_all) return std::nullopt;
   const Rational until = end.exact ? *end.exact : end.ball.rational_interval().second;
@@ -122,11 +122,12 @@ std::optional<TrueTime> TrueLives::find_contact(const Life& life, const Span& sp
   return ends_all && !turns_then(life.next_a) && !turns_then(life.next_b) ? t : std::nullopt;
 }
 
-// Notes that the two touch where one of them turns, or at the start.
-void TrueLives::note_touches(const Life& life, const TrueTime& start, const TrueTime& end,
-                             Touches& touches) const {
+// Notes that the two touch where one of them turns, or at the start. What was before the window has
+// been noted and judged.
+void TrueLives::note_touches(const Life& life, const Span& span, const TrueTime& start,
+                             const TrueTime& end, Touches& touches) const {
   for (const TrueTime* t : {&start, &end}) {
-    if (!t->exact) continue;
+    if (!t->exact || *t->exact < span.from.value()) continue;
     const auto is_then = [&](const TrueLine* line) {
       return line != nullptr && line->from.exact && *line->from.exact == *t->exact;
     };

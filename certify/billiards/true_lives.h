@@ -43,7 +43,7 @@ class TrueLives {
   std::optional<TrueTime> find_contact(const Life& life, const Span& span, Touches& touches,
                                        std::int64_t& lives) const;
   bool is_certainly_free(const Life& life, bool met, const Span& span) const;
-  void note_touches(const Life& life, const TrueTime& start, const TrueTime& end,
+  void note_touches(const Life& life, const Span& span, const TrueTime& start, const TrueTime& end,
                     Touches& touches) const;
 
   const BilliardMotion& motion_;

@@ -208,6 +208,18 @@ TEST(ExactBilliard, UnderGravity) {
   EXPECT_EQ(floor.judge().verdict, Verdict::undecided);
 }
 
+// A flight that passes the frame by so little that fractions are asked, in windows after that of
+// the collision with which it began.
+TEST(ExactBilliard, AnInstantIsJudgedOnce) {
+  expect_certified(exact(
+      {R"("gravity":[0,-1],"frame":{"center":[0,0],"radius":5},"disks":[
+    {"center":["12/5","-16/5"],"radius":1,"velocity":[
+      "90333601231993891221/28823037615171174400","-4112711630778374757/7205759403792793600"]}])",
+       R"("2287/500")",
+       {R"({"t":0,"collide":[-1,0],"v":[null,["380023827310773219/1152921504606846976","913264942091859153/288230376151711744"]]})"},
+       1}));
+}
+
 // Times of degree 4 that are fractions are found to be so, at the horizon and at a maneuver.
 TEST(ExactBilliard, FractionsAmongRootsOfDegreeFour) {
   BilliardCase c = exact({R"("frame":"none","gravity":[0,-18],"disks":[
