@@ -122,6 +122,13 @@ void note_missing_frames(GivenPaths& given) {
                           " (--frames-only)");
 }
 
+std::vector<int> disks_of(const std::vector<GivenPath>& paths) {
+  std::vector<int> disks;
+  for (const GivenPath& path : paths)
+    disks.push_back(disks.empty() ? 0 : disks.back() + (path.goes_on ? 0 : 1));
+  return disks;
+}
+
 std::pair<Rational, Rational> time_of(const std::vector<GivenPath>& paths) {
   std::pair<Rational, Rational> time{paths.front().waypoints.front().t,
                                      paths.front().waypoints.back().t};

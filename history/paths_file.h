@@ -42,7 +42,8 @@ inline Vec3 place_on(const Curve& curve, const Rational& s) {
   return at;
 }
 
-// A disk is there from the time of its first waypoint to that of its last.
+// A disk is there from the time of its first waypoint to that of its last. It may go on with the
+// next path.
 struct GivenPath {
   std::string name;  // as in the file
   Rational radius;   // at time 0
@@ -55,6 +56,10 @@ struct GivenPath {
   // Whether its first waypoint, or its last, is none of the file: it is taken to stay until the
   // next one, or from the one before.
   bool stays_before = false, stays_after = false;
+  // Whether it is there no more at the time of its last waypoint, as it leaves or jumps then.
+  bool ends_open = false;
+  // Whether it is the same disk as that of the path before, which ends when this one begins.
+  bool goes_on = false;
 
   Rational radius_at(const Rational& t) const { return radius + growth * t; }
   // From the first waypoint to the last.
@@ -111,6 +116,9 @@ GivenPaths read_paths(const std::string& path, const std::optional<Rational>& ra
 // Notes as missing the disks that have no waypoint at some time at which others have one, while
 // they are neither gone nor said to stay.
 void note_missing_frames(GivenPaths& given);
+
+// For each path the number of its disk, from 0.
+std::vector<int> disks_of(const std::vector<GivenPath>& paths);
 
 // From the first waypoint of all paths to the last, of one path at least.
 std::pair<Rational, Rational> time_of(const std::vector<GivenPath>& paths);

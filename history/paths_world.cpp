@@ -33,30 +33,30 @@ void add_disk(World& world, const GivenPath& path, const Rational& growth, const
 
 }  // namespace
 
-PathsWorld world_of_paths(const GivenPaths& given, const Rational& growth,
-                          const std::string& file) {
+World world_of_paths(const GivenPaths& given, const Rational& growth, const std::string& file) {
   require_straight_in_plane(given, file);
-  PathsWorld made;
-  if (given.paths.empty()) return made;
+  World world;
+  world.missing = given.missing;
+  if (given.paths.empty()) return world;
   if (given.paths.size() > static_cast<std::size_t>(max_disks)) {
     throw InputError(file, 0, "", "more disks than a scene may have");
   }
   const auto [start, end] = time_of(given.paths);
-  made.world.horizon = end - start;
-  for (std::size_t k = 0; k < given.paths.size(); ++k) {
-    if (given.paths[k].waypoints.size() == 1) {
-      made.left_out.push_back(k);
+  world.horizon = end - start;
+  for (const GivenPath& path : given.paths) {
+    if (path.waypoints.size() == 1) {
+      world.missing.push_back(path.name + ", which has one waypoint");
     } else {
-      add_disk(made.world, given.paths[k], growth, start);
+      add_disk(world, path, growth, start);
     }
   }
-  std::vector<WorldManeuver>& maneuvers = made.world.maneuvers;
+  std::vector<WorldManeuver>& maneuvers = world.maneuvers;
   if (maneuvers.size() > static_cast<std::size_t>(max_maneuvers)) {
     throw InputError(file, 0, "", "more maneuvers than a scene may have");
   }
   std::stable_sort(maneuvers.begin(), maneuvers.end(),
                    [](const WorldManeuver& a, const WorldManeuver& b) { return a.t < b.t; });
-  return made;
+  return world;
 }
 
 }  // namespace voroproof::internal

@@ -40,6 +40,7 @@ struct World {
   Rational horizon;                   // >= 0
   std::vector<WorldDisk> disks;
   std::vector<WorldManeuver> maneuvers;  // sorted by t; one of a disk at one time
+  std::vector<std::string> missing;      // who may come near and is not in it
   std::string name, comment;
   std::optional<std::variant<std::string, Integer>> seed;
   Extensions extensions;

@@ -14,8 +14,8 @@ namespace voroproof::internal {
 namespace {
 
 constexpr const char* only_pass =
-    "\"pass\" is wanted here; only simulate, certify and validate read billiards, whose disks "
-    "bounce";
+    "\"pass\" is wanted here; only simulate, certify, clearance and validate read billiards, whose "
+    "disks bounce";
 
 class WorldReader : SceneFields {
  public:
@@ -23,9 +23,9 @@ class WorldReader : SceneFields {
       : SceneFields(bytes, file, world_version) {}
 
   World read() {
-    static constexpr std::array<std::string_view, 13> names = {
-        "format", "version",   "name",  "comment",   "seed",        "horizon",      "contacts",
-        "frame",  "container", "disks", "maneuvers", "restitution", "container_law"};
+    static constexpr std::array<std::string_view, 14> names = {
+        "format", "version",   "name",  "comment",   "seed",    "horizon",     "contacts",
+        "frame",  "container", "disks", "maneuvers", "missing", "restitution", "container_law"};
     const std::int64_t first_line = line_of_object();
     const std::uint32_t seen = json_.object(
         names, bit(format) | bit(version) | bit(horizon) | bit(disks),
@@ -48,7 +48,7 @@ class WorldReader : SceneFields {
   }
 
  private:
-  enum Member { contacts = first_other, frame, container, disks, plan, restitution, law };
+  enum Member { contacts = first_other, frame, container, disks, plan, missing, restitution, law };
 
   void read_member(std::size_t member) {
     switch (member) {
@@ -66,6 +66,9 @@ class WorldReader : SceneFields {
         break;
       case plan:
         json_.array([&](std::size_t i) { read_maneuver(i); });
+        break;
+      case missing:
+        json_.array([&](std::size_t) { world_.missing.emplace_back(json_.text()); });
         break;
       case restitution:
       case law:

@@ -68,6 +68,15 @@ void write_world(std::ostream& out, const World& world) {
     }
     out << ']';
   }
+  if (!world.missing.empty()) {
+    out << ",\n \"missing\": [";
+    separator = "";
+    for (const std::string& who : world.missing) {
+      out << separator << string_text(who);
+      separator = ", ";
+    }
+    out << ']';
+  }
   if (!world.extensions.empty()) {
     // On a line of their own, as all members of the world.
     out << ",\n" << members_text(world.extensions, true).substr(1);

@@ -198,7 +198,7 @@ ClearanceAnswer answer_clearance(const ClearanceQuestion& question, const GivenP
   json["format"] = "voroproof-clearance";
   json["version"] = 1;
   json["file"] = printable(question.file, 4096);
-  json["disks"] = given.paths.size();
+  json["disks"] = given.paths.empty() ? 0 : disks_of(given.paths).back() + 1;
   json["legs"] = clearance.legs();
   add_basis(question, given, json, lines);
   lines += allowance(question);

@@ -6,6 +6,7 @@
 #include "apps/answers/billiard_paths.h"
 #include "apps/answers/clearance_answer.h"
 #include "apps/answers/history_paths.h"
+#include "apps/answers/world_paths.h"
 #include "apps/cli/command_line.h"
 #include "apps/cli/interruption.h"
 #include "apps/cli/limits.h"
@@ -30,7 +31,24 @@ std::optional<Rational> distance(const std::string& option, const std::string& t
   return time_argument(option, text);
 }
 
+// A scene says the radii, and when its disks are there.
+void refuse_options_of_tables(const Request& request) {
+  if (!request.radius.empty()) throw UsageError("--radius: the scene gives the radii");
+  if (request.stay || request.vanish)
+    throw UsageError("--stay, --vanish: the scene says when its disks are there");
+  if (request.frames_only) throw UsageError("--frames-only: a scene has no frames");
+  if (!request.height.empty())
+    throw UsageError("--height: the disks of a scene are near each other at all heights");
+}
+
 GivenPaths paths_of(const Request& request) {
+  const bool is_billiard = is_billiard_file(request.paths);
+  if (is_world_file(request.paths) && !is_billiard) {
+    refuse_options_of_tables(request);
+    if (!request.history.empty())
+      throw UsageError("history: the scene of a world says all of its motion");
+    return world_paths(read_world(request.paths));
+  }
   if (request.history.empty()) {
     GivenPaths given = read_paths(request.paths, distance("--radius", request.radius),
                                   request.stay     ? Beyond::stays
@@ -39,15 +57,9 @@ GivenPaths paths_of(const Request& request) {
     if (request.frames_only) note_missing_frames(given);
     return given;
   }
-  if (!request.radius.empty()) throw UsageError("--radius: the scene gives the radii");
-  if (request.stay || request.vanish) {
-    throw UsageError("--stay, --vanish: the disks of a scene are there all the time");
-  }
-  if (request.frames_only) throw UsageError("--frames-only: a history has no frames");
-  if (!request.height.empty())
-    throw UsageError("--height: the disks of a scene are near each other at all heights");
+  refuse_options_of_tables(request);
   require_order(request.paths, request.history);
-  if (is_billiard_file(request.paths))
+  if (is_billiard)
     return billiard_paths(read_billiard(request.paths), request.paths, request.history);
   return history_paths(read_scene(request.paths), request.history, request.options);
 }
@@ -112,10 +124,11 @@ void add_clearance(Verb& program) {
   auto request = std::make_shared<Request>();
   Verb& verb = program.add_verb(
       "clearance", "The exact least gap of all pairs of disks on given paths (docs/others.md)");
-  verb.input("paths", request->paths,
-             "A table of waypoints (disk,t,x,y and perhaps z and radius) or of polynomial pieces "
-             "(disk,t,duration,x^0,x^1,...,y^0,...), the log of a CCBS plan (XML), or, with a "
-             "history, a scene.")
+  verb.input(
+          "paths", request->paths,
+          "A table of waypoints (disk,t,x,y and perhaps z and radius) or of polynomial pieces "
+          "(disk,t,duration,x^0,x^1,...,y^0,...), the log of a CCBS plan (XML), a world, or, with "
+          "a history, a scene.")
       .required();
   verb.input("history", request->history,
              "A history of the scene: its recorded paths are judged, gaps to the container too.");
@@ -143,8 +156,8 @@ void add_clearance(Verb& program) {
               "Write the answer here besides the lines, as JSON, or as a table of the approaches "
               "where it ends in .csv.");
   verb.note(
-      "Judged are the piecewise linear paths between the waypoints, or the polynomials of the "
-      "pieces. A negative gap is an overlap. "
+      "Judged are the piecewise linear paths between the waypoints, the polynomials of the "
+      "pieces, or the motion of the world's disks, which may grow. A negative gap is an overlap. "
       "Paths that do not all begin and end together need --stay or --vanish. "
       "With --required the last line is s FREE (exit code 0), s REFUTED (1), s INVALID (2) or "
       "s UNDECIDED (3): no gap is too small, but there is none, or the input lacks what the line "

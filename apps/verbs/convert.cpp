@@ -103,23 +103,28 @@ void require_apart(const Request& request, const GivenPaths& given) {
                        ": the disks of a scene would collide");
 }
 
+// Scenes count time from 0.
+void tell_start(std::ostream& out, const GivenPaths& given) {
+  if (given.paths.empty()) return;
+  const Rational start = time_of(given.paths).first;
+  if (start != 0) out << "time is counted from t = " << number_text(start) << " of the file\n";
+}
+
 // They may touch, overlap, come and go.
 void paths_to_world(const Request& request, const GivenPaths& given) {
   const Rational growth =
       request.growth.empty() ? Rational(0) : time_argument("--growth", request.growth);
-  const PathsWorld made = world_of_paths(given, growth, request.input);
+  const World world = world_of_paths(given, growth, request.input);
   std::ostringstream text;
-  write_world(text, made.world);
+  write_world(text, world);
   parse_world(text.str(), request.output);  // within the limits of scenes
   write_output(request.output, text.str());
   std::ostream& out = words_beside({request.output});
   out << "the disks follow the piecewise linear paths between the waypoints exactly, each from its "
          "first to its last, and pass through each other\n"
       << "disk k is the k-th of the file that has two waypoints, from 0\n";
-  for (const std::size_t k : made.left_out) {
-    out << "left out, with one waypoint: " << printable(given.paths[k].name) << '\n';
-  }
-  for (const std::string& missing : given.missing) out << "missing: " << missing << '\n';
+  tell_start(out, given);
+  for (const std::string& missing : world.missing) out << "missing: " << printable(missing) << '\n';
   for (const std::string& remark : given.remarks) out << remark << '\n';
 }
 
@@ -147,6 +152,7 @@ void paths_to_scene(const Request& request) {
   out << "the disks follow the piecewise linear paths between the waypoints exactly, and "
          "touch nothing\n"
          "disk k is the k-th of the file, from 0; the container is made up\n";
+  tell_start(out, given);
   for (const std::string& remark : given.remarks) out << remark << '\n';
 }
 

@@ -188,7 +188,7 @@ Approach CommonPiece::nearest_on(const Span& span, const std::set<GivenContact>&
     return nearer_of(nearest, last);
   // A constant gap is that of all instants between them, too.
   nearest.is_reached = is_constant_ || (span.begin.s.hi == 0 && is_near_at_begin_);
-  last.is_reached = is_constant_ || (span.end.s.lo == 1 && is_near_at_end_);
+  last.is_reached = is_constant_ || (span.end.s.lo == 1 && is_near_at_end_ && time_.has_end);
   for (const Place& place : stationary()) {
     if (is_inside(place, span))
       nearest = nearer_of(nearest, approach(place.s, time_.reach.degree() < 1));
@@ -250,7 +250,7 @@ std::vector<SpellPart> CommonPiece::below(const Rational& distance,
       // At a contact the rounded places may be nearer than the disks.
       if (keeps_clear(nearest, distance, Touching::is_allowed)) continue;
       parts.push_back({here.begin.s.hi == 0 && is_near_at_begin_ && is_below(0),
-                       here.end.s.lo == 1 && is_near_at_end_ && is_below(1),
+                       here.end.s.lo == 1 && is_near_at_end_ && (!time_.has_end || is_below(1)),
                        {time_at(here.begin.s), time_at(here.end.s), std::move(nearest)}});
     }
   }
@@ -264,10 +264,10 @@ bool CommonPiece::is_plainly_beyond(const Rational& gap) const {
          is_plainly_rootless(excess, Rational(0), Rational(1));
 }
 
-void SpellsBelow::add(const CommonPiece& piece) {
+void SpellsBelow::add(const CommonPiece& piece, int i, int j) {
   const CommonTime& time = piece.time();
   for (SpellPart& part : piece.below(distance_, contacts_))
-    parts_[{time.i, time.j, time.image}].push_back({time.from, time.to, std::move(part)});
+    parts_[{i, j, time.image}].push_back({time.from, time.to, std::move(part)});
 }
 
 std::vector<NearSpell> SpellsBelow::spells() {

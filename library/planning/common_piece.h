@@ -53,6 +53,7 @@ struct CommonTime {
   // and a disk their gap. By s from 0 to 1 in proportion to time. Its degree is 1 at most unless
   // the offset is zero.
   Polynomial<Rational> reach;
+  bool has_end = true;  // whether both are still there at the end
 };
 
 class CommonPiece {
@@ -108,7 +109,8 @@ class SpellsBelow {
   SpellsBelow(const Rational& distance, const std::set<GivenContact>& contacts)
       : distance_(distance), contacts_(contacts) {}
 
-  void add(const CommonPiece& piece);
+  // `i` and `j` are the disks, or the wall and the disk.
+  void add(const CommonPiece& piece, int i, int j);
   // All, by pair, image and time. Parts are put together where one goes on in the next piece.
   std::vector<NearSpell> spells();
 

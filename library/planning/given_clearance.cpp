@@ -81,6 +81,7 @@ Polynomial<Rational> radius_of(const GivenPath& path, const Rational& from, cons
 GivenClearance::GivenClearance(const GivenPaths& given, std::function<bool()> go_on,
                                ClearanceRules rules)
     : given_(given),
+      disks_(disks_of(given.paths)),
       go_on_(std::move(go_on)),
       rules_(std::move(rules)),
       sides_below_(each_of(given.sides, round_down)),
@@ -150,6 +151,12 @@ std::pair<const Waypoint&, const Waypoint&> GivenClearance::ends(const Leg& leg)
   return {w[leg.first], w[leg.last]};
 }
 
+// Whether the disk is still there at the last waypoint of the leg.
+bool GivenClearance::has_end(const Leg& leg) const {
+  const GivenPath& path = given_.paths[static_cast<std::size_t>(leg.path)];
+  return !path.ends_open || leg.last + 1 < path.waypoints.size();
+}
+
 // Null where the leg is straight.
 const Curve* GivenClearance::curve_of(const Leg& leg) const {
   const std::vector<Curve>& curves = given_.paths[static_cast<std::size_t>(leg.path)].curves;
@@ -173,7 +180,7 @@ void GivenClearance::each_pair(const std::optional<double>& near, Visit&& visit)
     if (!go_on_()) throw Interrupted();
     std::erase_if(there, [&](const Leg* other) { return other->to < leg.from; });
     for (const Leg* other : there) {
-      if (other->path == leg.path) continue;
+      if (disk(other->path) == disk(leg.path)) continue;
       const bool in_order = other->path < leg.path;
       each_image(in_order ? *other : leg, in_order ? leg : *other, near, visit);
     }
@@ -244,6 +251,8 @@ std::optional<CommonPiece> GivenClearance::common(const Leg& a, const Leg& b,
   const std::pair<Rational, Rational> time = common_time(a, b);
   const Rational &from = time.first, &to = time.second;
   if (from > to) return std::nullopt;
+  const bool both_at_end = (to < a_last.t || has_end(a)) && (to < b_last.t || has_end(b));
+  if (from == to && !both_at_end) return std::nullopt;
   const auto goes_on = [&](const Leg& leg, const Waypoint& first, const Waypoint& last) {
     return leg.first > 0 && first.t == to && first.t < last.t;
   };
@@ -261,7 +270,8 @@ std::optional<CommonPiece> GivenClearance::common(const Leg& a, const Leg& b,
   const auto radius = [&](const Leg& leg) {
     return radius_of(given_.paths[static_cast<std::size_t>(leg.path)], from, to);
   };
-  return CommonPiece({a.path, b.path, image, from, to, radius(a) + radius(b)}, way, rules_.height);
+  return CommonPiece({a.path, b.path, image, from, to, radius(a) + radius(b), both_at_end}, way,
+                     rules_.height);
 }
 
 // No distance is less than that of the boxes along an axis: a certain lower bound of it.
@@ -351,12 +361,15 @@ std::vector<NearSpell> GivenClearance::spells_below(const Rational& distance) co
   double widest = 0;
   for (const Leg& leg : legs_) widest = std::max(widest, leg.radius);
   const double beyond = round_up(distance);
-  for (const CommonPiece& piece : own_images()) spells.add(piece);
+  const auto add = [&](const CommonPiece& piece) {
+    spells.add(piece, disk(piece.time().i), disk(piece.time().j));
+  };
+  for (const CommonPiece& piece : own_images()) add(piece);
   const double nearest = next_above(next_above(2 * widest) + beyond);
   each_pair(nearest, [&](const Leg& a, const Leg& b, const LatticeImage& image) {
     const double near = next_above(next_above(a.radius + b.radius) + beyond);
     if (apart_above(a, b, image) > near) return;
-    if (const std::optional<CommonPiece> piece = common(a, b, image)) spells.add(*piece);
+    if (const std::optional<CommonPiece> piece = common(a, b, image)) add(*piece);
   });
   return spells.spells();
 }

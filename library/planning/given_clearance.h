@@ -58,6 +58,8 @@ class GivenClearance {
   void add_leg(int path, std::size_t first, std::size_t last);
   Motion motion_of(const Leg& leg) const;
   std::pair<const Waypoint&, const Waypoint&> ends(const Leg& leg) const;
+  bool has_end(const Leg& leg) const;
+  int disk(int path) const { return disks_[static_cast<std::size_t>(path)]; }
   const Curve* curve_of(const Leg& leg) const;
   Curve course(const Leg& leg, const Rational& from, const Rational& to) const;
   std::pair<Rational, Rational> common_time(const Leg& a, const Leg& b) const;
@@ -74,6 +76,7 @@ class GivenClearance {
   double largest_gap_at_contacts() const;
 
   const GivenPaths& given_;
+  std::vector<int> disks_;  // by path
   std::function<bool()> go_on_;
   ClearanceRules rules_;
   Vector3<double> sides_below_, sides_above_;  // the sides of the box, rounded

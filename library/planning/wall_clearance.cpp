@@ -51,7 +51,10 @@ std::optional<Approach> WallClearance::least() const {
 
 std::vector<NearSpell> WallClearance::spells_below(const Rational& distance) const {
   SpellsBelow spells(distance, given_.contacts);
-  each_piece([&](const CommonPiece& piece) { spells.add(piece); });
+  const std::vector<int> disks = disks_of(given_.paths);
+  each_piece([&](const CommonPiece& piece) {
+    spells.add(piece, piece.time().i, disks[static_cast<std::size_t>(piece.time().j)]);
+  });
   return spells.spells();
 }
 

@@ -109,6 +109,16 @@ TEST(World, FrameIsNoneOrAContainer) {
 }
 
 // Disks may overlap, hold each other and be equal, and lie outside the frame.
+TEST(World, SaysWhoIsMissing) {
+  const std::string horizon = R"("horizon": 600,)";
+  const World world =
+      parse(replaced(joined(good_world), horizon, horizon + R"( "missing": ["a \"b\"", "c"],)"));
+  EXPECT_EQ(world.missing, (std::vector<std::string>{"a \"b\"", "c"}));
+  EXPECT_EQ(parse(written(world)).missing, world.missing);
+  EXPECT_EQ(fault(replaced(joined(good_world), horizon, horizon + R"( "missing": [1],)")),
+            "w.json:3: missing[0]: expected a string, found '1'");
+}
+
 TEST(World, NeedsNoRoomBetweenDisks) {
   const World world = parse(
       R"({"x-a": [ 1 ], "disks": [{"center": [0, 0], "radius": 3, "velocity": [0, 0]},
@@ -246,8 +256,8 @@ TEST_P(BadWorld, IsRefusedWithLineAndField) {
 }
 
 const std::string only_pass =
-    "\"pass\" is wanted here; only simulate, certify and validate read billiards, whose disks "
-    "bounce";
+    "\"pass\" is wanted here; only simulate, certify, clearance and validate read billiards, whose "
+    "disks bounce";
 const std::string frame = R"("frame": {"center": [0, "1/3"], "radius": 1000, "growth": -1})";
 
 INSTANTIATE_TEST_SUITE_P(

@@ -57,8 +57,13 @@ TEST_F(CertifyCli, TracksThatPassBecomeAWorld) {
   refused(convert, "buoy");  // is not there all the time
   refused({"convert", table, "-o", scene, "--growth", "1/8"}, "--growth: only with");
   EXPECT_NE(must({"convert", table, "-o", scene, "--contacts", "pass", "--growth", "1/8"})
-                .out.find("left out, with one waypoint: buoy\n"),
+                .out.find("time is counted from t = 5 of the file\n"
+                          "missing: buoy, which has one waypoint\n"),
             std::string::npos);
+  // What is not in the scene is not forgotten.
+  const Result told = run({"clearance", scene, "--required", "-5"});
+  EXPECT_EQ(told.code, 3);
+  EXPECT_NE(told.out.find("c missing: buoy, which has one waypoint\n"), std::string::npos);
   const World world = read_world(scene);
   EXPECT_EQ(world.horizon, 10);
   ASSERT_EQ(world.disks.size(), 3u);
