@@ -1,6 +1,7 @@
-# The kernel of certify/kernel/ for the page of apps/certifier/: the script KERNEL_MODULE, a WebAssembly module packed by
-# gzip, in base64. Empty where Emscripten is not there.
+# The kernel of certify/kernel/ as a WebAssembly module: for the page of apps/certifier/ the script KERNEL_MODULE, packed by
+# gzip, in base64; and NPM_PACKAGE, a package for Node.js and browsers. Both are empty where what makes them is not there.
 set(KERNEL_MODULE "" CACHE INTERNAL "")
+set(NPM_PACKAGE "" CACHE INTERNAL "")
 find_program(VOROPROOF_EMXX em++)
 if(NOT VOROPROOF_EMXX)
   message(STATUS "Page of the certifier: left out, no Emscripten (scripts/install-deps.sh browser)")
@@ -32,3 +33,20 @@ add_custom_command(OUTPUT ${KERNEL_MODULE}
     -sWARN_ON_UNDEFINED_SYMBOLS=0 -sERROR_ON_UNDEFINED_SYMBOLS=0 -o ${module_dir}/kernel.wasm
   COMMAND sh -c "printf 'const KERNEL_MODULE = \"%s\";\\n' $(gzip -n9 < kernel.wasm | base64 -w0) > kernel-module.js"
   DEPENDS ${objects} WORKING_DIRECTORY ${module_dir} VERBATIM)
+
+find_program(VOROPROOF_NPM npm)
+if(NOT VOROPROOF_NPM)
+  return()
+endif()
+set(npm_dir ${CMAKE_BINARY_DIR}/npm/voroproof-kernel)
+set(npm_sources ${CMAKE_SOURCE_DIR}/packaging/npm)
+set(page_dir ${CMAKE_SOURCE_DIR}/apps/certifier/page)
+set(NPM_PACKAGE ${npm_dir}-${PROJECT_VERSION}.tgz CACHE INTERNAL "")
+configure_file(${npm_sources}/package.json.in ${npm_dir}/package.json @ONLY)
+set(npm_files ${npm_sources}/index.mjs ${npm_sources}/index.d.ts ${npm_sources}/README.md ${CMAKE_SOURCE_DIR}/certify/kernel/LICENSE)
+add_custom_command(OUTPUT ${NPM_PACKAGE}
+  COMMAND ${CMAKE_COMMAND} -E copy ${npm_files} ${module_dir}/kernel.wasm ${npm_dir}
+  COMMAND sh -c "cat judge.js && echo 'export { judge };'" > ${npm_dir}/judge.mjs
+  COMMAND ${VOROPROOF_NPM} pack --silent --pack-destination ${CMAKE_BINARY_DIR}/npm ${npm_dir} > ${npm_dir}.log
+  DEPENDS ${KERNEL_MODULE} ${npm_files} ${npm_dir}/package.json ${page_dir}/judge.js WORKING_DIRECTORY ${page_dir} VERBATIM)
+add_custom_target(npm ALL DEPENDS ${NPM_PACKAGE})

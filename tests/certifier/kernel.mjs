@@ -3,8 +3,8 @@ import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { runInThisContext } from "node:vm";
 
-const loader = new URL("../../apps/certifier/page/kernel.js", import.meta.url);
-const text = [process.env.MODULE, loader].map((file) => readFileSync(file, "utf8")).join("\n");
+const page = (name) => new URL(`../../apps/certifier/page/${name}`, import.meta.url);
+const text = [process.env.MODULE, page("kernel.js"), page("judge.js")].map((file) => readFileSync(file, "utf8")).join("\n");
 const { kernelModule, judge } = runInThisContext(`(() => {\n${text}\nreturn { kernelModule, judge };\n})()`, { filename: "kernel" });
 const module = await kernelModule();
 
