@@ -1,8 +1,9 @@
 #include "engine/inelastic_collapse.h"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "engine/collapse_rule.h"
 
 namespace voroproof::internal {
 
@@ -13,24 +14,6 @@ namespace {
 // (weak losses: the bounces would be many, and each costs bits).
 constexpr double kShortRest = 1e-9;
 constexpr int kManyBounces = 48;
-
-// The rule: a disk collides that often within this part of the horizon,
-constexpr std::size_t kManyCollisions = 48;
-constexpr double kShortSpan = 1e-10;
-// or for some number m, from 2 to half of that, the last m delays between its collisions are not
-// all zero, less than this part of the horizon, and at most this part of the m before. (In turns
-// with two neighbours the delays shrink every other time only.)
-constexpr double kShortDelays = 1e-9;
-constexpr double kShrinking = 1.0 / 16;
-// or the same twice in a row for m = 1, with this part of the horizon: with restitution 0 the
-// delays may shrink like squares, and one more is too short for binary64 times.
-constexpr double kShortLast = 1e-12;
-
-std::string text(double x) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.17g", x);
-  return buffer;
-}
 
 // A rational as a double with a bound; get_d() rounds towards zero.
 DoubleBall ball_of(const Rational& q) {
@@ -55,10 +38,9 @@ void InelasticCollapse::after_collision(GenId i, GenId j, const Moment& now, dou
     if (g == container_id) continue;
     Past& past = past_[g];
     past.at_wall = i == container_id ? past.at_wall + 1 : 0;
-    past.times.push_back(now.lo);
-    if (past.times.size() > kManyCollisions + 1) past.times.erase(past.times.begin());
     if (i == container_id) alone_at_wall(g, now, quiet_until);
-    by_rule(g, i, j);
+    const std::string why = seeming_collapse(g, now.lo, horizon_, past.times);
+    if (!why.empty()) throw Undecided("inelastic " + why, i, j);
   }
 }
 
@@ -81,7 +63,7 @@ void InelasticCollapse::alone_at_wall(GenId g, const Moment& now, double quiet_u
   if (!(last < quiet_until) || !(last < round_down(in.horizon))) return;
   if (!undisturbed(g, t, sqrt(u * u + w * w), delay)) return;
   throw Undecided("inelastic collapse: disk " + std::to_string(g) +
-                      " collides with the container infinitely often before t = " + text(last),
+                      " collides with the container infinitely often before t = " + time_text(last),
                   container_id, g);
 }
 
@@ -104,34 +86,6 @@ bool InelasticCollapse::undisturbed(GenId g, const DoubleBall& t, const DoubleBa
     if (sign(x * x + y * y - reach * reach) != Sign::positive) return false;
   }
   return true;
-}
-
-void InelasticCollapse::by_rule(GenId g, GenId i, GenId j) {
-  const std::vector<double>& times = past_[g].times;
-  const auto stop = [&](std::size_t collisions) {
-    char span[40];
-    std::snprintf(span, sizeof span, "%.3g", times.back() - times[times.size() - collisions]);
-    throw Undecided("inelastic collapse, as it seems: disk " + std::to_string(g) + " collides " +
-                        std::to_string(collisions) + " times within " + span +
-                        " before t = " + text(times.back()),
-                    i, j);
-  };
-  const std::size_t n = times.size();
-  const double last = times.back();
-  if (n > kManyCollisions && last - times.front() < kShortSpan * horizon_) stop(n);
-  const auto shrink = [&](std::size_t end, std::size_t m) {
-    const double between = times[end - m];
-    return times[end] > between &&
-           times[end] - between <= kShrinking * (between - times[end - 2 * m]);
-  };
-  if (n > 3 && last - times[n - 2] < kShortLast * horizon_ && shrink(n - 1, 1) &&
-      shrink(n - 2, 1)) {
-    stop(4);
-  }
-  for (std::size_t m = 2; 2 * m < n; ++m) {
-    if (!(last - times[n - 1 - m] < kShortDelays * horizon_)) return;
-    if (shrink(n - 1, m)) stop(2 * m + 1);
-  }
 }
 
 }  // namespace voroproof::internal

@@ -20,8 +20,7 @@
 // another, j is never faster than S_j, and the disk never than V.
 //
 // All else (more disks, chains of them, the wall and a neighbour in turns) is taken to be a
-// collapse by a rule, see below: it stops the run, which is never wrong, and is not proved to be
-// one.
+// collapse by a rule (engine/collapse_rule.h).
 #pragma once
 
 #include <cstdint>
@@ -56,7 +55,6 @@ class InelasticCollapse {
   void alone_at_wall(GenId g, const Moment& now, double quiet_until);
   bool undisturbed(GenId g, const DoubleBall& t, const DoubleBall& speed,
                    const DoubleBall& delay) const;
-  void by_rule(GenId g, GenId i, GenId j);
 
   const Motion& motion_;
   double horizon_;

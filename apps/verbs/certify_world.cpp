@@ -28,7 +28,7 @@ WorldVerdict undecided(const std::string& reason, std::int64_t line, double t) {
 
 WorldVerdict judge(const CertifyRequest& request, const Rational& tolerance, const World& world,
                    WorldHistoryReader& history, const CooperativeInterruption& interruption) {
-  if (history.header().horizon > world.horizon) {
+  if (history.header().horizon_in(world.horizon) > world.horizon) {
     return undecided("the history goes beyond the horizon of the scene", 1, 0);
   }
   Progress progress(round_nearest(history.header().horizon), request.quiet);

@@ -11,12 +11,21 @@
 #include "engine/billiard/meeting_queue.h"
 #include "engine/billiard/meeting_time.h"
 #include "engine/billiard/told_value.h"
+#include "engine/collapse_rule.h"
 #include "exact/patience.h"
 #include "filtered/billiards/line_boxes.h"
 #include "filtered/motion/options.h"
 
 namespace voroproof::internal {
 namespace {
+
+// Whether something takes or gives energy: then collisions may have no end.
+bool may_collapse(const Billiard& billiard) {
+  bool may = billiard.restitution < 1 || (billiard.round && billiard.round->restitution < 1);
+  for (const BilliardWall& wall : billiard.walls) may |= wall.restitution < 1 || wall.speed != 0;
+  for (const BilliardDisk& disk : billiard.disks) may |= disk.growth != 0;
+  return may;
+}
 
 template <class T>
 class BilliardEngine {
@@ -33,6 +42,7 @@ class BilliardEngine {
         lines_(billiard, near_gaps_),
         near_(billiard),
         now_(of_kind<T>(0, bits)) {
+    if (may_collapse(billiard)) times_.resize(billiard.disks.size());
     for (const BilliardDisk& d : billiard.disks) {
       Body body{{now_, of_kind<T>(d.center, bits), of_kind<T>(d.velocity, bits)}, {}, {}};
       bodies_.push_back(std::move(body));
@@ -249,7 +259,6 @@ class BilliardEngine {
     predict_all(i);
   }
 
-  // Two that touch can part, and not only for no time.
   void require_way_out(const BilliardPair& pair, double t) {
     const auto moves = [&](GenId i) { return i >= 0 && !fixed(i); };
     if (!moves(pair.a) && !moves(pair.b))
@@ -262,10 +271,22 @@ class BilliardEngine {
                          " times at one instant: they are pressed together");
   }
 
+  // No instants at which one of the two collides seem to have no end.
+  void require_an_end(const BilliardPair& pair, double t) {
+    for (const GenId i : {pair.a, pair.b}) {
+      if (i < 0 || fixed(i) || times_.empty()) continue;
+      auto& times = times_[static_cast<std::size_t>(i)];
+      if (!times.empty() && times.back() == t) continue;
+      const std::string why = seeming_collapse(i, t, t, times);
+      if (!why.empty()) throw BilliardStop(why);
+    }
+  }
+
   void collide(const Meeting<T>& due) {
     const auto& [t, near, pair] = due;
     now_ = t;
     require_way_out(pair, near.mid);
+    require_an_end(pair, near.mid);
     std::array<Vector3<T>, 2> x, v;
     for (const int side : {0, 1}) {
       const GenId i = side == 0 ? pair.a : pair.b;
@@ -318,7 +339,8 @@ class BilliardEngine {
   std::optional<BilliardPair> parting_;  // the two that have just collided
   double instant_ = -1;                  // rounded, and how often pairs have collided then
   std::map<BilliardPair, int> meetings_then_;
-  double length_ = 0;  // a window's
+  std::vector<std::vector<double>> times_;  // of the last collisions, by disk; empty: they all end
+  double length_ = 0;                       // a window's
   bool is_last_ = false;
   std::size_t maneuvers_ = 0;       // that have taken place
   std::optional<Rational> turned_;  // when the last one did

@@ -159,6 +159,53 @@ TEST(BilliardRun, StopsWithAReason) {
             (BilliardPair{0, 1, {-1, 0, 0}}));
 }
 
+// Collisions that have no end: of three in a row, on a floor, between walls that close in.
+TEST(BilliardRun, CollapsesAreSeen) {
+  const auto expect_stop = [](const std::string& members, double before, std::size_t most) {
+    const ToldRun stopped = run(billiard("20", members));
+    EXPECT_EQ(stopped.outcome.kind, BilliardOutcome::Kind::stopped) << members;
+    EXPECT_EQ(stopped.outcome.reason.rfind("collapse, as it seems: disk ", 0), 0U)
+        << stopped.outcome.reason;
+    EXPECT_LE(stopped.outcome.t, before);
+    EXPECT_GT(stopped.outcome.t, before - 1e-3);
+    EXPECT_LT(stopped.events.size(), most);
+  };
+  expect_stop(R"("restitution":"1/100","frame":"none","disks":[
+    {"center":[0,0],"radius":1,"velocity":[1,0]},{"center":[3,0],"radius":1,"velocity":[0,0]},
+    {"center":[5,0],"radius":1,"velocity":[-1,0]}])",
+              0.674, 20);
+  expect_stop(
+      R"("gravity":[0,-1],"frame":{"walls":[{"normal":[0,1],"offset":0,"restitution":"1/2"}]},
+    "disks":[{"center":[3,3],"radius":1,"velocity":[3,0]}])",
+      6, 50);
+  expect_stop(R"("frame":{"walls":[{"normal":[1,0],"offset":0,"speed":1},
+    {"normal":[-1,0],"offset":-6,"speed":1}]},"disks":[{"center":[3,0],"radius":1,"velocity":[3,0]}])",
+              2, 1'200'000);
+}
+
+// Many collisions are no collapse: at one instant, and in a time that is short beside the horizon
+// alone. Something else takes energy, or gives it.
+TEST(BilliardRun, ManyCollisionsAreNoCollapse) {
+  std::string row;
+  for (int k = 0; k < 60; ++k) {
+    row += (k > 0 ? "," : "") + std::string(R"({"center":[)") +
+           std::to_string(k < 30 ? 2 * k : 2 * k + 1) + R"(,0],"radius":1,"velocity":[)" +
+           (k < 30 ? "1" : "0") + ",0]}";
+  }
+  const ToldRun cradle = run(billiard("3", R"("frame":"none","disks":[)" + row +
+                                               R"(,{"center":[0,99],"radius":1,"velocity":[0,0],
+                                                    "growth":1}])"));
+  EXPECT_EQ(cradle.outcome.kind, BilliardOutcome::Kind::complete) << cradle.outcome.reason;
+  EXPECT_EQ(cradle.events.size(), 900U);
+  const ToldRun bounces = run(billiard("1e13", R"("frame":{"walls":[
+      {"normal":[1,0],"offset":0},{"normal":[-1,0],"offset":-4},
+      {"normal":[0,1],"offset":-9,"restitution":"1/2"}]},"disks":[
+      {"center":[2,0],"radius":1,"velocity":[1,0]}],
+      "maneuvers":[{"t":500,"disk":0,"velocity":[0,0]}])"));
+  EXPECT_EQ(bounces.outcome.kind, BilliardOutcome::Kind::complete) << bounces.outcome.reason;
+  EXPECT_EQ(bounces.events.size(), 251U);
+}
+
 // Two pairs collide at an irrational instant, the middle of whose enclosure is less than its
 // rounding; then two ties are not told.
 TEST(BilliardRun, StopsNoSoonerThanItsLastEvent) {

@@ -40,6 +40,28 @@ TEST_F(CertifyCli, ClearanceOfABilliard) {
       << read_file(file("o.csv"));
 }
 
+// An engine in doubles rounds the horizon of its scene, perhaps up.
+TEST_F(CertifyCli, ARoundedHorizonIsThatOfTheBilliard) {
+  const auto told = [&](const std::string& horizon) {
+    const std::string scene =
+        written("r.scene.json",
+                R"({"format":"voroproof-scene","version":2,"contacts":"bounce","horizon":"1/10",
+           "frame":"none","disks":[{"center":[0,0],"radius":1,"velocity":[1,0]},
+           {"center":["41/20",0],"radius":1,"velocity":[0,0]}]})");
+    must({"simulate", scene, "-o", file("r.history.jsonl"), "--replace"});
+    std::string text = read_file(file("r.history.jsonl"));
+    for (std::size_t at = text.find("\"1/10\""); at != std::string::npos;
+         at = text.find("\"1/10\""))
+      text.replace(at, 6, horizon);
+    const std::string history = written("r.history.jsonl", text);
+    return std::array{run({"certify", scene, history}).code,
+                      run({"certify", scene, history, "--truth", "recorded"}).code,
+                      run({"clearance", scene, history, "--required", "0", "--may-touch"}).code};
+  };
+  EXPECT_EQ(told("0.1"), (std::array{0, 0, 0}));
+  EXPECT_EQ(told("0.10000000000000002"), (std::array{2, 2, 2}));
+}
+
 TEST_F(CertifyCli, NoHistoryOfABilliardIsFreeOfWhatItDoesNotTell) {
   const std::string scene = written("b.scene.json", kBox), right = file("b.history.jsonl");
   must({"simulate", scene, "-o", right});
