@@ -29,12 +29,14 @@ struct HistoryHeader {
 
   // The certain part of the horizon; no time is before 0.
   Rational certain_horizon() const { return std::max<Rational>(0, horizon - horizon_error); }
-  // The horizon, or that of the scene where it is that, rounded up to the nearest binary64.
-  Rational horizon_in(const Rational& of_scene) const {
-    const bool is_rounded = horizon > of_scene && horizon == to_rational(round_nearest(of_scene));
-    return is_rounded ? of_scene : horizon;
-  }
 };
+
+// The horizon of a history, or that of its scene where it is that, rounded up to the nearest
+// binary64.
+inline Rational told_horizon(const Rational& horizon, const Rational& of_scene) {
+  const bool is_rounded = horizon > of_scene && horizon == to_rational(round_nearest(of_scene));
+  return is_rounded ? of_scene : horizon;
+}
 
 // Reads it, of that version. `wanted_sha256`: that of the scene, if it is known. Throws InputError.
 HistoryHeader read_history_header(JsonReader& json, std::int64_t version, int last_id,

@@ -41,7 +41,7 @@ class RecordedPaths {
   }
 
   GivenPaths read() {
-    told_.end = history_.header().horizon_in(billiard_.horizon);
+    told_.end = told_horizon(history_.header().horizon, billiard_.horizon);
     while (const auto event = history_.next()) {
       // Rounding may move an event beyond the horizon.
       const Rational t = std::min(event->t.value(), told_.end);
@@ -170,7 +170,7 @@ GivenPaths billiard_paths(const Billiard& billiard, const std::string& scene_pat
   if (billiard.lattice.shear != 0)
     throw InputError(scene_path, 0, "frame.shear", "clearance knows no images that move");
   BilliardHistoryReader history(history_path, &billiard);
-  if (history.header().horizon_in(billiard.horizon) > billiard.horizon)
+  if (told_horizon(history.header().horizon, billiard.horizon) > billiard.horizon)
     throw InputError(scene_path, 0, "horizon", "the history goes beyond it");
   return RecordedPaths(billiard, history, history_path).read();
 }

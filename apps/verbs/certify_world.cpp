@@ -11,6 +11,7 @@
 #include "certify/report.h"
 #include "certify/world/world_certifier.h"
 #include "history/error.h"
+#include "history/history_reader.h"
 #include "history/json_text.h"
 #include "history/world.h"
 #include "history/world_history_reader.h"
@@ -28,7 +29,7 @@ WorldVerdict undecided(const std::string& reason, std::int64_t line, double t) {
 
 WorldVerdict judge(const CertifyRequest& request, const Rational& tolerance, const World& world,
                    WorldHistoryReader& history, const CooperativeInterruption& interruption) {
-  if (history.header().horizon_in(world.horizon) > world.horizon) {
+  if (told_horizon(history.header().horizon, world.horizon) > world.horizon) {
     return undecided("the history goes beyond the horizon of the scene", 1, 0);
   }
   Progress progress(round_nearest(history.header().horizon), request.quiet);

@@ -31,7 +31,7 @@ class BilliardCertification {
         scene_file_(scene_file),
         history_(history),
         options_(options),
-        horizon_(history.header().horizon_in(billiard.horizon)),
+        horizon_(told_horizon(history.header().horizon, billiard.horizon)),
         truth_(truth_of(billiard, horizon_, options)),
         found_(truth_->found()),
         lag_(truth_->lag()),
