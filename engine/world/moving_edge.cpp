@@ -60,13 +60,23 @@ bool MovingEdge::has_inner_touch(const WorldTime& t, const Ball& about) const {
   return false;
 }
 
-// At the instant itself: the roots that tell may vanish there.
-bool MovingEdge::may_be_point_at(const WorldTime& t) const {
-  const RootExpression<TimePolynomial> x = expression(ends_, Which::same_circle);
+// The sign of u + sqrt(gamma) v at the instant itself, where gamma may vanish.
+Sign MovingEdge::sign_then(Which which, const WorldTime& t) const {
+  const RootExpression<TimePolynomial> x = expression(ends_, which);
   const Sign u = sign_at(x.u, t), v = sign_at(x.v, t);
-  if (u == v) return u != Sign::negative;
+  if (u == v) return u;
   const Sign d = sign_at(x.u * x.u - x.gamma * x.v * x.v, t);
-  return d == Sign::zero || sign_with_root(u, v, d) != Sign::negative;
+  return d == Sign::zero ? Sign::zero : sign_with_root(u, v, d);
+}
+
+// Circles and in-circle functions are continuous, also where Gamma vanishes. So at a point, whose
+// two circles are one that touches all four, both functions vanish. Two edges between l and r that
+// lead from s to e and from e to s have one polynomial: only this tells which of them has no
+// length.
+bool MovingEdge::may_be_point_at(const WorldTime& t) const {
+  return sign_then(Which::conflict_at_start, t) == Sign::zero &&
+         sign_then(Which::conflict_at_end, t) == Sign::zero &&
+         sign_then(Which::same_circle, t) != Sign::negative;
 }
 
 bool MovingEdge::collapses_at(const WorldTime& t, Sign after) const {
@@ -92,7 +102,7 @@ bool MovingEdge::collapses_at(const WorldTime& t, Sign after) const {
   if (start == Sign::positive || end == Sign::positive) return false;
   const bool tie = start == Sign::zero && end == Sign::zero;
   if (tie ? legal_while_cotangent(quad_) : start == Sign::zero || end == Sign::zero) return false;
-  if (!tie && has_inner_touch(t, at)) return may_be_point_at(t);
+  if (!tie && has_inner_touch(t, at)) return sign_then(Which::same_circle, t) != Sign::negative;
   return sign_of(Which::same_circle, f, t, near) == Sign::positive;
 }
 

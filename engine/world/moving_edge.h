@@ -22,12 +22,15 @@ class MovingEdge {
   // from inside at the instant, it is taken for a point unless it certainly has a length. `after`:
   // the sign of the polynomial just after the instant, if it is known.
   bool collapses_at(const WorldTime& t, Sign after = Sign::unknown) const;
+  // Whether the edge has no length at the instant itself, right or wrong; or it is not known, as
+  // where two of three generators at one of its ends touch the third there.
+  bool may_be_point_at(const WorldTime& t) const;
 
  private:
   enum class Which { conflict_at_start, conflict_at_end, same_circle };
   template <class T>
   static RootExpression<T> expression(const EdgeEnds<T>& ends, Which which);
-  bool may_be_point_at(const WorldTime& t) const;
+  Sign sign_then(Which which, const WorldTime& t) const;
   bool has_inner_touch(const WorldTime& t, const Ball& about) const;
   Sign sign_of(Which which, Sign f, const WorldTime& t,
                const std::optional<EdgeEnds<Ball>>& near) const;

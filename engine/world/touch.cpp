@@ -54,7 +54,9 @@ class Trial {
     return {h, turns};
   }
 
-  // The cell, of two edges, passes vertices of that of j up to where it belongs.
+  // The cell, of two edges, passes vertices of that of j up to where it belongs. Both ways around
+  // lead there, but the ray meets only the vertices of one at the instant: on the other an edge
+  // with a length would flip.
   void move() {
     Diagram without = now_;
     HalfEdge here = 2 * without.remove(g_).front();
@@ -63,13 +65,31 @@ class Trial {
     const auto is = [](HalfEdge wanted) { return [wanted](HalfEdge h) { return h == wanted; }; };
     const int left = turn_to(without, here, is(there)).second,
               right = turn_to(without, there, is(here)).second;
-    for (int step = 0; step < std::min(left, right); ++step) {
+    const bool left_first = left <= right;
+    if (pass(left_first, std::min(left, right)) || pass(!left_first, std::max(left, right))) return;
+    throw Undecided("a disk that touches another from inside does not pass to where it belongs", g_,
+                    j_);
+  }
+
+  // So many vertices on the left or the right. Nothing is done, and the answer is no, where an edge
+  // that would flip certainly has a length.
+  bool pass(bool on_left, int vertices) {
+    const Trial before = *this;
+    for (int k = 0; k < vertices; ++k) {
       const HalfEdge to_g =
           turn_to(now_, now_.anchor(j_), [&](HalfEdge h) { return now_.dest(h) == g_; }).first;
       const HalfEdge to_other = now_.rotate(Diagram::twin(to_g));
-      flip(left <= right ? now_.rotate(to_g) : now_.next(Diagram::twin(to_g)));
+      const HalfEdge first = on_left ? now_.rotate(to_g) : now_.next(Diagram::twin(to_g));
+      if (!MovingEdge(rows_, now_.quad(first)).may_be_point_at(t_)) {
+        now_ = before.now_;
+        flips_ = before.flips_;
+        touched_ = before.touched_;
+        return false;
+      }
+      flip(first);
       flip(to_other);
     }
+    return true;
   }
 
   void legalize() {

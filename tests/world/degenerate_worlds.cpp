@@ -119,6 +119,14 @@ class Scenes {
     add_in_both("internal touch, towards a vertex",
                 world_of(2, {disk(0, 0, 1), disk(5, 0, 1), disk(1, -3, 0), disk(-1, 1, 0, 1)}),
                 Lines{});
+    // At the touch the ray leads to the vertex at infinity of the two others: their hull has two
+    // edges between the same disks, and one has no length then.
+    for (const int radius : {6, 8, 11}) {
+      add("internal touch at a line of three, plane",
+          world_of(8, {disk(0, 16, 0, 1, -1), disk(8, 8, 8, -1, -1),
+                       disk(24, 8 - radius, radius, 1, 1)}),
+          Lines{}, 2);
+    }
     add_in_both("internal touch for a while", with(world, {turn(1, 1, 0, 0), turn(2, 1, 1, 0)}),
                 Lines{{1, "turn 1"}, {1, "hide [1,0]"}, {2, "turn 1"}, {2, "appear [1,0]"}});
   }

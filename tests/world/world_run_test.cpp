@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/world/moving_edge.h"
 #include "tests/world/degenerate_worlds.h"
 #include "tests/world/edge_set.h"
 #include "tests/world/random_worlds.h"
@@ -120,6 +121,25 @@ TEST(DegenerateWorlds, HaveTheirHistories) {
     }
     if (scene.flips) {
       EXPECT_EQ(flips, *scene.flips);
+    }
+  }
+}
+
+// The hull of three disks, at the instant at which a point on it touches the disk 1 from inside and
+// the disk 2 has the same tangent line there, has two edges with 1, and one of them has a length.
+TEST(MovingEdges, OfTwoWithOneNameOneHasNoLength) {
+  for (const int side : {1, -1}) {
+    for (const int radius : {6, 8, 11}) {
+      MovingRows rows({}, 3, true);
+      rows.set(0, 4, {side * 4, 12, 0, side, -1, 0});
+      rows.set(1, 4, {side * 4, 4, 8, -side, -1, 0});
+      rows.set(2, 4, {side * 28, 12 - radius, radius, side, 1, 0});
+      const auto may_be_point = [&](GenId s, GenId e) {
+        return MovingEdge(rows, side > 0 ? Quad{1, -1, s, e} : Quad{1, -1, e, s})
+            .may_be_point_at(WorldTime(Rational(4)));
+      };
+      EXPECT_TRUE(may_be_point(2, 0)) << side << " " << radius;
+      EXPECT_FALSE(may_be_point(0, 2)) << side << " " << radius;
     }
   }
 }
