@@ -48,11 +48,14 @@
 //     that of j): edges of g without length flip first, legal or not.
 //  8. Appear. g is hidden before, its tangency with j, not the smaller, vanishes and is positive
 //     just after. That no other disk hides g, and that the edge is the right one, follows from 6.
-//  9. Swap. Two disks, both visible or one in the other, are one at the instant, neither turns and
-//     no third one is there. Just before and after both are M + (t - c) W and M - (t - c) W near
-//     it: the mirror image exchanges the names. It must be told, once. If one of them turns, or
-//     three are one: undecided. A disk that jumps to where another is may be told, once, to change
-//     places with it: the cells around are proved.
+//  9. Swap. Two disks that stay, both visible or one in the other, are one at the instant, neither
+//     turns and no third one that stays is there. Just before and after both are M + (t - c) W and
+//     M - (t - c) W near it: the mirror image exchanges the names. It must be told, once, unless
+//     steps of a jump have hidden both, or one by a third. If one of two turns that are apart
+//     before and after, or three are one: undecided. If one turns that is in the other or comes to
+//     be in it, the inner one has no cell, and the names change where it becomes the outer one.
+//     At the instant of a jump any two that are one may be told, once, to change places: its steps
+//     may lead to where they have each other's, and the cells around are proved.
 // 10. Jump, turn. All of the scene's, up to the horizon and at it, are told once, at their times,
 //     with their values where any are told, and no others are.
 // 11. Plane (Lemma N). The generator -1 is infinity. At one time the signs of all predicates are

@@ -127,23 +127,20 @@ bool WorldReplay::claim(const Appear& appear) {
 }
 
 bool WorldReplay::claim(const Swap& swap) {
-  auto& all = now_->swaps;
-  const auto found = std::find(all.begin(), all.end(), swap);
-  // One that jumps to where the other is may change places with it: the cells around are proved.
-  const bool may = is_disk(swap.i) && is_disk(swap.j) && swap.i != swap.j &&
-                   (now_->jumped.contains(swap.i) || now_->jumped.contains(swap.j)) &&
-                   motion_.is_there(swap.i) && motion_.is_there(swap.j) &&
-                   coincide_at(motion_, swap.i, swap.j, now_->t);
-  if ((found == all.end() && !may) || !map_.exchange(swap.i, swap.j)) {
-    return refuse("the disks " + number(swap.i) + " and " + number(swap.j) +
-                  " do not change places");
+  const auto& [i, j] = swap;
+  const auto found = std::find(now_->swaps.begin(), now_->swaps.end(), swap);
+  // Steps of a jump may lead to where two that are one then have each other's places, or to where
+  // they have their own: the cells around are proved.
+  const bool may = !now_->jumped.empty() && is_disk(i) && is_disk(j) && i != j &&
+                   std::find(now_->told.begin(), now_->told.end(), swap) == now_->told.end() &&
+                   motion_.is_there(i) && motion_.is_there(j) &&
+                   coincide_at(motion_, i, j, now_->t);
+  if ((found == now_->swaps.end() && !may) || !map_.exchange(i, j)) {
+    return refuse("the disks " + number(i) + " and " + number(j) + " do not change places");
   }
-  if (found != all.end()) {
-    all.erase(found);
-  } else {
-    for (const GenId g : {swap.i, swap.j}) now_->jumped.erase(g);  // once
-  }
-  for (const GenId g : {swap.i, swap.j}) {
+  if (found != now_->swaps.end()) now_->swaps.erase(found);
+  now_->told.push_back(swap);
+  for (const GenId g : {i, j}) {
     now_->hidden.insert(g);
     hosts_[g] = container_id;  // to be found anew
     stir(g);
@@ -203,6 +200,7 @@ bool WorldReplay::claim(const Jump& jump) {
   if (!goes && !jump.in) throw WorldRefuted{who + " does not come in after its jump"};
   if (!comes) jump_out(jump);
   if (!goes) jump_in(jump);
+  drop_unseen_swaps();
   return true;
 }
 
@@ -227,6 +225,16 @@ void WorldReplay::take_steps(const std::vector<Step>& steps, const char* which) 
                          text_of(std::get<Quad>(steps[k]))};
     }
   }
+}
+
+// Two change places where both have a cell, or one has and the other is in it. Steps of a jump may
+// hide both before, or one in a third.
+void WorldReplay::drop_unseen_swaps() {
+  std::erase_if(now_->swaps, [&](const Swap& s) {
+    if (map_.is_visible(s.i) && map_.is_visible(s.j)) return false;
+    if (!map_.is_visible(s.i) && !map_.is_visible(s.j)) return true;
+    return signs_then(world_tangency(motion_, s.i, s.j), now_->t.exact()).after == Sign::positive;
+  });
 }
 
 void WorldReplay::jump_out(const Jump& jump) {

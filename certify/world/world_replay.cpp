@@ -98,6 +98,7 @@ void WorldReplay::open() {
     ++next_scheduled_;
     now_->collapsing.clear();  // on other paths they need not
   }
+  for (const Swap& meeting : now_->meetings) expect_swap(meeting);
 }
 
 void WorldReplay::take_due(const WorldAgenda::Item& item) {
@@ -138,26 +139,32 @@ void WorldReplay::touch(GenId g, GenId h) {
 }
 
 void WorldReplay::coincide(GenId i, GenId j) {
+  const Swap meeting{std::min(i, j), std::max(i, j)};
+  auto& all = now_->meetings;
+  if (std::find(all.begin(), all.end(), meeting) == all.end()) all.push_back(meeting);
+}
+
+// All of the scene has taken effect. Disks that it takes away or brings do not meet others.
+void WorldReplay::expect_swap(const Swap& meeting) {
+  const auto& [i, j] = meeting;
+  const auto stays = [&](GenId g) { return motion_.is_there(g) && !now_->jumped.contains(g); };
+  if (!stays(i) || !stays(j)) return;
+  const std::string both = "the disks " + number(i) + " and " + number(j);
   for (GenId k = 0; k < motion_.disks(); ++k) {
-    if (k == i || k == j || !motion_.is_there(k) || !coincide_at(motion_, i, k, now_->t)) continue;
-    throw WorldUndecided{"the disks " + number(i) + ", " + number(j) + " and " + number(k) +
-                         " coincide"};
+    if (k == i || k == j || !stays(k) || !coincide_at(motion_, i, k, now_->t)) continue;
+    throw WorldUndecided{both + " coincide with " + number(k)};
   }
-  bool goes = false, turns = false;
-  for (std::size_t k = next_scheduled_; k < motion_.schedule().size(); ++k) {
-    const Scheduled& s = motion_.schedule()[k];
-    if (compare(now_->t, s.t) != 0) break;
-    if (s.g != i && s.g != j) continue;
-    (s.kind == Scheduled::Kind::turns ? turns : goes) = true;
+  const bool parted = map_.is_visible(i) && map_.is_visible(j);
+  if (!parted) {  // one is in the other, and the other in it afterwards
+    const bool first = map_.is_visible(i);
+    if (is_inside_after(motion_, first ? i : j, first ? j : i, now_->t)) {
+      now_->swaps.push_back(meeting);
+    }
+  } else if (!now_->turned.contains(i) && !now_->turned.contains(j)) {
+    now_->swaps.push_back(meeting);
+  } else if (signs_then(world_tangency(motion_, i, j), now_->t.exact()).after == Sign::positive) {
+    throw WorldUndecided{both + " coincide, and one of them turns"};
   }
-  if (goes) return;
-  if (turns) {
-    throw WorldUndecided{"the disks " + number(i) + " and " + number(j) +
-                         " coincide, and one of them turns"};
-  }
-  const Swap swap{std::min(i, j), std::max(i, j)};
-  auto& all = now_->swaps;
-  if (std::find(all.begin(), all.end(), swap) == all.end()) all.push_back(swap);
 }
 
 void WorldReplay::take_scheduled(const Scheduled& change) {

@@ -42,7 +42,9 @@ class WorldReplay {
     LazyTime t;
     bool at_start = false;
     std::vector<Scheduled> scheduled{};  // not claimed yet
-    std::vector<Swap> swaps{};           // the same
+    std::vector<Swap> meetings{};        // two disks that become one
+    std::vector<Swap> swaps{};           // that are to be told
+    std::vector<Swap> told{};            // that were
     std::set<Quad> collapsing{};         // edges that are known to flip
     std::set<int> edges{};               // to be followed anew, as far as they are there
     std::set<GenId> jumped{};            // that jump, come or go
@@ -58,6 +60,7 @@ class WorldReplay {
   void take_scheduled(const Scheduled& change);
   void touch(GenId g, GenId h);
   void coincide(GenId i, GenId j);
+  void expect_swap(const Swap& meeting);
   void stir(GenId g);
   void see_alone();
 
@@ -75,6 +78,7 @@ class WorldReplay {
   Scheduled* scheduled(GenId g, bool turn);
   void forget(const Scheduled& change);
   void take_steps(const std::vector<Step>& steps, const char* which);
+  void drop_unseen_swaps();
   void jump_out(const Jump& jump);
   void jump_in(const Jump& jump);
 

@@ -57,6 +57,7 @@ GenId left_at(const MovingRows& rows, const LiveDiagram& live, GenId host, GenId
 }
 
 bool coincide_at(const MovingRows& rows, GenId i, GenId j, const LazyTime& t) {
+  if (are_apart(rows.rough(), i, j, t.lo(), t.hi())) return false;
   const Site<TimePolynomial>&a = rows.site(i), &b = rows.site(j);
   return sign_at(a.r - b.r, t.exact()) == Sign::zero &&
          sign_at(a.x - b.x, t.exact()) == Sign::zero && sign_at(a.y - b.y, t.exact()) == Sign::zero;

@@ -71,7 +71,7 @@ class Trial {
                     j_);
   }
 
-  // So many vertices on the left or the right. Nothing is done, and the answer is no, where an edge
+  // Passes vertices on the left or the right. Nothing is done, and the answer is no, where an edge
   // that would flip certainly has a length.
   bool pass(bool on_left, int vertices) {
     const Trial before = *this;

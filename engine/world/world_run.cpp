@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
+#include "engine/world/arrival.h"
 #include "engine/world/first_diagram.h"
+#include "engine/world/hosts.h"
 #include "engine/world/jumps.h"
 #include "engine/world/moving_rows.h"
 #include "engine/world/world_sweep.h"
@@ -86,9 +89,13 @@ class WorldRun final : public ChangeSink {
       if (piece.start == PieceStart::turns) continue;
       std::optional<Steps> out;
       if (piece.start == PieceStart::jumps) out = go_out(g, t);
-      tell_begin(g, piece, std::move(out), come_in(g, piece, t));
+      tell_begin(g, piece, std::move(out), come_in(g, piece, scheduled));
     }
     sweep_->begin_instant(t);
+    for (const GenId g : std::exchange(led_, {})) {
+      rows_.set(g, t, scheduled.begins.at(g).state);
+      sweep_->arrive(g);
+    }
     for (const auto& [g, piece] : scheduled.begins) {
       if (piece.start != PieceStart::turns) continue;
       rows_.set(g, piece.from, piece.state);
@@ -121,10 +128,30 @@ class WorldRun final : public ChangeSink {
     return up_to(t, std::move(jump));
   }
 
-  Steps come_in(GenId g, const WorldPiece& piece, const Rational& t) {
-    const Rational before = just_before(t);
+  Steps come_in(GenId g, const WorldPiece& piece, const Scheduled& scheduled) {
+    const Rational before = just_before(piece.from);
     rows_.set(g, piece.from, piece.state);
-    return up_to(t, grow_in(live_, rows_, g, before));
+    const std::vector<MetDisk> met = met_by(g, scheduled, piece.from);
+    if (!met.empty()) {
+      rows_.set(g, piece.from, led(piece.state, met));
+      led_.insert(g);
+    }
+    return up_to(piece.from, grow_in(live_, rows_, g, before));
+  }
+
+  // Those that are one with the disk, which comes at t, but for others that are led there.
+  std::vector<MetDisk> met_by(GenId g, const Scheduled& scheduled, const Rational& t) const {
+    std::vector<MetDisk> met;
+    for (GenId j = 0; j < rows_.disks(); ++j) {
+      if (j == g || !rows_.is_there(j) || led_.contains(j)) continue;
+      const auto begins = scheduled.begins.find(j);
+      const bool changes = begins != scheduled.begins.end();
+      if (changes && begins->second.start == PieceStart::jumps && j > g) continue;  // is to go
+      if (!coincide_at(rows_, g, j, LazyTime(t))) continue;
+      const GrowingDisk now = rows_.state_at(j, t);
+      met.push_back({now, changes ? begins->second.state : now});
+    }
+    return met;
   }
 
   // The steps, with those that follow from them before t.
@@ -191,6 +218,7 @@ class WorldRun final : public ChangeSink {
   LiveDiagram live_;
   std::map<Rational, Scheduled> schedule_;
   std::vector<std::pair<GenId, WorldPiece>> at_zero_;
+  std::set<GenId> led_;  // that come at the present instant, on other paths than they have then
   std::optional<WorldSweep> sweep_;
   std::vector<WorldEvent> events_;  // those of the present instant
   std::uint64_t told_ = 0;

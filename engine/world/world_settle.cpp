@@ -12,6 +12,7 @@
 namespace voroproof::internal {
 
 void WorldSweep::turn(GenId g) {
+  turned_.insert(g);
   live_.touch_around(g);
   if (live_.is_visible(g)) {
     for (const GenId guest : live_.guests(g)) {
@@ -23,6 +24,11 @@ void WorldSweep::turn(GenId g) {
     stale_disks_.insert(g);
   }
   absorb();
+}
+
+void WorldSweep::arrive(GenId g) {
+  turn(g);
+  arrived_.insert(g);
 }
 
 void WorldSweep::suspect(const std::vector<int>& edges, const std::vector<GenId>& disks) {
@@ -91,8 +97,10 @@ bool WorldSweep::swap_one() {
   const auto [i, j] = *swaps_.begin();
   swaps_.erase(swaps_.begin());
   if (!live_.is_visible(i) || !live_.is_visible(j)) return true;
-  if (sign_after(rows_.tangency_of(i, j), now_.exact()) != Sign::positive) {
-    throw Undecided("two disks that become the same at one instant do not part", i, j);
+  if (arrived_.contains(i) || arrived_.contains(j)) return true;
+  if (turned_.contains(i) || turned_.contains(j)) {
+    if (sign_after(rows_.tangency_of(i, j), now_.exact()) != Sign::positive) return true;  // hides
+    throw Undecided("two disks are the same at one instant, and one of them turns", i, j);
   }
   exchange(i, j);
   return true;
@@ -100,7 +108,7 @@ bool WorldSweep::swap_one() {
 
 void WorldSweep::exchange(GenId i, GenId j) {
   for (GenId g = 0; g < rows_.disks(); ++g) {
-    if (g == i || g == j || !rows_.is_there(g)) continue;
+    if (g == i || g == j || !rows_.is_there(g) || arrived_.contains(g)) continue;
     if (coincide_at(rows_, g, i, now_)) {
       throw Undecided("three disks are the same at one instant", i, j);
     }

@@ -133,6 +133,8 @@ void WorldSweep::look_ahead() {
   flips_.clear();
   due_edges_.clear();
   fresh_edges_.clear();
+  turned_.clear();
+  arrived_.clear();
   swapped_.clear();
   appeared_.clear();
   edges_seen_.merge(stale_edges_);

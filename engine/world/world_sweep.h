@@ -49,6 +49,9 @@ class WorldSweep {
   void begin_instant(const Rational& t);
   // The paths of the disk are other ones from now on.
   void turn(GenId g);
+  // So are those of one that has come for this instant: where it is one with another, that has been
+  // seen to.
+  void arrive(GenId g);
   // Edges and disks that may be due at the present instant.
   void suspect(const std::vector<int>& edges, const std::vector<GenId>& disks);
   // Does all that is due at the present instant. Throws Undecided.
@@ -106,6 +109,7 @@ class WorldSweep {
   std::set<std::pair<Quad, int>> illegal_;
   std::set<int> due_edges_;             // their collapse was found for this instant
   std::set<int> fresh_edges_;           // that flips have made
+  std::set<GenId> turned_, arrived_;    // whose paths are other ones
   std::set<GenId> swapped_, appeared_;  // that have changed places, or come out of another
   std::vector<Quad> flips_;             // that were done
   // Edges and disks for which what comes next is not known.

@@ -302,17 +302,21 @@ TEST(EdgeSet, LoneDisks) {
   EXPECT_TRUE(set.visible().empty());
 }
 
-TEST(WorldTools, ThreeDisksThatComeTogether) {
+TEST(WorldTools, DisksThatComeTogether) {
   World world;
   world.horizon = 4;
   for (const int k : {0, 1, 2}) {
     world.disks.push_back({0, {}, {k - 1, k == 1 ? -2 : 0, 1, 1 - k, k == 1 ? 2 : 0, 0}});
   }
-  EXPECT_EQ(first_triple(world), Rational(1));
-  world.disks[2].leave = Rational(1, 2);
-  EXPECT_EQ(first_triple(world), std::nullopt);
+  EXPECT_EQ(first_undecided(world), Rational(1));
+  world.disks[2].leave = 1;
+  EXPECT_EQ(first_undecided(world), std::nullopt);
+  world.maneuvers.push_back({1, 0, {}, Point2{1, 1}, {}, {}});
+  EXPECT_EQ(first_undecided(world), Rational(1));
+  world.maneuvers[0].growth = 4;
+  EXPECT_EQ(first_undecided(world), std::nullopt);
   world.disks[1] = world.disks[2] = world.disks[0];
-  EXPECT_EQ(first_triple(world), std::nullopt);
+  EXPECT_EQ(first_undecided(world), std::nullopt);
 }
 
 }  // namespace

@@ -46,17 +46,17 @@ RecordedWorld record(const World& world, const WorldOptions& options = {}) {
   return run;
 }
 
-// Why the run is wrong; empty if it is right. It may stop only where three disks come together.
+// Why the run is wrong; empty if it is right. It may stop only where nobody decides what follows.
 std::string fault(const World& world, const RecordedWorld& run, unsigned seed) {
   JudgeOptions options;
   options.seed = seed;
   if (run.outcome.kind != WorldOutcome::Kind::complete) {
     options.until = to_rational(run.outcome.t);
-    const auto triple = first_triple(world);
+    const auto undecided = first_undecided(world);
     const std::string reason = run.outcome.reason + " at " + std::to_string(run.outcome.t);
     const bool stopped = run.outcome.kind == WorldOutcome::Kind::stopped;
-    if (stopped && !triple) return "it stopped: " + reason;
-    if (triple && run.outcome.t > round_nearest(*triple)) return "it stopped late: " + reason;
+    if (stopped && !undecided) return "it stopped: " + reason;
+    if (undecided && run.outcome.t > round_nearest(*undecided)) return "it stopped late: " + reason;
   } else if (run.outcome.t != round_nearest(world.horizon)) {
     return "it ended at another time";
   }

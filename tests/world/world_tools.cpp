@@ -39,23 +39,70 @@ bool is_same_for_ever(const GrowingDisk& a, const GrowingDisk& b) {
          a.growth == b.growth;
 }
 
-// The times at which three come together, at most so far from now.
-std::vector<Rational> triples(const std::vector<GrowingDisk>& disks, const Rational& most) {
-  std::vector<Rational> found;
-  for (const GrowingDisk& a : disks) {
-    std::map<Rational, int> others;  // how many it meets, by time
-    int same = 0;
-    for (const GrowingDisk& b : disks) {
-      if (&a == &b) continue;
-      if (const auto t = meeting(a, b); t && abs(*t) <= most) ++others[*t];
-      same += is_same_for_ever(a, b);
-    }
-    for (const auto& [t, count] : others) {
-      if (count + same >= 2) found.push_back(t);
+// Whether they part, or come from apart, by so little that neither is in the other on the way.
+bool go_apart(const GrowingDisk& a, const GrowingDisk& b) {
+  const Rational x = a.vx - b.vx, y = a.vy - b.vy, r = a.growth - b.growth;
+  return x * x + y * y > r * r;
+}
+
+// A time in which nothing is scheduled, seen from its middle.
+class Stretch {
+ public:
+  Stretch(const World& world, const Rational& from, const Rational& to)
+      : world_(world), to_(to), middle_((from + to) / 2), half_((to - from) / 2) {
+    for (GenId g = 0; g < static_cast<GenId>(world.disks.size()); ++g) {
+      if (is_present(world, g, middle_)) disks_.emplace(g, state_at(world, g, middle_));
     }
   }
-  return found;
-}
+
+  // The first time in it, or at its end, at which nobody decides what follows.
+  std::optional<Rational> first() const {
+    std::optional<Rational> first;
+    for (const auto& [g, a] : disks_) {
+      std::map<Rational, int> others;  // how many it meets, by time
+      for (const auto& [h, b] : disks_) {
+        const auto t = meeting(a, b);
+        if (g == h || !t || *t <= -half_ || *t > half_) continue;
+        const bool at_end = *t == half_;
+        if (at_end && (!stays(g) || !stays(h))) continue;
+        others[*t] += at_end && turns(g) && part(g, h) ? 2 : 1;
+      }
+      for (const auto& [t, count] : others) {
+        if (count + same(g, t == half_) < 2) continue;
+        if (!first || middle_ + t < *first) first = middle_ + t;
+      }
+    }
+    return first;
+  }
+
+ private:
+  // Whether it is not gone at the end, nor elsewhere.
+  bool stays(GenId g) const {
+    return is_present(world_, g, to_) &&
+           std::none_of(
+               world_.maneuvers.begin(), world_.maneuvers.end(),
+               [&](const WorldManeuver& m) { return m.disk == g && m.t == to_ && m.is_jump(); });
+  }
+  bool turns(GenId g) const {
+    return std::any_of(world_.maneuvers.begin(), world_.maneuvers.end(),
+                       [&](const WorldManeuver& m) { return m.disk == g && m.t == to_; });
+  }
+  // Whether two that meet at the end, where one of them turns, both have a cell before and after.
+  bool part(GenId g, GenId h) const {
+    return go_apart(disks_.at(g), disks_.at(h)) &&
+           go_apart(state_at(world_, g, to_), state_at(world_, h, to_));
+  }
+  int same(GenId g, bool at_end) const {
+    return static_cast<int>(std::count_if(disks_.begin(), disks_.end(), [&](const auto& other) {
+      return other.first != g && is_same_for_ever(other.second, disks_.at(g)) &&
+             (!at_end || stays(other.first));
+    }));
+  }
+
+  const World& world_;
+  Rational to_, middle_, half_;
+  std::map<GenId, GrowingDisk> disks_;
+};
 
 }  // namespace
 
@@ -117,7 +164,7 @@ void make_valid(World& world) {
   }
 }
 
-std::optional<Rational> first_triple(const World& world) {
+std::optional<Rational> first_undecided(const World& world) {
   std::set<Rational> cuts{0, world.horizon};
   const auto cut = [&](const Rational& t) {
     if (t < world.horizon) cuts.insert(t);
@@ -127,18 +174,10 @@ std::optional<Rational> first_triple(const World& world) {
     if (disk.leave) cut(*disk.leave);
   }
   for (const WorldManeuver& m : world.maneuvers) cut(m.t);
-  std::optional<Rational> first;
   for (auto from = cuts.begin(); std::next(from) != cuts.end(); ++from) {
-    const Rational to = *std::next(from), middle = (*from + to) / 2;
-    std::vector<GrowingDisk> disks;
-    for (GenId g = 0; g < static_cast<GenId>(world.disks.size()); ++g) {
-      if (is_present(world, g, middle)) disks.push_back(state_at(world, g, middle));
-    }
-    for (const Rational& t : triples(disks, to - middle)) {
-      if (!first || middle + t < *first) first = middle + t;
-    }
+    if (auto t = Stretch(world, *from, *std::next(from)).first()) return t;
   }
-  return first;
+  return std::nullopt;
 }
 
 std::string text(const World& world) {

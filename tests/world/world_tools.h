@@ -16,9 +16,10 @@ World in_units(const World& world, const Rational& length, const Rational& time)
 // before it changes lets it become 0 just then.
 void make_valid(World& world);
 
-// The earliest time of the world at which three of its disks come to have one centre and one
-// radius: nobody decides what happens then. Those that have it for ever do not count.
-std::optional<Rational> first_triple(const World& world);
+// The earliest time of the world at which nobody decides what follows: three of its disks that stay
+// come to have one centre and one radius, or two that have a cell before and after do, one of which
+// turns then. Disks that come there do not count.
+std::optional<Rational> first_undecided(const World& world);
 
 // The world as a scene of version 2.
 std::string text(const World& world);
