@@ -5,6 +5,40 @@
 #include "filtered/worlds/rough_edge.h"
 
 namespace voroproof::internal {
+namespace {
+
+// How far g is outside of another disk, or inside of the frame: root of `square`, with this sign,
+// and `rest`.
+struct Gap {
+  Sign sign_of_root;
+  TimePolynomial square, rest;
+
+  Gap(const MovingRows& rows, GenId g, GenId j)
+      : sign_of_root(j == container_id ? Sign::negative : Sign::positive),
+        rest(-rows.excess(g, j)) {
+    const Site<TimePolynomial>&a = rows.site(g), &b = j < 0 ? rows.circle() : rows.site(j);
+    const TimePolynomial x = a.x - b.x, y = a.y - b.y;
+    square = x * x + y * y;
+  }
+};
+
+// The sign of a - b just after the instant.
+Sign compare_gaps(const Gap& a, const Gap& b, const WorldTime& t) {
+  const TimePolynomial rest = a.rest - b.rest, squares = rest * rest + a.square - b.square;
+  // That of the root of a and the rest, against the root of b.
+  const Sign of_rest = sign_after(rest, t);
+  const Sign one = sign_with_root(of_rest, a.sign_of_root, sign_after(rest * rest - a.square, t));
+  const Sign other = sign_after(b.square, t) == Sign::zero ? Sign::zero : -b.sign_of_root;
+  if (one == other || other == Sign::zero) return one;
+  if (one == Sign::zero) return other;
+  const TimePolynomial twice = rest + rest;
+  const Sign of_twice = a.sign_of_root == Sign::positive ? of_rest : -of_rest;
+  const Sign larger = sign_with_root(sign_after(squares, t), of_twice,
+                                     sign_after(squares * squares - twice * twice * a.square, t));
+  return larger == Sign::zero ? Sign::zero : larger == Sign::positive ? one : other;
+}
+
+}  // namespace
 
 bool hides_after(const MovingRows& rows, GenId j, GenId g, const LazyTime& t) {
   if (j == container_id && !rows.has_circle()) return false;
@@ -35,23 +69,24 @@ GenId host_after(const MovingRows& rows, GenId g, const LazyTime& t) {
   return host;
 }
 
-GenId left_at(const MovingRows& rows, const LiveDiagram& live, GenId host, GenId g,
-              const LazyTime& t) {
+std::vector<GenId> also_left_at(const MovingRows& rows, const LiveDiagram& live, GenId host,
+                                GenId g, const LazyTime& t) {
   const DoubleBall about = DoubleBall::hull(t.lo(), t.hi());
-  GenId best = host;
+  std::vector<GenId> all;
   for (GenId j = 0; j < rows.disks(); ++j) {
     if (j == host || j == g || !rows.is_there(j) || !live.is_visible(j)) continue;
     if (is_certain(sign(rows.rough().tangency_of(g, j, about)))) continue;
-    const TimePolynomial p = rows.tangency_of(g, j);
-    if (sign_at(p, t.exact()) != Sign::zero) continue;
-    if (sign_at(rows.excess(g, j), t.exact()) != Sign::positive) continue;
-    // How far g is outside is p over the sum of the distance of centres and the difference of
-    // radii, which become one at the instant.
-    const auto far = [&](GenId k) {
-      return k == container_id ? -rows.excess(g, k) : rows.excess(g, k);
-    };
-    const TimePolynomial of_best = rows.tangency_of(g, best) * far(j), of_j = p * far(best);
-    if (sign_after(of_best - of_j, t.exact()) == Sign::positive) best = j;
+    if (sign_at(rows.tangency_of(g, j), t.exact()) != Sign::zero) continue;
+    if (sign_at(rows.excess(g, j), t.exact()) != Sign::negative) all.push_back(j);
+  }
+  return all;
+}
+
+GenId nearest_after(const MovingRows& rows, GenId host, const std::vector<GenId>& others, GenId g,
+                    const LazyTime& t) {
+  GenId best = host;
+  for (const GenId j : others) {
+    if (compare_gaps(Gap(rows, g, j), Gap(rows, g, best), t.exact()) == Sign::negative) best = j;
   }
   return best;
 }

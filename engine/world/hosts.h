@@ -1,6 +1,8 @@
 // Which disks of a world hide which.
 #pragma once
 
+#include <vector>
+
 #include "engine/world/live_diagram.h"
 #include "engine/world/moving_rows.h"
 #include "filtered/worlds/lazy_time.h"
@@ -16,10 +18,13 @@ bool hides_after(const MovingRows& rows, GenId j, GenId g, const LazyTime& t);
 // LiveDiagram::visible.
 GenId host_after(const MovingRows& rows, GenId g, const LazyTime& t);
 
-// The visible generator that g, which nobody hides just after the instant, has left from inside; of
-// several the one that is nearest to it then. `host` is one of them.
-GenId left_at(const MovingRows& rows, const LiveDiagram& live, GenId host, GenId g,
-              const LazyTime& t);
+// The visible disks, but for `host`, that g, which nobody hides just after the instant, touches
+// from inside at it, or is one with.
+std::vector<GenId> also_left_at(const MovingRows& rows, const LiveDiagram& live, GenId host,
+                                GenId g, const LazyTime& t);
+// The first of these, or the host, to which g is nearest just after the instant.
+GenId nearest_after(const MovingRows& rows, GenId host, const std::vector<GenId>& others, GenId g,
+                    const LazyTime& t);
 
 // A time after the instant `now` at which j may cease to hide g, which it does until then; the
 // first, up to `end`. nullopt: none.

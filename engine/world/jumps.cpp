@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "filtered/motion/options.h"
+
 namespace voroproof::internal {
 namespace {
 
@@ -83,6 +85,9 @@ JumpSteps shrink_out(LiveDiagram& live, const MovingRows& rows, GenId g, const R
   if (!alone) {
     const Rational radius = rest.state_at(g, 0).radius;
     out = run(live, rest, g, radius, -1, radius - hiding.radius);
+  }
+  if (live.is_visible(g) && live.diagram().edges() > 0) {
+    throw Undecided("a disk that goes is not hidden by another");
   }
   // Without edges nothing tells that it is hidden.
   if (live.visible_disks() < 2 && !out.steps.empty()) out.steps.pop_back();

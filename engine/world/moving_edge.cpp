@@ -79,6 +79,12 @@ bool MovingEdge::may_be_point_at(const WorldTime& t) const {
          sign_then(Which::same_circle, t) != Sign::negative;
 }
 
+bool MovingEdge::is_illegal_after(const WorldTime& t) const {
+  const Sign f = is_square_ ? (f_.is_zero() ? Sign::zero : Sign::negative) : sign_after(f_, t);
+  return sign_of(Which::conflict_at_start, f, t, std::nullopt) == Sign::negative ||
+         sign_of(Which::conflict_at_end, f, t, std::nullopt) == Sign::negative;
+}
+
 bool MovingEdge::collapses_at(const WorldTime& t, Sign after) const {
   const Ball at = ball_about(t);
   const auto row = [&](GenId g) { return rows_.row_of(quad_.l, g, at); };

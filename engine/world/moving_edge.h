@@ -22,6 +22,8 @@ class MovingEdge {
   // from inside at the instant, it is taken for a point unless it certainly has a length. `after`:
   // the sign of the polynomial just after the instant, if it is known.
   bool collapses_at(const WorldTime& t, Sign after = Sign::unknown) const;
+  // Whether one of its ends is not there just after the instant, a point or not.
+  bool is_illegal_after(const WorldTime& t) const;
   // Whether the edge has no length at the instant itself, right or wrong; or it is not known, as
   // where two of three generators at one of its ends touch the third there.
   bool may_be_point_at(const WorldTime& t) const;

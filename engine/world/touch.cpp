@@ -22,9 +22,10 @@ class Trial {
 
   std::vector<HalfEdge> flips() {
     for (;;) {
-      const HalfEdge h = edge_without_length(now_, g_, j_);
-      if (h < 0) break;
-      flip(h);
+      const std::optional<HalfEdge> h = edge_without_length(now_, g_, j_);
+      if (!h) throw Undecided("a disk touches another from inside and has a cell then", g_, j_);
+      if (*h < 0) break;
+      flip(*h);
     }
     move();
     legalize();
@@ -130,7 +131,7 @@ class Trial {
 
 }  // namespace
 
-HalfEdge edge_without_length(const Diagram& diagram, GenId g, GenId j) {
+std::optional<HalfEdge> edge_without_length(const Diagram& diagram, GenId g, GenId j) {
   std::optional<std::pair<Quad, HalfEdge>> smallest;
   int edges = 0;
   for (const HalfEdge h : diagram.ring(g)) {
@@ -141,8 +142,7 @@ HalfEdge edge_without_length(const Diagram& diagram, GenId g, GenId j) {
     if (!smallest || named < *smallest) smallest = named;
   }
   if (edges <= 2) return -1;
-  if (!smallest) throw Undecided("a disk is hidden while its cell has an area", g, j);
-  return smallest->second;
+  return smallest ? std::optional(smallest->second) : std::nullopt;
 }
 
 std::vector<HalfEdge> flips_after_touch(const MovingRows& rows, const Diagram& diagram, GenId g,

@@ -1,6 +1,7 @@
 // A disk that touches another from inside for an instant and is not hidden by it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/world/moving_rows.h"
@@ -17,8 +18,8 @@ std::vector<Diagram::HalfEdge> flips_after_touch(const MovingRows& rows, const D
                                                  GenId g, GenId j, const WorldTime& t);
 
 // The edge without length that is flipped next of a cell of more than two edges that lies between
-// sides with j along such a ray: that of the smallest name. -1: the cell has two edges. Throws
-// Undecided where there is none.
-Diagram::HalfEdge edge_without_length(const Diagram& diagram, GenId g, GenId j);
+// sides with j along such a ray: that of the smallest name. -1: the cell has two edges. nullopt: it
+// has more, and none to be flipped.
+std::optional<Diagram::HalfEdge> edge_without_length(const Diagram& diagram, GenId g, GenId j);
 
 }  // namespace voroproof::internal

@@ -1,5 +1,6 @@
 // All that is done at an instant of a sweep.
 #include <algorithm>
+#include <utility>
 
 #include "engine/world/cell_exit.h"
 #include "engine/world/hosts.h"
@@ -75,7 +76,24 @@ void WorldSweep::settle() {
     absorb();
     examine_pairs();
   } while (swap_one() || hide_one() || appear_one() || touch_one() || flip_one());
+  check_crowded();
   sink_.instant_is_over();
+}
+
+// Beside others that it touches when it comes out the cell of a disk may need other flips than
+// those of edges that collapse.
+void WorldSweep::check_crowded() {
+  const Diagram& diagram = live_.diagram();
+  for (const GenId g : std::exchange(crowded_, {})) {
+    if (!live_.is_visible(g) || diagram.edges() == 0) continue;
+    for (const HalfEdge h : diagram.ring(g)) {
+      for (const HalfEdge k : {h, diagram.next(h)}) {
+        const Quad q = diagram.quad(k);
+        if (q.s == q.e || !MovingEdge(rows_, q).is_illegal_after(now_.exact())) continue;
+        throw Undecided("a disk comes out where it touches more than one other", g, q.l);
+      }
+    }
+  }
 }
 
 void WorldSweep::examine_pairs() {
@@ -122,7 +140,6 @@ void WorldSweep::exchange(GenId i, GenId j) {
     return;
   }
   live_.exchange(i, j);
-  swapped_.insert({i, j});
   sink_.change(now_, Swap{std::min(i, j), std::max(i, j)});
 }
 
@@ -148,22 +165,31 @@ void WorldSweep::take_place(GenId g, GenId j) {
 }
 
 bool WorldSweep::hide_one() {
+  std::erase_if(hides_, [&](const Pair& pair) {
+    return !live_.is_visible(pair.first) || !live_.is_visible(pair.second);
+  });
+  // One that is not beside its host alone, since another is there that hides, too, comes after
+  // that.
+  const Diagram& diagram = live_.diagram();
+  for (const auto& [g, j] : hides_) {
+    const std::optional<HalfEdge> spoke =
+        diagram.edges() > 0 ? edge_without_length(diagram, g, j) : -1;
+    if (!spoke) continue;
+    const std::vector<GenId> beside = diagram.neighbours(g);
+    if (*spoke < 0 && !std::binary_search(beside.begin(), beside.end(), j) && !beside.empty()) {
+      continue;
+    }
+    if (*spoke >= 0) {
+      flip(*spoke);
+    } else {
+      live_.hide(g, j);
+      sink_.change(now_, Hide{g, j});
+    }
+    return true;
+  }
   if (hides_.empty()) return false;
   const auto [g, j] = *hides_.begin();
-  if (!live_.is_visible(g) || !live_.is_visible(j)) {
-    hides_.erase(hides_.begin());
-    return true;
-  }
-  const HalfEdge spoke =
-      live_.diagram().edges() > 0 ? edge_without_length(live_.diagram(), g, j) : -1;
-  if (spoke >= 0) {
-    flip(spoke);
-    return true;
-  }
-  hides_.erase(hides_.begin());
-  live_.hide(g, j);
-  sink_.change(now_, Hide{g, j});
-  return true;
+  throw Undecided("a disk is hidden while its cell has an area", g, j);
 }
 
 bool WorldSweep::appear_one() {
@@ -179,26 +205,23 @@ bool WorldSweep::appear_one() {
     }
     const GenId host = host_after(rows_, g, now_);
     if (host != LiveDiagram::visible) {
-      live_.set_host(g, visible_host(host));
+      live_.set_host(g, host);
       continue;
     }
-    if (swapped_.contains(j)) {
-      throw Undecided("a disk leaves one of two that change places", g, j);
-    }
-    for (const GenId other : appeared_) {
-      if (sign_at(rows_.tangency_of(g, other), now_.exact()) != Sign::zero) continue;
-      throw Undecided("two disks leave another at one place", g, other);
-    }
-    appeared_.insert(g);
-    const GenId from = left_at(rows_, live_, visible_host(j), g, now_);
+    const GenId last = visible_host(j);
     if (live_.diagram().edges() == 0) {
       live_.appear(g);
-      sink_.change(now_, Appear{g, from, std::nullopt});
+      sink_.change(now_, Appear{g, last, std::nullopt});
     } else {
-      const HalfEdge h = cell_exit(rows_, live_.diagram(), from, g, now_.exact());
+      const std::vector<GenId> others = also_left_at(rows_, live_, last, g, now_);
+      if (!others.empty()) crowded_.insert(g);
+      const GenId from = nearest_after(rows_, last, others, g, now_);
+      HalfEdge h = cell_exit(rows_, live_.diagram(), from, g, now_.exact());
+      // Between it and one that g touches then the edge is named with the host.
+      if (live_.diagram().dest(h) == last) h = Diagram::twin(h);
       const Quad at = live_.diagram().quad(h);
+      sink_.change(now_, Appear{g, at.l, at});
       live_.appear(g, h);
-      sink_.change(now_, Appear{g, from, at});
     }
     return true;
   }

@@ -135,8 +135,6 @@ void WorldSweep::look_ahead() {
   fresh_edges_.clear();
   turned_.clear();
   arrived_.clear();
-  swapped_.clear();
-  appeared_.clear();
   edges_seen_.merge(stale_edges_);
   disks_seen_.merge(stale_disks_);
   stale_edges_.clear();

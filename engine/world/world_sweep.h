@@ -82,6 +82,7 @@ class WorldSweep {
   void absorb();
   void suspect(int edge);
   void examine_pairs();
+  void check_crowded();
   bool swap_one();
   bool hide_one();
   bool appear_one();
@@ -107,11 +108,11 @@ class WorldSweep {
   std::set<Pair> swaps_, hides_, touches_;
   std::set<GenId> exits_;
   std::set<std::pair<Quad, int>> illegal_;
-  std::set<int> due_edges_;             // their collapse was found for this instant
-  std::set<int> fresh_edges_;           // that flips have made
-  std::set<GenId> turned_, arrived_;    // whose paths are other ones
-  std::set<GenId> swapped_, appeared_;  // that have changed places, or come out of another
-  std::vector<Quad> flips_;             // that were done
+  std::set<int> due_edges_;           // their collapse was found for this instant
+  std::set<int> fresh_edges_;         // that flips have made
+  std::set<GenId> turned_, arrived_;  // whose paths are other ones
+  std::set<GenId> crowded_;           // that have come out beside more than one
+  std::vector<Quad> flips_;           // that were done
   // Edges and disks for which what comes next is not known.
   std::set<int> stale_edges_;
   std::set<GenId> stale_disks_;

@@ -4,58 +4,15 @@
 #include <utility>
 #include <variant>
 
-#include "tests/world/world_tools.h"
+#include "tests/world/scene_list.h"
 
 namespace voroproof::internal::testing {
 
 namespace {
 
-using Lines = std::vector<ExpectedLine>;
-
-GrowingDisk disk(const Rational& x, const Rational& y, const Rational& radius,
-                 const Rational& vx = 0, const Rational& vy = 0, const Rational& growth = 0) {
-  return {x, y, radius, vx, vy, growth};
-}
-
-World world_of(const Rational& horizon, const std::vector<GrowingDisk>& disks,
-               std::optional<WorldCircle> circle = {}) {
-  World world;
-  world.horizon = horizon;
-  world.circle = std::move(circle);
-  for (const GrowingDisk& d : disks) world.disks.push_back({0, {}, d});
-  return world;
-}
-
-WorldCircle circle_of(const Rational& radius, const Rational& growth = 0) {
-  return {{0, 0}, radius, growth};
-}
-
-World with(World world, std::vector<WorldManeuver> maneuvers) {
-  world.maneuvers = std::move(maneuvers);
-  return world;
-}
-WorldManeuver turn(const Rational& t, int g, const Rational& vx, const Rational& vy) {
-  return {t, g, {}, Point2{vx, vy}, {}, {}};
-}
-WorldManeuver jump(const Rational& t, int g, const Rational& x, const Rational& y) {
-  return {t, g, Point2{x, y}, {}, {}, {}};
-}
-
-// The disks among four that have nothing to do with them.
-std::vector<GrowingDisk> among_others(std::vector<GrowingDisk> disks) {
-  for (const GrowingDisk& d : {disk(-12, 5, 1), disk(10, 8, 2, 0, Rational(1, 7)),
-                               disk(3, -13, 1, Rational(1, 9)), disk(-7, -9, 3)}) {
-    disks.push_back(d);
-  }
-  return disks;
-}
-
-class Scenes {
+class Scenes : private SceneList {
  public:
   std::vector<DegenerateWorld> all() {
-    coincidences();
-    coincidences_of_comers();
-    coincidences_at_turns();
     touches();
     hosts();
     vertices();
@@ -65,116 +22,12 @@ class Scenes {
     jumps_of_special_kinds();
     rates();
     hulls();
+    const std::vector<DegenerateWorld> more = coincidences();
+    all_.insert(all_.end(), more.begin(), more.end());
     return std::move(all_);
   }
 
  private:
-  void add(const std::string& name, World world, std::optional<Lines> lines,
-           std::optional<int> flips = {}) {
-    world.name = name;
-    all_.push_back({name, std::move(world), std::move(lines), flips, {}});
-  }
-  // The same in the plane and in a circle that nothing comes near to.
-  void add_in_both(const std::string& name, World world, const std::optional<Lines>& lines,
-                   const std::optional<Rational>& undecided = {}) {
-    for (const std::string frame : {"plane", "circle"}) {
-      if (frame == "circle") world.circle = circle_of(30);
-      add(name + ", " + frame, world, lines);
-      all_.back().undecided = undecided;
-    }
-  }
-
-  void coincidences() {
-    const Lines swap{{1, "swap [0,1]"}};
-    const auto meet = [&](const std::string& name, const GrowingDisk& a, const GrowingDisk& b) {
-      add_in_both(name, world_of(2, among_others({a, b})), swap);
-    };
-    meet("two equal disks coincide", disk(-2, 0, 1, 2), disk(2, 0, 1, -2));
-    meet("radii cross, slowly", disk(-2, 0, 1, 2, 0, Rational(1, 5)),
-         disk(2, 0, Rational(6, 5), -2));
-    // The smaller is in the larger but at the instant itself.
-    meet("radii cross, fast", disk(-2, 0, 1, 2, 0, Rational(9, 2)),
-         disk(2, 0, Rational(11, 2), -2));
-    meet("radii cross as fast as the disks move", disk(-2, 0, 1, 2, 0, 4), disk(2, 0, 5, -2));
-    add_in_both("three coincide",
-                world_of(2, among_others(
-                                {disk(-2, 0, 1, 2), disk(1, -2, 1, -1, 2), disk(1, 3, 1, -1, -3)})),
-                {}, 1);
-    const World alone = world_of(2, {disk(-2, 0, 1, 2), disk(2, 0, 1, -2), disk(-2, 0, 0, 2)});
-    add_in_both("two that meet hide one that jumps", with(alone, {jump(1, 2, 0, 0)}),
-                Lines{{1, "jump 2"}, {1, "swap [0,1]"}});
-    const World identical = world_of(
-        2, among_others({disk(1, 2, 1, 0, Rational(1, 3)), disk(1, 2, 1, 0, Rational(1, 3))}));
-    add_in_both("identical for ever", identical, Lines{});
-    add_in_both("identical until one turns", with(identical, {turn(1, 0, 1, 0)}),
-                Lines{{1, "turn 0"}, {1, "appear [1,0]"}});
-  }
-
-  // One comes to where others are: it meets nobody before, so that nothing is to be told of it but
-  // that it comes.
-  void coincidences_of_comers() {
-    const Lines jump_1{{1, "jump 1"}};
-    for (const int vx : {-1, 1, -3}) {
-      const World there = with(world_of(2, among_others({disk(-2, 0, 1, 1), disk(2, 0, 1, vx)})),
-                               {jump(1, 1, -1, 0)});
-      add_in_both("one jumps to where another is", there, jump_1);
-    }
-    const Lines comes{{1, "jump 2"}, {1, "swap [0,1]"}};
-    const auto meet = [&](const GrowingDisk& third) {
-      World world = world_of(2, among_others({disk(-2, 0, 1, 2), disk(2, 0, 1, -2, 1), third}));
-      world.disks[1].state.y = -1;
-      return world;
-    };
-    World three = meet(disk(0, 0, 1, 1, 3));
-    three.disks[2].enter = 1;
-    add_in_both("one comes to where two change places", three, comes);
-    add_in_both("one jumps to where two change places",
-                with(meet(disk(4, 7, 1, 1, 3)), {jump(1, 2, 0, 0)}), comes);
-    World two_come = three;
-    two_come.disks[3] = {1, {}, disk(0, 0, 1, -3, 1)};
-    add_in_both("two come to where two change places", two_come,
-                Lines{{1, "jump 2"}, {1, "jump 3"}, {1, "swap [0,1]"}});
-    World same = three;
-    same.disks[1].state = same.disks[0].state;
-    add_in_both("one comes to where two are that are the same for ever", same,
-                Lines{{1, "jump 2"}});
-    World turning = three;
-    turning.disks[1].enter = 3;
-    add_in_both("one comes to where another turns", with(turning, {turn(1, 0, 1, -1)}),
-                Lines{{1, "jump 2"}, {1, "turn 0"}});
-    World leaving = meet(disk(3, 3, 1, -3, -3));
-    leaving.disks[2].leave = 1;
-    add_in_both("of three that meet one goes", leaving, comes);
-    World two_left = leaving;
-    two_left.disks[1].leave = 1;
-    add_in_both("of three that meet two go", two_left, Lines{{1, "jump 1"}, {1, "jump 2"}});
-    // Two meet in one that comes, or in one that goes.
-    World in_one = meet(disk(1, 0, 6));
-    in_one.disks[2].enter = 1;
-    add_in_both("one that comes hides two that meet", in_one, Lines{{1, "jump 2"}});
-    in_one = meet(disk(1, 0, 6));
-    in_one.disks[2].leave = 1;
-    add_in_both("one that goes hid two that meet", in_one, comes);
-  }
-
-  // Two are the same when one of them turns.
-  void coincidences_at_turns() {
-    const World meeting = world_of(2, among_others({disk(-2, 0, 1, 2), disk(2, 0, 1, -2)}));
-    add_in_both("two are one when one turns, and part", with(meeting, {turn(1, 0, 1, 1)}), {}, 1);
-    add_in_both("two become the same for ever", with(meeting, {turn(1, 1, 2, 0)}),
-                Lines{{1, "turn 1"}, {1, "hide [1,0]"}});
-    // The radii cross while one is in the other.
-    const World nested =
-        world_of(2, among_others({disk(-2, 0, 1, 2, 0, 5), disk(0, 0, 7, 0, 0, -1)}));
-    add_in_both("one in another becomes the one around it at a turn",
-                with(nested, {turn(1, 1, 1, 0)}), Lines{{1, "turn 1"}, {1, "swap [0,1]"}});
-    const World back = with(nested, {{1, 0, {}, {}, {}, Rational(-3)}});
-    add_in_both("one in another stays there by a turn", back, Lines{{1, "turn 0"}});
-    const World out = with(nested, {{1, 0, {}, Point2{3, 0}, {}, Rational(-1)}});
-    add_in_both("one in another leaves it by a turn", out,
-                Lines{{1, "turn 0"}, {1, "appear [0,1]"}});
-  }
-
   void touches() {
     const GrowingDisk large = disk(0, 0, 5), passing = disk(3, -2, 2, 0, 2);
     const World world = world_of(3, among_others({large, passing}));
@@ -366,8 +219,6 @@ class Scenes {
     add("two disks only, circle", world_of(4, {disk(-3, 0, 1, 2), disk(1, 0, 1)}, circle_of(20)),
         Lines{{2, "swap [0,1]"}}, 0);
   }
-
-  std::vector<DegenerateWorld> all_;
 };
 
 }  // namespace

@@ -29,6 +29,8 @@ struct DegenerateWorld {
 };
 
 std::vector<DegenerateWorld> degenerate_worlds();
+// Those of them in which disks are one at an instant.
+std::vector<DegenerateWorld> coincidences();
 
 // The event without the place of an appear and without the steps of a jump, its time rounded; none
 // of a flip.

@@ -278,7 +278,16 @@ class Judge {
     }
     const int low = sgn(tangency(g, j, when.low)), high = sgn(tangency(g, j, when.high));
     const bool right = h != nullptr ? low >= 0 && high <= 0 : low <= 0 && high >= 0;
-    return right || fail("not tangent then" + last_);
+    if (right || (a != nullptr && touches_in(g, j, when))) return true;
+    return fail("not tangent then" + last_);
+  }
+
+  // A disk may come out beside one that touches it from inside, or is one with it, just then.
+  bool touches_in(GenId g, GenId j, const TimeRange& when) const {
+    const Rational f = tangency(g, j, when.low), h = tangency(g, j, when.high),
+                   middle = tangency(g, j, (when.low + when.high) / 2);
+    const Rational a = 2 * (f - 2 * middle + h), b = 4 * middle - 3 * f - h;
+    return sgn(a) > 0 && b * b == 4 * a * f && b <= 0 && -b <= 2 * a;
   }
 
   bool changes_in(GenId g, const TimeRange& when) const {

@@ -125,6 +125,25 @@ TEST(DegenerateWorlds, HaveTheirHistories) {
   }
 }
 
+// Two disks leave another at one place: what is told must be right, up to where the run stops.
+TEST(WorldRun, DoesNotErrWhereTwoLeaveAnother) {
+  World world;
+  world.horizon = 2;
+  for (const GrowingDisk& d :
+       {GrowingDisk{0, 0, 5, 0, 0, 0}, GrowingDisk{3, 0, 1, 1, 0, 0},
+        GrowingDisk{2, 1, 1, 2, -1, 0}, GrowingDisk{-12, 5, 1, 0, 0, 0},
+        GrowingDisk{10, 8, 2, 0, Rational(1, 7), 0}, GrowingDisk{3, -13, 1, Rational(1, 9), 0, 0},
+        GrowingDisk{-7, -9, 3, 0, 0, 0}}) {
+    world.disks.push_back({0, {}, d});
+  }
+  const RecordedWorld run = record(world);
+  JudgeOptions judge;
+  if (run.outcome.kind != WorldOutcome::Kind::complete) judge.until = to_rational(run.outcome.t);
+  EXPECT_GE(run.outcome.t, 1);
+  const auto wrong = first_disagreement(world, run.history.initial, run.history.events, judge);
+  EXPECT_EQ(wrong.value_or(""), "");
+}
+
 // The hull of three disks, at the instant at which a point on it touches the disk 1 from inside and
 // the disk 2 has the same tangent line there, has two edges with 1, and one of them has a length.
 TEST(MovingEdges, OfTwoWithOneNameOneHasNoLength) {
