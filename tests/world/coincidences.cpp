@@ -12,6 +12,7 @@ class Coincidences : private SceneList {
     coincidences_of_comers();
     coincidences_at_turns();
     within_others();
+    lattice();
     return std::move(all_);
   }
 
@@ -131,6 +132,20 @@ class Coincidences : private SceneList {
     leaving.disks[0].leave = leaving.disks[1].leave = 1;
     add_in_both("one goes, and another that it hides", leaving,
                 Lines{{1, "jump 0"}, {1, "jump 1"}});
+  }
+
+  // Every other column goes to the right, the others to the left: half of the disks change places
+  // with the other half at one instant.
+  void lattice() {
+    std::vector<GrowingDisk> disks;
+    Lines swaps;
+    for (int k = 0; k < 64; ++k) {
+      disks.push_back(disk(4 * (k % 8), 4 * (k / 8), 1, k % 2 == 0 ? 2 : -2));
+      if (k % 2 == 0) {
+        swaps.push_back({1, "swap [" + std::to_string(k) + "," + std::to_string(k + 1) + "]"});
+      }
+    }
+    add("a lattice changes places, plane", world_of(2, disks), swaps);
   }
 };
 

@@ -81,6 +81,11 @@ class Scenes : private SceneList {
     };
     add_in_both("hide towards a vertex", scene(disk(4, 0, 2, -1)), Lines{{1, "hide [1,0]"}});
     add_in_both("appear towards a vertex", scene(disk(2, 0, 2, 1)), Lines{{1, "appear [1,0]"}});
+    // The edge of 0 and 2, in which the cell of 1 lies, has no length then.
+    add_in_both("a hide where the edge collapses",
+                world_of(2, {disk(0, 0, 5), disk(5, 0, 1, -1), disk(14, 0, 0, 1), disk(10, 5, 0),
+                             disk(10, -5, 0), disk(-12, 3, 1)}),
+                Lines{{1, "hide [1,0]"}});
   }
 
   void few() {
