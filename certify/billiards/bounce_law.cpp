@@ -154,11 +154,12 @@ std::string BounceLaw::fault_of_place(GenId disk, const BilliardPath& path, cons
 std::string BounceLaw::fault(const Meeting& m, const BilliardCollision& claim) const {
   if (filters_ && certainly_obeyed(m, claim)) return {};
   if (std::string fault = law_fault(m, claim); !fault.empty()) return fault;
+  const std::array<Vec3, 2> law = after(m);
   for (const int side : {0, 1}) {
     if (!claim.p[side]) continue;
-    const Vec3 after = claim.v[side] ? value_of(*claim.v[side]) : Vec3{};
-    std::string fault = fault_of_place(side == 0 ? m.pair.a : m.pair.b, side == 0 ? m.a : m.b, m.t,
-                                       value_of(*claim.p[side]), after);
+    std::string fault = fault_of_place(
+        side == 0 ? m.pair.a : m.pair.b, side == 0 ? m.a : m.b, m.t, value_of(*claim.p[side]),
+        claim.v[side] ? value_of(*claim.v[side]) : law[static_cast<std::size_t>(side)]);
     if (!fault.empty()) return fault;
   }
   return {};

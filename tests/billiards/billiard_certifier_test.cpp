@@ -29,6 +29,11 @@ TEST(BilliardCertifier, HeadOn) {
   c.events = {R"({"t":2,"collide":[0,1]})"};
   expect_certified(c);
   EXPECT_EQ(c.judge().computed_velocities, 1);
+  // A centre may be off by the way of the tolerance, also at a velocity that is not claimed.
+  c.events = {R"({"t":2,"collide":[0,1],"p":[[2,0],[4.0000005,0]]})"};
+  expect_certified(c);
+  c.events = {R"({"t":2,"collide":[0,1],"p":[[2,0],[4.000002,0]]})"};
+  expect_refuted(c, Fault::wrong_response, 2);
 }
 
 TEST(BilliardCertifier, MissingAndRepeated) {
