@@ -13,7 +13,7 @@
 #include "apps/run/checkpoints.h"
 #include "apps/run/least_tolerances.h"
 #include "apps/run/limited_history.h"
-#include "apps/run/second_checker.h"
+#include "apps/run/second_words.h"
 #include "apps/run/told_certificate.h"
 #include "apps/verbs/certify_billiard.h"
 #include "apps/verbs/certify_request.h"
@@ -33,18 +33,6 @@
 
 namespace voroproof::internal {
 namespace {
-
-// Makes it that of a history that is not judged to its end. What it says of the files stays.
-void undecide(Certificate& certificate, const std::string& reason, std::int64_t prefix_events,
-              double prefix_t) {
-  Certificate at_limit;  // undecided
-  at_limit.reason = reason;
-  at_limit.prefix_events = prefix_events;
-  at_limit.prefix_t = prefix_t;
-  at_limit.other_horizon = certificate.other_horizon;
-  at_limit.remarks = std::move(certificate.remarks);
-  certificate = std::move(at_limit);
-}
 
 // The shard as its verdict names it: "SHARD 2/8 "; empty for the whole.
 std::string name_of_shard(const CertifyRequest& request, const ShardFile& file) {
@@ -169,27 +157,6 @@ void write_result(const CertifyRequest& request, OutputFile& output, const Shard
   output.commit();
 }
 
-// Makes the certificate that of all checkers, undecided at a limit. Throws Interrupted.
-SecondWords ask(const std::vector<SecondChecker>& seconds, const CertifyRequest& request,
-                const CooperativeInterruption& interruption, ShardFile& file) {
-  Certificate& certificate = file.shard.certificate;
-  SecondWords words;
-  for (const SecondChecker& checker : seconds) {
-    const std::string said = judged_by(checker, certificate, file.run, request.options,
-                                       [&] { return !interruption.requested(); });
-    if (said.empty()) {
-      if (!interruption.late()) throw Interrupted();
-      undecide(certificate,
-               time_limit_reason() + " while the " + std::string(checker.name) + " judges",
-               certificate.prefix_events, certificate.prefix_t);
-      break;
-    }
-    words.emplace_back(checker, said);
-    file.run.second.emplace_back(checker.field, said);
-  }
-  return words;
-}
-
 // The least tolerances are found by reading the history several times.
 void require_whole_file(const CertifyRequest& request) {
   if (request.least_tolerances && (is_stream(request.history) || request.max_events > 0))
@@ -198,8 +165,8 @@ void require_whole_file(const CertifyRequest& request) {
 
 // Scenes of version 2 are certified whole, in their own ways.
 void require_plain(const CertifyRequest& request, const std::string& known) {
-  if (request.order != "format" || request.kernel || request.proved || request.resume ||
-      !request.part.empty() || request.options.unoriented || request.options.strict) {
+  if (request.order != "format" || request.proved || request.resume || !request.part.empty() ||
+      request.options.unoriented || request.options.strict) {
     throw UsageError(known + " only");
   }
   require_order(request.scene, request.history);
@@ -208,7 +175,8 @@ void require_plain(const CertifyRequest& request, const std::string& known) {
 ExitCode certify_files_of_world(const CertifyRequest& request) {
   const std::string known = "a world is certified with --tolerance, --max-events and --quiet";
   require_plain(request, known);
-  if (request.events != "all" || !request.report.empty() || request.least_tolerances)
+  if (request.events != "all" || !request.report.empty() || request.least_tolerances ||
+      request.kernel)
     throw UsageError(known + " only");
   return certify_world(request);
 }
@@ -216,7 +184,7 @@ ExitCode certify_files_of_world(const CertifyRequest& request) {
 ExitCode certify_files_of_billiard(const CertifyRequest& request) {
   const std::string known =
       "a billiard is certified with --truth, --events, --tolerance, --law-tolerance, --max-bits, "
-      "--max-events, --report, --least-tolerances and --quiet";
+      "--max-events, --report, --least-tolerances, --kernel and --quiet";
   require_plain(request, known);
   return certify_billiard(request);
 }
@@ -286,7 +254,7 @@ ExitCode certify_files(CertifyRequest& request) {
       return judge_anew(request, file.run, other);
     });
   }
-  const SecondWords second = ask(seconds, request, interruption, file);
+  const SecondWords second = second_words(seconds, options, interruption, file);
   interruption.wind_up();
   file.run.evidence = checked_evidence(certificate, request.scene, request.history);
   if (report_file) write_result(request, *report_file, file);

@@ -8,6 +8,7 @@
 #include "apps/cli/limits.h"
 #include "apps/cli/progress.h"
 #include "apps/run/least_tolerances.h"
+#include "apps/run/second_words.h"
 #include "apps/run/told_certificate.h"
 #include "certify/billiards/billiard_certifier.h"
 #include "certify/recorded_certifier.h"
@@ -48,9 +49,17 @@ Certificate judge(const CertifyRequest& request, const Billiard& billiard,
   }
 }
 
+std::vector<SecondChecker> second_checkers(const CertifyRequest& request) {
+  if (!request.kernel) return {};
+  if (request.truth != "recorded")
+    throw UsageError("--kernel: the kernel judges billiards with --truth recorded only");
+  return {kernel_checker()};
+}
+
 }  // namespace
 
 ExitCode certify_billiard(const CertifyRequest& request) {
+  const std::vector<SecondChecker> seconds = second_checkers(request);
   require_distinct({request.scene, request.history}, {request.report});
   CooperativeInterruption interruption;
   std::optional<OutputFile> report;
@@ -68,7 +77,7 @@ ExitCode certify_billiard(const CertifyRequest& request) {
   Certificate& certificate = file.shard.certificate;
   certificate = judge(request, billiard, history, file.options, interruption);
   certificate.other_horizon = other_horizon(billiard.horizon, history.header());
-  if (report) file.run.history_sha256 = history.content_sha256();
+  if (report || request.kernel) file.run.history_sha256 = history.content_sha256();
   file.run.evidence = checked_evidence(certificate, request.scene, request.history);
   if (request.least_tolerances) {
     add_least_tolerances(file, interruption, [&](const CertifyOptions& other) {
@@ -79,12 +88,13 @@ ExitCode certify_billiard(const CertifyRequest& request) {
       return anew;
     });
   }
+  const SecondWords second = second_words(seconds, file.options, interruption, file);
   interruption.wind_up();
   if (report) {
     report->write(report_text(file.run, file.options, certificate));
     report->commit();
   }
-  tell(words_beside({request.report}), file, {}, {}, request.quiet);
+  tell(words_beside({request.report}), file, second, {}, request.quiet);
   return exit_code(certificate.verdict);
 }
 

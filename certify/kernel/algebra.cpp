@@ -68,6 +68,12 @@ Rat length_above(const Vec& v) {
   return Rat(sqrt(radicand) + 1, denominator(n) << 62);
 }
 
+std::int64_t truncated(const Rat& x, unsigned bits) {
+  const Int n = numerator(x) / denominator(x);
+  if (abs(n) >> bits != 0) undecided("a disk is farther out than places and images are counted");
+  return n.convert_to<std::int64_t>();
+}
+
 std::string about(const Rat& x) {
   std::ostringstream text;
   text << std::setprecision(12) << x.convert_to<double>();
@@ -174,6 +180,37 @@ Form squarefree(const Form& p) {
   for (std::size_t k = 1; k < whole.size(); ++k) derivative.push_back(k * whole[k]);
   remainder(whole, common(whole, derivative), result);
   return result;
+}
+
+Form polynomial(const std::vector<Rat>& coefficients) {
+  Int scale = 1;
+  for (const Rat& c : coefficients) scale = lcm(scale, denominator(c));
+  Form p;
+  for (const Rat& c : coefficients) p.push_back(numerator(c) * (scale / denominator(c)));
+  while (p.size() > 1 && p.back() == 0) p.pop_back();
+  return p;
+}
+
+Form over(const Form& p, const Rat& a, const Rat& b) {
+  const Int &m = denominator(a), &n = denominator(b);
+  const Form t{numerator(a) * n, numerator(b) * m}, one{m * n, m * n};
+  Form result{p.back()}, ones = one;
+  for (std::size_t k = p.size() - 1; k-- > 0; ones = ones * one) {
+    result = result * t;
+    for (std::size_t i = 0; i < ones.size(); ++i) result[i] += p[k] * ones[i];
+  }
+  return result;
+}
+
+int sign_at(const Form& p, const Rat& t) { return sgn(over(p, t, t).front()); }
+
+int sign_beside(const Form& p, const Rat& t, int side) {
+  const Form f = side < 0 ? over(p, t - 1, t) : over(p, t, t + 1);
+  int sign = 0;
+  for (const Int& c : f) {
+    if (side < 0 ? c != 0 : sign == 0) sign = sgn(c);
+  }
+  return sign;
 }
 
 }  // namespace voroproof_kernel

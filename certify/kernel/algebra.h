@@ -29,7 +29,7 @@ using Rat = numbers::number<
     numbers::gmp_rational,
 #endif
     numbers::et_off>;
-using Vec = std::array<Rat, 2>;
+using Vec = std::array<Rat, 3>;  // the third coordinate is 0 in the plane
 
 // A verdict that ends the work; line 0: the line at hand.
 struct Stop {
@@ -50,10 +50,13 @@ struct Stop {
 inline int sgn(const Int& x) { return x.sign(); }
 inline int sgn(const Rat& x) { return x.sign(); }
 inline Rat square(const Rat& x) { return x * x; }
-inline Rat dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline Rat dot(const Vec& a, const Vec& b) {
+  const Rat sum = a[0] * b[0] + a[1] * b[1];
+  return sgn(a[2]) * sgn(b[2]) == 0 ? sum : Rat(sum + a[2] * b[2]);
+}
 inline Rat norm2(const Vec& a) { return dot(a, a); }
 inline Vec plus(const Vec& v, const Rat& k, const Vec& n) {  // v + k n
-  return {v[0] + k * n[0], v[1] + k * n[1]};
+  return {v[0] + k * n[0], v[1] + k * n[1], sgn(n[2]) == 0 ? v[2] : Rat(v[2] + k * n[2])};
 }
 inline Vec minus(const Vec& a, const Vec& b) { return plus(a, -1, b); }
 
@@ -66,6 +69,9 @@ Rat nearest_binary64(const Rat& x);
 Rat exact_string(const std::string& text);
 // An upper bound of the length of v, less than 2^-60 of it too great.
 Rat length_above(const Vec& v);
+// The whole number next to x towards zero. Throws Stop (undecided) where it has more bits than
+// that.
+std::int64_t truncated(const Rat& x, unsigned bits);
 // The number for messages: twelve digits.
 std::string about(const Rat& x);
 
@@ -87,5 +93,12 @@ int variations(const Form& p);
 Form squarefree(const Form& p);
 // The roots in (a, b) that both have. Neither is zero.
 Form common(Form p, Form q);
+
+// A polynomial with coefficients by rising powers, up to a positive factor; its form over [a, b];
+// and the signs of it at t, and just before (-1) or after (1) t.
+Form polynomial(const std::vector<Rat>& coefficients);
+Form over(const Form& p, const Rat& a, const Rat& b);
+int sign_at(const Form& p, const Rat& t);
+int sign_beside(const Form& p, const Rat& t, int side);
 
 }  // namespace voroproof_kernel

@@ -170,8 +170,8 @@ class Search {
   }
 
   // The collapse in [k, k + 1] / 2^depth of the span, where the tangencies have their right signs.
-  std::optional<Collapse> in_piece(const Span& span, const Vec& interval, Form f, const Int& k,
-                                   unsigned depth) {
+  std::optional<Collapse> in_piece(const Span& span, const std::array<Rat, 2>& interval, Form f,
+                                   const Int& k, unsigned depth) {
     const bool deep = depth >= 30, always = span.always();
     const auto time = [&](const Int& at, unsigned of) {
       return interval[0] + interval[1] * Rat(at, Int(1) << of);

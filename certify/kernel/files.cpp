@@ -2,136 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
+#include "certify/kernel/json.h"
+
 namespace voroproof_kernel {
 namespace {
-
-// The floating-point numbers are binary64; that of nlohmann is wider only so that it does not
-// refuse the integers of a seed.
-using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
-                                  std::uint64_t, long double>;
-
-// Refuses what nlohmann would let pass: keys that occur twice, nesting without end, numbers beyond
-// binary64, or that are not zero and whose nearest binary64 is. An integer beyond 64 bits is the
-// nearest binary64; where it is a scene's seed, which is not used, it is 0.
-class StrictReader : public nlohmann::detail::json_sax_dom_parser<Json> {
-  using Base = nlohmann::detail::json_sax_dom_parser<Json>;
-
- public:
-  explicit StrictReader(Json& result) : Base(result, false) {}
-  bool start_object(std::size_t size) { return open() && Base::start_object(size); }
-  bool start_array(std::size_t size) { return open() && Base::start_array(size); }
-  bool end_object() { return close() && Base::end_object(); }
-  bool end_array() { return close() && Base::end_array(); }
-  bool key(std::string& name) {
-    if (!keys_.back().insert(name).second) invalid("a field occurs twice");
-    is_seed_ = name == "seed";
-    return Base::key(name);
-  }
-  bool number_float(long double, const std::string& text) {
-    if (text.size() > 4096) invalid("a number of more than 4096 characters");
-    if (is_seed_ && keys_.size() == 1 && text.find_first_of(".eE") == std::string::npos) {
-      if (text.size() > 1000) invalid("a seed of more than 1000 characters");
-      return Base::number_integer(0);
-    }
-    const double x = std::strtod(text.c_str(), nullptr);
-    const bool zero = text.find_first_of("123456789") >= text.find_first_of("eE");
-    if (std::isinf(x) || (x == 0 && !zero)) invalid("beyond the range of binary64");
-    return Base::number_float(x, text);
-  }
-
- private:
-  bool open() {
-    keys_.emplace_back();
-    if (keys_.size() > 16) invalid("nested too deeply");
-    return true;
-  }
-  bool close() {
-    keys_.pop_back();
-    return true;
-  }
-  std::vector<std::set<std::string>> keys_;  // keys of each object or list that is open
-  bool is_seed_ = false;                     // whether the key read last is that of a seed
-};
-
-Json parse(const char* begin, const char* end) {
-  Json result;
-  StrictReader reader(result);
-  if (!Json::sax_parse(begin, end, &reader)) invalid("not JSON");
-  return result;
-}
-
-using Names = std::initializer_list<const char*>;
-
-// Requires that an object has all fields of the first list, and of others only those of the second
-// and, where it may have them, extensions.
-void expect_fields(const Json& object, Names required, Names optional = {},
-                   bool extensible = true) {
-  std::size_t known = required.size();
-  for (const char* name : required) {
-    if (!object.contains(name)) invalid(std::string("the field '") + name + "' is missing");
-  }
-  for (const char* name : optional) known += object.contains(name);
-  for (const auto& [name, value] : object.items()) known += extensible && name.starts_with("x-");
-  if (known != object.size()) invalid("an unknown field");
-}
-
-// Before the other fields: a newer version may have some that are not known here.
-void expect_format(const Json& object, const char* format) {
-  const Json version = object.value("version", Json());
-  if (object.value("format", Json()) != format || !version.is_number_integer())
-    invalid("another format or version");
-  if (version > 1) invalid("of version " + version.dump() + "; this program reads version 1");
-  if (version != 1) invalid("another format or version");
-}
-
-const std::string& string_of(const Json& json) {
-  if (!json.is_string()) invalid("not a string");
-  return json.get_ref<const std::string&>();
-}
-
-// strtod rounds correctly; integers are rounded to nearest, too.
-Rat number(const Json& json) {
-  if (json.is_number()) return exactly(json.get<double>());
-  return exact_string(string_of(json));
-}
-
-// The limits are binary64, the one a little more and the other a little less than the power of ten.
-Rat scene_number(const Json& json) {
-  const Rat x = number(json), size = abs(x);
-  if (x != 0 && (size > exactly(1e100) || size < exactly(1e-100)))
-    invalid("beyond a scene's limits");
-  return x;
-}
-
-Rat history_number(const Json& json) {
-  const Rat x = number(json);
-  if (x != 0 && json.is_string() && nearest_binary64(x) == 0) invalid("beyond binary64");
-  return x;
-}
-
-const Json& list(const Json& json, std::size_t least, std::size_t most) {
-  if (!json.is_array() || json.size() < least || json.size() > most) invalid("not such a list");
-  return json;
-}
-
-Vec vec(const Json& json, Rat read(const Json&)) {
-  list(json, 2, 2);
-  return {read(json[0]), read(json[1])};
-}
-
-std::int64_t whole(const Json& json, std::int64_t least, std::int64_t most) {
-  if (!json.is_number_integer()) invalid("not an integer");
-  const bool huge = json.is_number_unsigned() && json.get<std::uint64_t>() > INT64_MAX;
-  const std::int64_t x = huge ? INT64_MAX : json.get<std::int64_t>();
-  if (huge || x < least || x > most) invalid("an integer beyond its limits");
-  return x;
-}
 
 Quad edge(const Json& json, int n) {
   list(json, 4, 4);
@@ -143,66 +20,103 @@ Quad edge(const Json& json, int n) {
 }
 
 // v or p of a claim, of one disk or of two.
-void read_vectors(const Json& json, const char* name, const Claim& claim,
-                  std::optional<Vec> (&to)[2]) {
+void read_vectors(const Json& json, const char* name, const Scene& scene, Claim& claim) {
   if (!json.contains(name)) return;
   const Json& field = json[name];
+  const bool places = *name == 'p';
+  std::optional<Vec>(&to)[2] = places ? claim.p : claim.v;
   if (claim.kind == Claim::Kind::maneuver) {
-    to[1] = vec(field, history_number);
+    to[1] = vec(field, history_number, scene.coordinates());
     return;
   }
   list(field, 2, 2);
-  if (field[0].is_null() != (claim.first == 1)) invalid("null stands for the container");
-  for (int k = claim.first; k < 2; ++k) to[k] = vec(field[k], history_number);
+  for (int k = 0; k < 2; ++k) {
+    const bool wall = claim.id[k] < 0;
+    const bool may_lack =
+        scene.is_billiard() && (places || (!wall && scene.disks[claim.id[k]].fixed));
+    if (field[k].is_null() ? !wall && !may_lack : wall) invalid("null stands for the frame");
+    if (!field[k].is_null()) to[k] = vec(field[k], history_number, scene.coordinates());
+  }
 }
 
-Claim read_claim(const Json& json, int n) {
+Image read_image(const Json& json, const Scene& scene, const Claim& claim) {
+  const std::size_t coordinates = scene.coordinates();
+  list(json, coordinates, coordinates);
+  Image image{};
+  for (std::size_t k = 0; k < coordinates; ++k) {
+    const int most = claim.first == 0 && scene.sides[k] != 0 ? 1 << 30 : 0;
+    image[k] = static_cast<int>(whole(json[k], -most, most));
+  }
+  return image;
+}
+
+Claim read_claim(const Json& json, const Scene& scene) {
+  const int n = static_cast<int>(scene.disks.size());
   Claim claim{};
   claim.first = 2;
-  if (json.contains("flip")) {
+  if (!scene.is_billiard() && json.contains("flip")) {
     expect_fields(json, {"t", "flip"});
     claim.quad = edge(json["flip"], n);
   } else {
     const bool two = json.contains("collide");
-    expect_fields(json, {"t", two ? "collide" : "maneuver"}, {"v", "p"});
+    if (two && scene.is_billiard()) {
+      expect_fields(json, {"t", "collide"}, {"v", "p", "image"});
+    } else {
+      expect_fields(json, {"t", two ? "collide" : "maneuver"}, {"v", "p"});
+    }
     claim.kind = two ? Claim::Kind::collision : Claim::Kind::maneuver;
     const Json& id = two ? list(json["collide"], 2, 2) : json["maneuver"];
     claim.id[1] = static_cast<int>(whole(two ? id[1] : id, 0, n - 1));
-    claim.id[0] = two ? static_cast<int>(whole(id[0], container, claim.id[1] - 1)) : container;
-    claim.first = claim.id[0] == container ? 1 : 0;
-    read_vectors(json, "v", claim, claim.v);
-    read_vectors(json, "p", claim, claim.p);
+    claim.id[0] =
+        two ? static_cast<int>(whole(id[0], scene.last_wall(), claim.id[1] - 1)) : container;
+    claim.first = claim.id[0] < 0 ? 1 : 0;
+    if (json.contains("image")) claim.image = read_image(json["image"], scene, claim);
+    read_vectors(json, "v", scene, claim);
+    read_vectors(json, "p", scene, claim);
   }
   claim.t = claim.filed = history_number(json["t"]);
   return claim;
 }
 
-void read_header(const Json& json, int n, History& history) {
-  expect_format(json, "voroproof-history");
+void read_header(const Json& json, const Scene& scene, History& history) {
+  if (version_of(json, "voroproof-history") != (scene.is_billiard() ? 2 : 1))
+    invalid("of another version than its scene");
   expect_fields(json, {"format", "version", "scene_sha256", "horizon", "producer"}, {"initial"});
   string_of(json["producer"]);
   history.scene_sha256 = string_of(json["scene_sha256"]);
   history.horizon = history_number(json["horizon"]);
   if (history.horizon < 0) invalid("a negative horizon");
   if (!json.contains("initial")) return;
+  if (scene.is_billiard()) invalid("a billiard has no diagram");
   history.initial.emplace();
+  const int n = static_cast<int>(scene.disks.size());
   for (const Json& q : list(json["initial"], 0, SIZE_MAX)) history.initial->push_back(edge(q, n));
 }
 
-void read_last(const Json& json, History& history) {
+void read_last(const Json& json, const Scene& scene, History& history) {
   history.stopped = json.contains("stopped");
   expect_fields(json, {history.stopped ? "stopped" : "end"});
   const Json& last = history.stopped ? json["stopped"] : json["end"];
   if (history.stopped) {
-    expect_fields(last, {"t", "reason"}, {"events"}, false);
+    if (scene.is_billiard()) {
+      expect_fields(last, {"t", "reason"}, {}, false);
+    } else {
+      expect_fields(last, {"t", "reason"}, {"events"}, false);
+    }
     string_of(last["reason"]);
     return;
   }
-  const char* names[] = {"flips", "collisions", "maneuvers"};
-  expect_fields(last, {"t", names[0], names[1], names[2]}, {}, false);
+  if (scene.is_billiard()) {
+    const Names none = {"flips", "hides", "appears", "swaps", "jumps"};
+    expect_fields(last, {"t", "collisions", "maneuvers"}, none, false);
+    for (const char* name : none) whole(last.value(name, Json(0)), 0, 0);
+  } else {
+    expect_fields(last, {"t", "flips", "collisions", "maneuvers"}, {}, false);
+  }
   const Rat t = history_number(last["t"]);
   if (t != history.horizon && t != nearest_binary64(history.horizon)) invalid("t of the last line");
-  for (int k = 0; k < 3; ++k) history.ended[k] = whole(last[names[k]], 0, INT64_MAX);
+  const char* names[] = {"flips", "collisions", "maneuvers"};
+  for (int k = 0; k < 3; ++k) history.ended[k] = whole(last.value(names[k], Json(0)), 0, INT64_MAX);
 }
 
 Disk read_disk(const Json& json, bool alone) {
@@ -254,14 +168,33 @@ std::string name(const Quad& q) {
   return "[" + text(q.l) + "," + text(q.r) + "," + text(q.s) + "," + text(q.e) + "]";
 }
 
+void read_remarks(const Json& json) {
+  for (const char* word : {"name", "comment"}) string_of(json.value(word, Json("")));
+  if (const Json seed = json.value("seed", Json(0)); !seed.is_number_integer()) string_of(seed);
+}
+
+void read_maneuvers(const Json& json, Scene& scene) {
+  std::set<std::pair<Rat, int>> seen;
+  const Json maneuvers = json.value("maneuvers", Json::array());
+  for (const Json& one : list(maneuvers, 0, 2000000)) {
+    expect_fields(one, {"t", "disk", "velocity"});
+    const auto most = static_cast<std::int64_t>(scene.disks.size()) - 1;
+    const Maneuver m{scene_number(one["t"]), static_cast<int>(whole(one["disk"], 0, most)),
+                     vec(one["velocity"], scene_number, scene.coordinates())};
+    const bool later = m.t >= 0 && seen.emplace(m.t, m.disk).second && m.t >= seen.rbegin()->first;
+    if (!later) invalid("maneuvers are sorted by t, from 0, one of a disk at an instant");
+    if (scene.disks[m.disk].fixed) invalid("a maneuver of a fixed disk");
+    scene.maneuvers.push_back(m);
+  }
+}
+
 Scene read_scene(const std::string& text) {
   const Json json = parse(text.data(), text.data() + text.size());
   if (!json.is_object()) invalid("not a JSON object");
-  expect_format(json, "voroproof-scene");
+  if (version_of(json, "voroproof-scene") == 2) return read_billiard(json);
   expect_fields(json, {"format", "version", "container", "horizon", "disks"},
                 {"name", "comment", "seed", "container_law", "restitution", "maneuvers"});
-  for (const char* word : {"name", "comment"}) string_of(json.value(word, Json("")));
-  if (const Json seed = json.value("seed", Json(0)); !seed.is_number_integer()) string_of(seed);
+  read_remarks(json);
   const Json& wall = json["container"];
   expect_fields(wall, {"center", "radius"}, {"restitution"}, false);
   Scene scene;
@@ -278,22 +211,12 @@ Scene read_scene(const std::string& text) {
   if (!scene.whole_law && law != "normal") invalid("an unknown law");
   const Json& disks = list(json["disks"], 0, 2000000);
   for (const Json& one : disks) scene.disks.push_back(read_disk(one, disks.size() == 1));
-  std::set<std::pair<Rat, int>> seen;
-  const Json maneuvers = json.value("maneuvers", Json::array());
-  for (const Json& one : list(maneuvers, 0, 2000000)) {
-    expect_fields(one, {"t", "disk", "velocity"});
-    const auto most = static_cast<std::int64_t>(disks.size()) - 1;
-    const Maneuver m{scene_number(one["t"]), static_cast<int>(whole(one["disk"], 0, most)),
-                     vec(one["velocity"], scene_number)};
-    const bool later = m.t >= 0 && seen.emplace(m.t, m.disk).second && m.t >= seen.rbegin()->first;
-    if (!later) invalid("maneuvers are sorted by t, from 0, one of a disk at an instant");
-    scene.maneuvers.push_back(m);
-  }
+  read_maneuvers(json, scene);
   check_places(scene);
   return scene;
 }
 
-History read_history(const std::string& text, int n) {
+History read_history(const std::string& text, const Scene& scene) {
   History history;
   std::int64_t line = 0;
   try {
@@ -306,13 +229,13 @@ History read_history(const std::string& text, int n) {
       at = std::min(end + 1, text.size());
       if (!json.is_object()) invalid("not a JSON object");
       if (line == 1) {
-        read_header(json, n, history);
+        read_header(json, scene, history);
       } else if (json.contains("end") || json.contains("stopped")) {
-        read_last(json, history);
+        read_last(json, scene, history);
         if (at < text.size()) invalid("something follows the last line");
         history.last_line = line;
       } else {
-        history.claims.push_back(read_claim(json, n));
+        history.claims.push_back(read_claim(json, scene));
         Claim& claim = history.claims.back();
         claim.line = line;
         const bool first = history.claims.size() == 1;

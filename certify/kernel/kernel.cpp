@@ -71,6 +71,40 @@ std::vector<Found> work_on_all(const Problem& p, const std::vector<Part>& parts)
   return all;
 }
 
+void judge_diagram(Problem& p, Counts& counts) {
+  const History& h = p.history;
+  trace_paths(p, counts);
+  if (!h.initial && p.disks() >= 2) undecided("the history has no initial diagram");
+  if (h.initial && p.disks() < 2 && !h.initial->empty()) refute("wrong initial diagram");
+  const auto all = work_on_all(p, p.disks() >= 2 ? parts_of(p) : std::vector<Part>{});
+  for (const Found& found : all) add(counts, found.counts);
+  const Found& first = *std::min_element(
+      all.begin(), all.end(), [](const Found& x, const Found& y) { return x.rank() < y.rank(); });
+  if (first.verdict != Verdict::certified) {
+    throw Stop{first.verdict, first.reason, first.line, false, first.sight};
+  }
+}
+
+// To which roundings of coordinates are in proportion.
+Rat extent_of(const Scene& scene) {
+  Rat extent = 0, frame = 0;
+  for (const Disk& d : scene.disks) {
+    for (const Rat& x : d.center) extent = std::max(extent, Rat(abs(x) + d.radius));
+  }
+  for (const Rat& x : scene.center) frame = std::max(frame, Rat(abs(x) + scene.radius));
+  for (const Wall& wall : scene.walls) frame = std::max(frame, Rat(abs(wall.offset)));
+  return extent + frame + scene.sides[0] + scene.sides[1] + scene.sides[2];
+}
+
+void judge_billiard(Problem& p, Counts& counts) {
+  if (p.exact()) undecided("the kernel judges billiards under the recorded truth alone");
+  if (p.history.horizon > p.scene.horizon) invalid("the history goes beyond its scene's horizon");
+  p.extent = extent_of(p.scene);
+  std::vector<Life> lives = trace_flights(p, counts);
+  at_line(p.history.last_line, [&] { find_lives(p, lives); });
+  check_collisions(p, std::move(lives), counts);
+}
+
 void judge(Problem& p, Result& result) {
   const History& h = p.history;
   if (h.stopped) undecided("the history stops before its horizon");
@@ -79,15 +113,10 @@ void judge(Problem& p, Result& result) {
     result.horizon_note = "horizon " + h.horizon.str() + " of the scene's " + p.scene.horizon.str();
   }
   result.is_first = false;  // each rule looks at all claims before the next does
-  trace_paths(p, result.counts);
-  if (!h.initial && p.disks() >= 2) undecided("the history has no initial diagram");
-  if (h.initial && p.disks() < 2 && !h.initial->empty()) refute("wrong initial diagram");
-  const auto all = work_on_all(p, p.disks() >= 2 ? parts_of(p) : std::vector<Part>{});
-  for (const Found& found : all) add(result.counts, found.counts);
-  const Found& first = *std::min_element(
-      all.begin(), all.end(), [](const Found& x, const Found& y) { return x.rank() < y.rank(); });
-  if (first.verdict != Verdict::certified) {
-    throw Stop{first.verdict, first.reason, first.line, false, first.sight};
+  if (p.scene.is_billiard()) {
+    judge_billiard(p, result.counts);
+  } else {
+    judge_diagram(p, result.counts);
   }
   result.is_first = true;
   const Counts& c = result.counts;
@@ -96,7 +125,6 @@ void judge(Problem& p, Result& result) {
   }
   result.verdict = Verdict::certified;
 }
-
 }  // namespace
 
 Result check(const std::string& scene_text, const std::string& history_text,
@@ -112,7 +140,7 @@ Result check(const std::string& scene_text, const std::string& history_text, Pro
     p.law_tolerance = exact_string(p.options.law_tolerance);
     if (p.tolerance <= 0 || p.law_tolerance < 0 || p.law_tolerance > 1) invalid("a bad tolerance");
     p.scene = read_scene(scene_text);
-    p.history = read_history(history_text, p.disks());
+    p.history = read_history(history_text, p.scene);
     // A tolerance of times beyond that would accept any.
     const bool vast = p.tolerance > std::max(p.history.horizon, Rat(1, 1000000));
     if (vast) invalid("a tolerance beyond the horizon");

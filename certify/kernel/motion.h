@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "certify/kernel/billiard.h"
 #include "certify/kernel/diagram.h"
 #include "certify/kernel/edge.h"
 
@@ -15,11 +16,18 @@ struct Problem {
   Options options;
   Rat tolerance{}, law_tolerance{};
   std::vector<std::vector<Leg>> legs{};  // paths, of generator g at [g + 1], one leg for each turn
+  std::vector<std::vector<Flight>> flights{};  // the paths of a billiard's disks
+  Rat extent{};                                // the size of a billiard at the start
 
   bool exact() const { return options.truth == Truth::exact; }
   int disks() const { return static_cast<int>(scene.disks.size()); }
   Rat radius(int g) const { return g == container ? -scene.radius : scene.disks[g].radius; }
   Rat reach(int i, int j) const { return abs(radius(i) + radius(j)); }
+  bool is_fixed(int g) const { return g < 0 || scene.disks[g].fixed; }
+  Vec fall(int g) const { return is_fixed(g) ? Vec{} : plus({}, Rat(1, 2), scene.gravity); }
+  Vec place(int g, const Flight& f, const Rat& t) const {
+    return plus(plus(f.a, t, f.b), t * t, fall(g));
+  }
   void tell(const char* rule, std::size_t claim) const {
     if (options.progress) options.progress(rule, claim, history.claims.size());
   }
@@ -33,6 +41,31 @@ inline Sight sight(const Rat& t, std::initializer_list<int> generators) {
   return s;
 }
 inline Sight sight(const Rat& t, const Quad& q) { return sight(t, {q.l, q.r, q.s, q.e}); }
+
+// Does the work; a Stop that names no line names that one then.
+template <class Work>
+void at_line(std::int64_t line, Work&& work) {
+  try {
+    work();
+  } catch (Stop& stop) {
+    if (stop.line == 0) stop.line = line;
+    throw;
+  }
+}
+
+// The scene's maneuvers up to the horizon, as far as they are not claimed yet.
+class Schedule {
+ public:
+  explicit Schedule(const Problem& p) : p_(p), done_(p.scene.maneuvers.size()) {}
+  // The one that is claimed. Throws Stop (refuted) where there is none then.
+  const Maneuver& claimed(const Claim& c);
+  // Throws Stop (refuted) where one is left.
+  void require_done() const;
+
+ private:
+  const Problem& p_;
+  std::vector<bool> done_;
+};
 
 // The gap |d(t)|^2 - reach^2 = a s^2 + 2 b s + c of two on their lines, s = t - start.
 struct Gap {

@@ -11,7 +11,7 @@ using Pair = std::array<Vec, 2>;
 // Follows the claims in the order of the file.
 class Tracer {
  public:
-  Tracer(Problem& p, Counts& counts) : p_(p), counts_(counts), done_(p.scene.maneuvers.size()) {
+  Tracer(Problem& p, Counts& counts) : p_(p), counts_(counts), schedule_(p) {
     p_.legs.resize(p_.disks() + 1);
     p_.legs[0].emplace_back(0, p_.scene.center, Vec{0, 0}, p_.radius(container));
     for (int i = 0; i < p_.disks(); ++i) {
@@ -24,7 +24,8 @@ class Tracer {
   void claim(Claim& c, std::size_t number) {
     if (c.first == 2) return;
     const bool collision = c.kind == Claim::Kind::collision;
-    const Maneuver* due = collision ? nullptr : &maneuver_of(c);
+    counts_.maneuvers += !collision;
+    const Maneuver* due = collision ? nullptr : &schedule_.claimed(c);
     if (p_.exact()) {
       c.t = collision ? exact_contact(c) : due->t;
       if (abs(c.t - c.filed) > p_.tolerance) refute("its time is " + about(c.t));
@@ -52,30 +53,11 @@ class Tracer {
     }
   }
 
-  void all_maneuvers_done() const {
-    for (std::size_t k = 0; k < done_.size(); ++k) {
-      const Maneuver& m = p_.scene.maneuvers[k];
-      if (done_[k] || m.t > p_.history.horizon) continue;
-      refute("disk " + std::to_string(m.disk) + " has a maneuver at " + about(m.t),
-             sight(m.t, {m.disk}));
-    }
-  }
+  void finish() const { schedule_.require_done(); }
 
  private:
   const Leg& leg(const Claim& c, int k) const { return p_.legs[c.id[k] + 1].back(); }
   Rat mass(int g) const { return p_.scene.disks[g].mass; }
-
-  const Maneuver& maneuver_of(const Claim& c) {
-    ++counts_.maneuvers;
-    const auto& list = p_.scene.maneuvers;
-    std::size_t k = 0;
-    while (k < list.size() && (done_[k] || list[k].disk != c.id[1])) ++k;
-    if (k == list.size()) refute("the scene has no such maneuver");
-    if (abs(list[k].t - c.t) > p_.tolerance) refute("the maneuver is at " + about(list[k].t));
-    if (list[k].t > p_.history.horizon) refute("the maneuver is after the horizon");
-    done_[k] = true;
-    return list[k];
-  }
 
   Vec turned(const Claim& c, const Maneuver& due) const {
     const Vec& v = due.velocity;
@@ -97,7 +79,7 @@ class Tracer {
         return {c.v[0].value_or(Vec{}), *c.v[1]};
       }
       Pair v = response(c, filed, before);
-      for (Vec& one : v) one = {nearest_binary64(one[0]), nearest_binary64(one[1])};
+      for (Vec& one : v) one = {nearest_binary64(one[0]), nearest_binary64(one[1]), 0};
       return v;
     }
     const Pair told{c.first == 0 ? told_[c.id[0]] : Vec{}, told_[c.id[1]]};
@@ -191,11 +173,31 @@ class Tracer {
 
   Problem& p_;
   Counts& counts_;
-  std::vector<bool> done_;  // maneuvers that have been claimed
-  std::vector<Vec> told_;   // by disk: its velocity as the file has it
+  Schedule schedule_;
+  std::vector<Vec> told_;  // by disk: its velocity as the file has it
 };
 
 }  // namespace
+
+const Maneuver& Schedule::claimed(const Claim& c) {
+  const auto& list = p_.scene.maneuvers;
+  std::size_t k = 0;
+  while (k < list.size() && (done_[k] || list[k].disk != c.id[1])) ++k;
+  if (k == list.size()) refute("the scene has no such maneuver");
+  if (abs(list[k].t - c.t) > p_.tolerance) refute("the maneuver is at " + about(list[k].t));
+  if (list[k].t > p_.history.horizon) refute("the maneuver is after the horizon");
+  done_[k] = true;
+  return list[k];
+}
+
+void Schedule::require_done() const {
+  for (std::size_t k = 0; k < done_.size(); ++k) {
+    const Maneuver& m = p_.scene.maneuvers[k];
+    if (done_[k] || m.t > p_.history.horizon) continue;
+    refute("disk " + std::to_string(m.disk) + " has a maneuver at " + about(m.t),
+           sight(m.t, {m.disk}));
+  }
+}
 
 Gap::Gap(const Leg& i, const Leg& j) : start(std::max(i.start, j.start)) {
   const Vec d = minus(j.at(start), i.at(start)), w = minus(j.velocity, i.velocity);
@@ -208,14 +210,9 @@ void trace_paths(Problem& p, Counts& counts) {
   Tracer tracer(p, counts);
   for (std::size_t k = 0; k < p.history.claims.size(); ++k) {
     p.tell("paths", k);
-    try {
-      tracer.claim(p.history.claims[k], k);
-    } catch (Stop& stop) {
-      if (stop.line == 0) stop.line = p.history.claims[k].line;
-      throw;
-    }
+    at_line(p.history.claims[k].line, [&] { tracer.claim(p.history.claims[k], k); });
   }
-  tracer.all_maneuvers_done();
+  tracer.finish();
 }
 
 Walk::Walk(const Problem& p) : problem(p), leg_of(p.disks() + 1, 0) {

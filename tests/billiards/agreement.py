@@ -1,4 +1,4 @@
-"""The certifier of billiards and the brute-force judge, on the histories of an engine in doubles and on wrong ones.
+"""The certifier of billiards, the kernel (recorded truth) and the brute-force judge, on the histories of an engine in doubles and on wrong ones.
 
     agreement.py PROGRAM [FIRST_SEED] [SCENES] [recorded|exact]
 
@@ -35,8 +35,9 @@ def write(path, data):
 
 def told(program, truth, scene, history, tolerance="1e-6", filters="on"):
     """The program's word, and the line that it names."""
+    kernel = ["--kernel"] if truth == "recorded" else []  # undecided where the kernel does not decide
     run = subprocess.run([program, "certify", scene, history, "--truth", truth, "--quiet",
-                          "--tolerance", tolerance], env=dict(os.environ, VOROPROOF_FILTERS=filters),
+                          "--tolerance", tolerance, *kernel], env=dict(os.environ, VOROPROOF_FILTERS=filters),
                          capture_output=True, text=True, timeout=300, check=False)
     words = run.stderr.split("line ", 1)
     line = int(words[1].split(":", 1)[0]) if len(words) > 1 and words[1][:1].isdigit() else None

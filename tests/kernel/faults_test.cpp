@@ -163,7 +163,7 @@ TEST(KernelFaults, CellsThatTurnInsideOut) {
   const std::string initial = "[[-1,0,1,2],[-1,1,2,0],[-1,2,0,1],[0,1,-1,2],[0,2,1,-1],[1,2,-1,0]]";
   Problem p;
   p.scene = read_scene(scene);
-  p.history = read_history(history_of(scene, {}, "3", initial), 3);
+  p.history = read_history(history_of(scene, {}, "3", initial), p.scene);
   Counts counts;
   trace_paths(p, counts);
   const Walk walk(p);

@@ -148,8 +148,9 @@ std::string history(const std::string& lines, const std::string& horizon = "3") 
 const std::string kEnd = R"({"end":{"t":3,"flips":0,"collisions":0,"maneuvers":0}})";
 
 TEST(KernelFiles, Histories) {
-  EXPECT_FALSE(read_history(history(kEnd), 2).stopped);
-  EXPECT_TRUE(read_history(history(R"({"stopped":{"t":1,"reason":"x"}})"), 2).stopped);
+  EXPECT_FALSE(read_history(history(kEnd), read_scene(kScene)).stopped);
+  EXPECT_TRUE(
+      read_history(history(R"({"stopped":{"t":1,"reason":"x"}})"), read_scene(kScene)).stopped);
   for (const char* bad : {
            "{\"t\":1,\"flip\":[0,1,-1,-1]}",
            "{\"t\":2,\"flip\":[0,1,-1,-1]}\n{\"t\":1,\"flip\":[0,1,-1,-1]}\n",
@@ -167,11 +168,11 @@ TEST(KernelFiles, Histories) {
            "[]\n",
            "\n",
        }) {
-    EXPECT_TRUE(refused([&] { read_history(history(bad + kEnd), 2); })) << bad;
+    EXPECT_TRUE(refused([&] { read_history(history(bad + kEnd), read_scene(kScene)); })) << bad;
   }
-  EXPECT_TRUE(refused([] { read_history(history(""), 2); }));
-  EXPECT_TRUE(refused([] { read_history(history(kEnd + "\n\n"), 2); }));
-  EXPECT_TRUE(refused([] { read_history(history(kEnd, "2"), 2); }));
+  EXPECT_TRUE(refused([] { read_history(history(""), read_scene(kScene)); }));
+  EXPECT_TRUE(refused([] { read_history(history(kEnd + "\n\n"), read_scene(kScene)); }));
+  EXPECT_TRUE(refused([] { read_history(history(kEnd, "2"), read_scene(kScene)); }));
 }
 
 TEST(KernelFiles, Extensions) {
@@ -185,18 +186,20 @@ TEST(KernelFiles, Extensions) {
   EXPECT_TRUE(refused([] { read_scene(changed("\"radius\": 10", "\"radius\":10,\"x-a\":1")); }));
   const std::string flip = "{\"x-b\":1,\"t\":1,\"flip\":[0,1,-1,-1],\"x-a\":null}\n";
   const std::string end = kEnd.substr(0, kEnd.size() - 1);
-  EXPECT_EQ(read_history(history(flip + end + ",\"x-a\":0}"), 2).claims.size(), 1u);
-  EXPECT_TRUE(
-      refused([&] { read_history(history(end.substr(0, end.size() - 1) + ",\"x-a\":0}}"), 2); }));
+  EXPECT_EQ(read_history(history(flip + end + ",\"x-a\":0}"), read_scene(kScene)).claims.size(),
+            1u);
+  EXPECT_TRUE(refused([&] {
+    read_history(history(end.substr(0, end.size() - 1) + ",\"x-a\":0}}"), read_scene(kScene));
+  }));
 }
 
 TEST(KernelFiles, ANewerFileIsToldAsSuch) {
   try {
-    read_scene("{\"format\":\"voroproof-scene\",\"walls\":[],\"version\":2}");
+    read_scene("{\"format\":\"voroproof-scene\",\"walls\":[],\"version\":3}");
     FAIL();
   } catch (const Stop& stop) {
     EXPECT_EQ(stop.verdict, Verdict::invalid);
-    EXPECT_EQ(stop.reason, "of version 2; this program reads version 1");
+    EXPECT_EQ(stop.reason, "of version 3; this program reads versions 1 and 2");
   }
 }
 

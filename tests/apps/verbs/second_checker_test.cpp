@@ -62,6 +62,30 @@ TEST_F(SecondChecker, BothCertify) {
   EXPECT_EQ(json("r.json")["proved_checker"], "CERTIFIED");
 }
 
+TEST_F(SecondChecker, TheKernelJudgesBilliards) {
+  std::ofstream(file("b.json"))
+      << R"({"format":"voroproof-scene","version":2,"contacts":"bounce","horizon":2,)"
+         R"("frame":{"periodic":[10,null]},"disks":[{"center":[1,5],"radius":1,"velocity":[-2,0]},)"
+         R"({"center":[7,5],"radius":1,"velocity":[0,0]}]})";
+  must({"simulate", file("b.json"), "-o", file("b.jsonl")});
+  const auto both = [&](const std::string& history, const char* truth) {
+    return run({"certify", file("b.json"), history, "--truth", truth, "--kernel", "--report",
+                file("b.report.json")});
+  };
+  const Result right = both(file("b.jsonl"), "recorded");
+  EXPECT_EQ(right.code, 0) << right.err;
+  EXPECT_TRUE(holds(right.out, "c kernel: CERTIFIED\n")) << right.out;
+  EXPECT_EQ(json("b.report.json")["kernel"], "CERTIFIED");
+  const Result wrong = both(
+      edited(file("b.jsonl"), [](auto& lines) { lines.erase(lines.begin() + 1); }), "recorded");
+  EXPECT_EQ(wrong.code, 1) << wrong.err;
+  EXPECT_TRUE(holds(wrong.out, "c kernel: REFUTED: line 2: disks 0 and 1 at image [-1,0] overlap"))
+      << wrong.out;
+  const Result exact = both(file("b.jsonl"), "exact");
+  EXPECT_EQ(exact.code, 2);
+  EXPECT_TRUE(holds(exact.err, "--truth recorded")) << exact.err;
+}
+
 TEST_F(SecondChecker, WhatTheProvedCheckerDoesNotDecideIsUndecided) {
   const std::string alone = scene("5", disk("0,0", "1", "1,0"));
   must({"simulate", alone, "-o", file("alone.history.jsonl")});
