@@ -158,14 +158,12 @@ void Leader::tell_collision(GenId i, GenId j, const Impact& impact, bool lone) {
     turns_->last().time = impact.time_dd;
     turns_->last().tells_time = true;
   }
-  turns_->add(LedTurn{i, j, motion_.turned(i), motion_.turned(j), impact.first, impact.second,
-                      motion_.v_scale()});
+  turns_->add(motion_.led(i, j, impact.first, impact.second));
   ++work_;
 }
 
 void Leader::tell_maneuver(GenId disk, const RoundedState& rounded) {
-  const TurnedState state = motion_.turned(disk);
-  turns_->add(LedTurn{disk, disk, state, state, rounded, rounded, motion_.v_scale()});
+  turns_->add(motion_.led(disk, disk, rounded, rounded));
   ++work_;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <vector>
 
@@ -12,15 +11,6 @@
 #include "filtered/search/moment.h"
 
 namespace voroproof::internal {
-
-// A collision of i < j, or a maneuver of i = j: the states after it, and these as a history says
-// them. Nothing is said of the container's.
-struct LedTurn {
-  GenId i, j;
-  TurnedState first, second;
-  RoundedState rounded_first, rounded_second;
-  std::int64_t v_scale;  // Motion::v_scale() after it
-};
 
 // All instants of a slice, in order.
 class LedTurns {

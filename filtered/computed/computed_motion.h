@@ -29,6 +29,24 @@ struct TurnedState {
   double ex, ev;
 };
 
+// A collision of i < j, or a maneuver of i = j, for motions that follow this one: the states after
+// it, and these as a history says them. Nothing is said of the container's.
+struct LedTurn {
+  GenId i, j;
+  TurnedState first, second;
+  RoundedState rounded_first, rounded_second;
+  std::int64_t v_scale;  // ComputedMotion::v_scale() after it
+};
+
+// An exact state that came about without a radical.
+struct RationalState;
+
+// Facts about the states of a motion so far that were expensive to find out.
+struct MotionFacts {
+  CollisionRelations relations;
+  std::vector<std::shared_ptr<const RationalState>> rational;
+};
+
 // All states of a motion at some time.
 struct MotionSnapshot {
   std::vector<int> states;  // Motion::state_id(), of all generators
@@ -65,14 +83,26 @@ class ComputedMotion final : public Motion {
   std::shared_ptr<MotionStates::LastingSnapshot> lasting_states() {
     return states_->lasting_snapshot();
   }
+  MotionFacts facts() const { return {relations_, rational_}; }
   TurnedState turned(GenId g) const;
+  // The last turn, which left these rounded states; of a maneuver both are one.
+  LedTurn led(GenId i, GenId j, const RoundedState& first, const RoundedState& second) const;
+  // The states that the last turn has left, in all bits.
+  MotionStates::After after(GenId i, GenId j) { return states_->after(i, j); }
   std::int64_t v_scale() const { return states_->v_scale(); }
   // This motion, which follows another, is as that one was then.
   void follow(const MotionSnapshot& then);
+  // Believes the facts, which are of the other motion, of its states up to then.
+  void believe(const MotionFacts& facts);
   // The next record of the other motion, after which i < j, or i alone if j = i, were in these
   // states. Nothing is said of the container's.
   void follow(GenId i, const TurnedState& first, GenId j, const TurnedState& second,
               std::int64_t v_scale);
+  // The same; `states`, which outlive this motion: what after() has told of it.
+  void follow(const LedTurn& turn, const MotionStates::After& states) {
+    follow(turn.i, turn.first, turn.j, turn.second, turn.v_scale);
+    states_->follow(turn.i, turn.j, states);
+  }
 
   std::uint64_t replays() const { return states_->replays(); }
 
@@ -123,7 +153,6 @@ class ComputedMotion final : public Motion {
   std::unique_ptr<MotionStates> states_;
   CollisionRelations relations_;
   // The last exact state of each generator that was asked for and came about without a radical.
-  struct RationalState;
   mutable std::vector<std::shared_ptr<const RationalState>> rational_;
 };
 

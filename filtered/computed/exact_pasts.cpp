@@ -11,7 +11,7 @@
 
 namespace voroproof::internal {
 
-struct ComputedMotion::RationalState {
+struct RationalState {
   int id;
   ExactMotion::State state;
   Tower start;

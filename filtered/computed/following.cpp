@@ -11,6 +11,27 @@ MotionStates::Snapshot MotionStates::snapshot() {
   return states_after(size_);
 }
 
+MotionStates::After MotionStates::after(GenId i, GenId j) {
+  apply_rest();
+  are_shared_ = true;
+  const auto one = [this](GenId g) { return After::One{fixed_[g + 1], balls_[g + 1]}; };
+  return {one(i), one(j), bits_.goal};
+}
+
+void MotionStates::follow(GenId i, GenId j, const After& states) {
+  if (applied_ + 1 != size_ || states.goal_bits < bits_.goal) return;
+  const auto take = [this](GenId g, const After::One& one) {
+    if (g == container_id) return;
+    // To count references would cost more than all else here.
+    const std::shared_ptr<void> nobody;
+    fixed_[g + 1] = {nobody, one.fixed.get()};
+    balls_[g + 1] = {nobody, one.balls.get()};
+  };
+  take(i, states.first);
+  take(j, states.second);
+  ++applied_;
+}
+
 MotionStates::Snapshot MotionStates::states_after(std::size_t records) const {
   return {fixed_, balls_, records, bits_.goal, bits_.slope, bits_.reserve, v_scale_};
 }
@@ -45,11 +66,21 @@ TurnedState ComputedMotion::turned(GenId g) const {
   return {m.t, m.x, m.y, m.vx, m.vy, s.x, s.y, s.vx, s.vy, s.ex, s.ev};
 }
 
+LedTurn ComputedMotion::led(GenId i, GenId j, const RoundedState& first,
+                            const RoundedState& second) const {
+  return {i, j, turned(i), turned(j), first, second, v_scale()};
+}
+
 void ComputedMotion::follow(const MotionSnapshot& then) {
   state_ = then.states;
   doubles_ = then.doubles;
   seconds_ = then.seconds;
   states_->follow(then.full);
+}
+
+void ComputedMotion::believe(const MotionFacts& facts) {
+  relations_ = facts.relations;
+  rational_ = facts.rational;
 }
 
 void ComputedMotion::take(GenId g, const TurnedState& s) {

@@ -26,6 +26,15 @@ class MotionLog {
     int maneuver;            // its index, or -1
   };
 
+  MotionLog() = default;
+  // A log of its own that begins with so many records of the other, which may be growing.
+  MotionLog(const MotionLog& other, std::size_t records) {
+    const std::lock_guard lock(other.mutex_);
+    records_.assign(other.records_.begin(),
+                    other.records_.begin() + static_cast<std::ptrdiff_t>(records));
+    maneuvers_ = other.maneuvers_;
+  }
+
   void append(const Record& r) {
     const std::lock_guard lock(mutex_);
     records_.push_back(r);

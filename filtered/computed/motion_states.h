@@ -51,6 +51,12 @@ class MotionStates {
     ++size_;
     v_scale_ = v_scale;
   }
+  // The states of two generators that the last record has left.
+  struct After;
+  After after(GenId i, GenId j);
+  // Where these states follow, and all before is applied: the record is applied, too, if what
+  // after() told of it is as accurate as that makes it. `states` outlive these.
+  void follow(GenId i, GenId j, const After& states);
   // All states after the records so far. They stay as they are: since then those that change are
   // made anew.
   struct Snapshot;
@@ -128,6 +134,16 @@ class MotionStates {
   std::vector<std::weak_ptr<LastingSnapshot>> lasting_;  // oldest first
   CollisionFactors laws_;
   FixedCollision collision_;
+};
+
+// They are not changed any more.
+struct MotionStates::After {
+  struct One {
+    std::shared_ptr<FixedState> fixed;
+    std::shared_ptr<State<Ball>> balls;
+  };
+  One first, second;
+  int goal_bits = 0;
 };
 
 struct MotionStates::Snapshot {
