@@ -26,7 +26,8 @@ for ((k = 0; k < repeats; k++)); do
   measure simulate "$program" simulate "$scene" -o "$history" --quiet
   measure recorded-1 "$program" certify "$scene" "$history" --truth recorded --threads 1 --quiet
   measure recorded-2 "$program" certify "$scene" "$history" --truth recorded --threads 2 --quiet
-  measure exact "$program" certify "$scene" "$history" --truth exact --quiet
+  measure exact-1 "$program" certify "$scene" "$history" --truth exact --threads 1 --quiet
+  measure exact-2 "$program" certify "$scene" "$history" --truth exact --threads 2 --quiet
   pids=()
   for name in apart-a apart-b; do
     measure $name "$program" certify "$scene" "$history" --truth recorded --threads 1 --quiet &
@@ -42,14 +43,14 @@ events=$(($(wc -l <"$history") - 2))
 echo "n = $n, T = $horizon: $events events; medians of $repeats"
 printf '%-12s %8s %8s %10s %22s\n' what 'user s' 'wall s' 'peak MB' 'wall / simulate wall'
 base=$(median simulate 2)
-for name in simulate recorded-1 recorded-2 apart exact; do
+for name in simulate recorded-1 recorded-2 apart exact-1 exact-2; do
   printf '%-12s %8s %8s %10s %22s\n' "$name" "$(median $name 1)" "$(median $name 2)" \
     "$(median $name 3 | awk '{ printf "%.1f", $1 / 1024 }')" \
     "$(median $name 2 | awk -v b="$base" '{ printf "%.2f", $1 / b }')"
 done
 # Of the runs of one turn, which the machine's mood concerns alike.
-gain() { paste "$scratch/recorded-1" "$1" | awk -v f="$2" '{ print f * $2 / $5 }' | sort -n |
+gain() { paste "$scratch/$3" "$1" | awk -v f="$2" '{ print f * $2 / $5 }' | sort -n |
   awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
 paste "$scratch/apart-a" "$scratch/apart-b" | awk '{ print 0, ($2 > $5 ? $2 : $5), 0 }' >"$scratch/both"
-printf 'the second thread makes it %.2f times faster; two processes do twice the work %.2f times as fast\n' \
-  "$(gain "$scratch/recorded-2" 1)" "$(gain "$scratch/both" 2)"
+printf 'the second thread makes it %.2f times faster (exact truth: %.2f); two processes do twice the work %.2f times as fast\n' \
+  "$(gain "$scratch/recorded-2" 1 recorded-1)" "$(gain "$scratch/exact-2" 1 exact-1)" "$(gain "$scratch/both" 2 recorded-1)"

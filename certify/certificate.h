@@ -111,9 +111,14 @@ struct Certificate {
   std::int64_t flips_not_judged = 0;
   // The history's horizon and the scene's, where they are not one.
   std::optional<std::array<Rational, 2>> other_horizon;
-  // Errors of the claimed times, in units in the last place of the claim.
-  double ulps_max = 0, ulps_mean = 0;
-  std::int64_t ulps_max_line = 0;
+  // Errors of claimed times of flips, in units in the last place of the claim: the greatest, and
+  // the sum of so many.
+  double ulps_max = 0, ulps_sum = 0;
+  std::int64_t ulps_max_line = 0, ulps_count = 0;
+  // 0 where there are none.
+  double ulps_mean() const {
+    return ulps_count > 0 ? ulps_sum / static_cast<double>(ulps_count) : 0;
+  }
   std::vector<std::string> remarks;
   int highest_bits = 0;
   TierCounts tiers;

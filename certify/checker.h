@@ -51,8 +51,9 @@ class Checker {
   Checker(const Scene& scene, GivenMotion& motion, HistorySource& history,
           const CertifyOptions& options, Replay replay, std::optional<double> begin = {},
           std::vector<Replay::Place> places = {});
-  // Exact truth: `motion` is new, and turns as `exact` has it.
+  // Exact truth: `motion` is new, or as it is in truth at `begin`, and turns as `exact` has it.
   Checker(const Scene& scene, Motion& motion, HistorySource& history, const CertifyOptions& options,
+          Replay replay, std::optional<double> begin, std::vector<Replay::Place> places,
           const ExactTruth::Make& exact);
 
   // The whole history, or the part of it up to `end`: the verdict of a part that is not the last

@@ -9,26 +9,23 @@
 
 namespace voroproof::internal {
 
-// When the present motion of the pair began: with the later of the last turns of the two. Nothing
-// where neither has turned.
-const ExactPairs::Birth* ExactPairs::birth(GenId i, GenId j) const {
-  const auto of = [this](GenId g) {
-    return g == container_id || births_.empty() ? nullptr : births_[g].get();
-  };
-  const Birth *a = of(i), *b = of(j);
-  if (a == nullptr || b == nullptr) return a != nullptr ? a : b;
+// With whose last turn the present motion of the pair began: the later. The container where neither
+// has turned.
+GenId ExactPairs::born_last(GenId i, GenId j) const {
+  const auto turned = [this](GenId g) { return g != container_id && births_[g].has_value(); };
+  if (!turned(i) || !turned(j)) return turned(i) ? i : turned(j) ? j : container_id;
   // States are numbered in their order of time.
-  return s_.motion.state_id(i) > s_.motion.state_id(j) ? a : b;
+  return s_.motion.state_id(i) > s_.motion.state_id(j) ? i : j;
 }
 
 Moment ExactPairs::born(GenId i, GenId j) const {
-  const Birth* b = birth(i, j);
-  return b != nullptr ? b->moment : Moment::at(0);
+  const GenId g = born_last(i, j);
+  return g != container_id ? *births_[g] : Moment::at(0);
 }
 
 bool ExactPairs::born_at_present(GenId i, GenId j) const {
-  const Birth* b = birth(i, j);
-  return (b != nullptr ? b->instant : 0) == front_.instant && !front_.moment.is_flip();
+  const GenId g = born_last(i, j);
+  return (g != container_id ? instants_[g] : 0) == front_.instant && !front_.moment.is_flip();
 }
 
 Moment ExactPairs::since(GenId i, GenId j) const {
@@ -38,8 +35,8 @@ Moment ExactPairs::since(GenId i, GenId j) const {
 
 void ExactPairs::note_birth(GenId g, const Moment& m) {
   if (g == container_id) return;
-  births_.resize(s_.motion.size());
-  births_[g] = std::make_shared<const Birth>(Birth{m, front_.instant});
+  births_[g] = m;
+  instants_[g] = front_.instant;
 }
 
 Moment ExactPairs::moment_of(GenId i, GenId j, const NextContact& c) const {

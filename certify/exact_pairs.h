@@ -2,8 +2,9 @@
 // them last turned.
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "certify/exact_truth.h"
@@ -14,11 +15,23 @@
 
 namespace voroproof::internal {
 
+// When the present motion of each disk began; nothing for those that have not turned.
+using Births = std::vector<std::optional<Moment>>;
+
 class ExactPairs {
  public:
-  ExactPairs(Setting& s, const Front& front, const Refuter& refuter, TurnOrder& order)
-      : s_(s), front_(front), refuter_(refuter), order_(order) {}
+  // `births`: of before the history, or before the part of it.
+  ExactPairs(Setting& s, const Front& front, const Refuter& refuter, TurnOrder& order,
+             Births births)
+      : s_(s),
+        front_(front),
+        refuter_(refuter),
+        order_(order),
+        births_(std::move(births)),
+        instants_(births_.size(), 0) {}
 
+  // Afterwards there are none here.
+  Births take_births() { return std::move(births_); }
   // The disk has turned at m, the present instant.
   void note_birth(GenId g, const Moment& m);
   // See ExactTruth.
@@ -32,12 +45,7 @@ class ExactPairs {
   Moment moment_of(GenId i, GenId j, const NextContact& c) const;
 
  private:
-  // When the present motion of a disk began, and the number of that instant.
-  struct Birth {
-    Moment moment;
-    int instant;
-  };
-  const Birth* birth(GenId i, GenId j) const;
+  GenId born_last(GenId i, GenId j) const;
   Moment born(GenId i, GenId j) const;
   bool born_at_present(GenId i, GenId j) const;
 
@@ -45,7 +53,9 @@ class ExactPairs {
   const Front& front_;
   const Refuter& refuter_;
   TurnOrder& order_;
-  std::vector<std::shared_ptr<const Birth>> births_;  // by disk; empty before the first
+  Births births_;
+  // By disk: the number of the instant of its birth; 0 at the start, or before the part.
+  std::vector<int> instants_;
 };
 
 }  // namespace voroproof::internal

@@ -50,7 +50,7 @@ Moment ExactTurns::contact_of(const CollideEvent& claim) {
 
 void ExactTurns::collide(const CollideEvent& claim) {
   const GenId i = claim.i, j = claim.j;
-  Moment m = contact_of(claim);
+  const Moment m = contact_of(claim);
   instants_.advance(m);
   instants_.require_no_flip_yet(i, j);
   order_.begin(i, j, claims_.line(), claim);
@@ -65,25 +65,38 @@ void ExactTurns::collide(const CollideEvent& claim) {
       if (!s_.law.obeyed(claim, p, s_.replay.velocities(i, j), 0)) responses_.refute(claim, p);
     }
   }
+  const TrueTurn& turned = turn(claim, m);
+  check_state(claim, 1, turned.led.rounded_second);
+  if (i != container_id) check_state(claim, 0, turned.led.rounded_first);
+  note(claim, turned);
+  order_.end();
+  around_.begin(front_.moment);
+  front_.turning.clear();
+}
+
+const TrueTurn& ExactTurns::turn(const CollideEvent& claim, Moment m) {
+  const GenId i = claim.i, j = claim.j;
   front_.turning = {i, j};
-  const Impact impact = motion_.collide(i, j, m.middle());
+  const TrueTurn& turned = turns_.collide(i, j, m);
   m.collided(i, j, s_.motion.state_id(j));
-  m.dd = impact.time_dd;
+  m.dd = turned.time;
   m.tight = true;
   front_.moment = m;
   exact_.note_birth(i, m);
   exact_.note_birth(j, m);
-  check_state(claim, 1, impact.second);
-  if (i != container_id) check_state(claim, 0, impact.first);
+  return turned;
+}
+
+// For what it gives of them, the claim is taken at its word.
+void ExactTurns::note(const CollideEvent& claim, const TrueTurn& turned) {
   std::optional<ExactPair> computed;
   if (!claim.v[1]) {
-    computed = {ExactVec2{to_rational(impact.first.vx), to_rational(impact.first.vy)},
-                ExactVec2{to_rational(impact.second.vx), to_rational(impact.second.vy)}};
+    const auto velocity = [](const RoundedState& s) {
+      return ExactVec2{to_rational(s.vx), to_rational(s.vy)};
+    };
+    computed = {velocity(turned.led.rounded_first), velocity(turned.led.rounded_second)};
   }
   s_.replay.note_collision(claim, computed);
-  order_.end();
-  around_.begin(m);
-  front_.turning.clear();
 }
 
 void ExactTurns::maneuver(const ManeuverEvent& claim, std::size_t k) {
@@ -95,16 +108,22 @@ void ExactTurns::maneuver(const ManeuverEvent& claim, std::size_t k) {
   order_.begin(g, g, claims_.line(), claim);
   if (!front_.begun) order_.note_at_start(g, g);
   around_.end(container_id, g, m);
-  front_.turning = {g};
-  const RoundedState s = motion_.maneuver(g, due.t, due.vx, due.vy);
-  front_.moment = m;
-  exact_.note_birth(g, m);
+  const RoundedState s = turn(k).led.rounded_first;
   order_.end();
   responses_.check_center(g, exact_center(claim), {due.vx, due.vy},
                           {to_rational(s.px), to_rational(s.py)});
   s_.replay.note_maneuver(k, claim);
   around_.begin(m);
   front_.turning.clear();
+}
+
+const TrueTurn& ExactTurns::turn(std::size_t k) {
+  const Maneuver& due = s_.scene.maneuvers[k];
+  front_.turning = {due.disk};
+  const TrueTurn& turned = turns_.maneuver(k);
+  front_.moment = Moment::at(due.t);
+  exact_.note_birth(due.disk, front_.moment);
+  return turned;
 }
 
 namespace {

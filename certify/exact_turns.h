@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "certify/cells_around.h"
 #include "certify/claims.h"
@@ -14,25 +15,25 @@
 #include "certify/pair_lives.h"
 #include "certify/refuter.h"
 #include "certify/responses.h"
+#include "certify/true_turns.h"
 #include "certify/turn_order.h"
-#include "filtered/computed/computed_motion.h"
 
 namespace voroproof::internal {
 
-class ExactTurns final : public ExactTruth {
+class ExactTurns : public ExactTruth {
  public:
-  // `motion` is that of the setting.
-  ExactTurns(ComputedMotion& motion, const Parts& of)
-      : motion_(motion),
-        s_(of.s),
+  // `turns` is of the motion of the setting; `births` as ExactPairs takes them.
+  ExactTurns(const Parts& of, TrueTurns& turns, Births births)
+      : s_(of.s),
         claims_(of.claims),
         front_(of.front),
         refuter_(of.refuter),
         pairs_(of.pairs),
         around_(of.around),
         instants_(of.instants),
+        turns_(turns),
         order_(s_, front_, refuter_),
-        exact_(s_, front_, refuter_, order_),
+        exact_(s_, front_, refuter_, order_, std::move(births)),
         responses_(s_, claims_, refuter_) {}
 
   Moment since(GenId i, GenId j) const override { return exact_.since(i, j); }
@@ -54,12 +55,20 @@ class ExactTurns final : public ExactTruth {
   void require_order(bool complete) override { order_.require_order(complete); }
   std::optional<Divergence> due_before() const override { return order_.due_before(); }
 
+ protected:
+  Instants& instants() { return instants_; }
+  Births take_births() { return exact_.take_births(); }
+  // The disks of the claim turn at m, which is their contact, or by maneuver k.
+  const TrueTurn& turn(const CollideEvent& claim, Moment m);
+  const TrueTurn& turn(std::size_t k);
+  // They have turned.
+  void note(const CollideEvent& claim, const TrueTurn& turned);
+
  private:
   Moment contact_of(const CollideEvent& claim);
   // A claimed state against the true one, correctly rounded.
   void check_state(const CollideEvent& claim, int side, const RoundedState& truth);
 
-  ComputedMotion& motion_;
   Setting& s_;
   const Claims& claims_;
   Front& front_;
@@ -67,6 +76,7 @@ class ExactTurns final : public ExactTruth {
   PairLives& pairs_;
   CellsAround& around_;
   Instants& instants_;
+  TrueTurns& turns_;
   TurnOrder order_;
   ExactPairs exact_;
   Responses responses_;

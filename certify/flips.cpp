@@ -192,8 +192,8 @@ void Flips::count_ulps(const Moment& m, double claimed) {
         .to_interval(lo, hi);
     error = std::fmax(std::fabs(lo), std::fabs(hi)) / ulp;
   }
-  ulps_sum_ += error;
-  ++ulps_count_;
+  s_.certificate.ulps_sum += error;
+  ++s_.certificate.ulps_count;
   if (error > s_.certificate.ulps_max) {
     s_.certificate.ulps_max = error;
     s_.certificate.ulps_max_line = claims_.line();

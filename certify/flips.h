@@ -29,11 +29,6 @@ class Flips {
 
   // Proves the claim being checked, or throws Refuted or Undecided.
   void flip(const FlipEvent& claim);
-  // The mean distance of the claimed times from the true ones, in units of the last place; 0 where
-  // there are none.
-  double ulps_mean() const {
-    return ulps_count_ > 0 ? ulps_sum_ / static_cast<double>(ulps_count_) : 0;
-  }
 
  private:
   // When an edge flips for a claim.
@@ -64,8 +59,6 @@ class Flips {
   EdgeLives& edges_;
   PairLives& pairs_;
   Instants& instants_;
-  double ulps_sum_ = 0;
-  std::int64_t ulps_count_ = 0;
 };
 
 }  // namespace voroproof::internal

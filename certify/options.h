@@ -30,15 +30,15 @@ struct CertifyOptions {
   // collision is of two that touch and approach then, and none such is left (docs/claim.md).
   bool any_order = false;
   bool unoriented = false;  // quadruplets may exchange their third generators, as in .evtsq files
-  // For all events of the recorded truth, and for the initial diagram. The certificate is the same.
+  // Where all events are judged, and for the initial diagram. The certificate is the same.
   int threads = 1;
   // Exact truth: whether the certificate tells how far the claimed times of flips are from the true
   // ones (Certificate::ulps_max).
   bool measures_times = true;
   bool judges_flips() const { return events == EventKinds::all; }
   bool accepts_other_orders() const { return any_order && !strict; }
-  // Recorded truth, all events: the history is certified in parts of so many claims at least, and
-  // of one in 512 of that for each disk.
+  // All events: the history is certified in parts of so many claims at least, and of one in 512 of
+  // that for each disk.
   std::size_t least_part = 4096;
   // How many of the claims within twice the tolerance are looked at together, to find their order.
   std::size_t most_near = 16384;

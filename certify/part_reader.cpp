@@ -29,34 +29,36 @@ void ClaimList::add(Event&& event, std::int64_t line) {
   }
 }
 
-std::optional<Event> ClaimList::take(std::size_t k) {
+std::optional<Event> ClaimList::event(std::size_t k) const {
   const Claim& claim = claims_[k];
+  if (claim.quad.l == kOther) return others_[static_cast<std::size_t>(claim.quad.r)];
   std::optional<Event> event(std::in_place, std::in_place_type<FlipEvent>);
-  if (claim.quad.l == kOther) {
-    *event = std::move(others_[static_cast<std::size_t>(claim.quad.r)]);
-  } else {
-    auto& flip = std::get<FlipEvent>(*event);
-    flip.t = claim.t;
-    flip.quad = claim.quad;
-  }
+  auto& flip = std::get<FlipEvent>(*event);
+  flip.t = claim.t;
+  flip.quad = claim.quad;
   return event;
 }
 
-// A part of a history as a history.
+// Parts of a history as a history.
 class PartReader::Section : public HistorySource {
  public:
-  // `rest`: what follows these claims, where the part is the last.
-  Section(const HistoryHeader& header, ClaimList claims, ReadAhead* rest)
-      : header_(header), claims_(std::move(claims)), rest_(rest) {}
+  using Lists = std::vector<std::shared_ptr<const ClaimList>>;
+
+  // `rest`: what follows these claims, where nothing else does. `turns`: others are passed over.
+  Section(const HistoryHeader& header, Lists lists, ReadAhead* rest, bool turns = false)
+      : header_(header), lists_(std::move(lists)), rest_(rest), turns_(turns) {}
 
   void set_next_line(std::int64_t line) { next_line_ = line; }
 
   const HistoryHeader& header() const override { return header_; }
   std::optional<Event> next() override {
-    if (taken_ < claims_.size()) {
-      claims_.prefetch(taken_);
-      line_ = claims_.line(taken_);
-      return claims_.take(taken_++);
+    for (; list_ < lists_.size(); ++list_, taken_ = 0) {
+      const ClaimList& claims = *lists_[list_];
+      if (turns_) taken_ = claims.turn_from(taken_);
+      if (taken_ == claims.size()) continue;
+      claims.prefetch(taken_);
+      line_ = claims.line(taken_);
+      return claims.event(taken_++);
     }
     ReadAhead::Claim* const claim = rest_ != nullptr ? rest_->first() : nullptr;
     if (claim == nullptr) {
@@ -84,9 +86,10 @@ class PartReader::Section : public HistorySource {
 
  private:
   const HistoryHeader& header_;
-  ClaimList claims_;
-  std::size_t taken_ = 0;
+  Lists lists_;
+  std::size_t list_ = 0, taken_ = 0;  // the next claim, in which list
   ReadAhead* rest_;
+  bool turns_;
   std::int64_t line_ = 1;
   std::int64_t next_line_ = 0;  // line of the first claim after the part
 };
@@ -227,29 +230,40 @@ std::optional<Part> PartReader::next() {
     }
     const double until = last_ + 0.5 * (time(next->event()) - last_);
     in_parts_ += claims_.size();
-    auto section = std::make_unique<Section>(header_, std::exchange(claims_, {}), nullptr);
+    const auto list = std::make_shared<const ClaimList>(std::exchange(claims_, {}));
+    auto section = std::make_unique<Section>(header_, Section::Lists{list}, nullptr);
     section->set_next_line(next->line);
-    Part part{number_++,
-              std::move(section),
-              std::exchange(places_, {}),
-              std::exchange(before_, replay_),
-              std::exchange(begin_, until),
-              PartEnd{until, replay_.diagram()}};
-    return part;
+    return Part{number_++,
+                list,
+                std::move(section),
+                std::exchange(places_, {}),
+                std::exchange(before_, replay_),
+                std::exchange(begin_, until),
+                PartEnd{until, replay_.diagram()}};
   }
-  return last_part();
+  return rest();
 }
 
-std::optional<Part> PartReader::last_part() {
+Part PartReader::rest() {
   done_ = true;
   // No cut follows, and what is left may be long.
   if (marks_) history_.settle(LineSource::all_given);
+  const auto list = std::make_shared<const ClaimList>(std::move(claims_));
   return Part{number_++,
-              std::make_unique<Section>(header_, std::move(claims_), &ahead_),
+              list,
+              std::make_unique<Section>(header_, Section::Lists{list}, &ahead_),
               std::move(places_),
               std::move(before_),
               begin_,
               std::nullopt};
+}
+
+std::unique_ptr<HistorySource> PartReader::rest(Section::Lists lists) {
+  return std::make_unique<Section>(history_.header(), std::move(lists), &ahead_);
+}
+
+std::unique_ptr<HistorySource> PartReader::turns(const Part& part) const {
+  return std::make_unique<Section>(header_, Section::Lists{part.list}, nullptr, true);
 }
 
 }  // namespace voroproof::internal

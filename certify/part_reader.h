@@ -1,4 +1,4 @@
-// The recorded truth, in parts: the history dealt out.
+// A history dealt out in parts.
 #pragma once
 
 #include <memory>
@@ -15,25 +15,23 @@
 
 namespace voroproof::internal {
 
-// Claims that follow each other, to be proved on their own.
-struct Part {
-  std::size_t number;  // from 0
-  std::unique_ptr<HistorySource> claims;
-  std::vector<Replay::Place> places;  // places of the claims, as reading took them
-  Replay replay;                      // before them
-  std::optional<double> begin;        // none for the first part
-  std::optional<PartEnd> end;         // none for the last
-};
-
 // Events and their lines, in little memory: nearly all are flips at a time that is a double.
 class ClaimList {
  public:
   std::size_t size() const { return claims_.size(); }
   void reserve(std::size_t claims) { claims_.reserve(claims); }
   void add(Event&& event, std::int64_t line);
-  // Never none: as HistorySource gives an event, put in its place without a copy. Each once.
-  std::optional<Event> take(std::size_t k);
+  // Never none: as HistorySource gives an event, put in its place.
+  std::optional<Event> event(std::size_t k) const;
   std::int64_t line(std::size_t k) const { return claims_[k].line; }
+  // How many there are of these, at most.
+  std::size_t turns() const { return others_.size(); }
+  // The first from the k-th on that is a turn, or nearly: no flip at a time that is a double; or
+  // their number.
+  std::size_t turn_from(std::size_t k) const {
+    while (k < claims_.size() && claims_[k].quad.l != kOther) ++k;
+    return k;
+  }
   // Asks for the memory of claims that are taken after the k-th.
   [[gnu::always_inline]] void prefetch(std::size_t k) const {
     if (k + 8 < claims_.size()) internal::prefetch(&claims_[k + 8]);
@@ -51,6 +49,22 @@ class ClaimList {
   };
   std::vector<Claim> claims_;
   std::vector<Event> others_;
+};
+
+// The leader has computed this for a part, under the exact truth (certify/turn_leader.h).
+struct LedPart;
+
+// Claims that follow each other, to be proved on their own.
+struct Part {
+  std::size_t number;  // from 0
+  std::shared_ptr<const ClaimList> list;
+  std::unique_ptr<HistorySource>
+      claims;                         // the list; where the part is the last, and all that follows
+  std::vector<Replay::Place> places;  // places of the claims, as reading took them
+  Replay replay;                      // before them; under the exact truth the diagram alone
+  std::optional<double> begin;        // none for the first part
+  std::optional<PartEnd> end;         // none for the last
+  std::shared_ptr<const LedPart> led{};  // exact truth
 };
 
 // Reads a history part by part. The parts depend on the file only.
@@ -72,6 +86,14 @@ class PartReader {
   // The next part; nothing after the last. Throws InputError where the history cannot be read: what
   // has been read of the part is lost then.
   std::optional<Part> next();
+  // All that is left is the last part: also what next() has read of a part that it could not read
+  // to its end. Where the history cannot be read its claims say so, when they come to that.
+  Part rest();
+  // The last part again, with the claims of the lists before its own, and all as the history has
+  // it. Precondition: it was the last.
+  std::unique_ptr<HistorySource> rest(std::vector<std::shared_ptr<const ClaimList>> lists);
+  // Those claims of the part, which is not the last, that are no flips at times that are doubles.
+  std::unique_ptr<HistorySource> turns(const Part& part) const;
 
   // Whether there is no next part.
   bool done() const { return done_; }
@@ -94,7 +116,6 @@ class PartReader {
   void take_initial_diagram();
   bool may_end() const;
   bool is_full() const;
-  std::optional<Part> last_part();
 
   const MotionInput& input_;
   HistorySource& history_;

@@ -21,15 +21,48 @@ namespace voroproof::internal {
 
 namespace {
 
+// The proof of parts by the recorded truth.
+class RecordedParts {
+ public:
+  RecordedParts(const Scene& scene, const MotionInput& input) : scene_(scene), input_(input) {}
+
+  PartTruth truth() {
+    return {.prove = [this](Part& part, const CertifyOptions& options) {
+      return prove(part, options);
+    }};
+  }
+
+ private:
+  Certificate prove(Part& part, const CertifyOptions& options) {
+    // The motion of the last part that this thread proved, none at first. A disk that has moved by
+    // the end of an earlier part is restarted by every later one.
+    std::optional<GivenMotion>& motion = motions_.local();
+    try {
+      // More bits than at first are forgotten, so that no part depends on those before it.
+      if (!motion || motion->is_raised())
+        motion.emplace(checked_input(input_, part.claims->header()), options.motion);
+      Checker checker(scene_, *motion, *part.claims, options, std::move(part.replay), part.begin,
+                      std::move(part.places));
+      return checker.run(part.end ? &*part.end : nullptr);
+    } catch (...) {
+      motion.reset();
+      throw;
+    }
+  }
+
+  const Scene& scene_;
+  const MotionInput& input_;
+  oneapi::tbb::enumerable_thread_specific<std::optional<GivenMotion>> motions_;
+};
+
 // Parts are read in their order, proved by all threads, and their results added in their order.
 class PartwiseCertifier {
  public:
   // `task`: none for the whole.
   PartwiseCertifier(const Scene& scene, const MotionInput& input, HistorySource& history,
-                    const CertifyOptions& options, const ShardTask* task)
-      : scene_(scene),
-        input_(input),
-        options_(options),
+                    const CertifyOptions& options, PartTruth truth, const ShardTask* task)
+      : options_(options),
+        truth_(std::move(truth)),
         task_(task),
         reader_(scene, input, history, options, total_.remarks, task != nullptr) {}
 
@@ -37,6 +70,7 @@ class PartwiseCertifier {
     skip();
     begin_ = place();
     prove_all();
+    if (!not_proved_.empty()) judge_rest();
     // A shard without a part has no faults.
     if (task_ != nullptr && finished_ == first_) total_.verdict = Verdict::certified;
     return {begin_, over_ ? std::nullopt : place(), std::move(total_)};
@@ -46,8 +80,9 @@ class PartwiseCertifier {
   struct Work {
     Part part;
     std::optional<Cut> end;  // where somebody wants to know that it is reached
-    Certificate certificate;
-    std::exception_ptr error;
+    bool is_rest = false;    // it is to be judged by that
+    Certificate certificate{};
+    std::exception_ptr error{};
   };
   using Token = std::shared_ptr<Work>;
 
@@ -99,66 +134,106 @@ class PartwiseCertifier {
                      tbb::make_filter<Token, void>(tbb::filter_mode::serial_in_order,
                                                    [this](const Token& work) { finish(*work); }));
     });
-    try {
-      if (error_) std::rethrow_exception(error_);
-    } catch (CertificationInterrupted& interrupted) {
-      interrupted.prefix_events += total_.prefix_events;
-      throw;
-    }
+    if (error_) after_total([this] { std::rethrow_exception(error_); });
     if (!over_ && unreadable_) std::rethrow_exception(unreadable_);
     if (!over_ && finished_ != reader_.number()) {
       throw std::logic_error("a part of the history was not proved");
     }
   }
 
+  // The action comes after all that is in the total.
+  template <class Do>
+  void after_total(const Do& action) const {
+    try {
+      action();
+    } catch (CertificationInterrupted& interrupted) {
+      interrupted.prefix_events += total_.prefix_events;
+      throw;
+    }
+  }
+
+  // From the first part that is not proved on.
+  void judge_rest() {
+    Part part = std::move(not_proved_.front().part);
+    if (part.number == 0) total_ = {};  // the diagram was proposed for other claims, perhaps
+    std::vector<std::shared_ptr<const ClaimList>> lists{part.list};
+    for (std::size_t k = 1; k < not_proved_.size(); ++k) lists.push_back(not_proved_[k].part.list);
+    not_proved_.clear();
+    if (!reader_.done()) lists.push_back(reader_.rest().list);
+    part.claims = reader_.rest(std::move(lists));
+    CertifyOptions options = options_;
+    if (options_.monitor) {
+      options.monitor = [this](double t, std::int64_t events) {
+        return options_.monitor(t, total_.prefix_events + events);
+      };
+    }
+    after_total([&] { append(total_, truth_.rest(part, options)); });
+  }
+
   // The next part, or null. What comes before a line that cannot be read may be refuted.
   Token read() {
     if (first_bad_ != kNone || reader_.done()) return nullptr;
     if (task_ != nullptr && shard_of_next() > task_->number) return nullptr;
+    std::optional<Part> part;
     try {
-      std::optional<Part> part = reader_.next();
-      const bool due = task_ != nullptr && task_->is_due && task_->is_due();
-      return std::make_shared<Work>(
-          Work{std::move(*part), due ? place() : std::nullopt, {}, nullptr});
+      part = reader_.next();
     } catch (const InputError&) {
       unreadable_ = std::current_exception();
-      return nullptr;
+      if (!truth_.rest) return nullptr;
+      part = reader_.rest();
     }
+    const bool due = task_ != nullptr && task_->is_due && task_->is_due();
+    Token work = std::make_shared<Work>(Work{*std::move(part), due ? place() : std::nullopt});
+    lead(*work);
+    return work;
+  }
+
+  void lead(Work& work) {
+    if (!truth_.lead) return;
+    const std::size_t number = work.part.number;
+    try {
+      work.is_rest = !truth_.lead(work.part, *reader_.turns(work.part), options_for(number));
+    } catch (...) {
+      work.error = std::current_exception();
+    }
+    if (work.is_rest || work.error) note_bad(number);
   }
 
   void prove(Work& work) {
     const std::size_t number = work.part.number;
-    if (number > first_bad_) return;
-    // The motion of the last part that this thread proved, none at first. A disk that has moved by
-    // the end of an earlier part is restarted by every later one.
-    std::optional<GivenMotion>& motion = motions_.local();
+    if (number > first_bad_ || work.is_rest || work.error) return;
     try {
-      CertifyOptions options = options_;
-      options.monitor = [this, number](double t, std::int64_t events) {
-        return report(number, t, events);
-      };
-      // More bits than at first are forgotten, so that no part depends on those before it.
-      if (!motion || motion->is_raised())
-        motion.emplace(checked_input(input_, reader_.header()), options.motion);
-      Part& part = work.part;
-      Checker checker(scene_, *motion, *part.claims, options, std::move(part.replay), part.begin,
-                      std::move(part.places));
-      work.certificate = checker.run(part.end ? &*part.end : nullptr);
+      work.certificate = truth_.prove(work.part, options_for(number));
     } catch (...) {
       work.error = std::current_exception();
-      motion.reset();
     }
-    if (!work.error && work.certificate.verdict == Verdict::certified) return;
+    if (work.error || work.certificate.verdict != Verdict::certified) note_bad(number);
+  }
+
+  CertifyOptions options_for(std::size_t number) {
+    CertifyOptions options = options_;
+    options.monitor = [this, number](double t, std::int64_t events) {
+      return report(number, t, events);
+    };
+    return options;
+  }
+
+  void note_bad(std::size_t number) {
     std::size_t first = first_bad_;
     while (number < first && !first_bad_.compare_exchange_weak(first, number)) {
     }
   }
 
   void finish(Work& work) {
+    if (over_ && !not_proved_.empty()) not_proved_.push_back(std::move(work));
     if (over_) return;
     const std::lock_guard lock(mutex_);
     error_ = work.error;
     over_ = error_ || work.certificate.verdict != Verdict::certified;
+    if (over_ && !error_ && truth_.rest) {
+      not_proved_.push_back(std::move(work));
+      return;
+    }
     if (!error_) append(total_, std::move(work.certificate));
     ++finished_;
     if (!over_ && work.end) task_->proved({begin_, work.end, total_});
@@ -174,9 +249,8 @@ class PartwiseCertifier {
 
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-  const Scene& scene_;
-  const MotionInput& input_;
   const CertifyOptions& options_;
+  const PartTruth truth_;
   const ShardTask* task_;
   std::optional<Cut> begin_;  // where the shard begins
   Certificate total_;         // result of the parts that are finished
@@ -184,24 +258,31 @@ class PartwiseCertifier {
   std::exception_ptr unreadable_;
   // The first part that is not proved right: later ones do not matter.
   std::atomic<std::size_t> first_bad_ = kNone;
-  oneapi::tbb::enumerable_thread_specific<std::optional<GivenMotion>> motions_;
-  bool over_ = false;  // a part was not proved right, and is the last in total_
+  bool over_ = false;  // a part was not proved right, and is the last in total_, or not_proved_
   std::exception_ptr error_;
-  std::size_t first_ = 0;     // the number of the first part to be proved
-  std::size_t finished_ = 0;  // the first part that is not in total_
-  std::mutex mutex_;          // guards total_ and finished_, which report() reads
+  std::vector<Work> not_proved_;  // the first such part that is to be judged again, and all later
+  std::size_t first_ = 0;         // the number of the first part to be proved
+  std::size_t finished_ = 0;      // the first part that is not in total_
+  std::mutex mutex_;              // guards total_ and finished_, which report() reads
 };
 
 }  // namespace
 
 Certificate certify_in_parts(const Scene& scene, const MotionInput& input, HistorySource& history,
+                             const CertifyOptions& options, const PartTruth& truth) {
+  return PartwiseCertifier(scene, input, history, options, truth, nullptr).run().certificate;
+}
+
+Certificate certify_in_parts(const Scene& scene, const MotionInput& input, HistorySource& history,
                              const CertifyOptions& options) {
-  return PartwiseCertifier(scene, input, history, options, nullptr).run().certificate;
+  RecordedParts parts(scene, input);
+  return certify_in_parts(scene, input, history, options, parts.truth());
 }
 
 Shard certify_in_parts(const Scene& scene, const MotionInput& input, HistorySource& history,
                        const CertifyOptions& options, const ShardTask& task) {
-  return PartwiseCertifier(scene, input, history, options, &task).run();
+  RecordedParts parts(scene, input);
+  return PartwiseCertifier(scene, input, history, options, parts.truth(), &task).run();
 }
 
 Cut start_of(const Scene& scene, const MotionInput& input, HistorySource& history,

@@ -151,6 +151,14 @@ void Replay::note_maneuver(std::size_t k, const ManeuverEvent& claim) {
   note_turn(claim.disk, false);
 }
 
+void Replay::take_turns(const Replay& other) {
+  velocities_ = other.velocities_;
+  changes_ = other.changes_;
+  turns_ = other.turns_;
+  next_maneuver_ = other.next_maneuver_;
+  done_maneuvers_ = other.done_maneuvers_;
+}
+
 Diagram::HalfEdge Replay::flip(const FlipEvent& claim) {
   const Quad& q = claim.quad;
   if (q.s == q.e) return -1;
@@ -162,7 +170,7 @@ Diagram::HalfEdge Replay::flip(const FlipEvent& claim) {
     return h >= 0 && !options_->unoriented;
   });
   if (options_->unoriented &&
-      (h < 0 || (mirrored >= 0 &&
+      (h < 0 || (mirrored >= 0 && options_->truth == Truth::recorded &&
                  means_mirrored(*this, *scene_, *options_, claim, diagram_.quad(mirrored))))) {
     h = mirrored;
   }
@@ -213,6 +221,7 @@ Replay::Place Replay::place_of(const Event& event) const {
 
 Replay::Place Replay::take(const Event& event) {
   if (const auto* f = std::get_if<FlipEvent>(&event)) return {flip(*f)};
+  if (options_->truth == Truth::exact) return place_of(event);
   if (const auto* c = std::get_if<CollideEvent>(&event)) {
     std::optional<ExactPair> computed;
     if (!c->v[1]) {

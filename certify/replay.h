@@ -109,8 +109,11 @@ class Replay : public GivenStates {
   std::size_t next_maneuver() const { return next_maneuver_; }
   void note_maneuver(std::size_t k, const ManeuverEvent& claim);
 
-  // Recorded truth: takes the claim for true. No place where it makes no sense on what is known.
+  // Takes the claim for true; under the exact truth only of a flip. No place where it makes no
+  // sense on what is known.
   Place take(const Event& event);
+  // Exact truth: has the turns of the other, of before the same claim.
+  void take_turns(const Replay& other);
   // Recorded truth: all that this replay knows, and that what comes after it depends on.
   void add_to(Fingerprint& fingerprint) const;
   // Recorded truth: becomes what the text of an index says (docs/formats.md, section 19). Throws

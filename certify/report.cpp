@@ -253,7 +253,7 @@ std::string report_text(const CertificationRun& run, const CertifyOptions& optio
   j["leniency"] = std::move(lenient);
   if (options.truth == Truth::exact) {
     j["time_error_ulps"] = {
-        {"max", c.ulps_max}, {"max_line", c.ulps_max_line}, {"mean", c.ulps_mean}};
+        {"max", c.ulps_max}, {"max_line", c.ulps_max_line}, {"mean", c.ulps_mean()}};
   }
   if (run.least) {
     j["least_tolerances"] = {{"times", run.least->times.get_str()},

@@ -32,6 +32,12 @@ void append(Certificate& total, Certificate&& next) {
   total.proved_anew += next.proved_anew;
   total.computed_velocities += next.computed_velocities;
   total.other_orders += next.other_orders;
+  if (next.ulps_max > total.ulps_max) {
+    total.ulps_max = next.ulps_max;
+    total.ulps_max_line = next.ulps_max_line;
+  }
+  total.ulps_sum += next.ulps_sum;
+  total.ulps_count += next.ulps_count;
   total.highest_bits = std::max(total.highest_bits, next.highest_bits);
   total.tiers += next.tiers;
   for (std::string& remark : next.remarks) {

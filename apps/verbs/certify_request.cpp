@@ -59,8 +59,8 @@ Verb& add_certify_options(Verb& program, const std::shared_ptr<CertifyRequest>& 
             "Have the proved checker (the program voroproof-proved, docs/proved.md) judge the "
             "files, too, under the recorded truth: both must certify the history.");
   verb.whole("--threads", request->options.threads, 1, 1024,
-             "The number of threads for the recorded truth, and for the initial diagram of both "
-             "truths. The certificate is the same.");
+             "The number of threads where all events are judged, and for the initial diagram. The "
+             "certificate is the same.");
   verb.output("--report", request->report, "Write everything that was found here, as JSON.");
   verb.text("--part", request->part, "I/N",
             "Certify the I-th of N shards of a history, under the recorded truth, and write its "

@@ -60,15 +60,26 @@ RC_GTEST_PROP(ClaimList, GivesBackWhatItWasGiven, ()) {
   for (const auto& [claim, at] : claims) list.add(Claim(claim), at);
   RC_ASSERT(list.size() == claims.size());
   ClaimList moved = std::move(list);
-  // Each once, in any order.
+  // In any order, and as often as one likes.
   const bool backwards = *rc::gen::arbitrary<bool>();
   for (std::size_t n = 0; n < claims.size(); ++n) {
     const std::size_t k = backwards ? claims.size() - 1 - n : n;
     RC_ASSERT(moved.line(k) == claims[k].second);
-    RC_ASSERT(same(moved.take(k).value(), claims[k].first));
+    RC_ASSERT(same(moved.event(k).value(), claims[k].first));
+    RC_ASSERT(same(moved.event(k).value(), claims[k].first));
     RC_ASSERT(moved.line(k) == claims[k].second);
   }
   RC_ASSERT(moved.size() == claims.size());
+  // The others are passed over by turn_from().
+  const auto is_plain_flip = [&](std::size_t k) {
+    const auto* flip = std::get_if<FlipEvent>(&claims[k].first);
+    return flip != nullptr && !flip->exact;
+  };
+  for (std::size_t k = 0; k <= claims.size(); ++k) {
+    std::size_t first = k;
+    while (first < claims.size() && is_plain_flip(first)) ++first;
+    RC_ASSERT(moved.turn_from(k) == first);
+  }
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ struct CertifyOptions {
   // Truth::exact: collisions and maneuvers of one instant may come in any order in which every
   // collision is of two that touch and approach then, and no such pair is left.
   bool any_order = false;
-  // For all events of the recorded truth, and for the initial diagram. The report is the same.
+  // Where all events are judged, and for the initial diagram. The report is the same.
   int threads = 1;
   int max_bits = 32768;
   // Called now and then with the time and the number of events judged; false interrupts.
