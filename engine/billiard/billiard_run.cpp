@@ -339,7 +339,7 @@ class BilliardEngine {
   std::optional<BilliardPair> parting_;  // the two that have just collided
   double instant_ = -1;                  // rounded, and how often pairs have collided then
   std::map<BilliardPair, int> meetings_then_;
-  std::vector<std::vector<double>> times_;  // of the last collisions, by disk; empty: they all end
+  std::vector<std::vector<double>> times_;  // the last collisions', by disk; empty: they all end
   double length_ = 0;                       // a window's
   bool is_last_ = false;
   std::size_t maneuvers_ = 0;       // that have taken place

@@ -8,6 +8,24 @@
 namespace voroproof::internal::testing {
 namespace {
 
+// What touches at the horizon is counted where all is over at the start, or one has just turned.
+TEST(BilliardWindows, ContactsAtTheHorizonAlone) {
+  BilliardCase start = head_on();
+  start.members = R"("frame":"none","disks":[
+    {"center":[0,0],"radius":1,"velocity":[1,0]},{"center":[2,0],"radius":1,"velocity":[0,0]}])";
+  start.horizon = "0";
+  start.events.clear();
+  start.collisions = 0;
+  expect_certified(start);
+  EXPECT_EQ(start.judge().left_out, 1);
+  BilliardCase cradle = head_on();
+  cradle.members.insert(cradle.members.size() - 1,
+                        R"(,{"center":[6,0],"radius":1,"velocity":[0,0]})");
+  cradle.horizon = "2";
+  expect_certified(cradle);
+  EXPECT_EQ(cradle.judge().left_out, 1);
+}
+
 TEST(BilliardWindows, LateClaimsAtTheEndOfAWindow) {
   for (int others = 250; others <= 262; ++others) {
     BilliardCase c{R"("frame":"none","disks":[

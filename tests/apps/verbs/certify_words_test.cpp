@@ -140,9 +140,7 @@ TEST_F(CertifyCli, LeastTolerances) {
   for (const char* truth : {"exact", "recorded"}) {
     const Result out = judged(missing, truth);
     EXPECT_EQ(out.code, 1);
-    EXPECT_NE(out.out.find("c an event is wrong with times within "),
-              std::string::npos)
-        << out.out;
+    EXPECT_NE(out.out.find("c an event is wrong with times within "), std::string::npos) << out.out;
     EXPECT_FALSE(json("r.json").contains("least_tolerances"));
   }
   refused({"certify", small, whole, "--least-tolerances", "--max-events", "1"},
