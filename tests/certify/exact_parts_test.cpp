@@ -153,7 +153,9 @@ TEST(ExactParts, AnyNumberOfThreads) {
   }
   ClaimedHistory stops = right;
   stops.events.resize(250);
-  stops.stop = HistoryStop{.t = time(stops.events.back()), .reason = "enough"};
+  stops.stop.emplace();
+  stops.stop->t = time(stops.events.back());
+  stops.stop->reason = "enough";
   histories.push_back(stops);
   for (const ClaimedHistory& history : histories) {
     std::string first;
