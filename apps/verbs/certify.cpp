@@ -166,7 +166,7 @@ void require_whole_file(const CertifyRequest& request) {
 // Scenes of version 2 are certified whole, in their own ways.
 void require_plain(const CertifyRequest& request, const std::string& known) {
   if (request.order != "format" || request.proved || request.resume || !request.part.empty() ||
-      request.options.unoriented || request.options.strict) {
+      !request.index.empty() || request.options.unoriented || request.options.strict) {
     throw UsageError(known + " only");
   }
   require_order(request.scene, request.history);
@@ -184,7 +184,7 @@ ExitCode certify_files_of_world(const CertifyRequest& request) {
 ExitCode certify_files_of_billiard(const CertifyRequest& request) {
   const std::string known =
       "a billiard is certified with --truth, --events, --tolerance, --law-tolerance, --max-bits, "
-      "--max-events, --report, --least-tolerances, --kernel and --quiet";
+      "--max-events, --threads, --report, --least-tolerances, --kernel and --quiet";
   require_plain(request, known);
   return certify_billiard(request);
 }

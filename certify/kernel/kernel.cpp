@@ -98,7 +98,10 @@ Rat extent_of(const Scene& scene) {
 
 void judge_billiard(Problem& p, Counts& counts) {
   if (p.exact()) undecided("the kernel judges billiards under the recorded truth alone");
-  if (p.history.horizon > p.scene.horizon) invalid("the history goes beyond its scene's horizon");
+  // A horizon that is the scene's, rounded up, is the scene's.
+  Rat& horizon = p.history.horizon;
+  if (horizon == nearest_binary64(p.scene.horizon)) horizon = std::min(horizon, p.scene.horizon);
+  if (horizon > p.scene.horizon) invalid("the history goes beyond its scene's horizon");
   p.extent = extent_of(p.scene);
   std::vector<Life> lives = trace_flights(p, counts);
   at_line(p.history.last_line, [&] { find_lives(p, lives); });

@@ -55,7 +55,7 @@ TEST_F(CertifyCli, ARoundedHorizonIsThatOfTheBilliard) {
       text.replace(at, 6, horizon);
     const std::string history = written("r.history.jsonl", text);
     return std::array{run({"certify", scene, history}).code,
-                      run({"certify", scene, history, "--truth", "recorded"}).code,
+                      run({"certify", scene, history, "--truth", "recorded", "--kernel"}).code,
                       run({"clearance", scene, history, "--required", "0", "--may-touch"}).code};
   };
   EXPECT_EQ(told("0.1"), (std::array{0, 0, 0}));
