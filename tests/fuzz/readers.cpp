@@ -187,7 +187,9 @@ bool kernel_scene(std::string_view bytes) {
 }
 
 bool kernel_history(std::string_view bytes) {
-  return kernel_accepts([&] { voroproof_kernel::read_history(std::string(bytes), disks); });
+  voroproof_kernel::Scene scene;
+  scene.disks.resize(disks);
+  return kernel_accepts([&] { voroproof_kernel::read_history(std::string(bytes), scene); });
 }
 
 }  // namespace
