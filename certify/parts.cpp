@@ -236,7 +236,14 @@ class PartwiseCertifier {
     }
     if (!error_) append(total_, std::move(work.certificate));
     ++finished_;
-    if (!over_ && work.end) task_->proved({begin_, work.end, total_});
+    if (over_) return;
+    if (work.end) task_->proved({begin_, work.end, total_});
+    // Short parts are proved before anybody asks.
+    if (options_.monitor && !options_.monitor(total_.prefix_t, total_.prefix_events)) {
+      error_ = std::make_exception_ptr(CertificationInterrupted{0, total_.prefix_t});
+      over_ = true;
+      note_bad(work.part.number);
+    }
   }
 
   // The progress of the earliest part is that of the whole.

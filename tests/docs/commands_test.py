@@ -46,6 +46,7 @@ NOT_RUN = {
     },
     "docs/install.md": {
         "scripts/install-deps.sh python packages": "installs packages and builds; scripts/check-packages.sh makes a wheel",
+        "scripts/install-deps.sh browser": "installs packages and builds; the test certifier_npm asks the package",
         "make packages": "installs packages and needs root",
         "apt install ./packages/*.deb": "installs packages",
         "tar -xf voroproof-0.1.0-linux-x86_64.tar.gz": "takes an archive, which scripts/check-packages.sh makes and tries",
