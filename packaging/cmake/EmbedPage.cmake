@@ -18,14 +18,15 @@ function(put_files expression element)
   set(page "${page}" PARENT_SCOPE)
 endfunction()
 
-# Appends to `source` an array of literals with the text: compilers limit the length of one.
+# Appends to `source` an array of literals with the text: compilers limit the length of one, and what they compute by themselves:
+# a literal with `sv` has its length.
 function(append_array name text)
   string(APPEND source "constexpr std::string_view ${name}[] = {\n")
   string(LENGTH "${text}" length)
   set(from 0)
   while(from LESS length)
     string(SUBSTRING "${text}" ${from} 8000 piece)
-    string(APPEND source "R\"page(${piece})page\",\n")
+    string(APPEND source "R\"page(${piece})page\"sv,\n")
     math(EXPR from "${from} + 8000")
   endwhile()
   set(source "${source}};\n" PARENT_SCOPE)
@@ -49,7 +50,7 @@ file(READ ${FOLDER}/page.html page)
 put_files("<link rel=\"stylesheet\" href=\"([^\"]+)\">" style)
 put_files("<script src=\"([^\"]+)\"></script>" script)
 
-set(source "// Made by packaging/cmake/EmbedPage.cmake.\n#include \"${HEADER}\"\n\nnamespace voroproof::internal {\nnamespace {\n\n")
+set(source "// Made by packaging/cmake/EmbedPage.cmake.\n#include \"${HEADER}\"\n\nnamespace voroproof::internal {\nnamespace {\n\nusing namespace std::string_view_literals;\n\n")
 cut("${page}" "{{title}}")
 append_array(before_title "${before}")
 cut("${after}" "{{data}}\n")
