@@ -1,6 +1,8 @@
 // The proof of parts by the exact truth (docs/certificate.md, Rules 3.23 to 3.25).
 #pragma once
 
+#include <optional>
+
 #include "certify/parts.h"
 #include "certify/turn_leader.h"
 
@@ -11,9 +13,7 @@ class ExactParts {
   // All outlive the parts.
   ExactParts(const Scene& scene, const MotionInput& input, const HistoryHeader& header,
              const CertifyOptions& options)
-      : scene_(scene),
-        input_(checked_input(input, header)),
-        leader_(scene, input_, header, options) {}
+      : scene_(scene), input_(checked_input(input, header)), header_(header), options_(options) {}
 
   PartTruth truth();
 
@@ -24,7 +24,9 @@ class ExactParts {
 
   const Scene& scene_;
   const MotionInput input_;
-  TurnLeader leader_;
+  const HistoryHeader& header_;
+  const CertifyOptions& options_;
+  std::optional<TurnLeader> leader_;  // of a history of several parts
 };
 
 }  // namespace voroproof::internal
