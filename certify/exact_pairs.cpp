@@ -12,7 +12,7 @@ namespace voroproof::internal {
 // With whose last turn the present motion of the pair began: the later. The container where neither
 // has turned.
 GenId ExactPairs::born_last(GenId i, GenId j) const {
-  const auto turned = [this](GenId g) { return g != container_id && births_[g].has_value(); };
+  const auto turned = [this](GenId g) { return g != container_id && births_[g] != nullptr; };
   if (!turned(i) || !turned(j)) return turned(i) ? i : turned(j) ? j : container_id;
   // States are numbered in their order of time.
   return s_.motion.state_id(i) > s_.motion.state_id(j) ? i : j;
@@ -35,7 +35,7 @@ Moment ExactPairs::since(GenId i, GenId j) const {
 
 void ExactPairs::note_birth(GenId g, const Moment& m) {
   if (g == container_id) return;
-  births_[g] = m;
+  births_[g] = std::make_shared<const Moment>(m);
   instants_[g] = front_.instant;
 }
 

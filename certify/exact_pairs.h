@@ -2,7 +2,7 @@
 // them last turned.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +16,7 @@
 namespace voroproof::internal {
 
 // When the present motion of each disk began; nothing for those that have not turned.
-using Births = std::vector<std::optional<Moment>>;
+using Births = std::vector<std::shared_ptr<const Moment>>;
 
 class ExactPairs {
  public:

@@ -3,9 +3,7 @@
 // It proves nothing.
 #pragma once
 
-#include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "certify/exact_pairs.h"
