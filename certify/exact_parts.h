@@ -26,7 +26,7 @@ class ExactParts {
   const MotionInput input_;
   const HistoryHeader& header_;
   const CertifyOptions& options_;
-  std::optional<TurnLeader> leader_;  // of a history of several parts
+  std::optional<TurnLeader> leader_;  // a history of several parts has one
 };
 
 }  // namespace voroproof::internal
